@@ -55,7 +55,7 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     if not name:
         refuse(path, "the name of the file is empty", "Name a file")
     try:
-        place = Path(os.path.realpath(name))
+        place = Path(os.path.realpath(name) if os.path.islink(name) else name)
         found = os.stat(name)
     except FileNotFoundError:
         if not place.parent.is_dir():

@@ -91,6 +91,16 @@ TEST(Counters, AreNoTimesWithoutAWarning) {
   expect_motion(read("t (ms), a (g)\n" + rows("{i},{a:.7e}\n")), 0.001);
 }
 
+TEST(Counters, OfAnySpacingGiveWayToAStep) {
+  const RecordOptions at_step{.units = "g", .step = 0.005};
+  for (const double spacing : {2.0, 5.0, 10.0}) {
+    expect_motion(read(rows("{t:.0f} {a:.7e}\n", 200, spacing), at_step));
+    expect_motion(read("n,acc\n" + rows("{t:.0f},{a:.7e}\n", 200, spacing), at_step));
+  }
+  EXPECT_EQ(error_of("time (s),acc\n" + rows("{t:.0f},{a:.7e}\n", 200, 2), at_step),
+            "r.txt:2: the first column holds times, every 2 s; remove \"step\"");
+}
+
 TEST(Counters, StandInRecordsOfDisplacementAndForce) {
   const Record moved = read("No.,Time(s),Disp(mm)\n" + rows("{i},{t:.3f},{a:.7e}\n"), {.displacement = true});
   EXPECT_NEAR(moved.step(), 0.005, 1e-12);

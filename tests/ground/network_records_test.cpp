@@ -314,6 +314,19 @@ TEST(UnamRecord, ComponentsAreColumns) {
   expect_samples(read(unam(), {.channel = "3"}), 0.01, 0.01, {1.5, 0.0319});
 }
 
+TEST(UnamRecord, AFewMoreRowsThanStatedAreLeftOut) {
+  std::string values;
+  for (int i = 0; i < 202; ++i) values += "   -0.0083   -0.0214    1.5000\n";
+  std::string text = replaced(replaced(unam(), "/4/4/2", "/200/200/200"), "/0.02/0.02/0.02", "/1.0/1.0/2.0");
+  text = text.substr(0, text.find("   -0.0083")) + values;
+  const Record record = read(text, {.channel = "V"});
+  EXPECT_EQ(record.points(), 200u);
+  ASSERT_FALSE(record.warnings.empty());
+  EXPECT_EQ(record.warnings.front(), "2 more rows than the 200 that line 23 states are left out");
+  EXPECT_EQ(error_of(text + "   -0.0083   -0.0214    1.5000\n", {.channel = "V"}),
+            "r.txt:237: more values than the 200 that line 23 states");
+}
+
 TEST(UnamRecord, ErrorsSayWhere) {
   EXPECT_EQ(error_of(unam()),
             "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: V; 2: N00E; 3: N90E");

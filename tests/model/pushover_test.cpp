@@ -278,8 +278,8 @@ structures:
       grid: {storeys: 3, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4], shear: false},
              beams: {rectangle: [0.3, 0.5], shear: false}, floor_mass: 40 t}
       hinges:
-        beams: {at: both, bilinear: {yield_moment: 180 kN m, hardening: 0.003}}
-        columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}
+        beams: {at: both, bilinear: {yield_moment: 180 kN m, spring_hardening: 0.003}}
+        columns: {at: feet, bilinear: {yield_moment: 250 kN m, spring_hardening: 0.003}}
     damping: 5 %
 ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}
 analysis: {duration: 1}

@@ -78,6 +78,9 @@ def link(chance, left, right, gap, restitutions=RESTITUTIONS, laws=LAWS):
         own["restitution"] = max(own["restitution"], LEAST_BILINEAR)
     if law in WITH_DESIGN_SPEED and chance.random() < 0.08:
         own["impact_velocity"] = decades(chance, -2, 0.5)
+    # Its stiffness follows from the closing speed, and a gap that is closed has none.
+    if law == "bilinear_hertz" and gap <= 1e-3:
+        own.setdefault("impact_velocity", 0.5)
     return own
 
 

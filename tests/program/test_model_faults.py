@@ -38,7 +38,7 @@ class FaultsOfRuns:
 
     def test_lack_of_memory_for_petsc(self):
         self.crashes = 0
-        self.some("petsc_memory", 100, 2, self.costs_no_file)
+        self.some("petsc_memory", 50, 2, self.costs_no_file)
         self.assertLess(self.crashes, test_faults.MOST_CRASHES_OF_PETSC)
 
     def test_lack_of_memory_for_hdf5_costs_no_file(self):

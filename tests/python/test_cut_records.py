@@ -1,6 +1,7 @@
 """Records that analysis.duration cuts: run, study and separation warn with their number."""
 
 import json
+import math
 import subprocess
 import sys
 import tempfile
@@ -66,7 +67,8 @@ class Cuts(unittest.TestCase):
                                      ("{synthetic: {seed: 1, duration: 6 s, pga: 0.1 g}}", CUT.format(2, 1, 1, ".*")),
                                      ("{displacement: {record: d.csv}}", CUT.format(2, 1, 1, ".*"))):
                 if "d.csv" in motion:
-                    write_record(self.folder / "d.csv", 4, "disp (mm)", 3)
+                    lines = (f"{0.01 * i:.2f},{15 * (1 - math.cos(0.06 * i)):.6f}\n" for i in range(401))
+                    (self.folder / "d.csv").write_text("time,disp (mm)\n" + "".join(lines))
                 found = self.doubts(motion)
                 self.assertEqual(len(found), 1 if expected else 0, (motion, found))
                 if expected:
@@ -129,6 +131,13 @@ class Cuts(unittest.TestCase):
         factors = {"t": {"of": "analysis.duration", "list": ["4 s", "1 s"]}}
         found = self.plan({"factors": factors, "records": {"files": ["a.csv", "b.csv", "c.csv"]}}).warnings
         self.assertRegex(found[0], CUT.format(1, 2, 3, 75))
+
+    def test_factors_of_the_motion_count(self):
+        motion = "{synthetic: {seed: 1, duration: 2 s, pga: 0.1 g, soil: firm}}"
+        of = lambda path, *values: {"factors": {"f": {"of": path, "list": list(values)}}}
+        self.assertEqual(self.plan(of("ground_motion.synthetic.duration", "1 s", "2 s"), motion=motion).warnings, ())
+        self.assertRegex(self.plan(of("ground_motion.synthetic.duration", "1 s", "8 s"), motion=motion).warnings[0], CUT.format(2, 1, 1, ".*"))
+        self.assertRegex(self.plan(of("ground_motion.record", "a.csv", "c.csv"), motion="{record: a.csv}").warnings[0], CUT.format(2, 1, 1, 50))
 
     def test_artificial_records_and_late_supports_are_cut(self):
         synthetic = {"records": {"synthetic": {"count": 3, "duration": "6 s", "pga": "0.1 g"}}, "intensity": {"measure": "pga", "levels": ["0.1 g", "0.2 g"]}}

@@ -153,7 +153,7 @@ class SameAsTheProgram(RunTest):
         # A thousandfold tolerance: 5.6 times fewer steps by the order of the scheme, if it were not for impacts.
         self.assertLess(rough.solver["steps"], pounding.run(two_oscillators()).solver["steps"] / 3)
         self.assertIn("tolerance: 0.001", rough.model_yaml)
-        done = self.program("run", TWO_OSCILLATORS, "--json", "-pounding_ts_rtol", "1e-3", "-pounding_ts_pounding_scheme", "generalized_alpha")
+        done = self.program("run", TWO_OSCILLATORS, "--json", "-pounding_ts_rtol", "0.001", "-pounding_ts_pounding_scheme", "generalized_alpha")
         with self.assertWarns(pounding.AccuracyWarning):
             by_option = pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
         printed = without_times(json.loads(done.stdout))
@@ -211,7 +211,7 @@ class Failures(RunTest):
 
     def test_energies_that_do_not_close_warn_as_in_the_program(self):
         # The option loosens the steps, not what the model promises.
-        done = self.program("run", TWO_OSCILLATORS, "-q", "-pounding_ts_rtol", "1e-3", "-pounding_ts_pounding_scheme", "generalized_alpha")
+        done = self.program("run", TWO_OSCILLATORS, "-q", "-pounding_ts_rtol", "0.001", "-pounding_ts_pounding_scheme", "generalized_alpha")
         with self.assertWarnsRegex(pounding.AccuracyWarning, "the energies do not close") as caught:
             pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
         self.assertEqual(f"pounding: warning: {caught.warning}\n", done.stderr)

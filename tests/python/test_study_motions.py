@@ -108,6 +108,20 @@ class Motions(unittest.TestCase):
             self.plan(model, **words)
         self.assertIn(said, str(caught.exception))
 
+    def test_components_are_channels_of_one_file(self):
+        lines = [(self.folder / name).read_text().splitlines()[1:] for name in PAIRS[:2]]
+        both = [f"{first},{second.partition(',')[2]}" for first, second in zip(*lines)]
+        (self.folder / "both.csv").write_text("\n".join(["time [s],NS [m/s2],EW [m/s2]", *both]) + "\n")
+        plan = self.plan(blocks(**XY), records={"x": {"files": "both.csv", "channel": "NS"}, "y": {"files": "both.csv", "channel": "EW"}})
+        parts = plan.template.motions[0].words["components"]
+        self.assertEqual([part["channel"] for part in parts.values()], ["NS", "EW"])
+        self.refused("x and y both name", blocks(**XY), records={"x": {"files": "both.csv", "channel": "NS"}, "y": {"files": "both.csv", "channel": "NS"}})
+
+    def test_a_record_that_is_there_twice_is_told(self):
+        plan = self.plan(pair(ground_motion=None), records={"files": ["RSN*", PAIRS[0]]})
+        self.assertIn(f"study.records: {PAIRS[0]}: named more than once", " ".join(plan.warnings))
+        self.assertNotIn("more than once", " ".join(self.plan(pair(ground_motion=None), records={"files": PAIRS[:3]}).warnings))
+
     def test_what_does_not_fit_is_refused(self):
         self.refused("the model has components along x, y, and files gives one motion for each row; name a file for every component", blocks(**XY),
                      records={"files": PAIRS[:2]})
@@ -116,6 +130,7 @@ class Motions(unittest.TestCase):
         self.refused("the model moves along x, y, and the records are along x; name files along y too", blocks(**XY), records={"x": PAIRS[0]})
         self.refused("x names 2 files, and y names 1; name as many along each axis", blocks(**XY), records={"x": PAIRS[:2], "y": PAIRS[2]})
         self.refused("x and y both name", blocks(**XY), records={"x": "RSN*", "y": "RSN*"})
+        self.refused("y and z both name", blocks(**XY), records={"x": PAIRS[0], "y": PAIRS[1], "z": PAIRS[1]})
         write_records(self.folder, ["c1.csv", "c2.csv", "d3.csv", "d4.csv"])
         self.refused("do not pair by their names", blocks(**XY), records={"x": "c*.csv", "y": "d*.csv"})
         self.refused("files and x was read", blocks(**XY), records={"x": PAIRS[0], "files": PAIRS})

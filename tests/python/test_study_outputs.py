@@ -90,7 +90,7 @@ class Names(Files):
                            ("taken", "it is a directory"), (".", "it is a directory"), ("..", "it is a directory"), ("/", "it is a directory"),
                            ("", "the name of the file is empty"), ("circle.h5", "Too many levels of symbolic links"), ("missing/s.h5", "mkdir -p"),
                            ("mine.h5", "holds no table of a study"), ("study.yaml", "holds no table of a study"), ("hard.h5", "holds no table of a study"),
-                           ("pair.yaml", "holds no table of a study"), ("n" * 300 + ".h5", "name too long"), ("n" * 252 + ".h5", "name too long")):
+                           ("pair.yaml", "holds no table of a study"), ("new.h5/", "the name ends as that of a directory"), ("n" * 300 + ".h5", "name too long"), ("n" * 252 + ".h5", "name too long")):
             before = {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
             with self.subTest(name[:20]):
                 self.refused(told, "study.yaml", "-o", name)

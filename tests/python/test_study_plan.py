@@ -352,6 +352,32 @@ class Wrong(unittest.TestCase):
         many = {f"f{i}": {"of": f"structures.left.oscillator.{key}", "from": 1, "to": 2, "count": 10**6} for i, key in enumerate(("mass", "period"))}
         self.refused("study: has 1000000000000 rows, and 1000000000 are the most", factors=many)
 
+    def test_percent_is_no_unit_of_a_quantity(self):
+        gap = lambda words: {"factors": {"gap": {"of": "links.*.gap", **words}}}
+        self.refused("study.intensity.levels: takes a quantity in m/s^2 such as \"0.2 g\"; 10 % was read", intensity={"measure": "pga", "levels": ["10 %"]})
+        self.refused("study.records.synthetic.pga: takes a quantity in m/s^2", records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "30 %"}})
+        said = "study.factors.gap: 10 % was read, and links.0.gap of the model is 1 mm; type values in m, or a ratio: times: links.0.gap"
+        self.refused(said, **gap({"list": ["10 %"]}))
+        self.refused(said, **gap({"from": "10 %", "to": "20 %", "count": 2}))
+        self.refused(said, **gap({"uniform": {"from": "10 %", "to": "20 %"}}), sampling={"random": 2})
+        self.assertEqual(plan_of(**gap({"list": ["50 %", "200 %"], "times": "links.0.gap"})).count, 2)
+        self.assertEqual(plan_of(**gap({"lognormal": {"median": "1 mm", "cov": "10 %"}}), sampling={"random": 2}).count, 2)
+        self.assertEqual(plan_of(factors={"e": {"of": "links.*.restitution", "list": ["60 %", "70 %"]}}).count, 2)
+
+    def test_every_label_is_checked_before_rows_run(self):
+        laws = lambda *names: {"factors": {"law": {"of": "links.*.law", "list": list(names)}}}
+        self.refused(("study.factors.law: nonsense: ", 'unknown law "nonsense"'), **laws("hertz_damped", "jankowski", "nonsense"))
+        self.assertEqual(plan_of(**laws("hertz_damped", "jankowski")).count, 2)
+
+    def test_words_next_to_a_study_file_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "study.yaml")
+            file.write_text(pair().to_yaml() + "study: {keep: [force]}\n")
+            for words, said in (({"seed": 7}, "write seed there"), ({"stop_after": "50 %"}, "write stop_after there"),
+                                ({"without_links": True, "keep": ["impacts"]}, "write keep, without_links there")):
+                with self.assertRaisesRegex(InputError, said):
+                    pounding.study(file, workers=0, **words)
+
     def test_messages_show_control_characters(self):
         self.refused(r'unknown key "a\x1b[31m\tb"', **{"a\x1b[31m\tb": 1})
 

@@ -314,6 +314,12 @@ class Rows(unittest.TestCase):
         done = subprocess.run([sys.executable, self.folder / "script.py"], capture_output=True, text=True, timeout=120)
         self.assertIn('put the call under `if __name__ == "__main__":`', done.stderr)
 
+    def test_a_sweep_keeps_all_paths_with_one_last_word(self):
+        spring = {"storeys": 1, "mass": "100 t", "stiffness": "60 MN/m", "height": "3 m", "yield_force": "0.9 MN", "hardening": "0.02"}
+        model = pair(structures={name: {"shear_building": spring, "damping": "5 %"} for name in ("left", "right", "third")})
+        study = pounding.sweep(model, {f"structures.{name}.shear_building.yield_force": ["0.8 MN", "1 MN"] for name in model.structures}, keep=["impacts"])
+        self.assertEqual((len(study), study.factors), (8, ["yield_force", "yield_force_2", "yield_force_3"]))
+
     def test_sweep_and_evaluate_are_plain_functions(self):
         study = pounding.sweep(pair(), {"links.*.gap": ["1 mm", "3 mm"], "structures.left.oscillator.period": ["0.8 s"]}, keep=["force"])
         self.assertEqual(study.factors, ["gap", "period"])

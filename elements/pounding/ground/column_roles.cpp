@@ -35,14 +35,16 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, count>&
 
 }  // namespace
 
-bool counts_rows(const NumberTable& table, std::size_t column) {
-  if (!is_whole(table, column)) return false;
-  const double first = table.at(0, column);
-  if (first != std::floor(first)) return false;
+double integer_spacing(const NumberTable& table, std::size_t column) {
+  if (!is_whole(table, column)) return 0;
+  const double first = table.at(0, column), spacing = table.at(1, column) - first;
+  if (first != std::floor(first) || spacing != std::floor(spacing) || spacing < 1) return 0;
   for (std::size_t row = 1; row < table.rows(); ++row)
-    if (table.at(row, column) != first + static_cast<double>(row)) return false;
-  return true;
+    if (table.at(row, column) != first + static_cast<double>(row) * spacing) return 0;
+  return spacing;
 }
+
+bool counts_rows(const NumberTable& table, std::size_t column) { return integer_spacing(table, column) == 1; }
 
 bool ascends(const NumberTable& table, std::size_t column) {
   if (!is_whole(table, column) || table.at(0, column) < 0) return false;

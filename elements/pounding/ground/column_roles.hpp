@@ -9,6 +9,9 @@
 
 namespace pounding::records {
 
+/// Spacing of a column of integers that increase evenly, in three rows or more; 0 for any other column.
+double integer_spacing(const NumberTable& table, std::size_t column);
+
 /// Whether a column counts the rows: consecutive integers in three rows or more.
 bool counts_rows(const NumberTable& table, std::size_t column);
 

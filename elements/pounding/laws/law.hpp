@@ -136,9 +136,9 @@ inline constexpr bool designed_for_speed = requires(const L& law, const Impact& 
   law.softening(1.0, impact);
 };
 
-/// Largest softening of an impact. It is reached at nine times the design penetration for an exponent of 1.5; a free impact stays below
+/// Largest softening of an impact. It is reached at a hundred times the design penetration for an exponent of 1.5; a free impact stays below
 /// the design penetration.
-inline constexpr double max_softening = 3;
+inline constexpr double max_softening = 10;
 
 /// A contact was pressed so deep that the design of its stiffness no longer holds. The text says what to give instead.
 class BeyondDesign : public std::invalid_argument {

@@ -305,6 +305,8 @@ def _table_name(study: str, given: str | None) -> Path:
         raise InputError("the name of the file is empty: -o needs one, such as -o study.h5")
     if Path(given).name in ("", ".."):
         raise InputError(f'cannot write "{given}": it is a directory. Name a file in it')
+    if given.endswith("/"):
+        destination(given, STUDY)
     return Path(given)
 
 

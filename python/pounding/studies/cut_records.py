@@ -18,6 +18,8 @@ from pounding.studies.words import quantity
 MAX_CUT = 0.05
 #: Points of the factors whose durations are compared, at most.
 LOOKED_AT = 100_000
+#: Motions of the model that are looked at, at most.
+MOST_MOTIONS = 100
 #: End of the warning of a model whose duration cuts its records.
 _OF_DURATION = "accept: [duration])"
 
@@ -29,22 +31,28 @@ def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[s
 
 
 def cut_records(template: Template, points: Points, last_arrival: float, files: Mapping[str, bytes]) -> list[str]:
-    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in the shortest rows; empty if none does, or if the model
+    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row; empty if none does, or if the model
     accepts it. A motion reaches its last support at `last_arrival` [s]; `files` has the contents of records. Raises InputError for a motion that cannot be read."""
     columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
     values = np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
-    duration = _shortest_duration(template, values)
+    durations = _durations(template, values)
+    duration = float(durations.min())
     if not duration or "duration" in (template.model.get("accept") or []):
         return []
     cut, worst, needed = 0, 0.0, 0.0
     for number, motion in enumerate(template.motions):
         if 0 < motion.duration <= duration - last_arrival:
             continue
-        ground = template.case(values[0].tolist(), number, 1.0).get("ground_motion")
-        if ground is None:
-            continue
-        lost, t95 = core.RowMotion(yaml_text.emit({"ground_motion": ground}), template.place, files).arias_after(duration - last_arrival)
-        if lost > MAX_CUT:
+        # Records replace the motion that factors may change.
+        points_of = [int(durations.argmin())] if motion.words else _different_motions(template, values, durations)
+        losses = []
+        for point in points_of:
+            ground = template.case(values[point].tolist(), number, 1.0).get("ground_motion")
+            if ground is not None:
+                row = core.RowMotion(yaml_text.emit({"ground_motion": ground}), template.place, files)
+                losses.append((*row.arias_after(float(durations[point]) - last_arrival), float(durations[point])))
+        if losses and max(losses)[0] > MAX_CUT:
+            lost, t95, duration = max(losses)
             cut, worst, needed = cut + 1, max(worst, lost), max(needed, t95 + last_arrival)
     if not cut:
         return []
@@ -54,12 +62,17 @@ def cut_records(template: Template, points: Points, last_arrival: float, files: 
             "long as its record (where it is meant: accept: [duration] in the model)"]
 
 
-def _shortest_duration(template: Template, values: np.ndarray) -> float:
-    """Shortest analysis.duration of all rows [s], from the values of [point, factor]; 0 if they last as long as their motions."""
+def _durations(template: Template, values: np.ndarray) -> np.ndarray:
+    """[point] analysis.duration [s], from the values of [point, factor]; 0 if rows last as long as their motions."""
     analysis = template.model.get("analysis") or {}
-    if "duration" not in analysis:
-        return 0.0
     places = Places(template.model, template.factors)
-    if ("analysis", "duration") not in places.keys:
-        return quantity(analysis["duration"], "analysis.duration")[0]
-    return float(places.numbers(values)[:, places.keys.index(("analysis", "duration"))].min())
+    if ("analysis", "duration") in places.keys:
+        return np.asarray(places.numbers(values)[:, places.keys.index(("analysis", "duration"))], dtype=float)
+    return np.full(len(values), quantity(analysis["duration"], "analysis.duration")[0] if "duration" in analysis else 0.0)
+
+
+def _different_motions(template: Template, values: np.ndarray, durations: np.ndarray) -> list[int]:
+    """Points whose ground motions or durations differ, at most MOST_MOTIONS."""
+    moving = [j for j, factor in enumerate(template.factors) if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of)]
+    _, first = np.unique(np.column_stack([durations, values[:, moving]]), axis=0, return_index=True)
+    return [int(point) for point in first[np.unique(np.linspace(0, len(first) - 1, MOST_MOTIONS).astype(int))]]

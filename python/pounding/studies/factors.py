@@ -138,7 +138,7 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
     if times is not None and unit:
         raise InputError(f"{place}: with times it is a ratio, without a unit; its values are in {unit}")
     if times is None and not labels and ways[0] != "column":
-        check_units(model, places, unit, place)
+        check_units(model, places, unit, place, _percent(one))
     if values is not None and not labels and max(map(abs, values)) >= LARGEST_INTEGER and any(is_integer(at(model, keys)) for keys in places):
         raise InputError(f"{place}: takes integers below {LARGEST_INTEGER} in the place of {dotted(places[0])}, so that each is exact; {max(values):g} was read")
     return Factor(name, tuple(paths), times, unit, None if values is None else tuple(values), distribution, labels,
@@ -148,6 +148,15 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
 def _are_labels(values: Any) -> bool:
     return isinstance(values, Sequence) and not isinstance(values, str) and bool(values) and all(
         isinstance(value, str) and value[:1].isalpha() for value in values)
+
+
+def _percent(one: Mapping[str, Any]) -> str:
+    """The first value in % of a list, a range or a distribution; "" if there is none."""
+    kinds = [one[kind] for kind in KINDS if isinstance(one.get(kind), Mapping)]
+    typed = [*(one[key] for key in ("list", "from", "to") if key in one),
+             *(value for kind in kinds for key, value in kind.items() if key not in ("cov", "beta", "sd", "probabilities"))]
+    every = [each for value in typed for each in (value if isinstance(value, list) else [value])]
+    return next((each for each in every if isinstance(each, str) and "%" in each), "")
 
 
 def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
@@ -163,8 +172,8 @@ def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
     return [float(value) for value in made], unit
 
 
-def check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str) -> None:
-    """Raises InputError where a factor's unit is not that of the model's own value, and both have one."""
+def check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str, percent: str = "") -> None:
+    """Raises InputError where a factor's unit is not that of the model's own value, and both have one; `percent` is a value in %."""
     for keys in places:
         held = at(model, keys)
         if isinstance(held, (Mapping, list)):
@@ -173,6 +182,9 @@ def check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], u
             _, own = words.quantity(held, "")
         except InputError:
             continue
+        if percent and own:
+            raise InputError(f"{place}: {percent} was read, and {dotted(keys)} of the model is {held}; type values in {own}, or a ratio: "
+                             f"times: {dotted(keys)}")
         if unit and own and unit != own:
             raise InputError(f"{place}: its values are in {unit}, and {dotted(keys)} of the model is {held}, in {own}")
 

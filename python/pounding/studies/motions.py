@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -117,6 +118,7 @@ def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
     if "levels" in one:
         levels, unit = words.quantities(one["levels"], "study.intensity.levels")
         words.same_unit(unit, "m/s^2", "study.intensity.levels", "0.2 g")
+        words.no_percent(one["levels"], "study.intensity.levels", "m/s^2", "0.2 g")
         if min(levels) <= 0:
             raise InputError("study.intensity.levels: takes positive accelerations such as 0.2 g")
     for key, wanted in (("period", "sa"), ("periods", "avg_sa")):
@@ -128,6 +130,7 @@ def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
             raise InputError("study.intensity: sa needs its period, as in period: 1 s; for two structures measure: avg_sa serves both")
         value, unit = words.quantity(one["period"], "study.intensity.period")
         words.same_unit(unit, "s", "study.intensity.period", "1 s")
+        words.no_percent(one["period"], "study.intensity.period", "s", "1 s")
         span = (value, value)
     elif measure == "avg_sa":
         span = _range(one, periods)
@@ -138,6 +141,7 @@ def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, flo
     if "periods" in one:
         both, unit = words.quantities(one["periods"], "study.intensity.periods")
         words.same_unit(unit, "s", "study.intensity.periods", "1 s")
+        words.no_percent(one["periods"], "study.intensity.periods", "s", "1 s")
         if len(both) != 2 or not 0 < both[0] < both[1]:
             raise InputError("study.intensity.periods: takes the shortest and the longest period, as in [0.2 s, 2 s]")
         return both[0], both[1]
@@ -187,6 +191,13 @@ def implausible(motions: Sequence[Motion], accept: Sequence[str]) -> list[str]:
     found = [text for motion in motions for text in motion.warnings] if "record" not in accept else []
     more = [f"{len(found) - 5} more warnings of records"] if len(found) > 5 else []
     return [f"{text} (where it is meant: accept: [record])" for text in [*found[:5], *more]]
+
+
+def repeated(motions: Sequence[Motion]) -> list[str]:
+    """A warning of records that are named twice, which are no independent samples."""
+    counts = Counter(f"{motion.name}: {motion.words}" for motion in motions if motion.is_record)
+    again = [text.partition(": ")[0] for text, count in counts.items() if count > 1]
+    return [f"study.records: {words.few(again)}: named more than once, and every time a sample of its own; name each record once"] if again else []
 
 
 def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:

@@ -24,7 +24,7 @@ from pounding.studies.cut_records import cut_records, with_cuts
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, find, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
-from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity
+from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity, repeated
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import kept_beside, read_motions
@@ -33,6 +33,8 @@ from pounding.studies.template import Template
 
 #: Rows of a study, at most.
 MOST_ROWS = 1_000_000_000
+#: Labels of one factor that are checked before rows run.
+MOST_LABELS = 100
 
 
 @dataclass(frozen=True)
@@ -215,9 +217,24 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
     of_first = core.check(core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))}))[2]
+    _require_labels(plan)
     warnings = (*with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
-                *implausible(motions, parts.get("accept") or ()), *doubts(motions, intensity), *doubtful(one, points, parts))
+                *implausible(motions, parts.get("accept") or ()), *repeated(motions), *doubts(motions, intensity), *doubtful(one, points, parts))
     return replace(plan, warnings=warnings)
+
+
+def _require_labels(plan: Plan) -> None:
+    """Raises InputError for a label, such as the name of a law, that the model of its first row does not take."""
+    template, first = plan.template, plan.columns(np.array([0]))
+    values = [float(first[factor.name][0]) for factor in template.factors]
+    files = {**template.files, **plan.files_of(np.array([0]))}
+    for j, factor in enumerate(template.factors):
+        for label in range(1, min(len(factor.labels), MOST_LABELS)):
+            case = template.case([*values[:j], float(label), *values[j + 1:]], 0, float(first["scale"][0]))
+            try:
+                core.check(core.Source(yaml_text.emit(case), _place(template), files))
+            except InputError as error:
+                raise InputError(f"study.factors.{factor.name}: {factor.labels[label]}: {error}") from None
 
 
 def _require_one_ground(parts: Mapping[str, Any]) -> None:

@@ -129,11 +129,18 @@ def _with_components(every: Mapping[str, Sequence[tuple[Motion, tuple[str, ...] 
         if found is None:
             raise InputError(f"study.records: the files along {first} and {axis} do not pair by their names: {one[0][0].name} and {len(one) - 1} more, "
                              f"{other[0][0].name} and {len(other) - 1} more. List them in the same order: records: {{{first}: [A1, B1], {axis}: [A2, B2]}}")
-        same = [motion.name for i, (motion, _) in enumerate(one) if other[found[i]][0].words["record"] == motion.words["record"]]
-        if same:
-            raise InputError(f"study.records: {first} and {axis} both name {same[0]}; name another file along each axis, as in {_example(every)}")
+        for earlier, taken in zip(every, matched):
+            same = [other[j][0].name for i, j in enumerate(found) if _samples(other[j][0]) == _samples(every[earlier][taken[i]][0])]
+            if same:
+                raise InputError(f"study.records: {earlier} and {axis} both name {same[0]}; name another file or channel along each axis, as in "
+                                 f"{_example(every)}")
         matched.append(found)
     return [joined({axis: every[axis][found[i]][0] for axis, found in zip(every, matched)}) for i in range(len(one))]
+
+
+def _samples(motion: Motion) -> tuple[str, str]:
+    """File and channel of the samples of a record."""
+    return motion.words["record"], motion.words.get("channel", "")
 
 
 def partners(names: Sequence[str], others: Sequence[str], keys: Sequence[Any], other_keys: Sequence[Any]) -> list[int] | None:
@@ -235,6 +242,7 @@ def _synthetic(given: Any, seed: int) -> list[Motion]:
     count = words.whole(given["count"], "study.records.synthetic.count", 1, MOST_RECORDS)
     pga, unit = words.quantity(one.get("pga"), "study.records.synthetic.pga")
     words.same_unit(unit, "m/s^2", "study.records.synthetic.pga", "0.3 g")
+    words.no_percent(one.get("pga"), "study.records.synthetic.pga", "m/s^2", "0.3 g")
     made = []
     for i in range(count):
         # A number that depends on the seed of the study and on i alone.

@@ -153,8 +153,10 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
     path = None if output is None else Path(output)
     read = None if isinstance(model, Model) else read_given(model)
     if read is not None and read.words is not None:
-        if given or without_links:
-            raise InputError(f"{read.name} is a study with its own words; write {', '.join(given) or 'without_links'} there")
+        others = {"without_links": without_links, "seed": seed != 1, "stop_after": str(stop_after) != "5 %"}
+        typed = [*given, *(name for name, is_typed in others.items() if is_typed)]
+        if typed:
+            raise InputError(f"{read.name} is a study with its own words; write {', '.join(typed)} there")
         plan = plan_of(read, records_folder(path or Path(read.name)))
     else:
         plan = make_plan(model if read is None else read.model, {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
@@ -175,7 +177,7 @@ def sweep(model: Model | File, factors: Mapping[str, Sequence[Any]], *, records:
         if not isinstance(path, str) or isinstance(values, (str, Mapping)) or not isinstance(values, Iterable):
             raise InputError(f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {path!r}: {values!r} was read')
         last = path.rpartition(".")[2]
-        name = last if last not in named else f"{last}_{1 + sum(each.split('_')[0] == last for each in named)}"
+        name = next(each for each in (last, *(f"{last}_{i}" for i in range(2, len(named) + 3))) if each not in named)
         named[name] = {"of": path, "list": list(values)}
     return study(model, named, records=None if records is None else {"files": [fspath(one) for one in records]}, keep=keep, workers=workers,
                  progress=False)

@@ -80,6 +80,13 @@ def few(items: Sequence[Any]) -> str:
     return ", ".join(map(str, items[:5])) + (f" and {len(items) - 5} more" if len(items) > 5 else "")
 
 
+def no_percent(values: Any, place: str, expected: str, example: str) -> None:
+    """Raises InputError for a value in %, which would be a bare number, in the place of a quantity with a unit."""
+    for value in values if isinstance(values, (list, tuple)) else [values]:
+        if isinstance(value, str) and "%" in value:
+            raise InputError(f'{place}: takes a quantity in {expected} such as "{example}"; {value} was read')
+
+
 def same_unit(unit: str, expected: str, place: str, example: str) -> None:
     """Raises InputError where a quantity has a unit that is not the expected one; a bare number is in SI."""
     if unit and unit != expected:

@@ -228,7 +228,9 @@ void warn_of_header(const NumberTable& table, const RecordOptions& options, Reco
 /// The columns of values at a step. Counters are left out; times must have the step.
 std::vector<std::size_t> columns_at_step(const Lines& lines, const NumberTable& table, const Header& header,
                                          const RecordOptions& options) {
-  if (table.columns(0) == 1 || !counts_rows(table, 0)) {
+  // Integers without a unit may count milliseconds or samples: the step of the user holds.
+  const bool counts = counts_rows(table, 0) || (header.columns.front().unit.empty() && integer_spacing(table, 0) > 0);
+  if (table.columns(0) == 1 || !counts) {
     refuse_times(lines, table, unit_of_time(header.columns.front().unit).value_or(1));
     return value_columns(table, header, std::nullopt);
   }

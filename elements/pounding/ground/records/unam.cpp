@@ -120,8 +120,14 @@ Record read(const Lines& lines, const RecordOptions& options) {
   for (std::size_t i = 0; i < count; ++i)
     record.samples.accelerations.push_back(
         unit * lines.sample(begin + i, column_field(lines, begin, columns, i * columns.per_line + k)));
-  if (begin + count < lines.size() && !column_field(lines, begin, columns, count * columns.per_line + k).empty())
-    lines.fail(begin + count, fmt::format("more values than the {} that line {} states", count, count_line + 1));
+  std::size_t more = 0;
+  while (begin + count + more < lines.size() &&
+         !column_field(lines, begin, columns, (count + more) * columns.per_line + k).empty())
+    ++more;
+  // Files of the network end with a few repeated samples.
+  if (more > count / 100) lines.fail(begin + count, fmt::format("more values than the {} that line {} states", count, count_line + 1));
+  if (more > 0)
+    record.warnings.push_back(fmt::format("{} more rows than the {} that line {} states are left out", more, count, count_line + 1));
   record.samples.times = even_times(count, dt);
   return record;
 }
