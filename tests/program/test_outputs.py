@@ -35,7 +35,7 @@ class Outputs(ProgramTest):
     def test_inputs_stay_under_every_name(self):
         os.link(self.folder / "rec.csv", self.folder / "hard.csv")
         (self.folder / "soft.csv").symlink_to("rec.csv")
-        # Whatever the suffix, a model, a record and results are inputs.
+        # With any suffix, a model, a record and results are inputs.
         for given, name in (("rec.csv", "given.png"), ("model.yaml", "given.gif"), ("out.h5", "given.xdmf"), ("model.yaml", "given.pdf")):
             os.link(self.folder / given, self.folder / name)
         before = self.contents()
@@ -126,7 +126,7 @@ class ExitCodes(ProgramTest):
         self.assertEqual(self.pounding("export", "out.h5").returncode, 0, "the results are whole")
 
     def test_of_commands_of_python_are_those_of_the_program(self):
-        """What cannot be printed, as a warning, is no part of the work; a full disk of the screen is not that of the table."""
+        """Warnings that cannot be printed do not fail the work; a full disk of the screen is not that of the table."""
         self.write(OSCILLATORS)
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
         # The bare limit has a warning.

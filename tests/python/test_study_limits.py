@@ -59,7 +59,7 @@ class Undefined(unittest.TestCase):
         self.refused('there is no link "left-rigth". Did you mean "left-right"?', {"keep": ["force.left-rigth"]})
 
     def test_a_correlation_that_is_undefined_stays_so(self):
-        # Whatever the order of the links: the first has none, the second one has.
+        # In any order of the links: the first has none, the second one has.
         for links in ([("left", "ball"), ("right", "left")], [("right", "left"), ("left", "ball")]):
             structures = {**pair().structures, "ball": {"body": {"mass": "10 t"}}}
             model = pair(structures=structures, links=[{**pair().links[0], "between": list(between)} for between in links])

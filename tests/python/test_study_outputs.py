@@ -56,7 +56,7 @@ class Files(unittest.TestCase):
         return subprocess.run([sys.executable, "-m", "pounding", "study", *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=120, **options)
 
     def refused(self, told, *words):
-        """What a command of this process prints, which takes no time to start."""
+        """Output of a command run in this process, which takes no time to start."""
         said, errors = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
             code = exit_code(lambda: main(["study", *map(str, words)]))
@@ -90,7 +90,7 @@ class Names(Files):
         done = self.study("show", "solver.h5", "--json")
         self.assertEqual(json.loads(done.stdout)["options"], ["-pounding_ts_rtol 1e-2"])
         self.refused("another plan: options is not the same", "solver.yaml")
-        # Those that change no row are no part of the plan.
+        # Options that change no row are not in the plan.
         done = self.study("solver.yaml", "-j", "0", env=os.environ | {"PETSC_OPTIONS": "-pounding_ts_rtol 1e-2 -malloc_debug 0"})
         self.assertEqual(done.returncode, 0, done.stderr)
 

@@ -17,7 +17,7 @@ ValueAndSlope length_and_slope(double x, double y, double vx, double vy) {
   return {length, length > 0 ? (x * vx + y * vy) / length : 0.0};
 }
 
-// The same of a floor, less the floor below if there is one.
+// Length and rate for a floor, less the floor below if there is one.
 ValueAndSlope length_and_slope(const Eigen::MatrixXd& motion, int row, int below) {
   double x = motion(row, 0), y = motion(row + 1, 0), vx = motion(row, 1), vy = motion(row + 1, 1);
   if (below >= 0) {

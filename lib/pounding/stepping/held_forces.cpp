@@ -36,7 +36,7 @@ HeldForces::Sample HeldForces::at(double s, const Instant& x, const Trial& kept)
   equations_.supports.accelerations(time, ground_);
   by_ground_ = x.by_ground;
   if (links.driven()) equations_.supports.relative_motion(time, ground_, by_ground_);
-  // The same cubic as in the middle of a step, so that both agree there.
+  // Cubic of the middle of a step, so that both agree there.
   const Cubic cubic(s, kept.h);
   motions_.resize(static_cast<std::size_t>(links.size()));
   for (int i = 0; i < links.size(); ++i) {

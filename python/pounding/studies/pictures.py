@@ -49,7 +49,7 @@ def _axis(study: Rows, column: str) -> tuple[float, str]:
 
 
 def _edge(*values: np.ndarray) -> float:
-    """Where infinite values are drawn: behind all others."""
+    """Coordinate at which infinite values are drawn: beyond all others."""
     return 1.1 * max((float(each[np.isfinite(each)].max(initial=0)) for each in values), default=0.0) or 1.0
 
 

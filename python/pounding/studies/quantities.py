@@ -15,7 +15,7 @@ from pounding.studies import words
 
 #: Quantities of every structure: the largest absolute value over its floors.
 OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
-#: Of structures with rigid floors in space: their rotation about z, and the displacement of the corners of their plan.
+#: Quantities of structures with rigid floors in space: their rotation about z, and the displacement of the corners of their plan.
 OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
 #: Quantities of all links together, or of one by its name: force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
