@@ -25,7 +25,9 @@ endif()
 install(TARGETS pounding_program)
 # In the build tree CMake would end their search path by an empty entry, which is the working folder: its libraries would be loaded. The wheel
 # copies them from there.
-set_target_properties(pounding_c pounding_program PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH_USE_LINK_PATH ON)
+if(NOT BUILD_SHARED_LIBS)
+  set_target_properties(pounding_c pounding_program PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH_USE_LINK_PATH ON)
+endif()
 
 install(CODE "set(SOURCE [[${PROJECT_SOURCE_DIR}]])\nset(BINARY [[${PROJECT_BINARY_DIR}]])\nset(INCLUDEDIR [[${CMAKE_INSTALL_INCLUDEDIR}]])")
 install(SCRIPT cmake/install_headers.cmake)

@@ -48,7 +48,7 @@ structures:
   left:  {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}
   right: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}
 links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]
-analysis: {duration: 1}
+analysis: {duration: 4}
 """
 
 
