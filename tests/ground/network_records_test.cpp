@@ -22,22 +22,8 @@ using Values = std::vector<double>;
 
 using test::error_of;
 using test::read;
-
-std::string replaced(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
-}
-
-template <typename Number>
-std::string table(const std::vector<Number>& values, std::size_t per_line, const char* format) {
-  std::string text;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    text += fmt::format(fmt::runtime(format), values[i]);
-    if ((i + 1) % per_line == 0 || i + 1 == values.size()) text += '\n';
-  }
-  return text;
-}
+using test::replaced;
+using test::table;
 
 void expect_samples(const Record& record, double dt, double unit, const Values& expected) {
   ASSERT_EQ(record.points(), expected.size());

@@ -22,23 +22,8 @@ using Values = std::vector<double>;
 
 using test::error_of;
 using test::read;
-
-std::string replaced(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
-}
-
-// Numbers as Fortran writes them, `per_line` in a line.
-template <typename Number>
-std::string table(const std::vector<Number>& values, std::size_t per_line, const char* format) {
-  std::string text;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    text += fmt::format(fmt::runtime(format), values[i]);
-    if ((i + 1) % per_line == 0 || i + 1 == values.size()) text += '\n';
-  }
-  return text;
-}
+using test::replaced;
+using test::table;
 
 // Nine values: a full line of eight and one more. Some fill their columns, so that no blank parts them.
 const Values nine = {0, -1234.567, 2.5, -3.25, 4, -1500.125, 6, 0.001, -8};

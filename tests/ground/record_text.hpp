@@ -2,6 +2,10 @@
 /// Records in texts of a test.
 
 #include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/ground/record.hpp>
@@ -18,6 +22,24 @@ inline std::string error_of(const std::string& text, const RecordOptions& option
     return error.what();
   }
   return "no error";
+}
+
+/// The text with its first `part` replaced.
+inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
+/// Numbers as Fortran writes them, `per_line` in a line.
+template <typename Number>
+std::string table(const std::vector<Number>& values, std::size_t per_line, const char* format) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += fmt::format(fmt::runtime(format), values[i]);
+    if ((i + 1) % per_line == 0 || i + 1 == values.size()) text += '\n';
+  }
+  return text;
 }
 
 }  // namespace pounding::test
