@@ -54,7 +54,7 @@ void tell_of_hdf5(int status, void*) {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
-  // A reader that closes its pipe, such as head, must not end a run: what cannot be printed is told at the end.
+  // A reader that closes its pipe, such as head, must not end a run: failed output is reported at the end.
   std::signal(SIGPIPE, SIG_IGN);
   pounding::program::use_one_thread();
   on_exit(tell_of_hdf5, nullptr);
