@@ -28,7 +28,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 CTEST = ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS)
 
-.PHONY: build program test test-all test-sanitized test-damage test-petsc-headers test-faults fuzz demo announce docs wheel test-wheel \
+.PHONY: build program test test-all test-sanitized test-damage test-petsc-headers test-faults fuzz demo announce format format-check docs wheel test-wheel \
   portable-wheel test-portable-wheel release python python-test petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
@@ -81,6 +81,10 @@ announce:
 	@test -e build/pounding || echo "The demo installs Debian packages and a Python environment .venv where they are missing," \
 	  "then compiles the program: about six minutes on two cores the first time, seconds afterwards"
 
+# C++, Python and Markdown; format-check changes nothing and fails if a file would change.
+format format-check: .venv-test/ready
+	@bash cmake/format.sh .venv-test/bin $(if $(filter format-check,$@),--check)
+
 # The site: user guide, laws, tutorials whose cells are run, theory, reference. A warning is an error.
 docs: build .venv-test/docs-ready
 	@bash cmake/install-debian.sh test fonts-stix
@@ -126,6 +130,7 @@ packages:
 	bash cmake/python-env.sh .venv
 
 .venv-test/ready: python/requirements.txt python/requirements-test.txt python/requirements-records.txt \
+    python/requirements-format.txt \
     python/requirements-opensees.txt | packages
 	bash cmake/python-env.sh .venv-test
 
@@ -164,6 +169,7 @@ help:
 	@echo "make build      compile everything into build/"
 	@echo "make petsc PETSC=3.26.1   build PETSc and SLEPc of that version into ~/.cache/pounding, MPI=off without MPI; with the same"
 	@echo "                words make test, build and program use them, in build-petsc-..."
+	@echo "make format     format C++, Python and Markdown; format-check only tells which files differ"
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
 	@echo "make portable-wheel   PYTHONS=\"python3.11 python3.12\": wheels with all libraries inside, without MPI: build/portable;"

@@ -4,9 +4,10 @@
     python3 python/docs/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
     python3 python/docs/readme.py build/pounding --write    # writes them into the pages; --accuracy takes a minute more
 
-A block stands between <!-- begin NAME --> and <!-- end NAME --> on one page. Seconds of wall time differ from run to run and
-are not compared.
+A block stands between <!-- begin NAME --> and <!-- end NAME --> on one page. Seconds of wall time differ from run to
+run and are not compared.
 """
+
 import json
 import os
 import re
@@ -56,13 +57,24 @@ def laws(program):
         formulas = ", ".join(f"`{f['name']}`" for f in law["formulas"]) or "-"
         direct = [f"`{p['name']}`" for p in law["parameters"] if p["need"].startswith("instead")]
         direct += [" and ".join(f"`{p['name']}`" for p in law["parameters"] if p["need"].startswith("together"))]
-        rows.append(f"| [`{law['name']}`](elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(filter(None, direct)) or '-'} |")
+        rows.append(
+            f"| [`{law['name']}`](elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(filter(None, direct)) or '-'} |"
+        )
     return "\n".join(rows)
 
 
 def accuracy(program):
-    done = subprocess.run([sys.executable, ROOT / "tests/benchmarks/tolerance.py", program], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, ROOT / "tests/benchmarks/tolerance.py", program], capture_output=True, text=True, check=True
+    )
     return done.stdout.rstrip("\n")
+
+
+def formatted(text):
+    """A page as `make format` leaves it."""
+    mdformat = Path(sys.executable).parent / "mdformat"
+    command = [mdformat, "--wrap", "120", "--number", "--compact-tables", "-"]
+    return subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
 
 
 def comparable(text):
@@ -83,17 +95,20 @@ def main():
         if len(holders) != 1:
             sys.exit(f"the block {name} stands on {len(holders)} pages; it must stand on one")
         page, now = holders[0], make(program) + "\n"
-        if comparable(block.search(texts[page]).group(2)) != comparable(now):
+        new = formatted(block.sub(lambda match: match.group(1) + now + match.group(3), texts[page]))
+        if comparable(new) != comparable(texts[page]):
             wrong.append(f"{name} ({page.relative_to(ROOT)})")
-            texts[page] = block.sub(lambda match: match.group(1) + now + match.group(3), texts[page])
+            texts[page] = new
     if write:
         for page, text in texts.items():
             if text != page.read_text():
                 page.write_text(text)
         print("written:", ", ".join(wrong) or "nothing")
     elif wrong:
-        sys.exit(f"the pages do not show what the program prints: {', '.join(wrong)}. "
-                 f"Type: python3 {Path(__file__).relative_to(ROOT)} build/pounding --write")
+        sys.exit(
+            f"the pages do not show what the program prints: {', '.join(wrong)}. "
+            f"Type: python3 {Path(__file__).relative_to(ROOT)} build/pounding --write"
+        )
 
 
 if __name__ == "__main__":
