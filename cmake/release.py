@@ -26,7 +26,9 @@ def notes(root=ROOT):
     sections = re.split(r"(?m)^## ", (root / "CHANGELOG.md").read_text())[1:]
     name, _, text = sections[0].partition("\n")
     if name.strip() != wanted:
-        sys.exit(f"CHANGELOG.md begins with {name.strip()}, and CMakeLists.txt has version {wanted}: write what changed, or correct the version")
+        sys.exit(
+            f"CHANGELOG.md begins with {name.strip()}, and CMakeLists.txt has version {wanted}: write what changed, or correct the version"
+        )
     return f"# pounding {wanted}\n\n{text.strip()}\n"
 
 

@@ -61,7 +61,8 @@ laws::Settings settings(const char* law, const char* formula, const pnd_value* v
   for (size_t i = 0; i < count; ++i) {
     require(values[i].name, "name of a value");
     const std::string_view name = values[i].name;
-    if (std::ranges::find(seen, name) != seen.end()) throw std::invalid_argument(laws::excerpt(name) + " is given twice");
+    if (std::ranges::find(seen, name) != seen.end())
+      throw std::invalid_argument(laws::excerpt(name) + " is given twice");
     seen.push_back(name);
     if (name == "restitution")
       s.restitution = values[i].value;
@@ -137,16 +138,16 @@ std::vector<pnd_parameter_info> parameters_of(const laws::Entry& entry) {
   std::vector<pnd_parameter_info> list;
   for (const laws::ParameterInfo& p : entry.parameters) list.push_back(info_of(p));
   if (entry.takes_restitution)
-    list.push_back({"restitution", "",
-                    entry.sticks_at_zero ? "coefficient of restitution, in [0, 1]" : "coefficient of restitution, in (0, 1]",
-                    laws::typical_restitution,
-                    entry.direct_damping().empty() ? PND_REQUIRED : PND_DAMPING});
+    list.push_back(
+        {"restitution", "",
+         entry.sticks_at_zero ? "coefficient of restitution, in [0, 1]" : "coefficient of restitution, in (0, 1]",
+         laws::typical_restitution, entry.direct_damping().empty() ? PND_REQUIRED : PND_DAMPING});
   if (entry.takes_impact_velocity)
     list.push_back({"impact_velocity", "m/s", "fixed design velocity; without it each impact takes its own",
                     laws::typical_closing_speed, PND_OPTIONAL});
   if (entry.takes_reduced_mass)
-    list.push_back({"reduced_mass", "kg", "m1 m2/(m1 + m2) of the colliding bodies", laws::typical_reduced_mass,
-                    PND_REQUIRED});
+    list.push_back(
+        {"reduced_mass", "kg", "m1 m2/(m1 + m2) of the colliding bodies", laws::typical_reduced_mass, PND_REQUIRED});
   return list;
 }
 
@@ -178,7 +179,8 @@ int pnd_touch(const pnd_law* law, double closing_speed, pnd_contact* contact) {
   });
 }
 
-int pnd_respond(const pnd_law* law, const pnd_contact* contact, double penetration, double rate, pnd_response* response) {
+int pnd_respond(const pnd_law* law, const pnd_contact* contact, double penetration, double rate,
+                pnd_response* response) {
   return guarded([&] {
     require(law, "law");
     require(contact, "contact");
@@ -188,8 +190,9 @@ int pnd_respond(const pnd_law* law, const pnd_contact* contact, double penetrati
     const pounding::ContactState state = state_of(*contact);
     laws::Response r;
     if (presses(state.phase))
-      r = std::visit([&](const auto& chosen) { return chosen.respond(state.penetration(penetration), rate, state.impact); },
-                     law->law);
+      r = std::visit(
+          [&](const auto& chosen) { return chosen.respond(state.penetration(penetration), rate, state.impact); },
+          law->law);
     *response = {r.force, r.by_penetration, r.by_rate};
   });
 }
@@ -209,10 +212,10 @@ int pnd_separate(const pnd_law* law, double penetration, pnd_contact* contact) {
     require(law, "law");
     require(contact, "contact");
     require_finite("penetration", penetration);
-    if (contact->touching == 0) throw std::invalid_argument("there is no impact to end: pnd_touch or pnd_accept begins one");
-    update(law, *contact, [&](const auto& chosen, auto& state) {
-      state.end(chosen, std::max(state.penetration(penetration), 0.0));
-    });
+    if (contact->touching == 0)
+      throw std::invalid_argument("there is no impact to end: pnd_touch or pnd_accept begins one");
+    update(law, *contact,
+           [&](const auto& chosen, auto& state) { state.end(chosen, std::max(state.penetration(penetration), 0.0)); });
   });
 }
 
@@ -239,9 +242,8 @@ int pnd_describe_law(size_t law, pnd_law_info* info) {
   return guarded([&] {
     require(info, "info");
     const laws::Entry& e = entry_at(law);
-    *info = {e.name.data(),           e.shape.data(),    e.summary.data(), e.source.data(),
-             parameters_of(e).size(), e.formulas.size(), e.may_pull,       e.leaves_indentation,
-             e.instantaneous};
+    *info = {e.name.data(),     e.shape.data(), e.summary.data(),     e.source.data(), parameters_of(e).size(),
+             e.formulas.size(), e.may_pull,     e.leaves_indentation, e.instantaneous};
   });
 }
 

@@ -28,7 +28,8 @@ void require_new(bool is_new, std::string_view name) {
   if (!is_new) throw std::invalid_argument(laws::excerpt(name) + " is given twice");
 }
 
-hysteresis::Settings settings(const char* law, const pnd_value* values, size_t count, const pnd_word* words, size_t word_count) {
+hysteresis::Settings settings(const char* law, const pnd_value* values, size_t count, const pnd_word* words,
+                              size_t word_count) {
   hysteresis::Settings s{.law = law};
   for (size_t i = 0; i < count; ++i) {
     require(values[i].name, "name of a value");
@@ -45,7 +46,8 @@ hysteresis::Settings settings(const char* law, const pnd_value* values, size_t c
 const hysteresis::Entry& yielding_at(size_t law) {
   const auto all = hysteresis::catalogue();
   if (law >= all.size())
-    throw std::invalid_argument("there is no law of yielding " + std::to_string(law) + "; there are " + std::to_string(all.size()));
+    throw std::invalid_argument("there is no law of yielding " + std::to_string(law) + "; there are " +
+                                std::to_string(all.size()));
   return all[law];
 }
 
@@ -70,7 +72,8 @@ void follow(const L& law, const double* path, size_t count, double* force, doubl
 
 }  // namespace
 
-int pnd_create_yielding(const char* law, const pnd_value* values, size_t count, const pnd_word* words, size_t word_count, pnd_yielding** made) {
+int pnd_create_yielding(const char* law, const pnd_value* values, size_t count, const pnd_word* words,
+                        size_t word_count, pnd_yielding** made) {
   return guarded([&] {
     require(made, "made");
     *made = nullptr;
@@ -83,12 +86,14 @@ int pnd_create_yielding(const char* law, const pnd_value* values, size_t count, 
 
 void pnd_destroy_yielding(pnd_yielding* law) { delete law; }
 
-int pnd_follow(const pnd_yielding* law, const double* deformation, size_t count, double* force, double* tangent, double* lost) {
+int pnd_follow(const pnd_yielding* law, const double* deformation, size_t count, double* force, double* tangent,
+               double* lost) {
   return guarded([&] {
     require(law, "law");
     if (count > 0) require(deformation, "deformation");
     for (size_t i = 0; i < count; ++i)
-      if (!std::isfinite(deformation[i])) laws::refuse("deformation[" + std::to_string(i) + "]", deformation[i], "finite");
+      if (!std::isfinite(deformation[i]))
+        laws::refuse("deformation[" + std::to_string(i) + "]", deformation[i], "finite");
     std::visit([&](const auto& chosen) { follow(chosen, deformation, count, force, tangent, lost); }, law->law);
   });
 }
@@ -124,7 +129,8 @@ int pnd_describe_yielding_parameter(size_t law, size_t parameter, pnd_parameter_
       throw std::invalid_argument(std::string(e.name) + " has no parameter " + std::to_string(parameter) + "; it has " +
                                   std::to_string(e.parameters.size()));
     const hysteresis::ParameterInfo& p = e.parameters[parameter];
-    *info = {p.name.data(), p.unit.data(), p.meaning.data(), p.typical, p.need == hysteresis::Need::required ? PND_REQUIRED : PND_OPTIONAL};
+    *info = {p.name.data(), p.unit.data(), p.meaning.data(), p.typical,
+             p.need == hysteresis::Need::required ? PND_REQUIRED : PND_OPTIONAL};
   });
 }
 

@@ -8,8 +8,9 @@
 
 /// F = (k d + b d^3) (1 + mu d')
 ///
-/// d [m] penetration, d' [m/s] its rate. The spring may have any shape: with the factor 1 + mu d' a free impact that begins at
-/// the speed v ends at the speed w of ln((1 + mu v)/(1 - mu w)) = mu (v + w), so the restitution follows from mu v alone.
+/// d [m] penetration, d' [m/s] its rate. The spring may have any shape: with the factor 1 + mu d' a free impact that
+/// begins at the speed v ends at the speed w of ln((1 + mu v)/(1 - mu w)) = mu (v + w), so the restitution follows from
+/// mu v alone.
 struct Bumper {
   static constexpr std::string_view name = "bumper";
 

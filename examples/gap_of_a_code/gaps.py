@@ -2,8 +2,8 @@
 
     python3 gaps.py [PAIRS]     PAIRS of each range, 40 unless given
 
-The rule is that of ASCE 7 and Eurocode 8 inside a property: the root of the sum of squares of both largest displacements, here those of the
-mean elastic spectrum of the study's 25 motions."""
+The rule is that of ASCE 7 and Eurocode 8 inside a property: the root of the sum of squares of both largest
+displacements, here those of the mean elastic spectrum of the study's 25 motions."""
 
 import sys
 
@@ -18,8 +18,17 @@ MOTIONS = {"synthetic": {"count": 25, "duration": "15 s", "pga": "0.35 g", "soil
 
 def mean_spectrum(model, periods):
     """Mean of the largest displacements [m] of an oscillator that touches nothing."""
-    alone = pounding.study(model, {"T": {"of": "structures.left.oscillator.period", "list": periods.tolist()},
-                                   "far": {"of": "links.*.gap", "list": [1000]}}, records=MOTIONS, keep=["displacement"], workers=0, progress=False)
+    alone = pounding.study(
+        model,
+        {
+            "T": {"of": "structures.left.oscillator.period", "list": periods.tolist()},
+            "far": {"of": "links.*.gap", "list": [1000]},
+        },
+        records=MOTIONS,
+        keep=["displacement"],
+        workers=0,
+        progress=False,
+    )
     return alone["displacement.left"].reshape(-1, len(periods)).mean(axis=0)
 
 

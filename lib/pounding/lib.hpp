@@ -5,8 +5,8 @@
 ///     pounding::run                  runs a model, alone or on a communicator of the host
 ///     pounding::Results              the histories in memory; write_results() makes the HDF5 file
 ///
-/// A host with a time stepper of its own finds the links in pounding/links.hpp, and one that drives PETSc's TS itself finds the TS
-/// type `pounding` in pounding/stepping/ts_pounding.hpp.
+/// A host with a time stepper of its own finds the links in pounding/links.hpp, and one that drives PETSc's TS itself
+/// finds the TS type `pounding` in pounding/stepping/ts_pounding.hpp.
 
 #include <pounding/elements.hpp>
 #include <pounding/linear/lowest_modes.hpp>

@@ -17,9 +17,10 @@ void add_animate(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("animate", "Draw a results file in motion");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
-  names_a_file(command->add_option("-o,--output", options->film,
-                                   "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS.gif in the current "
-                                   "folder)"));
+  names_a_file(command->add_option(
+      "-o,--output", options->film,
+      "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS.gif in the current "
+      "folder)"));
   // Numbers are passed on as typed; reading and printing them again could change them.
   command->add_option("--scale", options->scale, "how many times as large displacements and gaps are drawn")
       ->check(CLI::Number);
@@ -31,10 +32,14 @@ void add_animate(CLI::App& app) {
   command->callback([options] {
     std::vector<std::string> words;
     if (!options->film.empty()) words = {"-o", options->film};
-    for (const auto& [name, value] : {std::pair{"--scale=", &options->scale}, {"--frames=", &options->frames},
-                                      {"--from=", &options->from}, {"--to=", &options->to}, {"--title=", &options->title}})
+    for (const auto& [name, value] : {std::pair{"--scale=", &options->scale},
+                                      {"--frames=", &options->frames},
+                                      {"--from=", &options->from},
+                                      {"--to=", &options->to},
+                                      {"--title=", &options->title}})
       if (!value->empty()) words.push_back(name + *value);
-    run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, words, {options->results});
+    run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, words,
+               {options->results});
   });
 }
 

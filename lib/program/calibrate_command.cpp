@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/collision.hpp>
 #include <pounding/core/error.hpp>
+#include <pounding/input/collision.hpp>
 #include <pounding/laws/cyclic_calibration.hpp>
 #include "commands.hpp"
 
@@ -42,7 +42,8 @@ void print_head(const Collision& c) {
   fmt::print("Free impact: reduced mass {:g} kg, closing speed {:g} m/s", c.settings.reduced_mass, c.velocity);
   for (const laws::ParameterInfo& p : c.law.parameters)
     if (const auto set = c.settings.values.find(p.name); set != c.settings.values.end())
-      fmt::print(", {} {:g}{}{}", p.name, set->second, p.unit.empty() ? "" : " ", laws::resolved_unit(p.unit, c.exponent));
+      fmt::print(", {} {:g}{}{}", p.name, set->second, p.unit.empty() ? "" : " ",
+                 laws::resolved_unit(p.unit, c.exponent));
   fmt::print("\n");
   if (!c.assumed.empty()) fmt::print("Typical values taken, not given: {}\n", fmt::join(c.assumed, ", "));
 }
@@ -65,23 +66,29 @@ void print(const Collision& c, const std::vector<CalibratedRow>& rows) {
     }
     if (dissipates) fmt::print("{:>{}.6g}", r.number, number.size() + 2);
     if (two) fmt::print("{:>{}.6g}", r.coefficient, coefficient.size() + 2);
-    fmt::print("{:>18.6f}{:>17.6g}{:>17.6g}{:>14.6g}\n", r.impact.restitution, r.impact.peak_force, r.impact.peak_penetration,
-               r.impact.duration);
+    fmt::print("{:>18.6f}{:>17.6g}{:>17.6g}{:>14.6g}\n", r.impact.restitution, r.impact.peak_force,
+               r.impact.peak_penetration, r.impact.duration);
   }
 }
 
 void print_json(const Collision& c, const std::vector<CalibratedRow>& rows) {
-  nlohmann::json result{{"law", c.law.name}, {"reduced_mass", c.settings.reduced_mass}, {"closing_speed", c.velocity},
-                        {"parameters", c.settings.values}, {"assumed", c.assumed}, {"formulas", nlohmann::json::array()}};
+  nlohmann::json result{{"law", c.law.name},           {"reduced_mass", c.settings.reduced_mass},
+                        {"closing_speed", c.velocity}, {"parameters", c.settings.values},
+                        {"assumed", c.assumed},        {"formulas", nlohmann::json::array()}};
   if (c.settings.restitution) result["restitution"] = *c.settings.restitution;
   for (const CalibratedRow& r : rows) {
     if (!r.refused.empty()) {
       result["formulas"].push_back({{"formula", r.formula}, {"refused", r.refused}});
       continue;
     }
-    nlohmann::json row{{"formula", r.formula}, {"restitution", r.impact.restitution}, {"peak_force", r.impact.peak_force},
-                       {"time_of_peak", r.impact.time_of_peak}, {"peak_penetration", r.impact.peak_penetration},
-                       {"duration", r.impact.duration}, {"energy_lost", r.impact.energy_lost}, {"impulse", r.impact.impulse}};
+    nlohmann::json row{{"formula", r.formula},
+                       {"restitution", r.impact.restitution},
+                       {"peak_force", r.impact.peak_force},
+                       {"time_of_peak", r.impact.time_of_peak},
+                       {"peak_penetration", r.impact.peak_penetration},
+                       {"duration", r.impact.duration},
+                       {"energy_lost", r.impact.energy_lost},
+                       {"impulse", r.impact.impulse}};
     if (!c.law.number.name.empty()) {
       row[std::string(c.law.number.name)] = r.number;
       row[std::string(c.law.coefficient.name)] = r.coefficient;
@@ -128,8 +135,8 @@ void print(const Collision& c, const std::vector<CyclicRow>& rows) {
   print_head(c);
   fmt::print("Kinetic energy loss wanted: {:.6g} J\n", rows.front().process.kinetic_loss);
   const std::string number = quantity_header(c.law.number, c.exponent);
-  fmt::print("\n{:<24}{:>25}{:>12}{:>17}{:>18}{:>{}}\n", "formula", "restitution to assume [-]", "analyses", "loop area [J]",
-             "restitution [-]", number, number.size() + 2);
+  fmt::print("\n{:<24}{:>25}{:>12}{:>17}{:>18}{:>{}}\n", "formula", "restitution to assume [-]", "analyses",
+             "loop area [J]", "restitution [-]", number, number.size() + 2);
   for (const CyclicRow& r : rows) {
     fmt::print("{:<24}", r.formula);
     if (!r.refused.empty()) {
@@ -143,9 +150,14 @@ void print(const Collision& c, const std::vector<CyclicRow>& rows) {
 }
 
 void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
-  nlohmann::json result{{"law", c.law.name}, {"reduced_mass", c.settings.reduced_mass}, {"closing_speed", c.velocity},
-                        {"parameters", c.settings.values}, {"assumed", c.assumed}, {"restitution", *c.settings.restitution},
-                        {"kinetic_loss", rows.front().process.kinetic_loss}, {"formulas", nlohmann::json::array()}};
+  nlohmann::json result{{"law", c.law.name},
+                        {"reduced_mass", c.settings.reduced_mass},
+                        {"closing_speed", c.velocity},
+                        {"parameters", c.settings.values},
+                        {"assumed", c.assumed},
+                        {"restitution", *c.settings.restitution},
+                        {"kinetic_loss", rows.front().process.kinetic_loss},
+                        {"formulas", nlohmann::json::array()}};
   for (const CyclicRow& r : rows) {
     if (!r.refused.empty()) {
       result["formulas"].push_back({{"formula", r.formula}, {"refused", r.refused}});
@@ -154,7 +166,8 @@ void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
     nlohmann::json analyses = nlohmann::json::array();
     for (const laws::CyclicAnalysis& a : r.process.analyses)
       analyses.push_back({{"assumed", a.assumed}, {"loop_area", a.loop_area}, {"restitution", a.restitution}});
-    result["formulas"].push_back({{"formula", r.formula}, {std::string(c.law.number.name), r.number}, {"analyses", analyses}});
+    result["formulas"].push_back(
+        {{"formula", r.formula}, {std::string(c.law.number.name), r.number}, {"analyses", analyses}});
   }
   fmt::print("{}\n", result.dump(2));
 }
@@ -163,8 +176,8 @@ void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
 
 void add_calibrate(CLI::App& app) {
   const auto words = std::make_shared<CalibrateArguments>();
-  CLI::App* command =
-      app.add_subcommand("calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
+  CLI::App* command = app.add_subcommand(
+      "calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
   command->add_option("--law", words->collision.law, "Contact law (see pounding laws)")->required();
   command->add_option("--restitution", words->collision.restitution, "Restitution to calibrate for, in (0, 1]");
   command->add_option("--m1", words->collision.m1, "Mass of the first body, such as 100 t or 1e5")->required();
@@ -173,9 +186,10 @@ void add_calibrate(CLI::App& app) {
   command->add_option("--velocity", words->collision.velocity, "Closing speed");
   command->add_option("--exponent", words->collision.exponent, "Exponent n of the law");
   command->add_option("--parameter", words->parameters, "Another parameter of the law, NAME=VALUE");
-  command->add_flag("--cyclic", words->cyclic,
-                    "By the cyclic process of Naderpour et al. 2015: change what the formula is given until the area of the "
-                    "hysteresis loop is the kinetic energy loss");
+  command->add_flag(
+      "--cyclic", words->cyclic,
+      "By the cyclic process of Naderpour et al. 2015: change what the formula is given until the area of the "
+      "hysteresis loop is the kinetic energy loss");
   command->add_flag("--json", words->json, "Print JSON");
   command->callback([words] {
     const Collision collision = read_collision(collision_words(*words));

@@ -11,20 +11,20 @@
 
 namespace pounding::program {
 
-void add_run(CLI::App& app);        ///< `run` and `check`
-void add_laws(CLI::App& app);       ///< `laws [NAME]`
-void add_calibrate(CLI::App& app);  ///< `calibrate --law ... --restitution ...`
-void add_record(CLI::App& app);     ///< `record info|spectrum`
-void add_spectrum(CLI::App& app);   ///< `spectrum RESULTS.h5`
-void add_modes(CLI::App& app);      ///< `modes MODEL.yaml`
-void add_pushover(CLI::App& app);   ///< `pushover MODEL.yaml`
+void add_run(CLI::App& app);          ///< `run` and `check`
+void add_laws(CLI::App& app);         ///< `laws [NAME]`
+void add_calibrate(CLI::App& app);    ///< `calibrate --law ... --restitution ...`
+void add_record(CLI::App& app);       ///< `record info|spectrum`
+void add_spectrum(CLI::App& app);     ///< `spectrum RESULTS.h5`
+void add_modes(CLI::App& app);        ///< `modes MODEL.yaml`
+void add_pushover(CLI::App& app);     ///< `pushover MODEL.yaml`
 void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
-void add_study(CLI::App& app);      ///< `study STUDY.yaml` and `separation MODEL.yaml`
-void add_plot(CLI::App& app);       ///< `plot RESULTS.h5`
-void add_animate(CLI::App& app);    ///< `animate RESULTS.h5`
-void add_export(CLI::App& app);     ///< `export RESULTS.h5`
-void add_reproduce(CLI::App& app);  ///< `reproduce`
-void add_words(CLI::App& app);      ///< `words [NAME]`
+void add_study(CLI::App& app);        ///< `study STUDY.yaml` and `separation MODEL.yaml`
+void add_plot(CLI::App& app);         ///< `plot RESULTS.h5`
+void add_animate(CLI::App& app);      ///< `animate RESULTS.h5`
+void add_export(CLI::App& app);       ///< `export RESULTS.h5`
+void add_reproduce(CLI::App& app);    ///< `reproduce`
+void add_words(CLI::App& app);        ///< `words [NAME]`
 
 /// Refuses the empty name of an option that names a file, as in -o "": a variable of a script that holds nothing.
 inline CLI::Option* names_a_file(CLI::Option* option) {
@@ -33,10 +33,12 @@ inline CLI::Option* names_a_file(CLI::Option* option) {
 
 /// Refuses values of an option that are no numbers above 0.
 inline CLI::Option* is_positive(CLI::Option* option) {
-  return option->check([](const std::string& text) {
-    double value = 0;
-    return parse_number(text, value) && value > 0 ? "" : "takes a number above 0, not \"" + excerpt(text) + "\"";
-  }, "");
+  return option->check(
+      [](const std::string& text) {
+        double value = 0;
+        return parse_number(text, value) && value > 0 ? "" : "takes a number above 0, not \"" + excerpt(text) + "\"";
+      },
+      "");
 }
 
 /// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
@@ -45,14 +47,17 @@ void draw(const std::string& results, const std::string& picture);
 /// Draws the extremes over the height, with and without links where both runs are there. Throws as `draw`.
 void draw_profiles(const std::string& results, const std::string& picture);
 
-/// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. Draws nothing and returns
-/// the reason if the output times miss the peak of the acceleration. Throws as `draw`, and InputError for a floor that is not there.
-std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction, const std::string& picture);
+/// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. Draws
+/// nothing and returns the reason if the output times miss the peak of the acceleration. Throws as `draw`, and
+/// InputError for a floor that is not there.
+std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
+                                const std::string& picture);
 
 /// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
 
-/// Draws the curve of a pushover; `pushover` is the JSON object that `pounding pushover --json` prints. Throws as `draw`.
+/// Draws the curve of a pushover; `pushover` is the JSON object that `pounding pushover --json` prints. Throws as
+/// `draw`.
 void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title = {});
 
 /// Draws response spectra; `spectra` is the JSON object that python/pounding/spectra.py describes. Throws as `draw`.

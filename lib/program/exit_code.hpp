@@ -20,6 +20,8 @@ inline int exit_code(const std::exception& error) {
   return is_input ? bad_input : failed_solve;
 }
 
-inline void print_failure(const char* text) { std::fprintf(stderr, "pounding: %s\n", laws::message_text(text).c_str()); }
+inline void print_failure(const char* text) {
+  std::fprintf(stderr, "pounding: %s\n", laws::message_text(text).c_str());
+}
 
 }  // namespace pounding::program

@@ -16,7 +16,8 @@ void add_export(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a results file for ParaView");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
-  names_a_file(command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS.xdmf in the current folder)"));
+  names_a_file(
+      command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS.xdmf in the current folder)"));
   command->callback([options] {
     std::vector<std::string> words;
     if (!options->output.empty()) words = {"-o", options->output};

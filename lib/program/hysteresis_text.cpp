@@ -49,24 +49,41 @@ std::vector<Point> loop(const L& law, const std::vector<double>& path, int betwe
 }  // namespace
 
 nlohmann::json law_json(const hysteresis::Entry& entry) {
-  nlohmann::json law{{"name", entry.name}, {"force", entry.shape}, {"summary", entry.summary}, {"source", entry.source},
-                     {"symbols", entry.symbols}, {"range", entry.range}, {"beware", entry.beware}, {"has_corners", entry.has_corners},
-                     {"parameters", nlohmann::json::array()}, {"choices", nlohmann::json::array()}, {"state", nlohmann::json::array()}};
+  nlohmann::json law{{"name", entry.name},
+                     {"force", entry.shape},
+                     {"summary", entry.summary},
+                     {"source", entry.source},
+                     {"symbols", entry.symbols},
+                     {"range", entry.range},
+                     {"beware", entry.beware},
+                     {"has_corners", entry.has_corners},
+                     {"parameters", nlohmann::json::array()},
+                     {"choices", nlohmann::json::array()},
+                     {"state", nlohmann::json::array()}};
   for (const hysteresis::ParameterInfo& p : entry.parameters)
-    law["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"typical", p.typical}, {"need", need_text(p.need)}});
+    law["parameters"].push_back({{"name", p.name},
+                                 {"unit", p.unit},
+                                 {"meaning", p.meaning},
+                                 {"typical", p.typical},
+                                 {"need", need_text(p.need)}});
   for (const hysteresis::ChoiceInfo& c : entry.choices)
-    law["choices"].push_back({{"name", c.name}, {"meaning", c.meaning}, {"words", std::vector<std::string>(c.words.begin(), c.words.end())}});
-  for (const hysteresis::StateInfo& s : entry.state) law["state"].push_back({{"name", s.name}, {"unit", s.unit}, {"meaning", s.meaning}});
+    law["choices"].push_back({{"name", c.name},
+                              {"meaning", c.meaning},
+                              {"words", std::vector<std::string>(c.words.begin(), c.words.end())}});
+  for (const hysteresis::StateInfo& s : entry.state)
+    law["state"].push_back({{"name", s.name}, {"unit", s.unit}, {"meaning", s.meaning}});
   return law;
 }
 
 void print_law(const hysteresis::Entry& entry) {
   fmt::print("{}: {}\n\n  {}\n\n", entry.name, entry.summary, entry.shape);
-  fmt::print("With {}; d [m] deformation, f [N] force; of a hinge [rad] and [N m].\nRange: {}.\nBeware: {}.\nSource: {}\n", entry.symbols,
-             entry.range, entry.beware, entry.source);
+  fmt::print(
+      "With {}; d [m] deformation, f [N] force; of a hinge [rad] and [N m].\nRange: {}.\nBeware: {}.\nSource: {}\n",
+      entry.symbols, entry.range, entry.beware, entry.source);
   fmt::print("\n  {:<22}{:<8}{:>10}\n", "parameter", "unit", "typical");
   for (const hysteresis::ParameterInfo& p : entry.parameters)
-    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning, need_text(p.need));
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning,
+               need_text(p.need));
   for (const hysteresis::ChoiceInfo& c : entry.choices)
     fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));
 }
@@ -82,12 +99,13 @@ std::vector<double> read_path(const std::string& text) {
     double value = 0;
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
     if (read.ec != std::errc{} || read.ptr != word.data() + word.size() || !std::isfinite(value))
-      throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"; \"" + laws::excerpt(word) +
-                                  "\" is no number");
+      throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"; \"" +
+                                  laws::excerpt(word) + "\" is no number");
     path.push_back(value);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  if (path.empty()) throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"");
+  if (path.empty())
+    throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"");
   return path;
 }
 
@@ -99,7 +117,9 @@ void print_loop(const hysteresis::Entry& entry, const std::vector<double>& path,
   }
   const hysteresis::AnyLaw law = hysteresis::make_law(hysteresis::typical_settings(entry));
   const std::vector<Point> points = std::visit([&](const auto& chosen) { return loop(chosen, path, between); }, law);
-  if (json) return fmt::print("{}\n", nlohmann::json{{"law", entry.name}, {"columns", columns}, {"units", units}, {"rows", points}}.dump(2));
+  if (json)
+    return fmt::print(
+        "{}\n", nlohmann::json{{"law", entry.name}, {"columns", columns}, {"units", units}, {"rows", points}}.dump(2));
   for (std::size_t i = 0; i < columns.size(); ++i)
     fmt::print("{:>18}", units[i].empty() ? columns[i] : fmt::format("{} [{}]", columns[i], units[i]));
   fmt::print("\n");

@@ -18,13 +18,15 @@ namespace {
 
 constexpr int tenths = 9;  // restitutions 0.1 ... 0.9
 
-/// Restitution that a formula really gives for an asked one, with typical values of the law; empty where the formula has no value.
+/// Restitution that a formula really gives for an asked one, with typical values of the law; empty where the formula
+/// has no value.
 std::optional<double> obtained(const laws::Entry& entry, std::string_view formula, double restitution) {
   laws::Settings settings = laws::typical_settings(entry);
   settings.formula = formula;
   settings.restitution = restitution;
   try {
-    return laws::free_impact(laws::make_law(settings), laws::typical_reduced_mass, laws::typical_closing_speed).restitution;
+    return laws::free_impact(laws::make_law(settings), laws::typical_reduced_mass, laws::typical_closing_speed)
+        .restitution;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
@@ -41,15 +43,26 @@ std::string_view need_text(laws::Need need) {
 }
 
 nlohmann::json law_json(const laws::Entry& entry) {
-  nlohmann::json law{{"name", entry.name}, {"force", entry.shape}, {"summary", entry.summary}, {"source", entry.source},
-                     {"symbols", entry.symbols}, {"range", entry.range}, {"beware", entry.beware},
-                     {"restitution", entry.takes_restitution}, {"impact_velocity", entry.takes_impact_velocity},
-                     {"reduced_mass", entry.takes_reduced_mass}, {"may_pull", entry.may_pull},
-                     {"leaves_indentation", entry.leaves_indentation}, {"instantaneous", entry.instantaneous},
+  nlohmann::json law{{"name", entry.name},
+                     {"force", entry.shape},
+                     {"summary", entry.summary},
+                     {"source", entry.source},
+                     {"symbols", entry.symbols},
+                     {"range", entry.range},
+                     {"beware", entry.beware},
+                     {"restitution", entry.takes_restitution},
+                     {"impact_velocity", entry.takes_impact_velocity},
+                     {"reduced_mass", entry.takes_reduced_mass},
+                     {"may_pull", entry.may_pull},
+                     {"leaves_indentation", entry.leaves_indentation},
+                     {"instantaneous", entry.instantaneous},
                      {"sticks_at_zero", entry.sticks_at_zero}};
   law["parameters"] = nlohmann::json::array();
   for (const laws::ParameterInfo& p : entry.parameters)
-    law["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"typical", p.typical},
+    law["parameters"].push_back({{"name", p.name},
+                                 {"unit", p.unit},
+                                 {"meaning", p.meaning},
+                                 {"typical", p.typical},
                                  {"need", need_text(p.need)}});
   law["formulas"] = nlohmann::json::array();
   for (const laws::Formula& f : entry.formulas)
@@ -73,12 +86,13 @@ void print_all() {
   for (const laws::Entry& entry : laws::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
   fmt::print("\nLaws of yielding, of storeys, hinges and isolators:\n\n");
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
-  fmt::print("\npounding laws NAME shows one of them; of one that yields --path \"0, 3, -3, 1\" draws the loop in numbers.\n");
+  fmt::print(
+      "\npounding laws NAME shows one of them; of one that yields --path \"0, 3, -3, 1\" draws the loop in numbers.\n");
 }
 
 void print_parameters(const laws::Entry& entry) {
-  const auto line = [](std::string_view name, std::string_view unit, const std::string& typical, std::string_view meaning,
-                       std::string_view need) {
+  const auto line = [](std::string_view name, std::string_view unit, const std::string& typical,
+                       std::string_view meaning, std::string_view need) {
     fmt::print("  {:<22}{:<14}{:>10}  {} ({})\n", name, unit, typical, meaning, need);
   };
   fmt::print("\n  {:<22}{:<14}{:>10}\n", "parameter", "unit", "typical");
@@ -90,7 +104,8 @@ void print_parameters(const laws::Entry& entry) {
          entry.direct_damping().empty() ? "required" : "or a direct damping value");
   if (entry.takes_impact_velocity)
     line("impact_velocity", "m/s", "", "fixed design velocity; without it each impact takes its own", "optional");
-  if (entry.takes_reduced_mass) line("reduced_mass", "kg", "", "m1 m2/(m1+m2) of the linked floors", "found by the link");
+  if (entry.takes_reduced_mass)
+    line("reduced_mass", "kg", "", "m1 m2/(m1+m2) of the linked floors", "found by the link");
 }
 
 void print_formulas(const laws::Entry& entry) {
@@ -133,14 +148,20 @@ void add_laws(CLI::App& app) {
     bool json = false, yielding = false;
   };
   const auto words = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("laws", "Contact laws and laws of yielding: their formulas, parameters, restitutions and loops");
+  CLI::App* command = app.add_subcommand(
+      "laws", "Contact laws and laws of yielding: their formulas, parameters, restitutions and loops");
   command->add_option("NAME", words->name, "One law in detail");
   command->add_flag("--json", words->json, "Print JSON");
-  command->add_flag("--yielding", words->yielding, "With --json and no NAME: the laws of yielding; with a NAME that a contact law has too: that of yielding");
-  command->add_option("--path", words->path, "Loop of a law of yielding with typical parameters: turning points in yield deformations");
-  command->add_option("--points", words->points, "Points on each way of the loop, 1 for the turning points alone")->check(CLI::Range(1, 100000));
+  command->add_flag(
+      "--yielding", words->yielding,
+      "With --json and no NAME: the laws of yielding; with a NAME that a contact law has too: that of yielding");
+  command->add_option("--path", words->path,
+                      "Loop of a law of yielding with typical parameters: turning points in yield deformations");
+  command->add_option("--points", words->points, "Points on each way of the loop, 1 for the turning points alone")
+      ->check(CLI::Range(1, 100000));
   command->callback([words] {
-    if (!words->path.empty() && words->name.empty()) throw std::invalid_argument("--path: needs the NAME of a law of yielding");
+    if (!words->path.empty() && words->name.empty())
+      throw std::invalid_argument("--path: needs the NAME of a law of yielding");
     if (words->name.empty() && !words->json) return print_all();
     if (words->name.empty()) {
       nlohmann::json list = nlohmann::json::array();
@@ -152,14 +173,16 @@ void add_laws(CLI::App& app) {
     }
     for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
       if (entry.name != words->name) continue;
-      const bool is_contact_law_too = std::ranges::find(laws::catalogue(), entry.name, &laws::Entry::name) != laws::catalogue().end();
+      const bool is_contact_law_too =
+          std::ranges::find(laws::catalogue(), entry.name, &laws::Entry::name) != laws::catalogue().end();
       if (is_contact_law_too && !words->yielding && words->path.empty()) break;
       if (!words->path.empty()) return print_loop(entry, read_path(words->path), words->points, words->json);
       return words->json ? fmt::print("{}\n", law_json(entry).dump(2)) : print_law(entry);
     }
     if (is_meant_to_yield(words->name)) hysteresis::find_law(words->name);
     const laws::Entry& entry = laws::find_law(words->name);
-    if (!words->path.empty()) throw std::invalid_argument("--path: " + words->name + " is a contact law, which has no loop by deformations");
+    if (!words->path.empty())
+      throw std::invalid_argument("--path: " + words->name + " is a contact law, which has no loop by deformations");
     if (words->json) return fmt::print("{}\n", law_json_with_table(entry).dump(2));
     print_law(entry);
   });

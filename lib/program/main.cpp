@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include <pounding/core/error.hpp>
-#include "one_thread.hpp"
 #include "exit_code.hpp"
+#include "one_thread.hpp"
 #include "python_process.hpp"
 #include "serve.hpp"
 
@@ -35,8 +35,8 @@ void end_without_memory() {
 
 [[gnu::constructor(101)]] void watch_over_memory() { usual_end = std::set_terminate(end_without_memory); }
 
-// A results file must never become standard output, where the caller has closed that: what is printed would be in the middle of it.
-// Reading ends serve, since what is printed has to fail.
+// A results file must never become standard output, where the caller has closed that: what is printed would be in the
+// middle of it. Reading ends serve, since what is printed has to fail.
 void hold_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDONLY);
@@ -45,7 +45,8 @@ void hold_standard_streams() {
 // HDF5 1.10 ends a process by exit(-1) when a table of its own gets no memory; nothing else here does.
 void tell_of_hdf5(int status, void*) {
   if (status != -1) return;
-  report("there is no memory left for HDF5; a results file keeps what was written before", pounding::program::failed_solve);
+  report("there is no memory left for HDF5; a results file keeps what was written before",
+         pounding::program::failed_solve);
   std::fflush(nullptr);
   _exit(pounding::program::failed_solve);
 }

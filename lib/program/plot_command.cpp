@@ -85,18 +85,24 @@ void add_plot(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plot", "Draw a results file");
-  command->add_option("results", options->results, "results file that `pounding run` or `pounding pushover` wrote")->required();
-  names_a_file(command->add_option("-o,--output", options->picture,
-                                   "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
-                                   "RESULTS-model.png ...)"));
+  command->add_option("results", options->results, "results file that `pounding run` or `pounding pushover` wrote")
+      ->required();
+  names_a_file(command->add_option(
+      "-o,--output", options->picture,
+      "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
+      "RESULTS-model.png ...)"));
   command->add_option("--title", options->title, "title instead of that of the run");
-  command->add_option("--picture", options->kind,
-                      "run (histories and impacts), model (the structures at rest), profiles (extremes over the height), plan (a map of drifts and impacts "
-                      "of frames in space), loops (force over deformation of the six parts that yield most) or hinges (a map of what yielded, and the "
-                      "impacts)")
+  command
+      ->add_option("--picture", options->kind,
+                   "run (histories and impacts), model (the structures at rest), profiles (extremes over the height), "
+                   "plan (a map of drifts and impacts "
+                   "of frames in space), loops (force over deformation of the six parts that yield most) or hinges (a "
+                   "map of what yielded, and the "
+                   "impacts)")
       ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
-  command->add_flag("--compare", options->compare, "also draw the run without links, dashed; profiles and plan do so whenever it is there");
+  command->add_flag("--compare", options->compare,
+                    "also draw the run without links, dashed; profiles and plan do so whenever it is there");
   command->callback([options] {
     std::vector<std::string> words;
     if (!options->picture.empty()) words = {"-o", options->picture};

@@ -38,27 +38,38 @@ void push_over(const PushoverArguments& given) {
   if (given.plot || !given.picture.empty()) {
     // Each structure of a model has a picture of its own.
     const std::string of = model.structures.size() > 1 ? '_' + found.structure : "";
-    const std::string picture = given.picture.empty() ? std::filesystem::path(given.model).stem().string() + of + "_pushover.png" : given.picture;
+    const std::string picture = given.picture.empty()
+                                    ? std::filesystem::path(given.model).stem().string() + of + "_pushover.png"
+                                    : given.picture;
     draw_pushover(pushover_json(found), picture, model.title);
     if (!given.json) std::printf("picture       %s\n", picture.c_str());
   }
   if (!found.path.collapse.empty())
-    throw SolverError(fmt::format("{}: {} collapses {}; the results end there. Push it less far", model.source_file, found.structure, found.path.collapse));
+    throw SolverError(fmt::format("{}: {} collapses {}; the results end there. Push it less far", model.source_file,
+                                  found.structure, found.path.collapse));
 }
 
 }  // namespace
 
 void add_pushover(CLI::App& app) {
   const auto given = std::make_shared<PushoverArguments>();
-  CLI::App* const command = app.add_subcommand("pushover", "Pushes a structure whose parts yield: curve, order of hinges, mechanism");
+  CLI::App* const command =
+      app.add_subcommand("pushover", "Pushes a structure whose parts yield: curve, order of hinges, mechanism");
   command->add_option("MODEL", given->model, "Input file (YAML)")->required();
-  command->add_option("--structure", given->words.structure, "Its name; may be left out where one structure of the model yields");
-  command->add_option("--load", given->words.load, "triangular, uniform or mode1, or a file with one force a floor, from the ground up")->capture_default_str();
+  command->add_option("--structure", given->words.structure,
+                      "Its name; may be left out where one structure of the model yields");
+  command
+      ->add_option("--load", given->words.load,
+                   "triangular, uniform or mode1, or a file with one force a floor, from the ground up")
+      ->capture_default_str();
   command->add_option("--direction", given->words.direction, "x, or in space y")->capture_default_str();
   command->add_option("--to", given->words.to, "Displacement of the roof: \"250 mm\", or \"2 % roof\" of its height");
-  command->add_option("--cyclic", given->words.cyclic, "Displacements that are reached before, one after the other: \"1 %, -1 %, 2 %\"");
+  command->add_option("--cyclic", given->words.cyclic,
+                      "Displacements that are reached before, one after the other: \"1 %, -1 %, 2 %\"");
   command->add_flag("--json", given->json, "Print one JSON object");
-  command->add_flag("--plot", given->plot, "Draw the curve: MODEL_pushover.png in the current folder, with several structures MODEL_NAME_pushover.png");
+  command->add_flag(
+      "--plot", given->plot,
+      "Draw the curve: MODEL_pushover.png in the current folder, with several structures MODEL_NAME_pushover.png");
   names_a_file(command->add_option("--picture", given->picture, "Name of the picture: .png, .pdf or .svg"));
   names_a_file(command->add_option("-o,--output", given->output, "Results file: .h5"));
   command->callback([given] { push_over(*given); });

@@ -23,8 +23,8 @@ constexpr const char* what_to_install =
     "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
     "environment variable POUNDING_PYTHON to a Python that has them.";
 
-/// Folders of a list such as PATH or PYTHONPATH that are absolute. An empty or relative entry means the working folder or one inside
-/// it, which may hold the files of others.
+/// Folders of a list such as PATH or PYTHONPATH that are absolute. An empty or relative entry means the working folder
+/// or one inside it, which may hold the files of others.
 std::vector<std::string> absolute_folders(const char* list) {
   std::vector<std::string> folders;
   if (list == nullptr) return folders;
@@ -33,11 +33,14 @@ std::vector<std::string> absolute_folders(const char* list) {
   return folders;
 }
 
-/// The file of a program by its name, searched in the absolute folders of PATH; the name itself if it is in none of them.
+/// The file of a program by its name, searched in the absolute folders of PATH; the name itself if it is in none of
+/// them.
 std::string on_path(const std::string& name) {
   if (name.find('/') != std::string::npos) return name;
   for (const std::string& folder : absolute_folders(std::getenv("PATH")))
-    if (const std::string file = folder + '/' + name; access(file.c_str(), X_OK) == 0 && !std::filesystem::is_directory(file)) return file;
+    if (const std::string file = folder + '/' + name;
+        access(file.c_str(), X_OK) == 0 && !std::filesystem::is_directory(file))
+      return file;
   return name;
 }
 
@@ -53,23 +56,27 @@ std::string module_path() {
   std::error_code unknown;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   const std::filesystem::path installed = program.parent_path() / POUNDING_PYTHON_FROM_PROGRAM;
-  return std::filesystem::is_directory(installed, unknown) ? installed.lexically_normal().string() : POUNDING_PYTHON_PATH;
+  return std::filesystem::is_directory(installed, unknown) ? installed.lexically_normal().string()
+                                                           : POUNDING_PYTHON_PATH;
 }
 
-/// The Python directory with the compiled part of the package: beside the program in a build tree, else as module_path().
+/// The Python directory with the compiled part of the package: beside the program in a build tree, else as
+/// module_path().
 std::string whole_package_path() {
   std::error_code unknown;
   const std::filesystem::path built = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "python";
   return std::filesystem::is_directory(built / "pounding", unknown) ? built.string() : module_path();
 }
 
-/// This process's environment with our Python directory first on the module path. Python and the processes that it starts import no module
-/// of the working folder: Python 3.11 and later read PYTHONSAFEPATH, which is `-P`.
+/// This process's environment with our Python directory first on the module path. Python and the processes that it
+/// starts import no module of the working folder: Python 3.11 and later read PYTHONSAFEPATH, which is `-P`.
 std::vector<std::string> environment_with(std::string path) {
   for (const std::string& folder : absolute_folders(std::getenv("PYTHONPATH"))) path.append(":").append(folder);
   std::vector<std::string> variables{"PYTHONPATH=" + path, "PYTHONSAFEPATH=1"};
   for (char** variable = environ; *variable != nullptr; ++variable)
-    if (const std::string_view text(*variable); !text.starts_with("PYTHONPATH=") && !text.starts_with("PYTHONSAFEPATH=")) variables.emplace_back(text);
+    if (const std::string_view text(*variable);
+        !text.starts_with("PYTHONPATH=") && !text.starts_with("PYTHONSAFEPATH="))
+      variables.emplace_back(text);
   return variables;
 }
 
@@ -129,7 +136,8 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal, bool
       }
     }
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   close(ends[0]);
@@ -150,7 +158,8 @@ std::string last_line(const std::string& text) {
 void name_packaged_records() {
   if (const char* given = std::getenv("POUNDING_RECORDS"); given != nullptr && *given != '\0') return;
   std::vector<std::filesystem::path> environments{std::filesystem::path(find_python()).parent_path().parent_path()};
-  if (const char* active = std::getenv("VIRTUAL_ENV"); active != nullptr && *active != '\0') environments.emplace_back(active);
+  if (const char* active = std::getenv("VIRTUAL_ENV"); active != nullptr && *active != '\0')
+    environments.emplace_back(active);
   std::error_code unknown;
   for (const std::filesystem::path& environment : environments) {
     if (environment.empty()) continue;
@@ -165,7 +174,8 @@ void name_packaged_records() {
   }
 }
 
-void run_python(const PythonTask& task, const std::vector<std::string>& options, const std::vector<std::string>& files) {
+void run_python(const PythonTask& task, const std::vector<std::string>& options,
+                const std::vector<std::string>& files) {
   const std::string python = find_python();
   std::vector<std::string> arguments{python, "-m", "pounding." + task.module};
   arguments.insert(arguments.end(), options.begin(), options.end());
@@ -186,7 +196,8 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
   if (message.find("No module named") != std::string::npos)
     throw InputError(failure + python + ": " + message + ". " + what_to_install);
   if (message.empty())
-    throw InputError(failure + python + " ended with code " + std::to_string(outcome.exit_code) + " and without a message");
+    throw InputError(failure + python + " ended with code " + std::to_string(outcome.exit_code) +
+                     " and without a message");
   throw InputError(failure + message);
 }
 

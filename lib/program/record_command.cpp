@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/units.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/spectrum.hpp>
-#include <pounding/core/units.hpp>
 
 namespace pounding::program {
 namespace {
@@ -34,15 +34,17 @@ double read_step(const std::string& text) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("--step: {}", error.what()));
   }
-  if (!(step > 0)) throw InputError(fmt::format("--step: takes a time > 0 such as \"0.01 s\"; \"{}\" is outside", excerpt(text)));
+  if (!(step > 0))
+    throw InputError(fmt::format("--step: takes a time > 0 such as \"0.01 s\"; \"{}\" is outside", excerpt(text)));
   return step;
 }
 
 /// Reads the record and prints its warnings.
 Record read(const RecordArguments& words) {
-  Record record = read_record(
-      find_record(words.file, {}),
-      {.units = words.units, .channel = words.channel, .step = read_step(words.step), .displacement = words.displacement});
+  Record record = read_record(find_record(words.file, {}), {.units = words.units,
+                                                            .channel = words.channel,
+                                                            .step = read_step(words.step),
+                                                            .displacement = words.displacement});
   for (const std::string& text : record.warnings)
     std::fprintf(stderr, "pounding: warning: %s: %s\n", excerpt(record.file).c_str(), text.c_str());
   return record;
@@ -109,11 +111,14 @@ void add_record(CLI::App& app) {
   const auto add = [&](const char* name, const char* what) {
     CLI::App* const command = record->add_subcommand(name, what);
     command
-        ->add_option("file", words->file,
-                     "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USC, GeoNet, BHRC, AFAD, UNAM, USGS SMC, or columns of numbers")
+        ->add_option(
+            "file", words->file,
+            "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USC, GeoNet, BHRC, AFAD, UNAM, USGS SMC, or columns of numbers")
         ->required();
-    command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal; of displacements m, cm, mm, in");
-    command->add_option("--channel", words->channel, "Number or component, as in the file, when it has several channels");
+    command->add_option("--units", words->units,
+                        "Unit when the file states none: g, m/s^2, cm/s^2, gal; of displacements m, cm, mm, in");
+    command->add_option("--channel", words->channel,
+                        "Number or component, as in the file, when it has several channels");
     command->add_option("--step", words->step, "Time between two values of a file without times, such as 0.01 s");
     command->add_flag("--displacement", words->displacement, "The file holds displacements");
     return command;
@@ -124,8 +129,10 @@ void add_record(CLI::App& app) {
     const Record read_now = read(*words);
     // Names of files are not always UTF-8, which JSON demands.
     constexpr auto on_bad_text = nlohmann::json::error_handler_t::replace;
-    if (words->json) fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));
-    else print_info(read_now, words->displacement);
+    if (words->json)
+      fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));
+    else
+      print_info(read_now, words->displacement);
   });
 
   CLI::App* const spectrum = add("spectrum", "Elastic response spectrum");

@@ -43,7 +43,8 @@ std::vector<const ItemMaker*> chosen(const std::vector<std::string>& only) {
 }
 
 // The report of an earlier reproduction marks its folder.
-const FileKind report_files{"report of a reproduction", "-o FOLDER", [](std::string_view start) { return start.starts_with("{\"items\":"); }};
+const FileKind report_files{"report of a reproduction", "-o FOLDER",
+                            [](std::string_view start) { return start.starts_with("{\"items\":"); }};
 const FileKind figure_files{"figure", "-o FOLDER", [](std::string_view) { return true; }};
 
 void write(const fs::path& file, const std::string& text, const FileKind& kind) {
@@ -55,8 +56,9 @@ void require_own(const fs::path& directory, const fs::path& data) {
   ReplacedFile(data.string(), report_files).require_free();
   std::error_code error;
   if (!fs::is_empty(directory, error) && !error && !fs::exists(data))
-    throw InputError(fmt::format("-o {}: the folder holds files, and no report of a reproduction. Name a new folder, such as -o {}/reproduction",
-                                 directory.string(), directory.string()));
+    throw InputError(fmt::format(
+        "-o {}: the folder holds files, and no report of a reproduction. Name a new folder, such as -o {}/reproduction",
+        directory.string(), directory.string()));
 }
 
 /// Shows a line on the terminal, which the next one overwrites.
@@ -79,7 +81,8 @@ void print(const std::vector<Item>& items, const std::string& report) {
     }
     fmt::print("\n");
   }
-  fmt::print("{} agree, {} do not agree, {} cannot be checked\nreport       {}\n", counts[0], counts[1], counts[2], report);
+  fmt::print("{} agree, {} do not agree, {} cannot be checked\nreport       {}\n", counts[0], counts[1], counts[2],
+             report);
 }
 
 void print_json(const std::vector<Item>& items, const std::string& report) {
@@ -87,14 +90,15 @@ void print_json(const std::vector<Item>& items, const std::string& report) {
   for (const Item& item : items) {
     nlohmann::json verdicts = nlohmann::json::array();
     for (const Verdict& v : item.verdicts)
-      verdicts.push_back({{"place", v.place}, {"judgement", word(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
+      verdicts.push_back(
+          {{"place", v.place}, {"judgement", word(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
     list.push_back({{"name", item.name}, {"verdicts", verdicts}});
   }
   fmt::print("{}\n", nlohmann::json{{"report", report}, {"items", list}}.dump());
 }
 
-std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, const fs::path& directory, const fs::path& data,
-                                   const fs::path& report) {
+std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, const fs::path& directory,
+                                   const fs::path& data, const fs::path& report) {
   const ProgressLine line;
   std::vector<Item> items;
   std::vector<double> seconds;
@@ -103,7 +107,8 @@ std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, 
     const auto begin = std::chrono::steady_clock::now();
     items.push_back(maker->make());
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    for (const reproduce::Figure& figure : items.back().figures) write(directory / (figure.name + ".csv"), to_csv(figure), figure_files);
+    for (const reproduce::Figure& figure : items.back().figures)
+      write(directory / (figure.name + ".csv"), to_csv(figure), figure_files);
   }
   write(data, to_json(items, seconds), report_files);
   show("drawing ");
@@ -132,9 +137,11 @@ void add_reproduce(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "reproduce", "Recompute Naderpour, Barros & Khatami 2015, with a verdict on each equation, table and figure");
   std::string names;
-  for (const ItemMaker& maker : reproduce::item_makers()) names += (names.empty() ? "" : ", ") + std::string(maker.name);
+  for (const ItemMaker& maker : reproduce::item_makers())
+    names += (names.empty() ? "" : ", ") + std::string(maker.name);
   command->add_option("--only", words->only, "A part of the paper, or several: " + names)->delimiter(',');
-  names_a_file(command->add_option("-o,--output", words->directory, "Folder of report.html, report.json, and of the figures as PNG and CSV"))
+  names_a_file(command->add_option("-o,--output", words->directory,
+                                   "Folder of report.html, report.json, and of the figures as PNG and CSV"))
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print the verdicts as one JSON object");
   command->callback([words] { reproduce_paper(*words); });

@@ -1,7 +1,7 @@
+#include <unistd.h>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -15,18 +15,18 @@
 #include <nlohmann/json.hpp>
 
 #include <pounding/core/limits.hpp>
-#include <pounding/run/implausible.hpp>
-#include <pounding/run/run.hpp>
-#include <pounding/run/restart.hpp>
-#include <pounding/run/same_model.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/model/yielding_report.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/model/yielding_report.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/results/replaced_file.hpp>
+#include <pounding/run/implausible.hpp>
+#include <pounding/run/restart.hpp>
+#include <pounding/run/run.hpp>
+#include <pounding/run/same_model.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
@@ -42,7 +42,8 @@ Model read(const Input& input) {
   try {
     return read_model(input, petsc::lowest_modes);
   } catch (const std::bad_alloc&) {
-    throw OutOfMemory(fmt::format("{}: out of memory while the model was read; {} were there", input.file(), limits::text_of_bytes(limits::memory())));
+    throw OutOfMemory(fmt::format("{}: out of memory while the model was read; {} were there", input.file(),
+                                  limits::text_of_bytes(limits::memory())));
   }
 }
 
@@ -61,8 +62,8 @@ class RunProgress {
     if (time < begin_ || since_begin_ == Clock::time_point{}) restart(time);
     const int width = 30;
     const int filled = static_cast<int>(width * time / duration);
-    const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts{} \033[K", "", filled, "", width - filled, time,
-                                         duration, impacts, rest(time, duration));
+    const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts{} \033[K", "", filled, "",
+                                         width - filled, time, duration, impacts, rest(time, duration));
     std::fputs(line.c_str(), stderr);
   }
 
@@ -81,7 +82,8 @@ class RunProgress {
     const double left = passed * (duration - time) / (time - begin_);
     if (left < 100) return fmt::format(", {:.0f} s left", left);
     if (left < 6000) return fmt::format(", {:.0f} min left", left / 60);
-    return left < 360000 ? fmt::format(", {:.0f} h left", left / 3600) : fmt::format(", {:.3g} days left", left / 86400);
+    return left < 360000 ? fmt::format(", {:.0f} h left", left / 3600)
+                         : fmt::format(", {:.3g} days left", left / 86400);
   }
 
   double begin_ = 0;  // simulated time of the first report [s]
@@ -96,8 +98,9 @@ const bool hangup_is_ignored = [] {
   return sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler == SIG_IGN;
 }();
 
-// Ctrl-C (SIGINT), SIGTERM, a terminal that closes (SIGHUP) and a limit on processor time (SIGXCPU) end the run with its results so
-// far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every second.
+// Ctrl-C (SIGINT), SIGTERM, a terminal that closes (SIGHUP) and a limit on processor time (SIGXCPU) end the run with
+// its results so far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every
+// second.
 class StopOnSignal {
  public:
   StopOnSignal() {
@@ -132,9 +135,10 @@ Rest rest_of(const CLI::App& command) {
     const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view";
     // PETSc would read the name of another option as such, not as a value.
     if (!option && (!value || petsc::is_option_name(word)))
-      throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
-                                   "are listed by pounding run --help",
-                                   excerpt(word)));
+      throw InputError(
+          fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
+                      "are listed by pounding run --help",
+                      excerpt(word)));
     value = option;
   }
   return rest;
@@ -146,8 +150,8 @@ void abort_all(const std::string& text, const std::exception& error) {
   MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
 }
 
-// In addition to the standard picture: profiles, and for each structure the spectrum of the floor with the largest acceleration, in space
-// along x and y. Spectra that the outputs make wrong are not drawn.
+// In addition to the standard picture: profiles, and for each structure the spectrum of the floor with the largest
+// acceleration, in space along x and y. Spectra that the outputs make wrong are not drawn.
 void draw_report(const Summary& summary, const std::string& results, std::vector<std::string>& pictures) {
   const std::string name = with_ending(results, "");
   pictures.push_back(name + "-profiles.png");
@@ -158,7 +162,8 @@ void draw_report(const Summary& summary, const std::string& results, std::vector
     const std::string floor = fmt::format("{}.{}", s.name, hardest - s.peak_acceleration.begin() + 1);
     for (const std::string& direction : s.directions) {
       if (direction == "rz") continue;
-      const std::string picture = fmt::format("{}-spectrum-{}{}.png", name, floor, direction == "x" ? "" : "-" + direction);
+      const std::string picture =
+          fmt::format("{}-spectrum-{}{}.png", name, floor, direction == "x" ? "" : "-" + direction);
       if (const std::string wrong = draw_floor_spectrum(results, floor, direction, picture); wrong.empty())
         pictures.push_back(picture);
       else
@@ -182,17 +187,19 @@ void run_task(const RunArguments& words, const Task& task) {
   RunOptions run_options;
   const bool plot = words.plot || words.report || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
-  if (keep) run_options.output = resume ? words.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
+  if (keep)
+    run_options.output = resume ? words.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
   if (!words.output.empty()) run_options.output = words.output;
   run_options.resume = words.resume;
-  run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
-                                    resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
-                                    fmt::join(options, " "));
+  run_options.command =
+      fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file, resume ? " --resume " : "",
+                  words.resume, options.empty() ? "" : " ", fmt::join(options, " "));
   const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
   if (plot) ReplacedFile(picture, picture_files).require_free();
   const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && ranks.is_root();
   RunProgress line;
-  if (terminal) run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
+  if (terminal)
+    run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
   if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
   const std::vector<std::string> warnings = implausible(model);
@@ -214,13 +221,16 @@ void run_task(const RunArguments& words, const Task& task) {
     if (!failed.outcome().resumable) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     const long steps = failed.outcome().summary.solver.steps;
-    const std::string more = steps >= model.analysis.most_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
-    throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
+    const std::string more =
+        steps >= model.analysis.most_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
+    throw SolverError(
+        fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
   } catch (const std::bad_alloc& lack) {
     if (terminal) clear_progress();
     const std::string text = dynamic_cast<const OutOfMemory*>(&lack)
                                  ? lack.what()
-                                 : fmt::format("{}: out of memory; {} were there", model.source_file, limits::text_of_bytes(limits::memory()));
+                                 : fmt::format("{}: out of memory; {} were there", model.source_file,
+                                               limits::text_of_bytes(limits::memory()));
     const bool keeps = !run_options.output.empty() && std::filesystem::exists(run_options.output);
     throw OutOfMemory(keeps ? fmt::format("{}\nWhat was written last is in {}", text, run_options.output) : text);
   } catch (...) {
@@ -230,7 +240,8 @@ void run_task(const RunArguments& words, const Task& task) {
   if (terminal) clear_progress();
   if (!ranks.is_root()) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
-    std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
+    std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n",
+                 unread.front().c_str());
   print_new_warnings(outcome);
   if (words.json)
     std::puts(to_json(outcome.summary).c_str());
@@ -256,7 +267,9 @@ void run_model(const RunArguments& words, const CLI::App& command) {
     add_earlier_options(earlier, options);
   }
   const petsc::Environment environment(options);
-  petsc::run_collectively(PETSC_COMM_WORLD, [&, &file = model_file, &given = options] { run_task(words, {file, given, earlier}); }, abort_all);
+  petsc::run_collectively(
+      PETSC_COMM_WORLD, [&, &file = model_file, &given = options] { run_task(words, {file, given, earlier}); },
+      abort_all);
 }
 
 }  // namespace
@@ -264,21 +277,27 @@ void run_model(const RunArguments& words, const CLI::App& command) {
 void add_run(CLI::App& app) {
   const auto words = std::make_shared<RunArguments>();
   CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
-  names_a_file(run_command->add_option("--resume", words->resume,
-                                       "Results file of a run that was killed, stopped or cut: goes on in it with the model that it "
-                                       "holds; MODEL and the PETSc options of the beginning need not be named again"));
-  names_a_file(run_command->add_option("-o,--output", words->output,
-                                       "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
-  run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file; -o OUT.h5 says where");
-  run_command->add_flag("--report", words->report,
-                        "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
-                        "links, and of each structure the spectrum of the floor that is shaken hardest");
+  names_a_file(run_command->add_option(
+      "--resume", words->resume,
+      "Results file of a run that was killed, stopped or cut: goes on in it with the model that it "
+      "holds; MODEL and the PETSc options of the beginning need not be named again"));
+  names_a_file(run_command->add_option(
+      "-o,--output", words->output,
+      "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
+  run_command->add_flag("--plot", words->plot,
+                        "Draw the standard picture beside the results file; -o OUT.h5 says where");
+  run_command->add_flag(
+      "--report", words->report,
+      "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
+      "links, and of each structure the spectrum of the floor that is shaken hardest");
   names_a_file(run_command->add_option("--picture", words->picture, "Name of the picture"));
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but warnings and errors");
   run_command->allow_extras();
-  run_command->footer("PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
-                      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  -pounding_ts_monitor");
+  run_command->footer(
+      "PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
+      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  "
+      "-pounding_ts_monitor");
   run_command->callback([words, run_command] { run_model(*words, *run_command); });
 
   const auto check_words = std::make_shared<RunArguments>();
@@ -292,7 +311,8 @@ void add_run(CLI::App& app) {
     print_warnings(warnings);
     if (!check_words->json) {
       const std::string yielding = yielding_table(model);
-      std::fputs((describe(model) + "\n" + yielding + (yielding.empty() ? "" : "\n") + resolved_yaml(model)).c_str(), stdout);
+      std::fputs((describe(model) + "\n" + yielding + (yielding.empty() ? "" : "\n") + resolved_yaml(model)).c_str(),
+                 stdout);
       return;
     }
     using Json = nlohmann::ordered_json;

@@ -49,17 +49,18 @@ Response response_of(const Summary& summary, double factor) {
 
 Response run_with(const Input& input, double factor) {
   Model model = read_model(input, petsc::lowest_modes, factor);
-  if (model.links.empty()) throw InputError(fmt::format("{}: the model has no links, and so no contact stiffness", input.file()));
+  if (model.links.empty())
+    throw InputError(fmt::format("{}: the model has no links, and so no contact stiffness", input.file()));
   model.compare_no_pounding = false;
   return response_of(run(model).summary, factor);
 }
 
 // The power p of value = constant factor^p by the outermost rows.
-double power(const Response& first, const Response& last, double Response::*value) {
+double power(const Response& first, const Response& last, double Response::* value) {
   return std::log(last.*value / first.*value) / std::log(last.factor / first.factor);
 }
 
-double change(const std::vector<Response>& rows, double Response::*value) {
+double change(const std::vector<Response>& rows, double Response::* value) {
   double low = HUGE_VAL, high = 0;
   for (const Response& r : rows) {
     low = std::fmin(low, r.*value);
@@ -72,21 +73,29 @@ void print(const std::vector<Response>& rows) {
   std::puts("stiffness  impacts  peak force  penetration     impulse       drift  displacement  acceleration");
   std::puts("                           (kN)         (mm)      (kN s)        (mm)          (mm)       (m/s^2)");
   for (const Response& r : rows)
-    fmt::print("{:>9}{:9}{:12.1f}{:13.4f}{:12.2f}{:12.4f}{:14.4f}{:14.4f}\n", fmt::format("x {:g}", r.factor), r.impacts,
-               r.force / 1e3, 1e3 * r.penetration, r.impulse / 1e3, 1e3 * r.drift, 1e3 * r.displacement, r.acceleration);
+    fmt::print("{:>9}{:9}{:12.1f}{:13.4f}{:12.2f}{:12.4f}{:14.4f}{:14.4f}\n", fmt::format("x {:g}", r.factor),
+               r.impacts, r.force / 1e3, 1e3 * r.penetration, r.impulse / 1e3, 1e3 * r.drift, 1e3 * r.displacement,
+               r.acceleration);
   const Response &first = rows.front(), &last = rows.back();
   if (first.factor == last.factor || !(first.force > 0) || !(last.force > 0)) return;
-  fmt::print("\nThe peak force follows the stiffness to the power {:.2f}, the acceleration to {:.2f}; the drift changes by {:.1f} %,\n"
-             "the displacement by {:.1f} %. What changes is worth as much as the stiffness is known.\n",
-             power(first, last, &Response::force), power(first, last, &Response::acceleration),
-             100 * change(rows, &Response::drift), 100 * change(rows, &Response::displacement));
+  fmt::print(
+      "\nThe peak force follows the stiffness to the power {:.2f}, the acceleration to {:.2f}; the drift changes by "
+      "{:.1f} %,\n"
+      "the displacement by {:.1f} %. What changes is worth as much as the stiffness is known.\n",
+      power(first, last, &Response::force), power(first, last, &Response::acceleration),
+      100 * change(rows, &Response::drift), 100 * change(rows, &Response::displacement));
 }
 
 void print_json(const std::vector<Response>& rows) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Response& r : rows)
-    all.push_back({{"factor", r.factor}, {"impacts", r.impacts}, {"peak_force", r.force}, {"peak_penetration", r.penetration},
-                   {"impulse", r.impulse}, {"peak_drift", r.drift}, {"peak_displacement", r.displacement},
+    all.push_back({{"factor", r.factor},
+                   {"impacts", r.impacts},
+                   {"peak_force", r.force},
+                   {"peak_penetration", r.penetration},
+                   {"impulse", r.impulse},
+                   {"peak_drift", r.drift},
+                   {"peak_displacement", r.displacement},
                    {"peak_acceleration", r.acceleration}});
   std::puts(all.dump().c_str());
 }
@@ -100,9 +109,11 @@ void add_sensitivity(CLI::App& app) {
     bool json = false;
   };
   const auto words = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("sensitivity", "How the answer depends on the stiffness of the contacts: runs MODEL with each factor");
+  CLI::App* command = app.add_subcommand(
+      "sensitivity", "How the answer depends on the stiffness of the contacts: runs MODEL with each factor");
   command->add_option("MODEL", words->model, "Input file (YAML)")->required();
-  is_positive(command->add_option("--factors", words->factors, "Factors of the contact stiffness, such as 0.1,1,10")->delimiter(','))
+  is_positive(command->add_option("--factors", words->factors, "Factors of the contact stiffness, such as 0.1,1,10")
+                  ->delimiter(','))
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON list");
   command->callback([words] {
@@ -115,8 +126,10 @@ void add_sensitivity(CLI::App& app) {
       rows.push_back(run_with(input, factor));
     }
     if (shows_progress) fmt::print(stderr, "\r\033[K");
-    if (words->json) print_json(rows);
-    else print(rows);
+    if (words->json)
+      print_json(rows);
+    else
+      print(rows);
   });
 }
 

@@ -33,8 +33,8 @@ bool is_root() { return launched.rank == 0; }
 void require_one_process(CLI::App& command) {
   command.parse_complete_callback([&command] {
     if (launched.size > 1)
-      throw InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun", command.get_name(),
-                                   launched.size));
+      throw InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun",
+                                   command.get_name(), launched.size));
   });
 }
 
@@ -53,8 +53,9 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     }
     if (level == nullptr) {
       const bool is_model = word.ends_with(".yaml") || word.ends_with(".yml");
-      return fmt::format("unknown command \"{}{}\".{}", before, excerpt(word),
-                         is_model ? fmt::format(" To run this model type pounding run {}", excerpt(word)) : suggestion(word, names));
+      return fmt::format(
+          "unknown command \"{}{}\".{}", before, excerpt(word),
+          is_model ? fmt::format(" To run this model type pounding run {}", excerpt(word)) : suggestion(word, names));
     }
     before += word + " ";
   }
@@ -64,7 +65,8 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
 // "run", "record info": the commands that were typed.
 std::vector<std::string> commands_of(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* level = &app; !level->get_subcommands().empty(); names.push_back(level->get_name())) level = level->get_subcommands().front();
+  for (const CLI::App* level = &app; !level->get_subcommands().empty(); names.push_back(level->get_name()))
+    level = level->get_subcommands().front();
   return names;
 }
 
@@ -86,8 +88,8 @@ int report(const char* text, int code) {
   if (is_root())
     print_failure(text);
   else
-    // The launcher ends the other processes behind the first one that has failed, and may lose what it has not passed on by then: the one
-    // that speaks ends first.
+    // The launcher ends the other processes behind the first one that has failed, and may lose what it has not passed
+    // on by then: the one that speaks ends first.
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   return code;
 }
@@ -125,7 +127,8 @@ int serve(int argc, char** argv) {
     }
     if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
       return report((unknown + "\nType pounding --help.").c_str(), bad_input);
-    return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
+    return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(),
+                  bad_input);
   } catch (const OutOfMemory&) {
     throw;
   } catch (const std::system_error&) {

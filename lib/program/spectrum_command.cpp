@@ -31,33 +31,38 @@ struct FloorWords {
 // The absolute acceleration of a floor at the output times.
 struct FloorMotion {
   std::vector<double> times, accelerations;  // [s], [m/s^2]
-  double tracked = 0;                        // largest absolute value over all steps [m/s^2]; 0 where the file does not know it
+  double tracked = 0;  // largest absolute value over all steps [m/s^2]; 0 where the file does not know it
 };
 
 // "left.3" is the third floor from the ground of the structure "left", whose name may have points in it.
 FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& root) {
   const std::size_t point = words.floor.rfind('.');
-  const std::string name = words.floor.substr(0, point), number = point == std::string::npos ? "" : words.floor.substr(point + 1);
+  const std::string name = words.floor.substr(0, point),
+                    number = point == std::string::npos ? "" : words.floor.substr(point + 1);
   double floor = 0;
   if (name.empty() || !parse_number(number, floor))
-    throw InputError(fmt::format("--floor: takes a structure and a floor counted from 1 at the lowest, such as left.3; \"{}\" was read",
-                                 words.floor));
+    throw InputError(fmt::format(
+        "--floor: takes a structure and a floor counted from 1 at the lowest, such as left.3; \"{}\" was read",
+        words.floor));
   const std::vector<std::string> structures = hdf5::members(file, (root + "structures").c_str());
   if (std::find(structures.begin(), structures.end(), name) == structures.end())
-    throw InputError(fmt::format("--floor: there is no structure \"{}\"; there is {}", name, fmt::join(structures, ", ")));
+    throw InputError(
+        fmt::format("--floor: there is no structure \"{}\"; there is {}", name, fmt::join(structures, ", ")));
   const std::string place = root + "structures/" + name + "/acceleration";
   const std::vector<std::size_t> shape = hdf5::shape(file, place.c_str());
   const std::size_t floors = shape.at(1), directions = shape.at(2);
   if (!(floor >= 1 && floor <= static_cast<double>(floors) && floor == std::floor(floor)))
     throw InputError(fmt::format("--floor: {} has floors 1 to {}; \"{}\" was read", name, floors, words.floor));
   if (words.direction != "x" && (words.direction != "y" || directions < 2))
-    throw InputError(fmt::format("--direction: {} moves along {}; \"{}\" was read", name, directions > 1 ? "x and y" : "x alone", words.direction));
+    throw InputError(fmt::format("--direction: {} moves along {}; \"{}\" was read", name,
+                                 directions > 1 ? "x and y" : "x alone", words.direction));
   const std::size_t column = (static_cast<std::size_t>(floor) - 1) * directions + (words.direction == "y" ? 1 : 0);
   FloorMotion motion;
   std::vector<double> all, extremes;
   hdf5::read_array(file, (root + "time").c_str(), motion.times);
   hdf5::read_array(file, place.c_str(), all);
-  for (std::size_t i = 0; i < motion.times.size(); ++i) motion.accelerations.push_back(all[i * floors * directions + column]);
+  for (std::size_t i = 0; i < motion.times.size(); ++i)
+    motion.accelerations.push_back(all[i * floors * directions + column]);
   const std::string envelope = root + "envelopes/structures/" + name + "/acceleration";
   if (hdf5::has(file, (root + "envelopes").c_str())) {
     hdf5::read_array(file, envelope.c_str(), extremes);
@@ -67,10 +72,13 @@ FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& r
 }
 
 // The outputs are too far apart, with the step to try.
-std::string coarse_outputs(const FloorWords& words, const FloorMotion& motion, const std::string& reason, double shortest) {
+std::string coarse_outputs(const FloorWords& words, const FloorMotion& motion, const std::string& reason,
+                           double shortest) {
   const double step = motion.times[1] - motion.times[0];
-  return fmt::format("the outputs every {:g} s are too far apart for this spectrum of {}: {}; run the model again with analysis: {{output_step: {:g}}}", step,
-                     words.floor, reason, std::min(step / 10, shortest / steps_in_a_period));
+  return fmt::format(
+      "the outputs every {:g} s are too far apart for this spectrum of {}: {}; run the model again with analysis: "
+      "{{output_step: {:g}}}",
+      step, words.floor, reason, std::min(step / 10, shortest / steps_in_a_period));
 }
 
 // Why the spectrum of these outputs is wrong: they miss the peak, which the run has tracked. Empty if they do not.
@@ -78,13 +86,18 @@ std::string missed_peak(const FloorWords& words, const FloorMotion& motion, doub
   double seen = 0;
   for (const double a : motion.accelerations) seen = std::max(seen, std::abs(a));
   if (!(seen < enough_of_the_peak * motion.tracked)) return {};
-  return coarse_outputs(words, motion, fmt::format("they reach {:.4g} m/s^2 of the peak of {:.4g} m/s^2", seen, motion.tracked), shortest);
+  return coarse_outputs(words, motion,
+                        fmt::format("they reach {:.4g} m/s^2 of the peak of {:.4g} m/s^2", seen, motion.tracked),
+                        shortest);
 }
 
 // Shortest period that the outputs resolve [s].
-double shortest_resolved(const FloorMotion& motion) { return steps_in_a_period * (motion.times[1] - motion.times[0]) * (1 - 1e-9); }
+double shortest_resolved(const FloorMotion& motion) {
+  return steps_in_a_period * (motion.times[1] - motion.times[0]) * (1 - 1e-9);
+}
 
-// Leaves out periods of a picture that the outputs do not resolve; returns which, for a warning, and nothing for a spectrum without such ones.
+// Leaves out periods of a picture that the outputs do not resolve; returns which, for a warning, and nothing for a
+// spectrum without such ones.
 std::string leave_out(std::vector<NamedSpectrum>& spectra, double shortest) {
   std::size_t count = 0;
   for (NamedSpectrum& spectrum : spectra)
@@ -95,8 +108,8 @@ std::string leave_out(std::vector<NamedSpectrum>& spectra, double shortest) {
 std::vector<SpectrumPoint> spectrum_of(const FloorWords& words, const FloorMotion& motion) {
   if (motion.times.size() < 2) throw InputError(fmt::format("{}: holds no results over time yet", words.results));
   const bool uniform = evenly_spaced(motion.times);
-  return response_spectrum(GroundMotion(Samples{motion.times, motion.accelerations, uniform}), words.spectrum.read_periods(),
-                           words.spectrum.read_damping());
+  return response_spectrum(GroundMotion(Samples{motion.times, motion.accelerations, uniform}),
+                           words.spectrum.read_periods(), words.spectrum.read_damping());
 }
 
 // Shows the spectrum, or returns why it is wrong and not drawn. A table of it is printed with a warning.
@@ -123,21 +136,25 @@ std::string show_floor_spectrum(const FloorWords& words) {
   if (!wrong.empty() && draws) return wrong;
   const double shortest = shortest_resolved(with_links);
   if (wrong.empty() && periods.front() < shortest) {
-    wrong = coarse_outputs(words, with_links, fmt::format("a period of {:g} s needs {:g} of them", periods.front(), steps_in_a_period), periods.front());
+    wrong = coarse_outputs(words, with_links,
+                           fmt::format("a period of {:g} s needs {:g} of them", periods.front(), steps_in_a_period),
+                           periods.front());
     if (draws && !(periods[periods.size() - 2] >= shortest)) return wrong;
     if (draws) wrong += leave_out(spectra, shortest);
   }
   if (!wrong.empty()) std::fprintf(stderr, "pounding: warning: %s\n", wrong.c_str());
-  show_spectra(words.spectrum,
-               fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
-                           words.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0], 100 * damping),
-               spectra);
+  show_spectra(
+      words.spectrum,
+      fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
+                  words.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0], 100 * damping),
+      spectra);
   return {};
 }
 
 }  // namespace
 
-std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction, const std::string& picture) {
+std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
+                                const std::string& picture) {
   FloorWords words;
   words.results = results;
   words.floor = floor;

@@ -15,8 +15,9 @@ namespace pounding::program {
 namespace {
 
 constexpr std::string_view first_column = "period (s)";
-const FileKind spectrum_files{"table of spectra", "--csv spectrum.csv",
-                              [](std::string_view start) { return start.starts_with(std::string(first_column) + ","); }};
+const FileKind spectrum_files{"table of spectra", "--csv spectrum.csv", [](std::string_view start) {
+                                return start.starts_with(std::string(first_column) + ",");
+                              }};
 
 void write_spectra(const std::vector<NamedSpectrum>& spectra, const std::string& path) {
   std::string file(first_column);
@@ -42,7 +43,8 @@ void print_spectra(const std::string& title, const std::vector<NamedSpectrum>& s
     fmt::print("\n");
   }
   fmt::print("{:>10}", "T [s]");
-  for (std::size_t i = 0; i < spectra.size(); ++i) fmt::print(" {:>12} {:>12} {:>12}", "SD [m]", "PSV [m/s]", "PSA [g]");
+  for (std::size_t i = 0; i < spectra.size(); ++i)
+    fmt::print(" {:>12} {:>12} {:>12}", "SD [m]", "PSV [m/s]", "PSA [g]");
   fmt::print("\n");
   for (std::size_t i = 0; i < spectra.front().points.size(); ++i) {
     fmt::print("{:>10.4f}", spectra.front().points[i].period);
@@ -56,8 +58,10 @@ std::string spectra_json(const std::string& title, double damping, const std::ve
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const NamedSpectrum& s : spectra) {
     nlohmann::ordered_json one{{"name", s.name}};
-    constexpr std::pair<const char*, double SpectrumPoint::*> columns[] = {
-        {"period", &SpectrumPoint::period}, {"sd", &SpectrumPoint::sd}, {"psv", &SpectrumPoint::psv}, {"psa", &SpectrumPoint::psa}};
+    constexpr std::pair<const char*, double SpectrumPoint::*> columns[] = {{"period", &SpectrumPoint::period},
+                                                                           {"sd", &SpectrumPoint::sd},
+                                                                           {"psv", &SpectrumPoint::psv},
+                                                                           {"psa", &SpectrumPoint::psa}};
     for (const auto& [name, value] : columns) {
       nlohmann::ordered_json values = nlohmann::ordered_json::array();
       for (const SpectrumPoint& p : s.points) values.push_back(p.*value);
@@ -76,14 +80,17 @@ void SpectrumWords::add_to(CLI::App& command) {
   command.add_option("--periods", periods, "first:last:count [s], each the same factor longer than the one before")
       ->capture_default_str();
   names_a_file(command.add_option("--csv", csv, "Write to this file, in SI, instead of the screen"));
-  names_a_file(command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen"));
+  names_a_file(
+      command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen"));
 }
 
 std::vector<double> SpectrumWords::read_periods() const {
   const std::string& text = periods;
   const auto fail = [&]() -> InputError {
-    return InputError(fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
-                                  "as 0.02:4:50; \"{}\" was read", excerpt(text)));
+    return InputError(
+        fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
+                    "as 0.02:4:50; \"{}\" was read",
+                    excerpt(text)));
   };
   const std::size_t one = text.find(':'), two = text.find(':', one == std::string::npos ? one : one + 1);
   if (two == std::string::npos) throw fail();
@@ -106,7 +113,8 @@ double SpectrumWords::read_damping() const {
     throw InputError(fmt::format("--damping: {}", error.what()));
   }
   if (!(ratio >= 0 && ratio < 1))
-    throw InputError(fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", excerpt(damping)));
+    throw InputError(
+        fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", excerpt(damping)));
   return ratio;
 }
 

@@ -30,7 +30,8 @@ struct NamedSpectrum {
 /// Prints the names of the files that show_spectra has written.
 void tell_written(const SpectrumWords& words);
 
-/// Writes the file and the picture that were asked for; where there are none, prints `title` and a table. Throws InputError.
+/// Writes the file and the picture that were asked for; where there are none, prints `title` and a table. Throws
+/// InputError.
 void show_spectra(const SpectrumWords& words, const std::string& title, const std::vector<NamedSpectrum>& spectra);
 
 }  // namespace pounding::program

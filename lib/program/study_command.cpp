@@ -25,8 +25,10 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
 
 void add_study(CLI::App& app) {
   add_python_command(app, "study", "Run a model many times: STUDY.yaml; check, show, merge, plot and export its table",
-                     "All options: pounding study run --help; those of the other verbs: pounding study check --help, show, merge, plot, export");
-  add_python_command(app, "separation", "The gap that a model needs, by its records and by the rules of codes: MODEL.yaml",
+                     "All options: pounding study run --help; those of the other verbs: pounding study check --help, "
+                     "show, merge, plot, export");
+  add_python_command(app, "separation",
+                     "The gap that a model needs, by its records and by the rules of codes: MODEL.yaml",
                      "All options: pounding separation MODEL.yaml --help");
 }
 

@@ -53,7 +53,8 @@ std::vector<std::string_view> resembling(std::string_view name) {
   std::vector<std::string_view> near;
   if (const std::string_view nearest = nearest_name(name, all); !nearest.empty()) near.push_back(nearest);
   for (const std::string_view each : all) {
-    const bool holds = name.size() > 2 && (each.find(name) != each.npos || (each.size() > 2 && name.find(each) != name.npos));
+    const bool holds =
+        name.size() > 2 && (each.find(name) != each.npos || (each.size() > 2 && name.find(each) != name.npos));
     if (holds && std::ranges::find(near, each) == near.end()) near.push_back(each);
   }
   std::stable_partition(near.begin(), near.end(), [&](std::string_view each) { return each.starts_with(name); });
@@ -63,7 +64,8 @@ std::vector<std::string_view> resembling(std::string_view name) {
 [[noreturn]] void refuse(std::string_view name) {
   const std::vector<std::string_view> near = resembling(name);
   const std::string hint = near.empty() ? "" : fmt::format(" Did you mean {}?", fmt::join(near, ", "));
-  throw InputError(fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", excerpt(name), hint));
+  throw InputError(
+      fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", excerpt(name), hint));
 }
 
 void print_word(const FoundWord& found) {
@@ -154,12 +156,15 @@ void add_words(CLI::App& app) {
     bool json = false, schema = false;
   };
   const auto given = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("words", "Words of the input: every key with its type, unit, range, default and an example");
+  CLI::App* command =
+      app.add_subcommand("words", "Words of the input: every key with its type, unit, range, default and an example");
   command->add_option("NAME", given->name, "A key, a section or a law");
   CLI::Option* json = command->add_flag("--json", given->json, "Print JSON");
-  command->add_flag("--schema", given->schema, "Print the JSON schema by which editors complete and check a model")->excludes(json);
+  command->add_flag("--schema", given->schema, "Print the JSON schema by which editors complete and check a model")
+      ->excludes(json);
   command->callback([given] {
-    if (given->schema && !given->name.empty()) throw InputError("--schema is of the whole input; type pounding words --schema");
+    if (given->schema && !given->name.empty())
+      throw InputError("--schema is of the whole input; type pounding words --schema");
     if (given->schema) return fmt::print("{}\n", input_schema().dump(2));
     if (given->json) return fmt::print("{}\n", json_of(given->name).dump(2));
     if (given->name.empty()) return print_everything();

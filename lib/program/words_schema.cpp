@@ -38,7 +38,8 @@ std::vector<Json> quantity_schemas(const words::Word& word) {
   const std::string sign = word.bounds.low >= 0 ? "[+]?" : "[-+]?";
   const auto text = [&](const Dimension& dimension) {
     return Json{{"type", "string"},
-                {"pattern", R"(^[ \t]*)" + sign + R"(([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?)" + unit_pattern(dimension)}};
+                {"pattern",
+                 R"(^[ \t]*)" + sign + R"(([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?)" + unit_pattern(dimension)}};
   };
   std::vector<Json> all{number_schema(word.bounds, "number"), text(word.dimension)};
   if (word.turning) all.push_back(text(*word.turning));
@@ -99,8 +100,8 @@ std::vector<Json> alternatives_of(const words::Word& word) {
 Json word_schema(const words::Word& word, const words::Section& section) {
   Json schema{{"description", fmt::format("{}\n\nTakes {}; {}.{}\nExample: {}: {}", word.meaning, taken_text(word),
                                           necessity_text(word, section),
-                                          word.otherwise.empty() ? "" : fmt::format(" Default: {}.", word.otherwise), word.key,
-                                          word.example)}};
+                                          word.otherwise.empty() ? "" : fmt::format(" Default: {}.", word.otherwise),
+                                          word.key, word.example)}};
   std::vector<Json> alternatives = alternatives_of(word);
   if (!word.instead.empty()) alternatives.insert(alternatives.begin(), Json{{"enum", word.instead}});
   schema.update(any_of(alternatives));
@@ -125,7 +126,8 @@ Json groups_of(const words::Section& section) {
 Json section_schema(const words::Section& section) {
   Json schema{{"description", section.meaning}, {"type", "object"}, {"properties", Json::object()}};
   if (section.words.empty()) schema["type"] = Json::array({"object", "null"});
-  for (const words::Word& word : section.words) schema["properties"][std::string(word.key)] = word_schema(word, section);
+  for (const words::Word& word : section.words)
+    schema["properties"][std::string(word.key)] = word_schema(word, section);
   const std::vector<std::string> required = keys_with(words::Need::required, section);
   if (!required.empty()) schema["required"] = required;
   if (const Json groups = groups_of(section); !groups.empty()) schema["allOf"] = groups;
@@ -153,7 +155,8 @@ Json links_schema() {
     }
     then["propertyNames"] = {{"enum", names}};
     schema["allOf"].push_back(
-        {{"if", {{"properties", {{"law", {{"const", law.name}}}}}, {"required", Json::array({"law"})}}}, {"then", then}});
+        {{"if", {{"properties", {{"law", {{"const", law.name}}}}}, {"required", Json::array({"law"})}}},
+         {"then", then}});
   }
   return schema;
 }
@@ -169,8 +172,14 @@ std::string name_of(words::Form form) {
 }
 
 Json word_json(const words::Word& word, const words::Section& section) {
-  Json json{{"key", word.key}, {"meaning", word.meaning}, {"takes", taken_text(word)}, {"kind", name_of(word.takes)},
-            {"form", name_of(word.form)}, {"need", necessity_text(word, section)}, {"since", word.since}, {"example", word.example}};
+  Json json{{"key", word.key},
+            {"meaning", word.meaning},
+            {"takes", taken_text(word)},
+            {"kind", name_of(word.takes)},
+            {"form", name_of(word.form)},
+            {"need", necessity_text(word, section)},
+            {"since", word.since},
+            {"example", word.example}};
   if (word.takes == words::Takes::quantity) json["unit"] = word.unit_text();
   if (word.bounds.has_low()) json["low"] = word.bounds.low;
   if (word.bounds.has_high()) json["high"] = word.bounds.high;
@@ -190,11 +199,13 @@ nlohmann::ordered_json section_json(const words::Section& section) {
 }
 
 nlohmann::ordered_json input_schema() {
-  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Input of pounding " POUNDING_VERSION}};
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"title", "Input of pounding " POUNDING_VERSION}};
   schema.update(section_schema(words::model));
   schema["$defs"] = Json::object();
   for (const words::Section* section : words::sections())
-    if (section != &words::model && section != &words::link) schema["$defs"][std::string(section->name)] = section_schema(*section);
+    if (section != &words::model && section != &words::link)
+      schema["$defs"][std::string(section->name)] = section_schema(*section);
   schema["$defs"][std::string(words::link.name)] = links_schema();
   return schema;
 }

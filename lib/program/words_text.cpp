@@ -29,7 +29,8 @@ std::string single_text(const words::Word& word) {
     case Takes::quantity: return quantity_text(word) + word.bounds.text() + in_brackets(word.unit_text());
     case Takes::integer: return "an integer" + integer_range(word.bounds);
     case Takes::boolean: return "true or false";
-    case Takes::choice: return fmt::format("{}{}", word.choices.size() > 1 ? "one of " : "", fmt::join(word.choices, ", "));
+    case Takes::choice:
+      return fmt::format("{}{}", word.choices.size() > 1 ? "one of " : "", fmt::join(word.choices, ", "));
     case Takes::text: return "a text";
   }
   return {};
@@ -43,7 +44,7 @@ std::string or_map(const words::Word& word) {
 }
 
 std::string list_of(const words::Word& word) {
-  const std::string count = word.most == 0          ? ""
+  const std::string count = word.most == 0            ? ""
                             : word.least == word.most ? fmt::format(" of {}", word.least)
                                                       : fmt::format(" of {} to {}", word.least, word.most);
   return fmt::format("a list{}, each {}", count, or_map(word));
@@ -70,7 +71,8 @@ std::string taken_text(const words::Word& word) {
     case Form::one_or_list: return instead + or_map(word) + ", or " + list_of(word);
     case Form::list: return instead + list_of(word);
     case Form::by_storey:
-      return or_map(word) + "; or a list of them from the ground up, or a map from storeys such as 1-3; each may be a list by line";
+      return or_map(word) +
+             "; or a list of them from the ground up, or a map from storeys such as 1-3; each may be a list by line";
     case Form::named: return instead + "a map of names, each " + or_map(word);
     case Form::named_lists: return instead + "a map of names, each " + list_of(word);
   }

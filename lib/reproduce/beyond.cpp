@@ -1,5 +1,5 @@
-/// Beyond the paper: its formulas beside the exact calibration in a free impact, in two oscillators and in two frames during an
-/// earthquake.
+/// Beyond the paper: its formulas beside the exact calibration in a free impact, in two oscillators and in two frames
+/// during an earthquake.
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +20,20 @@ struct Case {
 };
 
 constexpr double hertz = 2.75e9, linear = 9.35e7;
-constexpr Case oscillator_cases[] = {{"linear spring", "linear_spring", "", linear},
-                                     {"Kelvin-Voigt without tension, Eq. 7", "kelvin_voigt_no_tension", "anagnostopoulos", linear},
-                                     {"approach dashpot, exact", "modified_linear_viscoelastic", "exact", linear},
-                                     {"approach dashpot, Mahmoud", "modified_linear_viscoelastic", "simple", linear},
-                                     {"approach dashpot, Eq. 38", "modified_linear_viscoelastic", "naderpour_2015_eq38", linear},
-                                     {"Hertz spring", "hertz", "", hertz},
-                                     {"Hertz damped, exact", "hertz_damped", "exact", hertz},
-                                     {"Hertz damped, Eq. 12", "hertz_damped", "lankarani_nikravesh", hertz},
-                                     {"Hertz damped, Eq. 13", "hertz_damped", "hu_guo", hertz},
-                                     {"Hertz damped, Eq. 14", "hertz_damped", "ye_2009", hertz},
-                                     {"Hertz damped, Eq. 16", "hertz_damped", "naderpour_2015", hertz},
-                                     {"Jankowski, exact", "jankowski", "exact", hertz},
-                                     {"Jankowski, Eq. 10", "jankowski", "jankowski_2005", hertz}};
+constexpr Case oscillator_cases[] = {
+    {"linear spring", "linear_spring", "", linear},
+    {"Kelvin-Voigt without tension, Eq. 7", "kelvin_voigt_no_tension", "anagnostopoulos", linear},
+    {"approach dashpot, exact", "modified_linear_viscoelastic", "exact", linear},
+    {"approach dashpot, Mahmoud", "modified_linear_viscoelastic", "simple", linear},
+    {"approach dashpot, Eq. 38", "modified_linear_viscoelastic", "naderpour_2015_eq38", linear},
+    {"Hertz spring", "hertz", "", hertz},
+    {"Hertz damped, exact", "hertz_damped", "exact", hertz},
+    {"Hertz damped, Eq. 12", "hertz_damped", "lankarani_nikravesh", hertz},
+    {"Hertz damped, Eq. 13", "hertz_damped", "hu_guo", hertz},
+    {"Hertz damped, Eq. 14", "hertz_damped", "ye_2009", hertz},
+    {"Hertz damped, Eq. 16", "hertz_damped", "naderpour_2015", hertz},
+    {"Jankowski, exact", "jankowski", "exact", hertz},
+    {"Jankowski, Eq. 10", "jankowski", "jankowski_2005", hertz}};
 constexpr Case frame_cases[] = {{"exact", "hertz_damped", "exact", hertz},
                                 {"Eq. 12", "hertz_damped", "lankarani_nikravesh", hertz},
                                 {"Eq. 13", "hertz_damped", "hu_guo", hertz},
@@ -46,11 +47,14 @@ Asking asking(const Case& c, double restitution) { return {c.law, c.formula, c.s
 
 Outcome oscillators(const Case& c) {
   Model model;
-  const StructureHandle left = model.add("left", make_oscillator({.mass = 100e3, .period = 0.8, .damping_ratio = 0.05}));
-  const StructureHandle right = model.add("right", make_oscillator({.mass = 150e3, .period = 0.4, .damping_ratio = 0.05}));
+  const StructureHandle left =
+      model.add("left", make_oscillator({.mass = 100e3, .period = 0.8, .damping_ratio = 0.05}));
+  const StructureHandle right =
+      model.add("right", make_oscillator({.mass = 150e3, .period = 0.4, .damping_ratio = 0.05}));
   model.link(left, right, {.gap = 0.02}, asking(c, oscillator_restitution).settings());
   model.ground = Harmonic{.amplitude = 3.0, .period = 0.6, .duration = 3.0};
-  model.analysis = {.duration = 3.0, .tolerance = 1e-7, .output_step = 0.005, .scheme = {.kind = Scheme::Kind::esdirk4}};
+  model.analysis = {
+      .duration = 3.0, .tolerance = 1e-7, .output_step = 0.005, .scheme = {.kind = Scheme::Kind::esdirk4}};
   return run(model);
 }
 
@@ -113,16 +117,28 @@ double mean_restitution(const Outcome& run) {
 }
 
 struct Oscillators {
-  Table table{"oscillators", "Two oscillators, five impacts, restitution 0.65 asked", "law",
-              {{"peak u left", "m", 6}, {"peak u right", "m", 6}, {"peak force", "kN", 3}, {"impacts", "", 0}, {"first closing", "m/s", 6},
-               {"first force", "kN", 3}, {"first separation", "m/s", 6}, {"energy lost", "kJ", 3}, {"free impact", "", 4},
+  Table table{"oscillators",
+              "Two oscillators, five impacts, restitution 0.65 asked",
+              "law",
+              {{"peak u left", "m", 6},
+               {"peak u right", "m", 6},
+               {"peak force", "kN", 3},
+               {"impacts", "", 0},
+               {"first closing", "m/s", 6},
+               {"first force", "kN", 3},
+               {"first separation", "m/s", 6},
+               {"energy lost", "kJ", 3},
+               {"free impact", "", 4},
                {"in the run", "", 4}},
               {}};
-  Figure figure{.name = "beyond_oscillators",
-                .of_paper = "",
-                .caption = "Two oscillators of 100 t, 0.8 s and 150 t, 0.4 s, 20 mm apart, 0.65 asked. Left: the left one by three "
-                           "calibrations of one law. Right: restitution of every impact; with the exact calibration it lies below the one asked because "
-                           "the springs of the oscillators hold the bodies together."};
+  Figure figure{
+      .name = "beyond_oscillators",
+      .of_paper = "",
+      .caption =
+          "Two oscillators of 100 t, 0.8 s and 150 t, 0.4 s, 20 mm apart, 0.65 asked. Left: the left one by three "
+          "calibrations of one law. Right: restitution of every impact; with the exact calibration it lies below the "
+          "one asked because "
+          "the springs of the oscillators hold the bodies together."};
 };
 
 Oscillators run_oscillators() {
@@ -137,10 +153,10 @@ Oscillators run_oscillators() {
     const std::string name = c.name;
     result.table.rows.push_back(
         {name,
-         {run.summary.structures[0].peak_displacement[0], run.summary.structures[1].peak_displacement[0], largest_force(run.summary) / 1e3,
-          static_cast<double>(impacts_of(run.summary)), first.v_approach, first.peak_force / 1e3, first.v_separation,
-          energy_lost(run.summary) / 1e3, asking(c, oscillator_restitution).free_impact(60e3, 0.5).restitution,
-          mean_restitution(run)}});
+         {run.summary.structures[0].peak_displacement[0], run.summary.structures[1].peak_displacement[0],
+          largest_force(run.summary) / 1e3, static_cast<double>(impacts_of(run.summary)), first.v_approach,
+          first.peak_force / 1e3, first.v_separation, energy_lost(run.summary) / 1e3,
+          asking(c, oscillator_restitution).free_impact(60e3, 0.5).restitution, mean_restitution(run)}});
     const std::string formula = c.formula;
     if (std::string(c.law) != "hertz_damped" || formula == "hu_guo" || formula == "ye_2009") continue;
     result.figure.plot(name, r.time, scaled(r.structures[0].displacement, 1e3));
@@ -159,14 +175,24 @@ Oscillators run_oscillators() {
 }
 
 struct Frames {
-  Table table{"frames", "Two frames, restitution 0.5 asked", "formula",
-              {{"roof left", "mm", 2}, {"roof right", "mm", 2}, {"drift left", "mm", 3}, {"acceleration left", "m/s^2", 2}, {"peak force", "kN", 1},
-               {"impacts", "", 0}, {"energy lost", "kJ", 3}, {"in the run", "", 4}},
+  Table table{"frames",
+              "Two frames, restitution 0.5 asked",
+              "formula",
+              {{"roof left", "mm", 2},
+               {"roof right", "mm", 2},
+               {"drift left", "mm", 3},
+               {"acceleration left", "m/s^2", 2},
+               {"peak force", "kN", 1},
+               {"impacts", "", 0},
+               {"energy lost", "kJ", 3},
+               {"in the run", "", 4}},
               {}};
   Figure figure{.name = "beyond_frames",
                 .of_paper = "",
-                .caption = "Frames of eight and six storeys, 20 mm apart, under a synthetic motion of 0.35 g, 0.5 asked: largest displacements, "
-                           "largest accelerations, and largest forces of the links, floor by floor.",
+                .caption =
+                    "Frames of eight and six storeys, 20 mm apart, under a synthetic motion of 0.35 g, 0.5 asked: "
+                    "largest displacements, "
+                    "largest accelerations, and largest forces of the links, floor by floor.",
                 .panels = {{"left frame", "Peak displacement [mm]", "Floor", {}},
                            {"left frame", "Peak acceleration [m/s^2]", "Floor", {}},
                            {"links", "Peak force [MN]", "Floor", {}}}};
@@ -178,10 +204,11 @@ Frames run_frames() {
     const Outcome run = frames(c);
     const StructureSummary &left = run.summary.structures[0], &right = run.summary.structures[1];
     const std::string name = c.name;
-    result.table.rows.push_back({name,
-                                 {1e3 * left.peak_displacement.back(), 1e3 * right.peak_displacement.back(), 1e3 * largest_of(left.peak_drift),
-                                  largest_of(left.peak_acceleration), largest_force(run.summary) / 1e3,
-                                  static_cast<double>(impacts_of(run.summary)), energy_lost(run.summary) / 1e3, mean_restitution(run)}});
+    result.table.rows.push_back(
+        {name,
+         {1e3 * left.peak_displacement.back(), 1e3 * right.peak_displacement.back(), 1e3 * largest_of(left.peak_drift),
+          largest_of(left.peak_acceleration), largest_force(run.summary) / 1e3,
+          static_cast<double>(impacts_of(run.summary)), energy_lost(run.summary) / 1e3, mean_restitution(run)}});
     std::vector<double> floors, levels, forces;
     for (std::size_t i = 0; i < left.peak_displacement.size(); ++i) floors.push_back(static_cast<double>(i + 1));
     for (const LinkSummary& link : run.summary.links) {
@@ -189,9 +216,11 @@ Frames run_frames() {
       forces.push_back(link.peak_force / 1e6);
     }
     Figure& f = result.figure;
-    const std::string floor = f.add(name + ", floor of the frame", "", floors), level = f.add(name + ", floor of the link", "", levels);
+    const std::string floor = f.add(name + ", floor of the frame", "", floors),
+                      level = f.add(name + ", floor of the link", "", levels);
     const auto kind = name == "exact" ? Curve::Kind::dashed : Curve::Kind::line;
-    f.panels[0].curves.push_back({name, f.add(name + ", displacement", "mm", scaled(left.peak_displacement, 1e3)), floor, kind});
+    f.panels[0].curves.push_back(
+        {name, f.add(name + ", displacement", "mm", scaled(left.peak_displacement, 1e3)), floor, kind});
     f.panels[1].curves.push_back({name, f.add(name + ", acceleration", "m/s^2", left.peak_acceleration), floor, kind});
     f.panels[2].curves.push_back({name, f.add(name + ", force", "MN", forces), level, kind});
   }
@@ -201,7 +230,8 @@ Frames run_frames() {
 /// Largest difference of one law from its exact calibration over the rows with these names [%].
 double spread(const Table& table, const char* heading, const char* exact, std::initializer_list<const char*> rows) {
   double largest = 0;
-  for (const char* row : rows) largest = std::max(largest, std::abs(percent(table.at(row, heading), table.at(exact, heading))));
+  for (const char* row : rows)
+    largest = std::max(largest, std::abs(percent(table.at(row, heading), table.at(exact, heading))));
   return largest;
 }
 
@@ -214,34 +244,43 @@ Item make() {
             .title = "Where the paper stops: exact calibration and earthquakes",
             .sections = "not in the paper",
             .equations = {{"Hertz damped, exact", R"($a\,(1+CR) = \ln\dfrac{1+a}{1-a\,CR}$)"},
-                          {"dashpot in the approach, exact", R"($CR = \exp\left(-\dfrac{\zeta\,\arccos\zeta}{\sqrt{1-\zeta^2}}\right)$)"}},
+                          {"dashpot in the approach, exact",
+                           R"($CR = \exp\left(-\dfrac{\zeta\,\arccos\zeta}{\sqrt{1-\zeta^2}}\right)$)"}},
             .figures = {two.figure, frame.figure},
             .tables = {two.table, frame.table}};
   item.paragraphs = {
-      "The damping that gives a restitution need not be guessed: for the force laws of the paper it is the root of a closed form, and where "
+      "The damping that gives a restitution need not be guessed: for the force laws of the paper it is the root of a "
+      "closed form, and where "
       "there is none the cyclic process finds it. It costs nothing, and holds for every velocity, mass and stiffness.",
-      "What is a wrong restitution worth in a structure? The same comparison for two oscillators under a harmonic motion and for two frames "
-      "under a synthetic one. \"In the run\" is the restitution of all impacts together, by the squares of their speeds. It is not the one "
+      "What is a wrong restitution worth in a structure? The same comparison for two oscillators under a harmonic "
+      "motion and for two frames "
+      "under a synthetic one. \"In the run\" is the restitution of all impacts together, by the squares of their "
+      "speeds. It is not the one "
       "asked even with the exact calibration, since the structures push and brake while they touch."};
 
   const Table &o = two.table, &f = frame.table;
-  const auto hertz_rows = {"Hertz damped, Eq. 12", "Hertz damped, Eq. 13", "Hertz damped, Eq. 14", "Hertz damped, Eq. 16"};
+  const auto hertz_rows = {"Hertz damped, Eq. 12", "Hertz damped, Eq. 13", "Hertz damped, Eq. 14",
+                           "Hertz damped, Eq. 16"};
   const auto frame_rows = {"Eq. 12", "Eq. 13", "Eq. 14", "Eq. 16"};
   item.verdicts = {
       {"Two oscillators", "The proposed formula dissipates better than the others", "from loops only",
-       fmt::format("free impacts give {:.4f} (Eq. 16), {:.4f} (Eq. 13), {:.4f} (Eq. 14), {:.4f} (Eq. 12), {:.4f} (exact) for 0.65 asked",
+       fmt::format("free impacts give {:.4f} (Eq. 16), {:.4f} (Eq. 13), {:.4f} (Eq. 14), {:.4f} (Eq. 12), {:.4f} "
+                   "(exact) for 0.65 asked",
                    o.at("Hertz damped, Eq. 16", "free impact"), o.at("Hertz damped, Eq. 13", "free impact"),
                    o.at("Hertz damped, Eq. 14", "free impact"), o.at("Hertz damped, Eq. 12", "free impact"),
                    o.at("Hertz damped, exact", "free impact")),
        Judgement::disagrees, "at these velocities and stiffnesses Table 2 works on another $k/v$ than the paper's."},
       {"Two oscillators, response", "The damping formula decides about the response", "not tried",
-       fmt::format("formulas of one law move the displacement of the left one by up to {:.1f} %, the peak force by {:.1f} %, the energy of the "
+       fmt::format("formulas of one law move the displacement of the left one by up to {:.1f} %, the peak force by "
+                   "{:.1f} %, the energy of the "
                    "impacts by {:.1f} %",
-                   spread(o, "peak u left", "Hertz damped, exact", hertz_rows), spread(o, "peak force", "Hertz damped, exact", hertz_rows),
+                   spread(o, "peak u left", "Hertz damped, exact", hertz_rows),
+                   spread(o, "peak force", "Hertz damped, exact", hertz_rows),
                    spread(o, "energy lost", "Hertz damped, exact", hertz_rows)),
        Judgement::cannot_be_checked, "the paper has no structure in an earthquake."},
       {"Two frames, response", "The same for frames", "not tried",
-       fmt::format("roof of the left frame up to {:.1f} %, its largest drift {:.1f} %, peak force {:.1f} %, energy of the impacts {:.1f} %",
+       fmt::format("roof of the left frame up to {:.1f} %, its largest drift {:.1f} %, peak force {:.1f} %, energy of "
+                   "the impacts {:.1f} %",
                    spread(f, "roof left", "exact", frame_rows), spread(f, "drift left", "exact", frame_rows),
                    spread(f, "peak force", "exact", frame_rows), spread(f, "energy lost", "exact", frame_rows)),
        Judgement::cannot_be_checked, "the paper has no structure in an earthquake."}};

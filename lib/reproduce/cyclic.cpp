@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <pounding/laws/cyclic_calibration.hpp>
 #include "reproduce/impacts.hpp"
@@ -39,8 +39,8 @@ std::vector<double> roots_of_eq19() {
 laws::AnyLaw proposed(double e) { return Asking{"hertz_damped", "naderpour_2015", stiffness, e}.made(mass); }
 double c_imp(double v, double e) { return damping_coefficient(proposed(e), v); }
 
-/// Velocity at which Eq. 16 gives the damping of the reference for this restitution; at the same approach velocity both have the
-/// same loop.
+/// Velocity at which Eq. 16 gives the damping of the reference for this restitution; at the same approach velocity both
+/// have the same loop.
 double equal_loop_velocity(double e) {
   const double wanted = c_imp(reference_speed, reference_restitution);
   const auto miss = [&](double v) { return c_imp(v, e) / wanted - 1; };
@@ -78,16 +78,18 @@ struct Pair {
 
 /// Loops of a law with the damping of (v, CR) at an approach velocity.
 Pair pair_of_loops() {
-  Pair pair{{.name = "cyclic_pair",
-             .of_paper = "Fig. 10",
-             .caption = "The reference and the second model. Struck at the same 10 m/s their loops nearly coincide; struck at 11 m/s the "
-                        "second one is much larger.",
-             .panels = {{"", "Penetration [mm]", "Contact force [kN]", {}}}},
-            {"pair",
-             "The two models, 755.76 kg, $k$ = 30000 kN/m$^{1.5}$",
-             "damping of, struck at",
-             {{"c_imp", "kN s/m^2.5", 2}, {"restitution", "", 4}, {"loop area", "kJ", 4}, {"Eq. 18, CR asked", "kJ", 4}},
-             {}}};
+  Pair pair{
+      {.name = "cyclic_pair",
+       .of_paper = "Fig. 10",
+       .caption = "The reference and the second model. Struck at the same 10 m/s their loops nearly coincide; struck "
+                  "at 11 m/s the "
+                  "second one is much larger.",
+       .panels = {{"", "Penetration [mm]", "Contact force [kN]", {}}}},
+      {"pair",
+       "The two models, 755.76 kg, $k$ = 30000 kN/m$^{1.5}$",
+       "damping of, struck at",
+       {{"c_imp", "kN s/m^2.5", 2}, {"restitution", "", 4}, {"loop area", "kJ", 4}, {"Eq. 18, CR asked", "kJ", 4}},
+       {}}};
   const struct {
     double design_speed, e, speed;
   } models[] = {{reference_speed, reference_restitution, reference_speed},
@@ -100,8 +102,8 @@ Pair pair_of_loops() {
     const Loop loop = collide(law, mass, m.speed);
     pair.figure.plot(name, scaled(loop.penetration, 1e3), scaled(loop.force, 1e-3));
     pair.table.rows.push_back({name,
-                               {c_imp(m.design_speed, m.e) / 1e3, loop.impact.restitution, loop.impact.energy_lost / 1e3,
-                                kinetic_loss(mass, m.speed, m.e) / 1e3}});
+                               {c_imp(m.design_speed, m.e) / 1e3, loop.impact.restitution,
+                                loop.impact.energy_lost / 1e3, kinetic_loss(mass, m.speed, m.e) / 1e3}});
   }
   return pair;
 }
@@ -111,14 +113,20 @@ struct Process {
   Table analyses{"process",
                  "The cyclic process for Eq. 16 at v = 10 m/s, CR = 0.5 asked",
                  "analysis",
-                 {{"CR assumed", "", 8}, {"loop area", "kJ", 6}, {"Eq. 18", "kJ", 6}, {"difference", "%", -3}, {"CR obtained", "", 8}},
+                 {{"CR assumed", "", 8},
+                  {"loop area", "kJ", 6},
+                  {"Eq. 18", "kJ", 6},
+                  {"difference", "%", -3},
+                  {"CR obtained", "", 8}},
                  {}};
-  Figure figure{.name = "cyclic_process",
-                .of_paper = "Fig. 9",
-                .caption = fmt::format("What a formula must be given so that the loop loses what the restitution asked for would lose: the "
-                                       "cyclic process run to its end at 10 m/s. Lankarani's formula reaches no restitution below {:.2f}.",
-                                       laws::restitution_of_factor(laws::lankarani_nikravesh({.restitution = 0}))),
-                .panels = {{"", "Restitution asked [-]", "Restitution to assume [-]", {}}}};
+  Figure figure{
+      .name = "cyclic_process",
+      .of_paper = "Fig. 9",
+      .caption = fmt::format(
+          "What a formula must be given so that the loop loses what the restitution asked for would lose: the "
+          "cyclic process run to its end at 10 m/s. Lankarani's formula reaches no restitution below {:.2f}.",
+          laws::restitution_of_factor(laws::lankarani_nikravesh({.restitution = 0}))),
+      .panels = {{"", "Restitution asked [-]", "Restitution to assume [-]", {}}}};
   double damping = 0, exact_damping = 0;  ///< a at the end, and of the exact calibration
   double worst = 0;                       ///< difference of the two over all restitutions and formulas, relative
 };
@@ -135,8 +143,10 @@ Process process() {
   result.damping = damping_number(proposed(reference.assumed()), reference_speed);
   result.exact_damping = laws::exact_factor({.restitution = reference_restitution});
 
-  for (const auto& [name, formula] : {std::pair{"Eq. 12, Lankarani", "lankarani_nikravesh"}, {"Eq. 13, Ye 2008", "hu_guo"},
-                                      {"Eq. 14, Ye 2009", "ye_2009"}, {"Eq. 16, proposed", "naderpour_2015"}}) {
+  for (const auto& [name, formula] : {std::pair{"Eq. 12, Lankarani", "lankarani_nikravesh"},
+                                      {"Eq. 13, Ye 2008", "hu_guo"},
+                                      {"Eq. 14, Ye 2009", "ye_2009"},
+                                      {"Eq. 16, proposed", "naderpour_2015"}}) {
     settings.formula = formula;
     std::vector<double> asked, assumed;
     for (int i = 10; i <= 95; ++i) {
@@ -147,7 +157,8 @@ Process process() {
         continue;  // out of the formula's reach: the curve has a gap
       }
       asked.push_back(e);
-      const double a = damping_number(Asking{"hertz_damped", formula, stiffness, assumed.back()}.made(mass), reference_speed);
+      const double a =
+          damping_number(Asking{"hertz_damped", formula, stiffness, assumed.back()}.made(mass), reference_speed);
       result.worst = std::max(result.worst, std::abs(a / laws::exact_factor({.restitution = e}) - 1));
     }
     result.figure.plot(name, asked, assumed);
@@ -157,12 +168,16 @@ Process process() {
 }
 
 Figure velocity_figure(const Eigen::VectorXd& fit) {
-  Figure figure{.name = "cyclic_velocity",
-                .of_paper = "Fig. 11",
-                .caption = "Velocity and restitution. Eq. 19 has the course of the curve along which the damping, and so the loop at one "
-                           "speed, is that of the reference; a quartic through that curve at 0.1, 0.2 ... 1.0 is drawn for comparison. "
-                           "Equal kinetic energy losses would need a velocity that grows. Right: the same near the axis.",
-                .panels = {{"all", "Restitution CR [-]", "Velocity [m/s]", {}}, {"below 20 m/s", "Restitution CR [-]", "Velocity [m/s]", {}}}};
+  Figure figure{
+      .name = "cyclic_velocity",
+      .of_paper = "Fig. 11",
+      .caption =
+          "Velocity and restitution. Eq. 19 has the course of the curve along which the damping, and so the loop at "
+          "one "
+          "speed, is that of the reference; a quartic through that curve at 0.1, 0.2 ... 1.0 is drawn for comparison. "
+          "Equal kinetic energy losses would need a velocity that grows. Right: the same near the axis.",
+      .panels = {{"all", "Restitution CR [-]", "Velocity [m/s]", {}},
+                 {"below 20 m/s", "Restitution CR [-]", "Velocity [m/s]", {}}}};
   const std::function<double(double)> fitted = [&](double e) {
     double v = 0;
     for (const double coefficient : fit) v = v * e + coefficient;
@@ -201,9 +216,14 @@ Figure velocity_figure(const Eigen::VectorXd& fit) {
 }
 
 Table velocity_table() {
-  Table table{"velocities", "Velocity for a restitution, by Eq. 19 and by three readings of the text", "CR",
-              {{"Eq. 19", "m/s", 3}, {"equal loops, Table 2", "m/s", 3}, {"equal loops, N = M = 1", "m/s", 3},
-               {"equal losses", "m/s", 3}, {"Eq. 18 = own loop", "m/s", -3}},
+  Table table{"velocities",
+              "Velocity for a restitution, by Eq. 19 and by three readings of the text",
+              "CR",
+              {{"Eq. 19", "m/s", 3},
+               {"equal loops, Table 2", "m/s", 3},
+               {"equal loops, N = M = 1", "m/s", 3},
+               {"equal losses", "m/s", 3},
+               {"Eq. 18 = own loop", "m/s", -3}},
               {}};
   for (const double e : {0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.6, 0.7, 0.8, 0.9})
     table.rows.push_back({fmt::format("{}", e),
@@ -230,54 +250,70 @@ Item make() {
             .figures = {run.figure, pair.figure, velocity_figure(fit)},
             .tables = {run.analyses, pair.table, velocity_table()}};
   item.paragraphs = {
-      "The process of Fig. 9: choose a velocity, assume a restitution, analyse the impact, compare the area of its loop with the kinetic "
-      "energy loss of Eq. 18, change the restitution, repeat. As an algorithm it is `pounding calibrate --cyclic`. The restitution that "
+      "The process of Fig. 9: choose a velocity, assume a restitution, analyse the impact, compare the area of its "
+      "loop with the kinetic "
+      "energy loss of Eq. 18, change the restitution, repeat. As an algorithm it is `pounding calibrate --cyclic`. The "
+      "restitution that "
       "Eq. 18 takes stays the one asked, the one that the formula takes is changed.",
-      "Run to its end the process finds the exact calibration, from every formula that can reach it. So it is a sound method, and one "
-      "that makes formulas unnecessary. But the balance holds then at every velocity: it relates velocity and restitution only if "
-      "something else is held. If Eq. 18 and the loop are compared with the same $v$ and $CR$, Table 2 balances at absurd velocities "
-      "(last column of the table). If kinetic losses are held equal, the velocity grows with the restitution. If loops struck at one "
-      "speed are held equal, that is $c_{imp}$, the velocity falls much as Eq. 19 does: this is probably how the curve was made."};
+      "Run to its end the process finds the exact calibration, from every formula that can reach it. So it is a sound "
+      "method, and one "
+      "that makes formulas unnecessary. But the balance holds then at every velocity: it relates velocity and "
+      "restitution only if "
+      "something else is held. If Eq. 18 and the loop are compared with the same $v$ and $CR$, Table 2 balances at "
+      "absurd velocities "
+      "(last column of the table). If kinetic losses are held equal, the velocity grows with the restitution. If loops "
+      "struck at one "
+      "speed are held equal, that is $c_{imp}$, the velocity falls much as Eq. 19 does: this is probably how the curve "
+      "was made."};
 
   const double first_loss = kinetic_loss(mass, reference_speed, reference_restitution) / 1e3;
   const double second_eq18 = kinetic_loss(mass, second_speed, second_restitution) / 1e3;
   const double implied = std::sqrt(1 - second_loss / (0.5 * mass * reference_speed * reference_speed / 1e3));
   const double area_1 = pair.table.rows[0].values[2], area_2 = pair.table.rows[1].values[2];
   double distance = 0;
-  for (int i = 1; i <= 9; ++i) distance = std::max(distance, std::abs(eq19(i / 10.0) - equal_loop_velocity_simple(i / 10.0)));
+  for (int i = 1; i <= 9; ++i)
+    distance = std::max(distance, std::abs(eq19(i / 10.0) - equal_loop_velocity_simple(i / 10.0)));
   item.verdicts = {
       {"Fig. 9", "The process leads to the optimum", "a flow chart",
        fmt::format("{} analyses from $CR$ = 0.5 to an assumed {:.6f}; $a$ = {:.9f}, by the exact calibration {:.9f}",
                    run.analyses.rows.size(), run.analyses.rows.back().values[0], run.damping, run.exact_damping),
        Judgement::agrees,
        fmt::format("its end is the exact calibration: to {:.0e} over all restitutions and four formulas.", run.worst)},
-      {"Section 6, 28.33261", "Kinetic energy loss of the reference, $v = 10$, $CR = 0.5$", fmt::format("{}", reference_loss),
+      {"Section 6, 28.33261", "Kinetic energy loss of the reference, $v = 10$, $CR = 0.5$",
+       fmt::format("{}", reference_loss),
        fmt::format("{:.5f} kJ ({:+.2f} %)", first_loss, percent(first_loss, reference_loss)), Judgement::agrees,
        "with the mass of 755.76 kg; the small difference is that of a rounded input."},
-      {"Section 6, 28.64157", "Kinetic energy loss of the second model, $v = 11$, $CR = 0.45$", fmt::format("{}", second_loss),
-       fmt::format("{:.5f} kJ by Eq. 18", second_eq18), Judgement::disagrees,
-       fmt::format("it is the loss at $v = 10$ with $CR$ = {:.4f}; the loop of the second model struck at 10 m/s has {:.2f} kJ, so this is not "
+      {"Section 6, 28.64157", "Kinetic energy loss of the second model, $v = 11$, $CR = 0.45$",
+       fmt::format("{}", second_loss), fmt::format("{:.5f} kJ by Eq. 18", second_eq18), Judgement::disagrees,
+       fmt::format("it is the loss at $v = 10$ with $CR$ = {:.4f}; the loop of the second model struck at 10 m/s has "
+                   "{:.2f} kJ, so this is not "
                    "it either.",
                    implied, area_2)},
-      {"Section 6, Fig. 10", "The loops of both models are approximately equal", fmt::format("{} and {}, {:.1f} % apart", reference_loss, second_loss, percent(second_loss, reference_loss)),
+      {"Section 6, Fig. 10", "The loops of both models are approximately equal",
+       fmt::format("{} and {}, {:.1f} % apart", reference_loss, second_loss, percent(second_loss, reference_loss)),
        fmt::format("{:.3f} kJ and {:.3f} kJ struck at 10 m/s, {:.1f} % apart", area_1, area_2, percent(area_2, area_1)),
-       Judgement::agrees, fmt::format("approximately. Equal loops need {:.2f} m/s at 0.45.", equal_loop_velocity(second_restitution))},
+       Judgement::agrees,
+       fmt::format("approximately. Equal loops need {:.2f} m/s at 0.45.", equal_loop_velocity(second_restitution))},
       {"Eq. 19", "The curve passes through the pair", "10 at 0.5, 11 at 0.45",
        fmt::format("{:.3f} at 0.5, {:.3f} at 0.45", eq19(0.5), eq19(0.45)), Judgement::disagrees,
-       fmt::format("{:+.0f} % and {:+.0f} %, probably because a polynomial of degree four cannot follow a curve like $1/CR$.",
-                   percent(eq19(reference_restitution), reference_speed), percent(eq19(second_restitution), second_speed))},
+       fmt::format(
+           "{:+.0f} % and {:+.0f} %, probably because a polynomial of degree four cannot follow a curve like $1/CR$.",
+           percent(eq19(reference_restitution), reference_speed), percent(eq19(second_restitution), second_speed))},
       {"Eq. 19, range", "Velocity for every restitution", "no range given",
-       fmt::format("negative for {:.4f} < $CR$ < {:.4f}, {:.3f} m/s at {:.3f}; {:.2f} m/s at $CR = 1$", roots.at(0), roots.at(1), lowest, where,
-                   eq19(1)),
+       fmt::format("negative for {:.4f} < $CR$ < {:.4f}, {:.3f} m/s at {:.3f}; {:.2f} m/s at $CR = 1$", roots.at(0),
+                   roots.at(1), lowest, where, eq19(1)),
        Judgement::disagrees, "the polynomial swings around zero, and means nothing there."},
       {"Fig. 11", "Eq. 19 simulates the data precisely", "data not given",
-       fmt::format("the equal-loop curve with $N = M = 1$ is within {:.1f} m/s of Eq. 19; its quartic has {:.0f}, {:.0f}, {:.0f}, {:.1f}, {:.1f}",
+       fmt::format("the equal-loop curve with $N = M = 1$ is within {:.1f} m/s of Eq. 19; its quartic has {:.0f}, "
+                   "{:.0f}, {:.0f}, {:.1f}, {:.1f}",
                    distance, fit[0], fit[1], fit[2], fit[3], fit[4]),
        Judgement::cannot_be_checked, "the fitted points are missing. The likeness is our reading, not the paper's."},
       {"Section 6, trend", "The velocity falls as the restitution grows, as Jankowski confirmed", "confirmed",
-       fmt::format("along equal kinetic losses it rises: {:.2f} m/s at 0.1, {:.2f} m/s at 0.9", equal_loss_velocity(0.1), equal_loss_velocity(0.9)),
+       fmt::format("along equal kinetic losses it rises: {:.2f} m/s at 0.1, {:.2f} m/s at 0.9",
+                   equal_loss_velocity(0.1), equal_loss_velocity(0.9)),
        Judgement::cannot_be_checked,
-       "the paper gives no measurements. Materials do lose more in faster impacts, but nothing in the balance says so: the curve here comes from "
+       "the paper gives no measurements. Materials do lose more in faster impacts, but nothing in the balance says so: "
+       "the curve here comes from "
        "holding the damping."}};
   return item;
 }

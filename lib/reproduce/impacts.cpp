@@ -47,10 +47,12 @@ Loop collide(const laws::Settings& law, double mass, double speed) {
   const StructureHandle wall = model.add("wall", make_wall());
   model.link(body, wall, {.gap = 1e-3 * speed}, law);
   // A body that creeps out of a contact leaves slowly; a long free flight costs nothing.
-  model.analysis = {.duration = 100, .tolerance = tolerance, .output_step = 1, .scheme = {.kind = Scheme::Kind::esdirk4}};
+  model.analysis = {
+      .duration = 100, .tolerance = tolerance, .output_step = 1, .scheme = {.kind = Scheme::Kind::esdirk4}};
   const Outcome outcome = run(model);
   if (outcome.results.impacts.size() != 1)
-    throw SolverError(fmt::format("a thrown body meets the wall {} times with {}", outcome.results.impacts.size(), law.law));
+    throw SolverError(
+        fmt::format("a thrown body meets the wall {} times with {}", outcome.results.impacts.size(), law.law));
   return loop_of(outcome.results.links.at(0), outcome.results.impacts[0]);
 }
 

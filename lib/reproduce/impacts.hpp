@@ -5,17 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include <pounding/run/run.hpp>
 #include <pounding/laws/compiled.hpp>
 #include <pounding/results/results.hpp>
+#include <pounding/run/run.hpp>
 
 namespace pounding::reproduce {
 
 /// A law as a user asks for it.
 struct Asking {
-  std::string law, formula;   ///< formula empty: none, or `exact`
-  double stiffness = 0;       ///< [N/m^n]
-  double restitution = 1;     ///< asked; not used by laws without damping
+  std::string law, formula;  ///< formula empty: none, or `exact`
+  double stiffness = 0;      ///< [N/m^n]
+  double restitution = 1;    ///< asked; not used by laws without damping
 
   /// For a link: the parameters that the law must have, at their typical values but for the stiffness.
   laws::Settings settings() const;
@@ -30,8 +30,8 @@ struct Loop {
   ImpactRow impact;
 };
 
-/// Throws a body of this mass [kg] at a wall with this speed [m/s]; two bodies of this reduced mass would move alike. Throws
-/// SolverError unless there is exactly one impact.
+/// Throws a body of this mass [kg] at a wall with this speed [m/s]; two bodies of this reduced mass would move alike.
+/// Throws SolverError unless there is exactly one impact.
 Loop collide(const laws::Settings& law, double mass, double speed);
 
 /// Loop of one impact from the history of its link, thinned to about `points`; its time counts from the touch.

@@ -38,16 +38,25 @@ std::vector<Case> exact() {
   std::vector<Case> cases;
   for (const laws::Entry& entry : laws::catalogue()) {
     const auto k = std::ranges::find(entry.parameters, "stiffness", &laws::ParameterInfo::name);
-    cases.push_back({std::string(entry.name), {std::string(entry.name), entry.formulas.empty() ? "" : "exact", 0, asked},
+    cases.push_back({std::string(entry.name),
+                     {std::string(entry.name), entry.formulas.empty() ? "" : "exact", 0, asked},
                      k != entry.parameters.end() && k->unit == "N/m"});
   }
   return cases;
 }
 
 Table table_of(const char* name, const char* title) {
-  return {name, title, "law",
-          {{"restitution", "", 4}, {"error", "%", 2}, {"energy lost", "kJ", 4}, {"peak force", "kN", 1}, {"force at touch", "kN", 1},
-           {"largest pull", "kN", 1}, {"penetration", "mm", 3}, {"duration", "ms", 3}},
+  return {name,
+          title,
+          "law",
+          {{"restitution", "", 4},
+           {"error", "%", 2},
+           {"energy lost", "kJ", 4},
+           {"peak force", "kN", 1},
+           {"force at touch", "kN", 1},
+           {"largest pull", "kN", 1},
+           {"penetration", "mm", 3},
+           {"duration", "ms", 3}},
           {}};
 }
 
@@ -69,9 +78,9 @@ void run_cases(const std::vector<Case>& cases, Table& table, Figure& figure) {
                               figure.add(c.name + ", force", "kN", scaled(loop.force, 1e-3)), Curve::Kind::line});
     }
     table.rows.push_back({c.name,
-                          {row.restitution, lossless ? not_a_number : percent(row.restitution, asked), row.energy_lost / 1e3,
-                           row.peak_force / 1e3, at_touch / 1e3, pull / 1e3, 1e3 * row.peak_penetration,
-                           1e3 * (row.t_release - row.t_start)}});
+                          {row.restitution, lossless ? not_a_number : percent(row.restitution, asked),
+                           row.energy_lost / 1e3, row.peak_force / 1e3, at_touch / 1e3, pull / 1e3,
+                           1e3 * row.peak_penetration, 1e3 * (row.t_release - row.t_start)}});
   }
 }
 
@@ -79,8 +88,12 @@ Verdict obtained(const Table& table, const char* place, const char* row, const c
                  const char* reason) {
   const double e = table.at(row, "restitution");
   const bool right = std::abs(e - asked) < 1e-4;
-  return {place, claim, printed, fmt::format("{:.4f} asked, {:.4f} obtained ({:+.2f} %)", asked, e, percent(e, asked)),
-          right ? Judgement::agrees : Judgement::disagrees, reason};
+  return {place,
+          claim,
+          printed,
+          fmt::format("{:.4f} asked, {:.4f} obtained ({:+.2f} %)", asked, e, percent(e, asked)),
+          right ? Judgement::agrees : Judgement::disagrees,
+          reason};
 }
 
 }  // namespace
@@ -89,42 +102,54 @@ Item make() {
   Item item{.name = "laws",
             .title = "Every force law at the same impact",
             .sections = "Section 4, Eqs. 3-14, Table 1, Figs. 4 and 5"};
-  item.paragraphs = {
-      fmt::format("A reduced mass of 60 t (bodies of 100 t and 150 t) closes at {} m/s; a restitution of {} is asked of every law. "
-                  "Linear springs have $k_k = 93.5$ MN/m, Hertz springs $k_h = 2750$ MN/m$^{{1.5}}$. What Table 1 calls advantages "
-                  "and disadvantages are numbers here: the pull at the end, the force at the first instant, the energy lost, the "
-                  "restitution obtained.",
-                  speed, asked),
-      "The letter $\\zeta$ stands for two things in the paper: a ratio without unit in Eqs. 6, 7, 10 and 38, and a coefficient with "
-      "the unit N s/m$^{n+1}$ in Eqs. 12-14, used as $c = \\zeta\\,\\delta^n$ in Eq. 11. Table 1 writes $k_h$ for the spring of the "
-      "Kelvin-Voigt model, which is the linear $k_k$."};
-  item.equations = {{"3", R"($F_c = k_k\,\delta$)"},
-                    {"4, as it must be", R"($0 < CR = v_{after}/v_{before} < 1$)"},
-                    {"5", R"($F_c = k_k\,\delta + c\,\dot{\delta}$)"},
-                    {"6, 7", R"($c = 2\zeta\sqrt{k_k\,m},\quad \zeta = -\ln CR\,/\sqrt{\pi^2 + (\ln CR)^2}$)"},
-                    {"8-10", R"($F_c = k_h\,\delta^{1.5} + c_h\,\dot{\delta}\ \ (\dot{\delta}>0),\quad c_h = 2\zeta\sqrt{k_h\sqrt{\delta}\,m},\quad \zeta = \dfrac{\sqrt{5}}{2\pi}\,\dfrac{1-CR^2}{CR}$)"},
-                    {"11", R"($F_c = k_h\,\delta^n + \zeta\,\delta^n\,\dot{\delta}$)"},
-                    {"12", R"($\zeta = \dfrac{3\,k_h\,(1-CR^2)}{4\,v_{imp}}$)"},
-                    {"13", R"($\zeta = \dfrac{3\,k_k\,(1-CR)}{2\,CR\,v_{imp}}$)"},
-                    {"14", R"($\zeta = \dfrac{8\,k_h\,(1-CR)}{5\,CR\,v_{imp}}$)"}};
+  item.paragraphs = {fmt::format("A reduced mass of 60 t (bodies of 100 t and 150 t) closes at {} m/s; a restitution "
+                                 "of {} is asked of every law. "
+                                 "Linear springs have $k_k = 93.5$ MN/m, Hertz springs $k_h = 2750$ MN/m$^{{1.5}}$. "
+                                 "What Table 1 calls advantages "
+                                 "and disadvantages are numbers here: the pull at the end, the force at the first "
+                                 "instant, the energy lost, the "
+                                 "restitution obtained.",
+                                 speed, asked),
+                     "The letter $\\zeta$ stands for two things in the paper: a ratio without unit in Eqs. 6, 7, 10 "
+                     "and 38, and a coefficient with "
+                     "the unit N s/m$^{n+1}$ in Eqs. 12-14, used as $c = \\zeta\\,\\delta^n$ in Eq. 11. Table 1 writes "
+                     "$k_h$ for the spring of the "
+                     "Kelvin-Voigt model, which is the linear $k_k$."};
+  item.equations = {
+      {"3", R"($F_c = k_k\,\delta$)"},
+      {"4, as it must be", R"($0 < CR = v_{after}/v_{before} < 1$)"},
+      {"5", R"($F_c = k_k\,\delta + c\,\dot{\delta}$)"},
+      {"6, 7", R"($c = 2\zeta\sqrt{k_k\,m},\quad \zeta = -\ln CR\,/\sqrt{\pi^2 + (\ln CR)^2}$)"},
+      {"8-10",
+       R"($F_c = k_h\,\delta^{1.5} + c_h\,\dot{\delta}\ \ (\dot{\delta}>0),\quad c_h = 2\zeta\sqrt{k_h\sqrt{\delta}\,m},\quad \zeta = \dfrac{\sqrt{5}}{2\pi}\,\dfrac{1-CR^2}{CR}$)"},
+      {"11", R"($F_c = k_h\,\delta^n + \zeta\,\delta^n\,\dot{\delta}$)"},
+      {"12", R"($\zeta = \dfrac{3\,k_h\,(1-CR^2)}{4\,v_{imp}}$)"},
+      {"13", R"($\zeta = \dfrac{3\,k_k\,(1-CR)}{2\,CR\,v_{imp}}$)"},
+      {"14", R"($\zeta = \dfrac{8\,k_h\,(1-CR)}{5\,CR\,v_{imp}}$)"}};
 
   Table published_table = table_of("published", "The paper's laws with its formulas, restitution 0.5 asked");
-  Figure published_loops{.name = "laws_published",
-                         .of_paper = "Table 1",
-                         .caption = "Loops of the paper's laws at the same impact, each with its published damping formula. The "
-                                    "area of a loop is the energy lost; it should be the same for all but the linear spring."};
+  Figure published_loops{
+      .name = "laws_published",
+      .of_paper = "Table 1",
+      .caption =
+          "Loops of the paper's laws at the same impact, each with its published damping formula. The "
+          "area of a loop is the energy lost; it should be the same for all but the linear spring."};
   run_cases(published(), published_table, published_loops);
   Table exact_table = table_of("exact", "Every law of the program, calibrated exactly, restitution 0.5 asked");
-  Figure exact_loops{.name = "laws_exact",
-                     .of_paper = "",
-                     .caption = "The same impact by every law of the program with its exact calibration: loops of equal area, and "
-                                "of very different shape, but for the two elastic springs. komodromos covers kelvin_voigt_no_tension: they differ in the "
-                                "gap that they leave."};
+  Figure exact_loops{
+      .name = "laws_exact",
+      .of_paper = "",
+      .caption =
+          "The same impact by every law of the program with its exact calibration: loops of equal area, and "
+          "of very different shape, but for the two elastic springs. komodromos covers kelvin_voigt_no_tension: they "
+          "differ in the "
+          "gap that they leave."};
   run_cases(exact(), exact_table, exact_loops);
 
   const Table& t = published_table;
   const double xi = laws::jankowski_2005({.restitution = asked});
-  const double pull = t.at("Kelvin-Voigt, Eqs. 5-7", "largest pull"), push = t.at("Kelvin-Voigt, Eqs. 5-7", "peak force");
+  const double pull = t.at("Kelvin-Voigt, Eqs. 5-7", "largest pull"),
+               push = t.at("Kelvin-Voigt, Eqs. 5-7", "peak force");
   const double free_loss = kinetic_loss(mass, speed, asked) / 1e3;
   double worst = 0;
   for (const Table::Row& row : exact_table.rows)
@@ -139,39 +164,47 @@ Item make() {
        "inverted in print: it would exceed 1 for every impact that loses energy. Eqs. 18 and 28 use the right sense."},
       {"Eq. 5", "Kelvin-Voigt force", "$k_k\\,\\delta + c\\,\\delta$", "$k_k\\,\\delta + c\\,\\dot{\\delta}$",
        Judgement::disagrees,
-       "a dot is missing. It may be lost in the text at hand only; Table 1 has it. Without it nothing would be dissipated."},
+       "a dot is missing. It may be lost in the text at hand only; Table 1 has it. Without it nothing would be "
+       "dissipated."},
       obtained(t, "Eqs. 6, 7", "Kelvin-Voigt, Eqs. 5-7", "The damping ratio follows from $CR$", "exact",
-               "to the digits shown, as long as the bodies stay together until $\\delta = 0$, pulling at the end. Reference [2] is of "
+               "to the digits shown, as long as the bodies stay together until $\\delta = 0$, pulling at the end. "
+               "Reference [2] is of "
                "1988, not 1998."),
       {"Eqs. 5-7, Table 1", "The viscous element stays active while the bodies separate", "a disadvantage",
-       fmt::format("pull of {:.0f} kN, {:.0f} % of the peak force; and a jump to {:.0f} kN at the touch", pull, 100 * pull / push,
-                   t.at("Kelvin-Voigt, Eqs. 5-7", "force at touch")),
+       fmt::format("pull of {:.0f} kN, {:.0f} % of the peak force; and a jump to {:.0f} kN at the touch", pull,
+                   100 * pull / push, t.at("Kelvin-Voigt, Eqs. 5-7", "force at touch")),
        Judgement::agrees,
        fmt::format("Cutting the pull off costs the calibration: {:.4f} is obtained then.",
                    t.at("Kelvin-Voigt without tension, Eqs. 5-7", "restitution"))},
       {"Eq. 8", "Nonlinear viscoelastic force", "$k_h\\,\\delta + c_h\\,\\dot{\\delta}$ in both phases",
-       fmt::format("$k_h\\,\\delta^{{1.5}}$, dashpot in the approach only. With the exponent but the dashpot in both phases {} asked "
+       fmt::format("$k_h\\,\\delta^{{1.5}}$, dashpot in the approach only. With the exponent but the dashpot in both "
+                   "phases {} asked "
                    "gives {:.4f}",
                    asked, laws::restitution_to_zero_penetration(2 * xi / std::sqrt(5.0))),
-       Judgement::disagrees, "exponent and switch are missing beside Jankowski 2005, whose formula for $\\zeta$ supposes both."},
+       Judgement::disagrees,
+       "exponent and switch are missing beside Jankowski 2005, whose formula for $\\zeta$ supposes both."},
       {"Eq. 9", "Nested root in $c_h$", "$2\\zeta\\sqrt{k_h\\sqrt{\\delta}\\,m}$", "the same", Judgement::agrees,
        "with Jankowski 2005 and the documentation of OpenSees."},
-      obtained(t, "Eq. 10", "Jankowski, Eqs. 8-10", "Damping ratio of the nonlinear viscoelastic model", "from $CR$",
-               fmt::format("Jankowski's first, approximate formula; that of 2006, not quoted in the paper, gives {:.4f}.",
-                           Asking{"jankowski", "jankowski_2006", 2.75e9, asked}.free_impact(mass, speed).restitution)
-                   .c_str()),
-      obtained(t, "Eq. 12", "Hertz damped, Eqs. 11, 12", "Damping of the Hertz model (Lankarani)", "from $CR$",
-               "derived for restitutions near 1. The source is Lankarani & Nikravesh 1990; reference [17] is Muthukumar & "
-               "DesRoches 2006."),
+      obtained(
+          t, "Eq. 10", "Jankowski, Eqs. 8-10", "Damping ratio of the nonlinear viscoelastic model", "from $CR$",
+          fmt::format("Jankowski's first, approximate formula; that of 2006, not quoted in the paper, gives {:.4f}.",
+                      Asking{"jankowski", "jankowski_2006", 2.75e9, asked}.free_impact(mass, speed).restitution)
+              .c_str()),
+      obtained(
+          t, "Eq. 12", "Hertz damped, Eqs. 11, 12", "Damping of the Hertz model (Lankarani)", "from $CR$",
+          "derived for restitutions near 1. The source is Lankarani & Nikravesh 1990; reference [17] is Muthukumar & "
+          "DesRoches 2006."),
       obtained(t, "Eq. 13", "Hertz damped, Eqs. 11, 13", "Damping by Ye 2008", "from $CR$",
-               "right to second order near 1. It belongs to the linear spring of reference [18], and the restitution does not "
+               "right to second order near 1. It belongs to the linear spring of reference [18], and the restitution "
+               "does not "
                "depend on the exponent; references [16] and [18] are interchanged."),
       obtained(t, "Eq. 14", "Hertz damped, Eqs. 11, 14", "Ye 2009 is more accurate than Eq. 13", "from $CR$",
                fmt::format("Eq. 13 gives {:.4f} and is the nearer one, at every $CR$.",
                            t.at("Hertz damped, Eqs. 11, 13", "restitution"))
                    .c_str()),
       {"Table 1", "The constant of the dashpot determines the energy dissipated", "an advantage",
-       fmt::format("every law can be calibrated: largest error {:.0e} % over the catalogue, {:.4f} kJ lost by all", worst, free_loss),
+       fmt::format("every law can be calibrated: largest error {:.0e} % over the catalogue, {:.4f} kJ lost by all",
+                   worst, free_loss),
        Judgement::agrees, "with the exact calibration, not with the formulas above."}};
   item.tables = {published_table, exact_table};
   item.figures = {published_loops, exact_loops};

@@ -40,9 +40,10 @@ json numbers(const std::vector<double>& values) {
 
 json panel_json(const Panel& panel) {
   json curves = json::array();
-  for (const Curve& c : panel.curves) curves.push_back({{"label", c.label}, {"x", c.x}, {"y", c.y}, {"kind", word(c.kind)}});
-  return {{"title", panel.title}, {"x_label", panel.x_label}, {"y_label", panel.y_label}, {"x_log", panel.x_log},
-          {"y_log", panel.y_log}, {"curves", curves}};
+  for (const Curve& c : panel.curves)
+    curves.push_back({{"label", c.label}, {"x", c.x}, {"y", c.y}, {"kind", word(c.kind)}});
+  return {{"title", panel.title}, {"x_label", panel.x_label}, {"y_label", panel.y_label},
+          {"x_log", panel.x_log}, {"y_log", panel.y_log},     {"curves", curves}};
 }
 
 json figure_json(const Figure& figure) {
@@ -50,7 +51,10 @@ json figure_json(const Figure& figure) {
   for (const Column& c : figure.columns)
     columns.push_back({{"name", c.name}, {"unit", c.unit}, {"values", numbers(c.values)}});
   for (const Panel& p : figure.panels) panels.push_back(panel_json(p));
-  return {{"name", figure.name}, {"of_paper", figure.of_paper}, {"caption", figure.caption}, {"columns", columns},
+  return {{"name", figure.name},
+          {"of_paper", figure.of_paper},
+          {"caption", figure.caption},
+          {"columns", columns},
           {"panels", panels}};
 }
 
@@ -59,7 +63,10 @@ json table_json(const Table& table) {
   for (const Table::Heading& h : table.headings)
     headings.push_back({{"name", h.name}, {"unit", h.unit}, {"decimals", h.decimals}});
   for (const Table::Row& r : table.rows) rows.push_back({{"name", r.name}, {"values", numbers(r.values)}});
-  return {{"name", table.name}, {"title", table.title}, {"row_header", table.row_header}, {"headings", headings},
+  return {{"name", table.name},
+          {"title", table.title},
+          {"row_header", table.row_header},
+          {"headings", headings},
           {"rows", rows}};
 }
 
@@ -75,8 +82,12 @@ json item_json(const Item& item) {
   for (const Figure& f : item.figures) result["figures"].push_back(figure_json(f));
   for (const Table& t : item.tables) result["tables"].push_back(table_json(t));
   for (const Verdict& v : item.verdicts)
-    result["verdicts"].push_back({{"place", v.place}, {"claim", v.claim}, {"printed", v.printed}, {"ours", v.ours},
-                                  {"judgement", word(v.judgement)}, {"reason", v.reason}});
+    result["verdicts"].push_back({{"place", v.place},
+                                  {"claim", v.claim},
+                                  {"printed", v.printed},
+                                  {"ours", v.ours},
+                                  {"judgement", word(v.judgement)},
+                                  {"reason", v.reason}});
   return result;
 }
 
@@ -145,7 +156,8 @@ std::string to_csv(const Figure& figure) {
   const char* separator = "";
   for (const Column& column : figure.columns) {
     std::string header = column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
-    for (auto quote = header.find('"'); quote != std::string::npos; quote = header.find('"', quote + 2)) header.insert(quote, 1, '"');
+    for (auto quote = header.find('"'); quote != std::string::npos; quote = header.find('"', quote + 2))
+      header.insert(quote, 1, '"');
     text += fmt::format("{}\"{}\"", std::exchange(separator, ","), header);
     length = std::max(length, column.values.size());
   }

@@ -1,8 +1,9 @@
 #pragma once
-/// Findings of a reproduction of the paper as data: figures, tables, matrices and verdicts. Python draws and typesets them.
+/// Findings of a reproduction of the paper as data: figures, tables, matrices and verdicts. Python draws and typesets
+/// them.
 ///
-/// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may hold mathematics between dollar signs,
-/// in the TeX that matplotlib reads.
+/// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may hold mathematics between
+/// dollar signs, in the TeX that matplotlib reads.
 
 #include <functional>
 #include <limits>
@@ -35,8 +36,8 @@ struct Panel {
 
 /// A figure; its columns are drawn and written to NAME.csv.
 struct Figure {
-  std::string name;       ///< of its files: "cyclic_velocity"
-  std::string of_paper;   ///< "Fig. 11"; empty where the paper has none
+  std::string name;      ///< of its files: "cyclic_velocity"
+  std::string of_paper;  ///< "Fig. 11"; empty where the paper has none
   std::string caption;
   std::vector<Column> columns{};
   std::vector<Panel> panels{};
@@ -44,14 +45,15 @@ struct Figure {
   /// Adds a column and returns its name.
   const std::string& add(std::string column, std::string unit, std::vector<double> values);
   /// Adds two columns and a curve to the last panel. The columns are named after the number of the panel and the label.
-  void plot(const std::string& label, std::vector<double> x, std::vector<double> y, Curve::Kind kind = Curve::Kind::line);
+  void plot(const std::string& label, std::vector<double> x, std::vector<double> y,
+            Curve::Kind kind = Curve::Kind::line);
   const Column& column(std::string_view column) const;  ///< throws std::out_of_range
 };
 
 /// A table: a first column of words, then columns of numbers.
 struct Table {
   std::string name, title;
-  std::string row_header;            ///< over the words
+  std::string row_header;  ///< over the words
   struct Heading {
     std::string name, unit;
     int decimals = 4;  ///< shown; -3: three digits, of sizes that differ by powers of ten
@@ -59,7 +61,7 @@ struct Table {
   std::vector<Heading> headings{};
   struct Row {
     std::string name;
-    std::vector<double> values;      ///< NaN: nothing to say
+    std::vector<double> values;  ///< NaN: nothing to say
   };
   std::vector<Row> rows{};
 
@@ -67,27 +69,27 @@ struct Table {
 };
 
 struct Matrix {
-  std::string name, unit;            ///< name in mathematics
+  std::string name, unit;  ///< name in mathematics
   std::vector<std::vector<double>> rows{};
 };
 
 struct Equation {
-  std::string number, tex;           ///< "16"
+  std::string number, tex;  ///< "16"
 };
 
 /// Verdict on a claim of the paper.
 enum class Judgement { agrees, disagrees, cannot_be_checked };
 
 struct Verdict {
-  std::string place;                 ///< "Eq. 4", "Table 2", "Fig. 12"
+  std::string place;  ///< "Eq. 4", "Table 2", "Fig. 12"
   std::string claim, printed, ours;
   Judgement judgement = Judgement::agrees;
-  std::string reason;                ///< to what it agrees; the likely cause; or what is missing
+  std::string reason;  ///< to what it agrees; the likely cause; or what is missing
 };
 
 /// One part of the paper.
 struct Item {
-  std::string name, title, sections; ///< `name` is what --only takes
+  std::string name, title, sections;  ///< `name` is what --only takes
   std::vector<std::string> paragraphs{};
   std::vector<Equation> equations{};
   std::vector<Matrix> matrices{};

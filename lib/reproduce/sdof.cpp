@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include <pounding/elements.hpp>
@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Matrix2d, Eigen::Matrix4d, Eigen::Vector2d, Eigen::Vector4d;
 
-// The paper names no numbers here. Floors of 100 t and 150 t, oscillators of 0.8 s and 0.4 s, a stiffness of the literature.
+// The paper names no numbers here. Floors of 100 t and 150 t, oscillators of 0.8 s and 0.4 s, a stiffness of the
+// literature.
 constexpr double m1 = 100e3, m2 = 150e3, reduced = m1 * m2 / (m1 + m2), stiffness = 9.35e7, speed = 0.5, asked = 0.65;
 
 /// M, C and K of the touching pair.
@@ -30,8 +31,10 @@ const Asking law{"kelvin_voigt", "anagnostopoulos", stiffness, asked};
 Model touching_pair(bool is_free) {
   Model model;
   const auto add = [&](const char* name, double mass, double period, double velocity) {
-    return model.add(name, is_free ? make_body({.mass = mass}) : make_oscillator({.mass = mass, .period = period, .damping_ratio = 0.05}),
-                     {.initial_velocity = velocity});
+    return model.add(
+        name,
+        is_free ? make_body({.mass = mass}) : make_oscillator({.mass = mass, .period = period, .damping_ratio = 0.05}),
+        {.initial_velocity = velocity});
   };
   const StructureHandle left = add("left", m1, 0.8, speed), right = add("right", m2, 0.4, 0);
   model.link(left, right, {.gap = 0.0}, law.settings());
@@ -115,7 +118,8 @@ Item make() {
   bare.damping = c * closing * closing.transpose();
   bare.stiffness = stiffness * closing * closing.transpose();
   const auto momentum = [&](const Touching& t) {
-    const Vector4d end = Matrix4d(first_order(t) * (one.impact.t_end - one.impact.t_start)).exp() * Vector4d(0, 0, speed, 0);
+    const Vector4d end =
+        Matrix4d(first_order(t) * (one.impact.t_end - one.impact.t_start)).exp() * Vector4d(0, 0, speed, 0);
     return (m1 * end[2] + m2 * end[3]) / (m1 * speed);
   };
   const double kept = momentum(bare), kept_printed = momentum(as_printed(bare, c));
@@ -124,32 +128,39 @@ Item make() {
             .title = "The equivalent oscillator and the two oscillators",
             .sections = "Section 3, Eqs. 1 and 2, Figs. 1-3"};
   item.paragraphs = {
-      fmt::format("The paper gives no numbers in this section. It is run with floors of 100 t and 150 t (those of its section "
-                  "5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = 93.5$ MN/m and "
-                  "$CR = {}$ by Eq. 7, which is $c = {:.1f}$ kN s/m. They touch at {} m/s.",
-                  asked, c / 1e3, speed),
-      "Eq. 1 speaks of one mass. It is the whole truth of a contact only when the bodies are free: the relative motion of two "
+      fmt::format(
+          "The paper gives no numbers in this section. It is run with floors of 100 t and 150 t (those of its section "
+          "5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = 93.5$ MN/m and "
+          "$CR = {}$ by Eq. 7, which is $c = {:.1f}$ kN s/m. They touch at {} m/s.",
+          asked, c / 1e3, speed),
+      "Eq. 1 speaks of one mass. It is the whole truth of a contact only when the bodies are free: the relative motion "
+      "of two "
       "free bodies is that of one body with the reduced mass $m_1 m_2/(m_1+m_2)$. With their own springs they are two "
       "oscillators, and Eq. 2 is needed.",
-      "In the text at hand Eq. 2 has no $+c$ and no $+s$ at the second body. Such a link would pull body 1 without pushing "
-      "body 2 by as much. If the loss is not one of the printing, a program that takes the equation as it stands creates "
+      "In the text at hand Eq. 2 has no $+c$ and no $+s$ at the second body. Such a link would pull body 1 without "
+      "pushing "
+      "body 2 by as much. If the loss is not one of the printing, a program that takes the equation as it stands "
+      "creates "
       "momentum."};
   item.equations = {
       {"1", R"($m\ddot{u} + c\dot{u} + ku = f(t)$)"},
       {"2, first row", R"($m_1\ddot{u}_1 + (c_1+c)\dot{u}_1 - c\,\dot{u}_2 + (k_1+s)u_1 - s\,u_2 = f_1$)"},
       {"2, second row as printed", R"($m_2\ddot{u}_2 - c\,\dot{u}_1 + c_2\dot{u}_2 - s\,u_1 + k_2 u_2 = f_2$)"},
-      {"2, second row as it must be", R"($m_2\ddot{u}_2 - c\,\dot{u}_1 + (c_2+c)\dot{u}_2 - s\,u_1 + (k_2+s) u_2 = f_2$)"}};
+      {"2, second row as it must be",
+       R"($m_2\ddot{u}_2 - c\,\dot{u}_1 + (c_2+c)\dot{u}_2 - s\,u_1 + (k_2+s) u_2 = f_2$)"}};
   item.matrices = {{"mass", "t", rows_of(ours.mass, 1e3)},
                    {"damping, assembled by the program", "kN s/m", rows_of(ours.damping, 1e3)},
                    {"damping, as printed", "kN s/m", rows_of(printed.damping, 1e3)},
                    {"stiffness, assembled by the program", "MN/m", rows_of(ours.stiffness, 1e6)},
                    {"stiffness, as printed", "MN/m", rows_of(printed.stiffness, 1e6)}};
 
-  Figure figure{.name = "sdof_contact",
-                .of_paper = "Figs. 1-3",
-                .caption = "One contact. Left: the reduced mass on a wall and two free bodies are the same motion; the springs "
-                           "of the oscillators change it. Right: Eq. 2 by the matrix exponential, as printed and with the "
-                           "link at both bodies, beside the time integration."};
+  Figure figure{
+      .name = "sdof_contact",
+      .of_paper = "Figs. 1-3",
+      .caption =
+          "One contact. Left: the reduced mass on a wall and two free bodies are the same motion; the springs "
+          "of the oscillators change it. Right: Eq. 2 by the matrix exponential, as printed and with the "
+          "link at both bodies, beside the time integration."};
   figure.panels.push_back({"Eq. 1", "Time since the touch [ms]", "Contact force [kN]", {}});
   figure.plot("one body, reduced mass", scaled(one.time, 1e3), scaled(one.force, 1e-3));
   figure.plot("two free bodies", scaled(two.time, 1e3), scaled(two.force, 1e-3), Curve::Kind::dashed);
@@ -161,11 +172,13 @@ Item make() {
   item.figures.push_back(figure);
 
   item.tables.push_back(
-      {"contacts", "One contact at 0.5 m/s, asked restitution 0.65", "model",
+      {"contacts",
+       "One contact at 0.5 m/s, asked restitution 0.65",
+       "model",
        {{"restitution", "", 6}, {"peak force", "kN", 3}, {"duration", "ms", 4}, {"energy lost", "kJ", 5}},
        {}});
-  for (const auto& [name, loop] : {std::pair{"one body, reduced mass", &one}, {"two free bodies", &two},
-                                   {"two oscillators", &sprung}}) {
+  for (const auto& [name, loop] :
+       {std::pair{"one body, reduced mass", &one}, {"two free bodies", &two}, {"two oscillators", &sprung}}) {
     const ImpactRow& row = loop->impact;
     item.tables[0].rows.push_back(
         {name, {row.restitution, row.peak_force / 1e3, 1e3 * (row.t_end - row.t_start), row.energy_lost / 1e3}});
@@ -178,13 +191,15 @@ Item make() {
                    "oscillators' own springs the restitution is {:.4f} instead of {:.4f}",
                    same, sprung.impact.restitution, one.impact.restitution),
        Judgement::agrees,
-       "for free bodies. In a structure the springs push while the bodies touch, so the restitution of an impact is not the "
+       "for free bodies. In a structure the springs push while the bodies touch, so the restitution of an impact is "
+       "not the "
        "one asked, whatever the law."},
       {"Eq. 2", "Equations of two oscillators in contact", "second row with $c_2$ and $k_2$ alone",
-       fmt::format("$c_2+c$ and $k_2+s$. With them Eq. 2 and the time integration agree to {:.0e} of the peak force; as "
-                   "printed they differ by {:.0f} %. The momentum of two free bodies after the contact is {:.6f} of what it "
-                   "was; as printed it is {:.2f}",
-                   error, 100 * printed_error, kept, kept_printed),
+       fmt::format(
+           "$c_2+c$ and $k_2+s$. With them Eq. 2 and the time integration agree to {:.0e} of the peak force; as "
+           "printed they differ by {:.0f} %. The momentum of two free bodies after the contact is {:.6f} of what it "
+           "was; as printed it is {:.2f}",
+           error, 100 * printed_error, kept, kept_printed),
        Judgement::disagrees,
        "the second diagonal terms lack the link. It may have been lost in print or in the text at hand."},
       {"Eq. 1, spring constants", "They follow from the stiffness of the colliding buildings", "no formula", "none",

@@ -58,13 +58,15 @@ Table error_table() {
 }
 
 Figure error_figure() {
-  Figure figure{.name = "section5_errors",
-                .of_paper = "Fig. 8",
-                .caption = fmt::format("Restitution that a free impact gives, against the one asked. Right: the errors without Eq. 12, which has "
-                                       "{:+.0f} % at 0.1.",
-                                       percent(obtained(compared[0], 0.1), 0.1)),
-                .panels = {{"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}},
-                           {"error", "Restitution asked [-]", "Error of the restitution [%]", {}}}};
+  Figure figure{
+      .name = "section5_errors",
+      .of_paper = "Fig. 8",
+      .caption = fmt::format(
+          "Restitution that a free impact gives, against the one asked. Right: the errors without Eq. 12, which has "
+          "{:+.0f} % at 0.1.",
+          percent(obtained(compared[0], 0.1), 0.1)),
+      .panels = {{"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}},
+                 {"error", "Restitution asked [-]", "Error of the restitution [%]", {}}}};
   std::vector<double> e;
   for (int i = 10; i <= 90; ++i) e.push_back(i / 100.0);
   figure.add("CR asked", "", e);
@@ -90,37 +92,54 @@ Item make() {
   Item item{.name = "section5",
             .title = "The accuracy of the proposed law",
             .sections = "Section 5.1, Eq. 18, Table 3, Figs. 7 and 8",
-            .equations = {{"18, with its dot", R"($\Delta E = \dfrac{1}{2}\,\dfrac{m_1 m_2}{m_1+m_2}\,(1-CR^2)\,\dot{\delta}_{imp}^2$)"}}};
+            .equations = {{"18, with its dot",
+                           R"($\Delta E = \dfrac{1}{2}\,\dfrac{m_1 m_2}{m_1+m_2}\,(1-CR^2)\,\dot{\delta}_{imp}^2$)"}}};
   const laws::FreeImpact elastic = Asking{"hertz", "", stiffness}.free_impact(mass, speed);
-  item.paragraphs = {
-      fmt::format("Bodies of 100 t and 150 t, $k$ = 22000 kN/m$^{{1.5}}$, $v$ = 15 m/s. Floors that hit each other in earthquakes close at "
-                  "0.1 to 2 m/s, and concrete has some 2.75 million kN/m$^{{1.5}}$: without damping the penetration would be {:.3f} m here, the "
-                  "force {:.1f} kN. The restitution does not depend on that, so the comparison stands.",
-                  elastic.peak_penetration, elastic.peak_force / 1e3),
-      "Each loop below is a run through time with the proposed law; its area is compared with Eq. 18, and its restitution with the one "
-      "asked. The paper evaluates its loops on \"a reference lateral displacement\" with its derivative as velocity, which it does not "
-      "state; a free impact needs no such assumption."};
+  item.paragraphs = {fmt::format("Bodies of 100 t and 150 t, $k$ = 22000 kN/m$^{{1.5}}$, $v$ = 15 m/s. Floors that hit "
+                                 "each other in earthquakes close at "
+                                 "0.1 to 2 m/s, and concrete has some 2.75 million kN/m$^{{1.5}}$: without damping the "
+                                 "penetration would be {:.3f} m here, the "
+                                 "force {:.1f} kN. The restitution does not depend on that, so the comparison stands.",
+                                 elastic.peak_penetration, elastic.peak_force / 1e3),
+                     "Each loop below is a run through time with the proposed law; its area is compared with Eq. 18, "
+                     "and its restitution with the one "
+                     "asked. The paper evaluates its loops on \"a reference lateral displacement\" with its derivative "
+                     "as velocity, which it does not "
+                     "state; a free impact needs no such assumption."};
 
   Figure loops{.name = "section5_loops",
                .of_paper = "Fig. 7",
-               .caption = "Loops of the proposed law (left) and of the same law with the exact calibration (right) for restitutions of 0.1 to "
-                          "0.9 asked."};
+               .caption =
+                   "Loops of the proposed law (left) and of the same law with the exact calibration (right) for "
+                   "restitutions of 0.1 to "
+                   "0.9 asked."};
   Figure energy{.name = "section5_energy",
                 .of_paper = "Fig. 8",
-                .caption = "Energy of the loops and Eq. 18, which they should have (left); by how much they miss it (right). Near 1, where little "
-                           "is lost, a small error of the restitution is a large one of the energy.",
+                .caption =
+                    "Energy of the loops and Eq. 18, which they should have (left); by how much they miss it (right). "
+                    "Near 1, where little "
+                    "is lost, a small error of the restitution is a large one of the energy.",
                 .panels = {{"loop area", "Restitution asked [-]", "Energy lost [kJ]", {}},
                            {"against Eq. 18", "Restitution asked [-]", "Error of the energy lost [%]", {}}}};
-  Table runs{"runs", "Loops of runs through time, 60 t at 15 m/s", "CR asked, formula",
-             {{"damping", "", 5}, {"restitution", "", 5}, {"penetration", "m", 6}, {"peak force", "kN", 2}, {"contact time", "s", 6},
-              {"energy lost", "kJ", 3}, {"Eq. 18", "kJ", 3}, {"impulse", "kN s", 3}},
+  Table runs{"runs",
+             "Loops of runs through time, 60 t at 15 m/s",
+             "CR asked, formula",
+             {{"damping", "", 5},
+              {"restitution", "", 5},
+              {"penetration", "m", 6},
+              {"peak force", "kN", 2},
+              {"contact time", "s", 6},
+              {"energy lost", "kJ", 3},
+              {"Eq. 18", "kJ", 3},
+              {"impulse", "kN s", 3}},
              {}};
   const auto run_row = [&](const Named& f, double e) {
     const Loop loop = collide(asking(f, e).settings(), mass, speed);
     const ImpactRow& r = loop.impact;
-    runs.rows.push_back({fmt::format("{:.1f}, {}", e, f.name),
-                         {damping_number(asking(f, e).made(mass), speed), r.restitution, r.peak_penetration, r.peak_force / 1e3,
-                          r.t_release - r.t_start, r.energy_lost / 1e3, kinetic_loss(mass, speed, e) / 1e3, r.impulse / 1e3}});
+    runs.rows.push_back(
+        {fmt::format("{:.1f}, {}", e, f.name),
+         {damping_number(asking(f, e).made(mass), speed), r.restitution, r.peak_penetration, r.peak_force / 1e3,
+          r.t_release - r.t_start, r.energy_lost / 1e3, kinetic_loss(mass, speed, e) / 1e3, r.impulse / 1e3}});
     return loop;
   };
   const std::vector<double> asked(paper::restitutions.begin(), paper::restitutions.end());
@@ -146,7 +165,8 @@ Item make() {
     energy.panels[1].curves.push_back({name, "CR asked", energy.add(name + ", error", "%", miss), Curve::Kind::line});
   }
   for (const double e : {0.3, 0.5, 0.7, 0.9})
-    for (const Named& f : {Named{"Eq. 10, Jankowski 2005", "jankowski", "jankowski_2005"}, {"Jankowski's law, exact", "jankowski", "exact"}})
+    for (const Named& f : {Named{"Eq. 10, Jankowski 2005", "jankowski", "jankowski_2005"},
+                           {"Jankowski's law, exact", "jankowski", "exact"}})
       run_row(f, e);
   const Table errors = error_table();
 
@@ -160,23 +180,30 @@ Item make() {
   const auto share = [&](double e) { return proposed_factor(e, k_over_v) / (1 - e * e); };
   item.verdicts = {
       {"Eq. 18", "The kinetic energy loss is the dissipated energy", "$(\\delta_{imp})^2$",
-       fmt::format("with $\\dot{{\\delta}}_{{imp}}^2$ and the restitution obtained: loop areas agree to {:.0e} in {} runs", worst_balance,
-                   9 * std::size(compared)),
+       fmt::format(
+           "with $\\dot{{\\delta}}_{{imp}}^2$ and the restitution obtained: loop areas agree to {:.0e} in {} runs",
+           worst_balance, 9 * std::size(compared)),
        Judgement::agrees, "for any law; the dot is missing in print."},
-      {"Table 3", "Error of the calculated restitution", "the numbers are not in the text at hand", "the table of errors below",
-       Judgement::cannot_be_checked, "the printed numbers are missing."},
+      {"Table 3", "Error of the calculated restitution", "the numbers are not in the text at hand",
+       "the table of errors below", Judgement::cannot_be_checked, "the printed numbers are missing."},
       {"Section 5.1, Fig. 8", "Good accuracy of the proposed law in comparison with other formulas", "good",
-       fmt::format("errors from {:+.2f} % at 0.1 to {:+.2f} % at 0.8; larger than those of Eq. 13 at {} of 9 restitutions, than those of Eq. "
+       fmt::format("errors from {:+.2f} % at 0.1 to {:+.2f} % at 0.8; larger than those of Eq. 13 at {} of 9 "
+                   "restitutions, than those of Eq. "
                    "14 at {} of 9",
-                   errors.at("Eq. 16, proposed", "0.1"), errors.at("Eq. 16, proposed", "0.8"), worse_than_13, worse_than_14),
-       Judgement::disagrees, "probably because Table 2 was found on an imposed motion, not in a collision; see the next line."},
-      {"Section 5.1, reference displacement", "Loops on a reference lateral displacement and its derivative", "not stated",
-       fmt::format("under any one imposed motion the loop area is in proportion to $c_{{imp}}$; over Eq. 18 it would grow {:.0f}-fold from 0.9 "
+                   errors.at("Eq. 16, proposed", "0.1"), errors.at("Eq. 16, proposed", "0.8"), worse_than_13,
+                   worse_than_14),
+       Judgement::disagrees,
+       "probably because Table 2 was found on an imposed motion, not in a collision; see the next line."},
+      {"Section 5.1, reference displacement", "Loops on a reference lateral displacement and its derivative",
+       "not stated",
+       fmt::format("under any one imposed motion the loop area is in proportion to $c_{{imp}}$; over Eq. 18 it would "
+                   "grow {:.0f}-fold from 0.9 "
                    "to 0.1",
                    share(0.1) / share(0.9)),
-       Judgement::cannot_be_checked, "a motion that makes all rows of Table 2 right must itself depend on $CR$; the paper does not give it."},
-      {"Fig. 7", "Loops for nine restitutions", "a picture without numbers", "recomputed below", Judgement::cannot_be_checked,
-       "the picture is not in the text at hand."}};
+       Judgement::cannot_be_checked,
+       "a motion that makes all rows of Table 2 right must itself depend on $CR$; the paper does not give it."},
+      {"Fig. 7", "Loops for nine restitutions", "a picture without numbers", "recomputed below",
+       Judgement::cannot_be_checked, "the picture is not in the text at hand."}};
   item.figures = {loops, error_figure(), energy};
   item.tables = {errors, runs};
   return item;

@@ -36,8 +36,10 @@ double rms_error(double k_over_v) {
 Figure example_figure() {
   Figure figure{.name = "table2_example",
                 .of_paper = "Fig. 6",
-                .caption = "The example of section 5, 755.76 kg at 10 m/s with 0.7 asked. Left: loops by four published formulas and the "
-                           "exact one. Right: what each formula asks for at other restitutions.",
+                .caption =
+                    "The example of section 5, 755.76 kg at 10 m/s with 0.7 asked. Left: loops by four published "
+                    "formulas and the "
+                    "exact one. Right: what each formula asks for at other restitutions.",
                 .panels = {{"loops", "Penetration [mm]", "Contact force [kN]", {}}}};
   for (const Named& f : formulas) {
     const Loop loop = collide(asking(f).settings(), mass, speed);
@@ -57,10 +59,11 @@ Figure example_figure() {
 Figure units_figure(double best) {
   Figure figure{.name = "table2_units",
                 .of_paper = "",
-                .caption = fmt::format("Root mean square error of the restitution over the nine rows of Table 2, against the number "
-                                       "that $k/v$ is. The paper's example is marked with $k$ in MN, kN and N per m$^{{1.5}}$; the "
-                                       "least error is at {:.2f}.",
-                                       best),
+                .caption = fmt::format(
+                    "Root mean square error of the restitution over the nine rows of Table 2, against the number "
+                    "that $k/v$ is. The paper's example is marked with $k$ in MN, kN and N per m$^{{1.5}}$; the "
+                    "least error is at {:.2f}.",
+                    best),
                 .panels = {{"", "Number k/v in Eq. 16 [-]", "Error of the restitution, RMS [%]", {}, true, false}}};
   std::vector<double> ratio, error;
   for (int i = -150; i <= 800; ++i) {
@@ -92,25 +95,42 @@ Item make() {
                           {"17, with its dot", R"($F_{imp} = \delta^{1.5}\,(k + c_{imp}\,\dot{\delta})$)"},
                           {"exact", R"($c_{imp} = a\,k/v_{imp},\quad a\,(1+CR) = \ln\dfrac{1+a}{1-a\,CR}$)"}}};
   item.paragraphs = {
-      "In a free impact with $F = k\\,\\delta^n(1 + a\\,\\dot{\\delta}/v)$ the restitution depends on $a = c\\,v/k$ alone, not on $k$, the "
-      "mass, the velocity or $n$. The proposed law has $a = (k/v)^{N-1}(1-CR^2)/CR^M$: where $N$ is not 1 it depends on the number that "
-      "$k/v$ happens to be, so on the units. Near $k/v = 1$ it is $(1-CR^2)/CR$, the formula of Gonthier and others (2004).",
-      "The paper gives $k = 30000$ without a unit; with $\\delta^{1.5}$ and kN it is kN/m$^{1.5}$. It calls 755.76 kN a mass: its "
+      "In a free impact with $F = k\\,\\delta^n(1 + a\\,\\dot{\\delta}/v)$ the restitution depends on $a = c\\,v/k$ "
+      "alone, not on $k$, the "
+      "mass, the velocity or $n$. The proposed law has $a = (k/v)^{N-1}(1-CR^2)/CR^M$: where $N$ is not 1 it depends "
+      "on the number that "
+      "$k/v$ happens to be, so on the units. Near $k/v = 1$ it is $(1-CR^2)/CR$, the formula of Gonthier and others "
+      "(2004).",
+      "The paper gives $k = 30000$ without a unit; with $\\delta^{1.5}$ and kN it is kN/m$^{1.5}$. It calls 755.76 kN "
+      "a mass: its "
       "energies (see the item on section 6) are those of 755.76 kg."};
 
-  Table example{"example", "755.76 kg, $k$ = 30000 kN/m$^{1.5}$, $v$ = 10 m/s, restitution 0.7 asked", "formula",
-                {{"a", "", 6}, {"c_imp", "kN s/m^2.5", 3}, {"restitution", "", 5}, {"penetration", "m", 6}, {"peak force", "kN", 3},
-                 {"energy lost", "kJ", 5}, {"Eq. 18", "kJ", 5}, {"error of energy", "%", 2}},
+  Table example{"example",
+                "755.76 kg, $k$ = 30000 kN/m$^{1.5}$, $v$ = 10 m/s, restitution 0.7 asked",
+                "formula",
+                {{"a", "", 6},
+                 {"c_imp", "kN s/m^2.5", 3},
+                 {"restitution", "", 5},
+                 {"penetration", "m", 6},
+                 {"peak force", "kN", 3},
+                 {"energy lost", "kJ", 5},
+                 {"Eq. 18", "kJ", 5},
+                 {"error of energy", "%", 2}},
                 {}};
   for (const Named& f : formulas) {
     const laws::AnyLaw law = asking(f).made(mass);
     const ImpactRow row = collide(asking(f).settings(), mass, speed).impact;
-    example.rows.push_back({f.name,
-                            {damping_number(law, speed), damping_coefficient(law, speed) / 1e3, row.restitution, row.peak_penetration,
-                             row.peak_force / 1e3, row.energy_lost / 1e3, loss, percent(row.energy_lost / 1e3, loss)}});
+    example.rows.push_back(
+        {f.name,
+         {damping_number(law, speed), damping_coefficient(law, speed) / 1e3, row.restitution, row.peak_penetration,
+          row.peak_force / 1e3, row.energy_lost / 1e3, loss, percent(row.energy_lost / 1e3, loss)}});
   }
-  Table rows{"rows", "Table 2: restitution that Eq. 16 gives, by the unit of k, and k/v that would make the row exact", "CR asked",
-             {{"k in MN", "", 4}, {"k in kN", "", 4}, {"k in N", "", 4}, {"error, k in kN", "%", 2}, {"fitting k/v", "", -3}}, {}};
+  Table rows{
+      "rows",
+      "Table 2: restitution that Eq. 16 gives, by the unit of k, and k/v that would make the row exact",
+      "CR asked",
+      {{"k in MN", "", 4}, {"k in kN", "", 4}, {"k in N", "", 4}, {"error, k in kN", "%", 2}, {"fitting k/v", "", -3}},
+      {}};
   for (const double e : paper::restitutions)
     rows.rows.push_back({fmt::format("{:.1f}", e),
                          {proposed_restitution(e, kilonewtons / 1e3), proposed_restitution(e, kilonewtons),
@@ -129,37 +149,44 @@ Item make() {
       damping_coefficient(Asking{"hertz_damped", "naderpour_2015", 30003.67e3, restitution}.made(mass), 9.976) / 1e3;
   const double as_weight = 0.5 * 755.76 / 9.81 * (1 - 0.25) * 100;
   item.verdicts = {
-      {"Section 5, mass", "The mass of the two bodies is 755.76 kN", "755.76 kN; energy loss 28.33261 for $v = 10$, $CR = 0.5$",
+      {"Section 5, mass", "The mass of the two bodies is 755.76 kN",
+       "755.76 kN; energy loss 28.33261 for $v = 10$, $CR = 0.5$",
        fmt::format("755.76 kg gives {:.3f} kJ, 755.76 kN as a weight {:.0f} kJ",
                    kinetic_loss(mass, speed, paper::pair::reference_restitution) / 1e3, as_weight),
        Judgement::disagrees,
-       fmt::format("the unit: the paper's own energy is that of 755.76 kg, to {:.2f} %.",
-                   percent(kinetic_loss(mass, speed, paper::pair::reference_restitution) / 1e3, paper::pair::reference_loss))},
+       fmt::format(
+           "the unit: the paper's own energy is that of 755.76 kg, to {:.2f} %.",
+           percent(kinetic_loss(mass, speed, paper::pair::reference_restitution) / 1e3, paper::pair::reference_loss))},
       {"Section 5, rounding", "30003.67 and 9.976 may be taken as 30000 and 10", "no number",
-       fmt::format("$c_{{imp}}$ changes from {:.2f} to {:.2f}, {:.2f} %", unrounded, c, percent(c, unrounded)), Judgement::agrees,
-       "it is harmless."},
+       fmt::format("$c_{{imp}}$ changes from {:.2f} to {:.2f}, {:.2f} %", unrounded, c, percent(c, unrounded)),
+       Judgement::agrees, "it is harmless."},
       {"Eqs. 15, 16", "Eq. 16 calculates the energy dissipation", "confirmed for $CR = 0.7$ (Fig. 6)",
-       fmt::format("$c_{{imp}}$ = {:.3f} kN s/m$^{{2.5}}$ loses {:.5f} kJ, Eq. 18 asks for {:.5f} kJ ({:+.2f} %); restitution {:.5f}",
-                   c, example.at("Eq. 16, proposed", "energy lost"), loss, example.at("Eq. 16, proposed", "error of energy"),
-                   example.at("Eq. 16, proposed", "restitution")),
+       fmt::format("$c_{{imp}}$ = {:.3f} kN s/m$^{{2.5}}$ loses {:.5f} kJ, Eq. 18 asks for {:.5f} kJ ({:+.2f} %); "
+                   "restitution {:.5f}",
+                   c, example.at("Eq. 16, proposed", "energy lost"), loss,
+                   example.at("Eq. 16, proposed", "error of energy"), example.at("Eq. 16, proposed", "restitution")),
        Judgement::disagrees,
        fmt::format("Eq. 13 is nearer: {:.5f} kJ ({:+.2f} %).", example.at("Eq. 13, Ye 2008", "energy lost"),
                    example.at("Eq. 13, Ye 2008", "error of energy"))},
       {"Eq. 16, units", "$c_{imp}$ is a function of $k$, $CR$ and $v_{imp}$", "no units",
        fmt::format("0.7 asked gives {:.4f} with $k$ in MN, {:.4f} in kN, {:.4f} in N", rows.at("0.7", "k in MN"),
                    rows.at("0.7", "k in kN"), rows.at("0.7", "k in N")),
-       Judgement::disagrees, "$(k/v)^N$ is homogeneous for $N = 1$ only. The program takes kN, m, s, as the paper prints them."},
-      {"Eq. 17", "Impact force", "$\\delta^{1.5}(k + c_{imp}\\,\\delta)$", "$\\delta^{1.5}(k + c_{imp}\\,\\dot{\\delta})$",
        Judgement::disagrees,
-       "the dot is missing, perhaps in the text at hand only. Taken at its word the force would be conservative, $CR = 1$."},
+       "$(k/v)^N$ is homogeneous for $N = 1$ only. The program takes kN, m, s, as the paper prints them."},
+      {"Eq. 17", "Impact force", "$\\delta^{1.5}(k + c_{imp}\\,\\delta)$",
+       "$\\delta^{1.5}(k + c_{imp}\\,\\dot{\\delta})$", Judgement::disagrees,
+       "the dot is missing, perhaps in the text at hand only. Taken at its word the force would be conservative, $CR = "
+       "1$."},
       {"Table 2", "$N$ and $M$ make the dissipated energy equal to the kinetic energy loss", "nine rows",
-       fmt::format("error of the restitution {:+.1f} % at 0.1 ... {:+.1f} % at 0.8 for the paper's $k/v = 3000$", rows.at("0.1", "error, k in kN"),
-                   rows.at("0.8", "error, k in kN")),
+       fmt::format("error of the restitution {:+.1f} % at 0.1 ... {:+.1f} % at 0.8 for the paper's $k/v = 3000$",
+                   rows.at("0.1", "error, k in kN"), rows.at("0.8", "error, k in kN")),
        Judgement::disagrees,
-       fmt::format("no one $k/v$ makes the rows exact: they need from {:.2g} to {:.1g}. The best is {:.2f}, with {:.1f} % RMS, where "
+       fmt::format("no one $k/v$ makes the rows exact: they need from {:.2g} to {:.1g}. The best is {:.2f}, with "
+                   "{:.1f} % RMS, where "
                    "the law is nearly $(1-CR^2)/CR$ and Table 2 does nothing.",
                    least, most, best, rms_error(best))},
-      {"Fig. 6", "Four formulas compared", "a picture without numbers", "recomputed above", Judgement::cannot_be_checked,
+      {"Fig. 6", "Four formulas compared", "a picture without numbers", "recomputed above",
+       Judgement::cannot_be_checked,
        "the picture is not in the text at hand, and the motion behind it is not stated."}};
   item.tables = {example, rows};
   return item;

@@ -128,7 +128,8 @@ void leave_the_others() { others_wait = true; }
 PetscForThisThread::PetscForThisThread() {
   if (petsc_is_mine)
     throw std::runtime_error(
-        "a run reports its progress to this function, and models run one after another: call check, modes and run when it has ended");
+        "a run reports its progress to this function, and models run one after another: call check, modes and run when "
+        "it has ended");
   while (!petsc_in_use.try_lock_for(std::chrono::milliseconds(50))) {
     const py::gil_scoped_acquire hold;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -26,7 +26,8 @@ struct YieldingLaw {
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-YieldingLaw make_law(std::string name, const std::map<std::string, double>& values, const std::map<std::string, std::string>& words) {
+YieldingLaw make_law(std::string name, const std::map<std::string, double>& values,
+                     const std::map<std::string, std::string>& words) {
   hysteresis::Settings settings{.law = std::move(name)};
   settings.values.insert(values.begin(), values.end());
   settings.words.insert(words.begin(), words.end());
@@ -81,8 +82,9 @@ py::list catalogue() {
       parameters.append(py::make_tuple(p.name, p.unit, p.meaning, p.typical, need_word(p.need)));
     for (const hysteresis::ChoiceInfo& c : entry.choices)
       choices.append(py::make_tuple(c.name, c.meaning, std::vector<std::string>(c.words.begin(), c.words.end())));
-    entries.append(py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary, "source"_a = entry.source,
-                            "parameters"_a = parameters, "choices"_a = choices, "has_corners"_a = entry.has_corners));
+    entries.append(py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary,
+                            "source"_a = entry.source, "parameters"_a = parameters, "choices"_a = choices,
+                            "has_corners"_a = entry.has_corners));
   }
   return entries;
 }
@@ -94,9 +96,10 @@ void bind_hysteresis(py::module_& module) {
   py::class_<YieldingLaw>(module, "YieldingLaw")
       .def(py::init(&make_law), "law"_a, "values"_a, "words"_a)
       .def("follow", &follow, "path"_a)
-      .def_property_readonly("stiffness", [](const YieldingLaw& law) {
-        return std::visit([](const auto& chosen) { return chosen.stiffness(); }, law.any);
-      })
+      .def_property_readonly("stiffness",
+                             [](const YieldingLaw& law) {
+                               return std::visit([](const auto& chosen) { return chosen.stiffness(); }, law.any);
+                             })
       .def_property_readonly("yield_deformation", [](const YieldingLaw& law) {
         return std::visit([](const auto& chosen) { return chosen.yield_deformation(); }, law.any);
       });

@@ -12,9 +12,9 @@
 #include <pybind11/stl.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/units.hpp>
 #include <pounding/input/collision.hpp>
 #include <pounding/laws/compiled.hpp>
-#include <pounding/core/units.hpp>
 #include "bindings.hpp"
 
 namespace py = pybind11;
@@ -61,8 +61,8 @@ laws::Response answer(const auto& law, double penetration, double rate, const la
   return std::isnan(penetration) || std::isnan(rate) ? laws::Response{NAN, NAN, NAN} : r;
 }
 
-/// States from `first` to `end` of impacts with the same beginning. Law and impact are copies that nothing else can write to,
-/// so that the compiler computes once all that depends on them alone.
+/// States from `first` to `end` of impacts with the same beginning. Law and impact are copies that nothing else can
+/// write to, so that the compiler computes once all that depends on them alone.
 template <class L, class Take>
 void press(const L law, const laws::Impact impact, const States& s, py::ssize_t first, py::ssize_t end, Take&& take) {
   for (py::ssize_t i = first; i < end; ++i) take(i, answer(law, s.penetration[i], s.rate[i], impact));
@@ -136,17 +136,22 @@ py::tuple responses(const Law& law, const Array& penetration, const Array& rate,
 std::vector<std::string> closed_forms(const laws::FreeImpact& impact) {
   const auto& known = impact.closed_form;
   std::vector<std::string> closed;
-  for (const auto& [is_closed, name] : {std::pair{known.restitution, "restitution"}, {known.peak_force, "peak_force"},
-                                        {known.time_of_peak, "time_of_peak"}, {known.peak_penetration, "peak_penetration"},
+  for (const auto& [is_closed, name] : {std::pair{known.restitution, "restitution"},
+                                        {known.peak_force, "peak_force"},
+                                        {known.time_of_peak, "time_of_peak"},
+                                        {known.peak_penetration, "peak_penetration"},
                                         {known.duration, "duration"}})
     if (is_closed) closed.emplace_back(name);
   return closed;
 }
 
 Law make_law(std::string name, std::string formula, std::optional<double> restitution,
-                      std::optional<double> impact_velocity, double reduced_mass, const std::map<std::string, double>& values) {
-  laws::Settings settings{.law = std::move(name), .formula = std::move(formula), .restitution = restitution,
-                          .impact_velocity = impact_velocity, .reduced_mass = reduced_mass};
+             std::optional<double> impact_velocity, double reduced_mass, const std::map<std::string, double>& values) {
+  laws::Settings settings{.law = std::move(name),
+                          .formula = std::move(formula),
+                          .restitution = restitution,
+                          .impact_velocity = impact_velocity,
+                          .reduced_mass = reduced_mass};
   settings.values.insert(values.begin(), values.end());
   return {laws::make_law(settings)};
 }
@@ -158,7 +163,8 @@ bool needs_approach_velocity(const Law& law) {
         const laws::Impact slow = laws::touch(chosen, 0.1), fast = laws::touch(chosen, 10);
         for (const double penetration : {1e-6, 1e-4, 1e-2, 1.0})
           for (const double rate : {-0.01, 0.01})
-            if (chosen.respond(penetration, rate, slow).force != chosen.respond(penetration, rate, fast).force) return true;
+            if (chosen.respond(penetration, rate, slow).force != chosen.respond(penetration, rate, fast).force)
+              return true;
         return false;
       },
       law.any);
@@ -166,7 +172,8 @@ bool needs_approach_velocity(const Law& law) {
 
 py::list described(const Law& law, double closing_speed) {
   py::list values;
-  for (const laws::ResolvedValue& v : laws::describe(law.any, closing_speed)) values.append(py::make_tuple(v.name, v.value, v.unit));
+  for (const laws::ResolvedValue& v : laws::describe(law.any, closing_speed))
+    values.append(py::make_tuple(v.name, v.value, v.unit));
   return values;
 }
 
@@ -185,8 +192,9 @@ py::dict dict_of(const laws::Entry& entry) {
   for (const laws::ParameterInfo& p : entry.parameters)
     parameters.append(py::make_tuple(p.name, p.unit, p.meaning, p.typical, need_word(p.need)));
   for (const laws::Formula& f : entry.formulas) formulas.append(py::make_tuple(f.name, f.source, f.note));
-  return py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary, "source"_a = entry.source,
-                  "parameters"_a = parameters, "formulas"_a = formulas, "takes_restitution"_a = entry.takes_restitution,
+  return py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary,
+                  "source"_a = entry.source, "parameters"_a = parameters, "formulas"_a = formulas,
+                  "takes_restitution"_a = entry.takes_restitution,
                   "takes_impact_velocity"_a = entry.takes_impact_velocity,
                   "takes_reduced_mass"_a = entry.takes_reduced_mass, "may_pull"_a = entry.may_pull,
                   "leaves_indentation"_a = entry.leaves_indentation, "instantaneous"_a = entry.instantaneous);
@@ -211,8 +219,8 @@ py::dict calibrated(const CollisionInput& words) {
       const laws::FreeImpact& impact = row.impact;
       entry = py::dict("restitution"_a = impact.restitution, "peak_force"_a = impact.peak_force,
                        "time_of_peak"_a = impact.time_of_peak, "peak_penetration"_a = impact.peak_penetration,
-                       "duration"_a = impact.duration, "energy_lost"_a = impact.energy_lost, "impulse"_a = impact.impulse,
-                       "formula"_a = row.formula);
+                       "duration"_a = impact.duration, "energy_lost"_a = impact.energy_lost,
+                       "impulse"_a = impact.impulse, "formula"_a = row.formula);
       if (!collision.law.number.name.empty()) {
         entry[py::str(std::string(collision.law.number.name))] = row.number;
         entry[py::str(std::string(collision.law.coefficient.name))] = row.coefficient;
@@ -239,7 +247,8 @@ double quantity(const std::string& text, const std::string& unit, double exponen
 void bind_laws(py::module_& module) {
   module.def("catalogue", &catalogue);
   module.def("quantity", &quantity, "text"_a, "unit"_a, "exponent"_a = 1.0);
-  module.def("law_hint", [](const std::string& name) { return laws::law_suggestion(name, laws::catalogue()); }, "name"_a);
+  module.def(
+      "law_hint", [](const std::string& name) { return laws::law_suggestion(name, laws::catalogue()); }, "name"_a);
   module.def("calibrate",
              [](const std::string& law, const std::string& restitution, const std::string& m1, const std::string& m2,
                 const std::string& stiffness, const std::string& velocity, const std::string& exponent,
@@ -256,7 +265,8 @@ void bind_laws(py::module_& module) {
       .def_readonly("impulse", &laws::FreeImpact::impulse)
       .def_property_readonly("closed_form", &closed_forms);
   py::class_<Law>(module, "Law")
-      .def(py::init(&make_law), "law"_a, "formula"_a, "restitution"_a, "impact_velocity"_a, "reduced_mass"_a, "values"_a)
+      .def(py::init(&make_law), "law"_a, "formula"_a, "restitution"_a, "impact_velocity"_a, "reduced_mass"_a,
+           "values"_a)
       .def("forces", &forces)
       .def("responses", &responses)
       .def_property_readonly("needs_approach_velocity", &needs_approach_velocity)

@@ -24,19 +24,19 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/ground/record.hpp>
-#include <pounding/run/run.hpp>
-#include <pounding/run/restart.hpp>
 #include <pounding/input/pushover_input.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
+#include <pounding/linear/lowest_modes.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/plausible.hpp>
-#include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/results/pushover_file.hpp>
+#include <pounding/run/restart.hpp>
+#include <pounding/run/run.hpp>
 #include "bindings.hpp"
 #include "host.hpp"
 
@@ -51,7 +51,9 @@ struct Source {
   std::string text, name;
   std::map<std::string, std::string> files = {};
 
-  Input input() const { return Input::read_text(text, name, std::make_shared<const std::map<std::string, std::string>>(files)); }
+  Input input() const {
+    return Input::read_text(text, name, std::make_shared<const std::map<std::string, std::string>>(files));
+  }
 };
 
 Model read(const Input& input) { return read_model(input, petsc::lowest_modes); }
@@ -108,8 +110,9 @@ Layout layout(const Source& source) {
     Layout found;
     for (const Structure& s : model.structures)
       if (!s.is_rigid())
-        found.structures.push_back({s.name, s.floors.size(), s.has_storeys(),
-                                    std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); })});
+        found.structures.push_back(
+            {s.name, s.floors.size(), s.has_storeys(),
+             std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); })});
     for (const Link& link : model.links) found.links.emplace_back(link.name, link.contact->is_rigid());
     found.last_arrival = ground_plan(model).last_arrival;
     return found;
@@ -196,8 +199,8 @@ struct Ran {
   std::string summary;                     ///< the object that --json prints
   std::string warning;
   std::vector<std::string> implausible;  ///< warnings of what the model and the run hold
-  std::string failure;     ///< empty for a run that came to its end
-  bool resumable = false;  ///< the output can be resumed
+  std::string failure;                   ///< empty for a run that came to its end
+  bool resumable = false;                ///< the output can be resumed
 };
 
 // The bytes of the results file on all processes; only the first one has whole histories.
@@ -216,8 +219,13 @@ Ran ran(const Model& model, Outcome outcome, std::string failure) {
   std::string of_energies = warning(outcome.summary, model.analysis.tolerance);
   std::erase(doubts, of_energies);
   if (!failure.empty()) of_energies.clear();
-  Ran ran{.results = nullptr, .image = {}, .summary = outcome.results.summary_json, .warning = std::move(of_energies),
-          .implausible = std::move(doubts), .failure = std::move(failure), .resumable = outcome.resumable};
+  Ran ran{.results = nullptr,
+          .image = {},
+          .summary = outcome.results.summary_json,
+          .warning = std::move(of_energies),
+          .implausible = std::move(doubts),
+          .failure = std::move(failure),
+          .resumable = outcome.resumable};
   // Many processes make the image together, and now; one makes it when somebody asks for a history.
   if (const petsc::Ranks ranks(PETSC_COMM_WORLD); ranks.size() > 1)
     ran.image = image_for_all(ranks, outcome.results);
@@ -293,8 +301,13 @@ struct RunOutcome {
 };
 
 RunOutcome for_python(Ran ran, const Listener& listener) {
-  return {.results = std::move(ran.results), .bytes = std::move(ran.image), .summary = std::move(ran.summary), .warning = ran.warning,
-          .failure = ran.failure, .implausible = ran.implausible, .resumable = ran.resumable,
+  return {.results = std::move(ran.results),
+          .bytes = std::move(ran.image),
+          .summary = std::move(ran.summary),
+          .warning = ran.warning,
+          .failure = ran.failure,
+          .implausible = ran.implausible,
+          .resumable = ran.resumable,
           .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
 }
 
@@ -317,9 +330,10 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
 }
 
 /// Runs what `read` makes of the words of PETSc's options; these hold from where it hands them over.
-RunOutcome run_read(const std::string& name, const std::string& output, std::vector<std::string> words,
-                    const std::string& command, const std::string& resumed, const py::object& progress,
-                    const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
+RunOutcome run_read(
+    const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
+    const std::string& resumed, const py::object& progress,
+    const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
   Ran ran = with_petsc([&] {
     const petsc::Ranks ranks(PETSC_COMM_WORLD);
@@ -344,18 +358,21 @@ RunOutcome run_source(const Source& source, const std::string& output, const std
 
 RunOutcome resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
                   const std::string& command, const py::object& progress) {
-  return run_read(file, output.empty() ? file : output, options, command, file, progress, [&](auto& words, auto& given) {
-    const InterruptedRun earlier = read_interrupted_run(file);
-    add_earlier_options(earlier, words);
-    given.emplace(words);
-    return input_of(earlier);
-  });
+  return run_read(file, output.empty() ? file : output, options, command, file, progress,
+                  [&](auto& words, auto& given) {
+                    const InterruptedRun earlier = read_interrupted_run(file);
+                    add_earlier_options(earlier, words);
+                    given.emplace(words);
+                    return input_of(earlier);
+                  });
 }
 
 }  // namespace
 
 void bind_models(py::module_& module) {
-  py::class_<Source>(module, "Source").def(py::init<std::string, std::string, std::map<std::string, std::string>>(), "text"_a, "name"_a, "files"_a = py::dict())
+  py::class_<Source>(module, "Source")
+      .def(py::init<std::string, std::string, std::map<std::string, std::string>>(), "text"_a, "name"_a,
+           "files"_a = py::dict())
       .def_readonly("name", &Source::name);
   py::class_<Mode>(module, "Mode")
       .def_readonly("period", &Mode::period)
@@ -395,22 +412,31 @@ void bind_models(py::module_& module) {
   module.def("modes", &modes_of_all, "source"_a, "count"_a);
   module.def(
       "pushover",
-      [](const Source& source, const std::string& structure, const std::string& load, const std::string& direction, const std::string& to,
-         const std::string& cyclic, const std::string& output) {
-        return pushed_over(source, {.structure = structure, .load = load, .direction = direction, .to = to, .cyclic = cyclic, .mark = ""}, output);
+      [](const Source& source, const std::string& structure, const std::string& load, const std::string& direction,
+         const std::string& to, const std::string& cyclic, const std::string& output) {
+        return pushed_over(
+            source,
+            {.structure = structure, .load = load, .direction = direction, .to = to, .cyclic = cyclic, .mark = ""},
+            output);
       },
       "source"_a, "structure"_a, "load"_a, "direction"_a, "to"_a, "cyclic"_a, "output"_a);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("si_value", &value_in_si, "text"_a);
-  module.def("find_record", [](const std::string& name, const std::string& folder) { return find_record(name, folder).string(); }, "name"_a, "folder"_a);
+  module.def(
+      "find_record",
+      [](const std::string& name, const std::string& folder) { return find_record(name, folder).string(); }, "name"_a,
+      "folder"_a);
   module.def("read_record", [](const std::string& path) { return py::bytes(read_text_of_record(path)); }, "path"_a);
   module.def("run_alone", &run_alone);
-  module.def("given_options", [] {
-    const PetscForThisThread mine;
-    start_petsc();
-    return petsc::Environment::given_options();
-  }, py::call_guard<py::gil_scoped_release>());
+  module.def(
+      "given_options",
+      [] {
+        const PetscForThisThread mine;
+        start_petsc();
+        return petsc::Environment::given_options();
+      },
+      py::call_guard<py::gil_scoped_release>());
   module.def("refuse", &refuse, "text"_a);
   module.def("end_petsc", &end_petsc, "failed"_a);
 }

@@ -34,24 +34,28 @@ void bind_spectra(py::module_& module) {
   module.attr("enough_of_the_peak") = enough_of_the_peak;
   module.def(
       "spectrum",
-      [](std::vector<double> times, std::vector<double> accelerations, const std::vector<double>& periods, double damping) {
+      [](std::vector<double> times, std::vector<double> accelerations, const std::vector<double>& periods,
+         double damping) {
         const bool uniform = evenly_spaced(times);
-        return displacements(GroundMotion(Samples{std::move(times), std::move(accelerations), uniform}), periods, damping);
+        return displacements(GroundMotion(Samples{std::move(times), std::move(accelerations), uniform}), periods,
+                             damping);
       },
       "times"_a, "accelerations"_a, "periods"_a, "damping"_a);
   module.def(
       "record_spectrum",
-      [](const std::string& file, const std::string& units, const std::string& channel, const std::vector<double>& periods,
-         double damping, double step, const std::optional<std::string>& content) {
+      [](const std::string& file, const std::string& units, const std::string& channel,
+         const std::vector<double>& periods, double damping, double step, const std::optional<std::string>& content) {
         const Record record = record_in(file, {.units = units, .channel = channel, .step = step}, content);
         return py::make_tuple(record.summary(), displacements(scaled(record, 1), periods, damping), record.warnings);
       },
       "file"_a, "units"_a, "channel"_a, "periods"_a, "damping"_a, "step"_a = 0.0, "content"_a = py::none());
   module.def(
       "record_measures",
-      [](const std::string& file, const std::string& units, const std::string& channel, double step, const std::optional<std::string>& content) {
+      [](const std::string& file, const std::string& units, const std::string& channel, double step,
+         const std::optional<std::string>& content) {
         const Record record = record_in(file, {.units = units, .channel = channel, .step = step}, content);
-        return py::make_tuple(record.points(), record.step(), record.samples.times.back(), record.measures.pga, record.warnings);
+        return py::make_tuple(record.points(), record.step(), record.samples.times.back(), record.measures.pga,
+                              record.warnings);
       },
       "file"_a, "units"_a, "channel"_a, "step"_a = 0.0, "content"_a = py::none());
 }

@@ -34,9 +34,11 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 class Column {
  public:
   Column() = default;
-  Column(const std::string& name, const Array& values, std::size_t rows) : data_(values.data()), step_(values.size() == 1 ? 0 : 1) {
+  Column(const std::string& name, const Array& values, std::size_t rows)
+      : data_(values.data()), step_(values.size() == 1 ? 0 : 1) {
     if (values.size() != 1 && static_cast<std::size_t>(values.size()) != rows)
-      throw std::invalid_argument(name + ": " + std::to_string(values.size()) + " numbers for " + std::to_string(rows) + " rows");
+      throw std::invalid_argument(name + ": " + std::to_string(values.size()) + " numbers for " + std::to_string(rows) +
+                                  " rows");
   }
   double operator[](std::size_t row) const { return data_[row * step_]; }
 
@@ -48,7 +50,8 @@ class Column {
 /// Peaks of rows, with room for all before the first is run.
 class Columns {
  public:
-  Columns(std::size_t rows, std::vector<std::size_t> widths_of_outputs, std::vector<std::string> outputs, std::size_t links, bool gap)
+  Columns(std::size_t rows, std::vector<std::size_t> widths_of_outputs, std::vector<std::string> outputs,
+          std::size_t links, bool gap)
       : rows_(rows), links_(links) {
     for (std::size_t i = 0; i < outputs.size(); ++i) add(outputs[i], widths_of_outputs[i]);
     first_link_ = data_.size();
@@ -63,7 +66,8 @@ class Columns {
       for (std::size_t k = 0; k < data_[i].width; ++k) data_[i].at(row, k) = peaks.outputs[next++];
     for (std::size_t l = 0; l < links_; ++l) {
       const study::LinkPeaks& link = peaks.links[l];
-      const double values[] = {static_cast<double>(link.impacts), link.peak_force, link.peak_penetration, link.impulse, link.energy_lost};
+      const double values[] = {static_cast<double>(link.impacts), link.peak_force, link.peak_penetration, link.impulse,
+                               link.energy_lost};
       for (std::size_t i = 0; i < 5; ++i) data_[first_link_ + i].at(row, l) = values[i];
       if (apart) data_[first_link_ + 5].at(row, l) = apart->outputs[l];
     }
@@ -95,7 +99,9 @@ class Columns {
     std::vector<double> values;
     double& at(std::size_t row, std::size_t k) { return values[row * width + k]; }
   };
-  void add(std::string name, std::size_t width) { data_.push_back({std::move(name), width, std::vector<double>(rows_ * width)}); }
+  void add(std::string name, std::size_t width) {
+    data_.push_back({std::move(name), width, std::vector<double>(rows_ * width)});
+  }
 
   std::size_t rows_, links_, first_link_ = 0;
   std::vector<Named> data_;
@@ -104,7 +110,8 @@ class Columns {
 
 /// Runs one row into its place. What a row refuses is the reason of that row.
 template <class MakeModel>
-void run_row(Columns& columns, std::size_t row, bool gap, const study::EvenRecord& record, const study::Settings& settings, const MakeModel& make) {
+void run_row(Columns& columns, std::size_t row, bool gap, const study::EvenRecord& record,
+             const study::Settings& settings, const MakeModel& make) {
   try {
     const study::LinearModel& model = make(row);
     const study::Peaks peaks = study::run(model, record, settings);
@@ -118,11 +125,13 @@ void run_row(Columns& columns, std::size_t row, bool gap, const study::EvenRecor
   }
 }
 
-py::dict study_pairs(const py::dict& pairs, const std::string& law, const std::string& formula, const py::dict& parameters, const Array& record,
-                     double step, double duration, double tolerance, bool accelerations, bool required_gap) {
+py::dict study_pairs(const py::dict& pairs, const std::string& law, const std::string& formula,
+                     const py::dict& parameters, const Array& record, double step, double duration, double tolerance,
+                     bool accelerations, bool required_gap) {
   std::size_t rows = 1;
   for (const py::dict& dict : {pairs, parameters})
-    for (const auto& [name, values] : dict) rows = std::max(rows, static_cast<std::size_t>(py::cast<Array>(values).size()));
+    for (const auto& [name, values] : dict)
+      rows = std::max(rows, static_cast<std::size_t>(py::cast<Array>(values).size()));
   std::vector<Array> alive;  // the arrays that the columns point to
   const auto columns_of = [&](const py::dict& dict) {
     std::map<std::string, Column, std::less<>> columns;
@@ -133,15 +142,20 @@ py::dict study_pairs(const py::dict& pairs, const std::string& law, const std::s
     return columns;
   };
   const auto of_pair = columns_of(pairs), of_law = columns_of(parameters);
-  const std::vector<std::string> known{"mass_left", "mass_right", "period_left", "period_right", "damping_left", "damping_right", "gap", "factor"};
+  const std::vector<std::string> known{"mass_left",    "mass_right",    "period_left", "period_right",
+                                       "damping_left", "damping_right", "gap",         "factor"};
   for (const auto& [name, column] : of_pair)
-    if (std::find(known.begin(), known.end(), name) == known.end()) throw std::invalid_argument("\"" + name + "\" is no column of a pair");
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw std::invalid_argument("\"" + name + "\" is no column of a pair");
   for (const std::string& name : known)
-    if (name != "factor" && !of_pair.contains(name)) throw std::invalid_argument("the column \"" + name + "\" is missing");
+    if (name != "factor" && !of_pair.contains(name))
+      throw std::invalid_argument("the column \"" + name + "\" is missing");
   const laws::Entry& entry = laws::find_law(law);
   const std::span<const double> samples{record.data(), static_cast<std::size_t>(record.size())};
   Columns found(rows, accelerations ? std::vector<std::size_t>{2, 2} : std::vector<std::size_t>{2},
-                accelerations ? std::vector<std::string>{"displacement", "acceleration"} : std::vector<std::string>{"displacement"}, 1, required_gap);
+                accelerations ? std::vector<std::string>{"displacement", "acceleration"}
+                              : std::vector<std::string>{"displacement"},
+                1, required_gap);
   {
     const py::gil_scoped_release free;
     study::LinearModel model;
@@ -162,7 +176,8 @@ py::dict study_pairs(const py::dict& pairs, const std::string& law, const std::s
     };
     const auto factor = of_pair.find("factor");
     for (std::size_t row = 0; row < rows; ++row)
-      run_row(found, row, required_gap, {samples, step, factor == of_pair.end() ? 1 : factor->second[row]}, {.duration = duration, .tolerance = tolerance}, make);
+      run_row(found, row, required_gap, {samples, step, factor == of_pair.end() ? 1 : factor->second[row]},
+              {.duration = duration, .tolerance = tolerance}, make);
   }
   return found.result();
 }
@@ -174,8 +189,8 @@ study::LinearModel linear_model(const std::string& text, const std::string& name
   return study::modal_form(model, accelerations);
 }
 
-py::dict study_model(const study::LinearModel& model, const Array& record, double step, const Array& factors, double duration, double tolerance,
-                     bool required_gap) {
+py::dict study_model(const study::LinearModel& model, const Array& record, double step, const Array& factors,
+                     double duration, double tolerance, bool required_gap) {
   const std::span<const double> samples{record.data(), static_cast<std::size_t>(record.size())};
   const auto rows = static_cast<std::size_t>(factors.size());
   Columns found(rows, {model.outputs.size()}, {"outputs"}, model.links.size(), required_gap);
@@ -192,18 +207,22 @@ py::dict study_model(const study::LinearModel& model, const Array& record, doubl
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  module.def("study_pairs", study_pairs, "pairs"_a, "law"_a, "formula"_a, "parameters"_a, "record"_a, "step"_a, "duration"_a = 0.0,
-             "tolerance"_a = study::Settings{}.tolerance, "accelerations"_a = false, "required_gap"_a = false);
+  module.def("study_pairs", study_pairs, "pairs"_a, "law"_a, "formula"_a, "parameters"_a, "record"_a, "step"_a,
+             "duration"_a = 0.0, "tolerance"_a = study::Settings{}.tolerance, "accelerations"_a = false,
+             "required_gap"_a = false);
   py::class_<study::LinearModel>(module, "LinearModel")
       .def_property_readonly("modes", &study::LinearModel::modes)
       .def_property_readonly("links", [](const study::LinearModel& model) { return model.links.size(); })
       .def_property_readonly("outputs", [](const study::LinearModel& model) { return model.outputs.size(); });
   module.def("linear_model", linear_model, "text"_a, "name"_a, "accelerations"_a = false);
-  module.def("needs_solver", [](const std::string& text, const std::string& name) {
-    Model model = read_model(Input::read_text(text, name));
-    model.complete();
-    return study::needs_solver(model);
-  }, "text"_a, "name"_a);
+  module.def(
+      "needs_solver",
+      [](const std::string& text, const std::string& name) {
+        Model model = read_model(Input::read_text(text, name));
+        model.complete();
+        return study::needs_solver(model);
+      },
+      "text"_a, "name"_a);
   module.def("study_model", study_model, "model"_a, "record"_a, "step"_a, "factors"_a, "duration"_a = 0.0,
              "tolerance"_a = study::Settings{}.tolerance, "required_gap"_a = false);
 }

@@ -1,4 +1,5 @@
-/// Rows of studies: a model whose text is read once and whose values change from row to row, for the solver and for the kernel.
+/// Rows of studies: a model whose text is read once and whose values change from row to row, for the solver and for the
+/// kernel.
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +39,8 @@ namespace {
 struct RowMotion {
   GroundSection ground;
 
-  /// Largest fraction of the Arias intensity of a record that comes after a time [s], and the time at which 95 % of all have arrived [s].
-  /// Motions in closed form have none.
+  /// Largest fraction of the Arias intensity of a record that comes after a time [s], and the time at which 95 % of all
+  /// have arrived [s]. Motions in closed form have none.
   std::pair<double, double> arias_after(double time) const {
     double fraction = 0, t95 = 0;
     for (const GroundMotion& component : ground.components)
@@ -52,7 +53,9 @@ struct RowMotion {
 
   const GroundMotion& along_x() const { return ground.components[0]; }
   /// Whether the kernel takes it: evenly spaced from 0 on.
-  bool is_even() const { return along_x().samples() && along_x().sample_step() > 0 && along_x().samples()->times.front() == 0; }
+  bool is_even() const {
+    return along_x().samples() && along_x().sample_step() > 0 && along_x().samples()->times.front() == 0;
+  }
   double step() const { return is_even() ? along_x().sample_step() : 0; }
   py::array_t<double> accelerations() const {
     if (!is_even()) return {};
@@ -81,7 +84,8 @@ RowMotion times(const RowMotion& motion, double factor) {
 using Files = std::map<std::string, std::string>;
 
 RowMotion read_row_motion(const std::string& text, const std::string& name, const Files& files) {
-  return {read_ground_section(Input::read_text(text, name, std::make_shared<const Files>(files)).in(words::model).at("ground_motion"))};
+  return {read_ground_section(
+      Input::read_text(text, name, std::make_shared<const Files>(files)).in(words::model).at("ground_motion"))};
 }
 
 /// A structure as the kernel numbers its outputs.
@@ -100,7 +104,8 @@ struct EndsOfLink {
 /// One row for the kernel.
 struct LinearRow {
   study::LinearModel model;
-  study::LinearModel alone;  ///< without links; outputs besides: of each link the largest approach, then the peaks of both ends
+  study::LinearModel
+      alone;  ///< without links; outputs besides: of each link the largest approach, then the peaks of both ends
   std::vector<OutputsOfStructure> structures;
   std::vector<EndsOfLink> links;
   double duration = 0, tolerance = 0;
@@ -117,7 +122,8 @@ void add_separations(const Model& model, LinearRow& row) {
     const Link& link = model.links[l];
     const study::LinkModes& modal = row.model.links[l];
     // Gravity would add to the approach what it adds to the gap.
-    if (modal.gap != link.gap) throw std::invalid_argument("this model takes the solver: gravity changes the gap of link " + link.name);
+    if (modal.gap != link.gap)
+      throw std::invalid_argument("this model takes the solver: gravity changes the gap of link " + link.name);
     using Kind = study::Output::Kind;
     row.alone.outputs.push_back({.kind = Kind::closing, .factors = modal.closing});
     std::size_t mode = 0;
@@ -132,17 +138,21 @@ void add_separations(const Model& model, LinearRow& row) {
       }
       row.alone.outputs.push_back(std::move(end));
     }
-    const std::size_t a = static_cast<std::size_t>(link.left.structure), b = static_cast<std::size_t>(link.right.structure);
+    const std::size_t a = static_cast<std::size_t>(link.left.structure),
+                      b = static_cast<std::size_t>(link.right.structure);
     const bool by_wall = model.structures[a].is_rigid() || model.structures[b].is_rigid();
-    row.links.push_back({link.name, by_wall ? 0 : double_difference(first[a].period, first[a].damping_ratio, first[b].period, first[b].damping_ratio)});
+    row.links.push_back({link.name, by_wall ? 0
+                                            : double_difference(first[a].period, first[a].damping_ratio,
+                                                                first[b].period, first[b].damping_ratio)});
   }
 }
 
 py::dict numbers_of(const std::vector<StructureSummary>& structures) {
   py::dict found;
   for (const StructureSummary& s : structures)
-    found[py::str(s.name)] = py::dict("peak_displacement"_a = s.peak_displacement, "peak_drift"_a = s.peak_drift, "peak_acceleration"_a = s.peak_acceleration,
-                                      "peak_rotation"_a = s.peak_rotation, "peak_edge_displacement"_a = s.peak_edge_displacement);
+    found[py::str(s.name)] = py::dict("peak_displacement"_a = s.peak_displacement, "peak_drift"_a = s.peak_drift,
+                                      "peak_acceleration"_a = s.peak_acceleration, "peak_rotation"_a = s.peak_rotation,
+                                      "peak_edge_displacement"_a = s.peak_edge_displacement);
   return found;
 }
 
@@ -150,22 +160,28 @@ py::dict numbers_of(const std::vector<StructureSummary>& structures) {
 py::dict numbers_of(const Summary& summary) {
   py::list links, separations;
   for (const LinkSummary& l : summary.links)
-    links.append(py::dict("name"_a = l.name, "impacts"_a = l.impacts, "peak_force"_a = l.peak_force, "peak_penetration"_a = l.peak_penetration,
-                          "impulse"_a = l.impulse, "energy_lost"_a = l.energy_lost));
+    links.append(py::dict("name"_a = l.name, "impacts"_a = l.impacts, "peak_force"_a = l.peak_force,
+                          "peak_penetration"_a = l.peak_penetration, "impulse"_a = l.impulse,
+                          "energy_lost"_a = l.energy_lost));
   for (const LinkSeparation& s : summary.separations)
-    separations.append(py::dict("link"_a = s.link, "enough"_a = s.enough, "abs"_a = s.absolute_sum, "srss"_a = s.srss, "ddc"_a = s.ddc));
-  return py::dict("status"_a = summary.status, "links"_a = links, "structures"_a = numbers_of(summary.structures),
-                  "no_pounding"_a = py::dict("status"_a = summary.without_links_status, "structures"_a = numbers_of(summary.without_pounding), "separations"_a = separations));
+    separations.append(py::dict("link"_a = s.link, "enough"_a = s.enough, "abs"_a = s.absolute_sum, "srss"_a = s.srss,
+                                "ddc"_a = s.ddc));
+  return py::dict(
+      "status"_a = summary.status, "links"_a = links, "structures"_a = numbers_of(summary.structures),
+      "no_pounding"_a = py::dict("status"_a = summary.without_links_status,
+                                 "structures"_a = numbers_of(summary.without_pounding), "separations"_a = separations));
 }
 
 /// A model and the places of its text that change from row to row.
 class RowModel {
  public:
-  RowModel(const std::string& text, const std::string& name, const std::vector<std::vector<std::string>>& places, const Files& files)
+  RowModel(const std::string& text, const std::string& name, const std::vector<std::vector<std::string>>& places,
+           const Files& files)
       : root_(Input::read_text(text, name, std::make_shared<const Files>(files))) {
     for (const std::vector<std::string>& keys : places) {
       Input node = root_;
-      for (const std::string& key : keys) node = node.is_list() ? Input(node.items().at(std::stoul(key))) : node.at(key);
+      for (const std::string& key : keys)
+        node = node.is_list() ? Input(node.items().at(std::stoul(key))) : node.at(key);
       places_.push_back(node);
     }
   }
@@ -178,7 +194,8 @@ class RowModel {
     values_ = values;
   }
 
-  /// The model as the kernel runs it. Throws InputError for a wrong input, std::invalid_argument for what takes the solver.
+  /// The model as the kernel runs it. Throws InputError for a wrong input, std::invalid_argument for what takes the
+  /// solver.
   LinearRow linear(const RowMotion* motion, bool accelerations, bool alone) const {
     Model model = read(motion, dense_modes);
     LinearRow row;
@@ -223,7 +240,9 @@ class RowModel {
   }
 
  private:
-  Model read(const RowMotion* motion, const ModeSolver& modes) const { return read_model(root_, modes, 1, motion ? &motion->ground : nullptr); }
+  Model read(const RowMotion* motion, const ModeSolver& modes) const {
+    return read_model(root_, modes, 1, motion ? &motion->ground : nullptr);
+  }
 
   // The model of the row as if it had just been read. Rows that differ in the motion of the ground alone share one.
   const Model& made_ready(const RowMotion* motion) {
@@ -278,29 +297,35 @@ void bind_study_rows(py::module_& module) {
   py::class_<LinearRow>(module, "LinearRow")
       .def_readonly("model", &LinearRow::model)
       .def_readonly("alone", &LinearRow::alone)
-      .def_property_readonly("structures", [](const LinearRow& row) {
-        std::vector<std::tuple<std::string, int, bool>> found;
-        for (const OutputsOfStructure& s : row.structures) found.emplace_back(s.name, s.floors, s.has_storeys);
-        return found;
-      })
-      .def_property_readonly("links", [](const LinearRow& row) {
-        std::vector<std::pair<std::string, double>> found;
-        for (const EndsOfLink& link : row.links) found.emplace_back(link.name, link.correlation);
-        return found;
-      })
-      .def_property_readonly("fastest", [](const LinearRow& row) {
-        double square = 0;
-        for (const double stiffness : row.model.stiffness) square = std::max(square, stiffness);
-        return std::sqrt(square);
-      })
+      .def_property_readonly("structures",
+                             [](const LinearRow& row) {
+                               std::vector<std::tuple<std::string, int, bool>> found;
+                               for (const OutputsOfStructure& s : row.structures)
+                                 found.emplace_back(s.name, s.floors, s.has_storeys);
+                               return found;
+                             })
+      .def_property_readonly("links",
+                             [](const LinearRow& row) {
+                               std::vector<std::pair<std::string, double>> found;
+                               for (const EndsOfLink& link : row.links) found.emplace_back(link.name, link.correlation);
+                               return found;
+                             })
+      .def_property_readonly("fastest",
+                             [](const LinearRow& row) {
+                               double square = 0;
+                               for (const double stiffness : row.model.stiffness) square = std::max(square, stiffness);
+                               return std::sqrt(square);
+                             })
       .def_readonly("duration", &LinearRow::duration)
       .def_readonly("tolerance", &LinearRow::tolerance);
   py::class_<RowModel>(module, "RowModel")
-      .def(py::init<std::string, std::string, std::vector<std::vector<std::string>>, Files>(), "text"_a, "name"_a, "places"_a, "files"_a = py::dict())
+      .def(py::init<std::string, std::string, std::vector<std::vector<std::string>>, Files>(), "text"_a, "name"_a,
+           "places"_a, "files"_a = py::dict())
       .def("put", &RowModel::put, "values"_a)
       .def("linear", &RowModel::linear, "motion"_a, "accelerations"_a, "alone"_a)
       .def("run", &RowModel::run, "motion"_a);
-  module.def("double_difference", py::vectorize(&double_difference), "period_a"_a, "damping_a"_a, "period_b"_a, "damping_b"_a);
+  module.def("double_difference", py::vectorize(&double_difference), "period_a"_a, "damping_a"_a, "period_b"_a,
+             "damping_b"_a);
   /// Which numbers the kernel gives: raised when they change in their bits.
   module.attr("kernel_version") = 5;
 }

@@ -2,6 +2,7 @@
 
 Sphinx takes the top level of the repository for its sources, so that links and pictures work as they stand.
 """
+
 import re
 import sys
 from pathlib import Path
@@ -17,8 +18,18 @@ version = release = re.search(r"project\(pounding\s+VERSION ([0-9.]+)", (ROOT / 
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "pages", "lesson_pages", "header_reference"]
 root_doc = "python/docs/index"
-include_patterns = ["python/docs/**", "examples/**", "elements/pounding/laws/pages/*", "elements/pounding/hysteresis/pages/*", "tests/verification/**",
-                    "tests/benchmarks/README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md"]
+include_patterns = [
+    "python/docs/**",
+    "examples/**",
+    "elements/pounding/laws/pages/*",
+    "elements/pounding/hysteresis/pages/*",
+    "tests/verification/**",
+    "tests/benchmarks/README.md",
+    "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
+    "SECURITY.md",
+    "CHANGELOG.md",
+]
 exclude_patterns = ["build*", ".venv*", ".git"]
 # Formulas between program text; a class Link is in pounding.results and another in pounding.opensees.
 suppress_warnings = ["misc.highlighting_failure", "ref.python"]

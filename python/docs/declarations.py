@@ -2,9 +2,10 @@
 
     for item in declarations(path): ...
 
-A comment documents what follows it: `///` in C++ (or `///<` behind it), any comment in C. It holds for the lines below it
-as well, up to the next comment or empty line: these declarations are shown together.
+A comment documents what follows it: `///` in C++ (or `///<` behind it), any comment in C. It holds for the lines below
+it as well, up to the next comment or empty line: these declarations are shown together.
 """
+
 from __future__ import annotations
 
 import re
@@ -40,9 +41,15 @@ class Item:
 
 
 def installed_headers() -> list[Path]:
-    """The headers that cmake/install_headers.cmake installs, but for that of the version: the faces and what they include."""
+    """The headers that cmake/install_headers.cmake installs, but for that of the version: the faces and what they
+    include."""
     parts = [ROOT / "elements", ROOT / "lib"]
-    pending = [path for part in parts for folder in ("", "laws", "hysteresis") for path in (part / "pounding" / folder).glob("*.hpp")]
+    pending = [
+        path
+        for part in parts
+        for folder in ("", "laws", "hysteresis")
+        for path in (part / "pounding" / folder).glob("*.hpp")
+    ]
     found = set()
     while pending:
         path = pending.pop()
@@ -77,12 +84,13 @@ class _Reader:
         self.at = 0
 
     def _without_comments(self, source: str) -> tuple[str, str]:
-        """Two texts of the same length and lines: one without comments and directives, one also without the contents of strings."""
+        """Two texts of the same length and lines: one without comments and directives, one also without the contents of
+        strings."""
         pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
         text, masked, end = [], [], 0
         for match in pattern.finditer(source):
             for kept in (text, masked):
-                kept.append(source[end:match.start()])
+                kept.append(source[end : match.start()])
             word, blank = match.group(), re.sub(r"[^\n]", " ", match.group())
             if word[0] == "/":
                 self._note(source, match.start(), word)
@@ -100,7 +108,7 @@ class _Reader:
 
     def _note(self, source: str, start: int, word: str) -> None:
         line = source.count("\n", 0, start) + 1
-        alone = not source[source.rfind("\n", 0, start) + 1:start].strip()
+        alone = not source[source.rfind("\n", 0, start) + 1 : start].strip()
         if not self.is_c and not word.startswith("///"):
             return
         if self.is_c and word.startswith("/* ----"):
@@ -171,7 +179,13 @@ class _Reader:
                 last_line = -1
                 continue
             self._document(found, first, self._line(self.at - 1))
-            if not found.doc and first <= last_line + 1 and last_public and items and (items[-1].heads or items[-1].shares):
+            if (
+                not found.doc
+                and first <= last_line + 1
+                and last_public
+                and items
+                and (items[-1].heads or items[-1].shares)
+            ):
                 found.shares = True
             last_line, last_public = self._line(self.at - 1), public
             if public and "::detail" not in found.name and not _is_noise(found):
@@ -189,7 +203,11 @@ class _Reader:
             self.used.add(line)
             line -= 1
         above = self._block_from(line + 1) if line < first - 1 else ""
-        behind = " ".join(self.trailing[at] for at in range(first, last + 1) if at in self.trailing) if not item.members else ""
+        behind = (
+            " ".join(self.trailing[at] for at in range(first, last + 1) if at in self.trailing)
+            if not item.members
+            else ""
+        )
         item.heads = bool(above)
         item.doc = "\n\n".join(part for part in (above, behind) if part)
 
@@ -198,7 +216,7 @@ class _Reader:
         begin, equals, colon = self.at, None, None
         while self.at < len(self.masked):
             c = self.masked[self.at]
-            head = self.masked[begin:self.at]
+            head = self.masked[begin : self.at]
             if c in "([":
                 self.at = self._past(self.at)
                 continue
@@ -207,7 +225,13 @@ class _Reader:
                 continue
             if c == "=" and equals is None and not re.search(r"operator\s*(=|!|<|>|<=)?$", head):
                 equals = self.at
-            if c == ":" and equals is None and colon is None and ")" in head and "::" not in self.masked[self.at - 1:self.at + 2]:
+            if (
+                c == ":"
+                and equals is None
+                and colon is None
+                and ")" in head
+                and "::" not in self.masked[self.at - 1 : self.at + 2]
+            ):
                 colon = self.at
             if c == ";":
                 self.at += 1
@@ -251,7 +275,7 @@ class _Reader:
         return opening + 1  # it was "less than"
 
     def _type(self, prefix: str, begin: int, word: str) -> Item:
-        head = " ".join(self.text[begin:self.at].split())
+        head = " ".join(self.text[begin : self.at].split())
         plain = re.sub(r"^typedef\s+", "", _without_template(head).strip())
         match = re.match(rf"{word}\s+(?:\[\[\w+\]\]\s*)?([\w:]+(?:<[^{{]*>)?)?", plain)
         name = _join(prefix, (match.group(1) or "").split(" : ")[0].strip()) if match else prefix
@@ -269,9 +293,11 @@ class _Reader:
     def _enumerators(self, prefix: str) -> list[Item]:
         close = self._past(self.at - 1) - 1
         items = []
-        for match in re.finditer(r"(\w+)(\s*=\s*[^,}]+)?\s*(?=,|$)", self.masked[self.at:close]):
+        for match in re.finditer(r"(\w+)(\s*=\s*[^,}]+)?\s*(?=,|$)", self.masked[self.at : close]):
             line = self._line(self.at + match.start())
-            items.append(Item("enumerator", _join(prefix, match.group(1)), match.group(1), line, self.trailing.get(line, "")))
+            items.append(
+                Item("enumerator", _join(prefix, match.group(1)), match.group(1), line, self.trailing.get(line, ""))
+            )
         self.at = close + 1
         return items
 
@@ -280,30 +306,34 @@ class _Reader:
         text = re.sub(r"\bPND_API\s*", "", text)
         plain = _without_template(text).strip()
         line = self._line(begin)
-        if not plain or re.match(r"(friend|static_assert|extern template|using namespace|typedef struct \w+ \w+$)\b", plain):
+        if not plain or re.match(
+            r"(friend|static_assert|extern template|using namespace|typedef struct \w+ \w+$)\b", plain
+        ):
             if not plain.startswith("typedef struct"):
                 return None
         if re.match(r"(class|struct|enum class|enum)\s+\w+$", plain) or re.match(r"template\s*<", plain):
             return None
         if re.match(r"typedef struct \w+ (\w+)$", plain):
-            return Item("struct", _join(prefix, plain.split()[-1]), plain.removeprefix("typedef ").rsplit(" ", 1)[0], line)
+            return Item(
+                "struct", _join(prefix, plain.split()[-1]), plain.removeprefix("typedef ").rsplit(" ", 1)[0], line
+            )
         if re.match(r"concept\b", plain):
             return Item("concept", _join(prefix, plain.split()[1]), text, line)
         if match := re.match(r"using\s+([\w:]+)$", plain):
             if equals is None:
                 return None
-            whole = " ".join(self.text[begin:self.at - 1].split())
+            whole = " ".join(self.text[begin : self.at - 1].split())
             return Item("type", _join(prefix, match.group(1)), whole, line)
         bare = _without_angles(plain)
         if match := re.search(r"\(\s*\*\s*(\w+)\s*\)\s*\(", bare):  # a pointer to a function
             return Item("member", _join(prefix, match.group(1)), text, line)
         match = re.search(r"(operator\s*(?:\(\)|[^\s\w(]+|\w+)|~?\w+)\s*\(", bare)
-        if match and not re.match(r".*\boperator\b", bare[:match.start()]):
+        if match and not re.match(r".*\boperator\b", bare[: match.start()]):
             text = re.sub(r"\s+(final|override)\b", "", text)
-            elsewhere = bool(re.search(r"\boverride\b|\bfinal\b", plain[plain.rfind(")"):]))
+            elsewhere = bool(re.search(r"\boverride\b|\bfinal\b", plain[plain.rfind(")") :]))
             return Item("function", _join(prefix, match.group(1)), text, line, elsewhere=elsewhere)
         names = re.findall(r"\w+(?=\s*(?:\[[^]]*\]\s*)*(?:,|$))", bare)
-        whole = " ".join(self.text[begin:self.at - 1].split())
+        whole = " ".join(self.text[begin : self.at - 1].split())
         return Item("member", _join(prefix, names[-1] if names else bare), whole, line)
 
 
@@ -313,7 +343,11 @@ def _is_noise(item: Item) -> bool:
         return True
     last = _last(item.name)
     around = item.name.rsplit("::", 2)
-    is_copy = len(around) > 1 and item.kind == "function" and re.search(rf"\b{re.escape(last)}\((const )?{re.escape(last)}\s*&&?\s*\w*\)", item.text)
+    is_copy = (
+        len(around) > 1
+        and item.kind == "function"
+        and re.search(rf"\b{re.escape(last)}\((const )?{re.escape(last)}\s*&&?\s*\w*\)", item.text)
+    )
     return last.startswith("~") or last.startswith("operator=") and "==" not in last or bool(is_copy)
 
 
@@ -332,12 +366,12 @@ def _without_template(text: str) -> str:
         for place, c in enumerate(text):
             depth += (c == "<") - (c == ">")
             if c == ">" and depth == 0:
-                text = text[place + 1:].strip()
+                text = text[place + 1 :].strip()
                 break
         else:
             return text
         if match := re.match(r"requires\s*(?:requires\s*\([^)]*\)\s*\{.*?\}|\([^)]*\)|[\w:]+<[^>]*>|[\w:]+)\s*", text):
-            text = text[match.end():]
+            text = text[match.end() :]
     return text
 
 

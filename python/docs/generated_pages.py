@@ -1,4 +1,5 @@
 """The command line of a script that makes pages: `SCRIPT SOURCE --write` or `SCRIPT SOURCE --check`."""
+
 import argparse
 import sys
 from pathlib import Path
@@ -7,19 +8,22 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def arguments(description, source, meaning):
-    """The path that was given, and whether to write (else to check). `source` is its name in the help, `meaning` what it is."""
+    """The path that was given, and whether to write (else to check). `source` is its name in the help, `meaning` what
+    it is."""
     words = argparse.ArgumentParser(description=description.splitlines()[0])
     words.add_argument("source", metavar=source, type=Path, help=meaning)
     what = words.add_mutually_exclusive_group(required=True)
     what.add_argument("--write", action="store_true", help="write what is made")
-    what.add_argument("--check", action="store_true", help="compare it with what is there; exit code 1 where it is another")
+    what.add_argument(
+        "--check", action="store_true", help="compare it with what is there; exit code 1 where it is another"
+    )
     given = words.parse_args()
     return given.source.resolve(), given.write
 
 
 def write_or_compare(folder, texts, pictures, write):
-    """Writes `texts`, by name, and `pictures`, functions that draw to a path by name, into a folder; or refuses a folder that holds other texts
-    or other names. Pictures are not compared."""
+    """Writes `texts`, by name, and `pictures`, functions that draw to a path by name, into a folder; or refuses a
+    folder that holds other texts or other names. Pictures are not compared."""
     if write:
         folder.mkdir(exist_ok=True)
         for name, text in texts.items():

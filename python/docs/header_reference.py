@@ -1,4 +1,6 @@
-"""`.. headers:: PATH ...` shows what headers declare, with their comments; a folder stands for the installed headers in it."""
+"""`.. headers:: PATH ...` shows what headers declare, with their comments; a folder stands for the installed headers in
+it."""
+
 import re
 
 from docutils.statemachine import StringList
@@ -49,8 +51,14 @@ def groups(items):
     """Declarations of one kind that share a comment stand together."""
     together = []
     for item in items:
-        same = together and item.shares and not item.members and not together[-1][0].members and \
-            (item.kind, item.name.rpartition("::")[0]) == (together[-1][0].kind, together[-1][0].name.rpartition("::")[0])
+        same = (
+            together
+            and item.shares
+            and not item.members
+            and not together[-1][0].members
+            and (item.kind, item.name.rpartition("::")[0])
+            == (together[-1][0].kind, together[-1][0].name.rpartition("::")[0])
+        )
         if same:
             together[-1].append(item)
         else:
@@ -103,7 +111,9 @@ def split(text: str, sign: str) -> list[str]:
 def signature(item: Item) -> str:
     text = re.sub(r"\s*requires requires\(.*?\) \{.*?\}", "", item.text)
     if item.kind in ("struct", "class", "union", "enum"):
-        return re.sub(r"^(template\s*<.*?>\s*)?(enum class|enum|class|struct|union)\s+", lambda m: m.group(1) or "", text)
+        return re.sub(
+            r"^(template\s*<.*?>\s*)?(enum class|enum|class|struct|union)\s+", lambda m: m.group(1) or "", text
+        )
     if item.kind == "type":
         return re.sub(r"\busing\s+", "", text)
     if item.kind == "concept":

@@ -2,11 +2,13 @@
 """Makes the page of each contact law, elements/pounding/laws/pages, from what the program knows of it.
 
     python3 python/docs/law_pages.py build/pounding --write    # pages and pictures
-    python3 python/docs/law_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or numbers are others
+    python3 python/docs/law_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or numbers
+    are others
 
-Equations, sources, parameters and numbers come from `pounding laws` and `pounding calibrate`, the loops from runs, and the
-sections that verify a law from tests/verification/README.md. Pictures are not compared.
+Equations, sources, parameters and numbers come from `pounding laws` and `pounding calibrate`, the loops from runs, and
+the sections that verify a law from tests/verification/README.md. Pictures are not compared.
 """
+
 import io
 import json
 import os
@@ -24,8 +26,10 @@ from verification_book import anchor
 PAGES = ROOT / "elements/pounding/laws/pages"
 HALF = 4  # place of 0.50 among the restitutions asked
 MASSES, SPEED, RESTITUTION = ("100 t", "150 t"), 0.5, 0.65
-COMMON = ("F [N] contact force, positive where it pushes apart; d [m] penetration; d' [m/s] its rate, positive in approach; v [m/s] "
-          "closing speed of the impact; m [kg] reduced mass m1 m2/(m1+m2) of the two floors")
+COMMON = (
+    "F [N] contact force, positive where it pushes apart; d [m] penetration; d' [m/s] its rate, positive in approach; v [m/s] "
+    "closing speed of the impact; m [kg] reduced mass m1 m2/(m1+m2) of the two floors"
+)
 
 
 class Program:
@@ -33,7 +37,9 @@ class Program:
         self.path = str(path)
 
     def json(self, *words):
-        return json.loads(subprocess.run([self.path, *words, "--json"], capture_output=True, text=True, check=True).stdout)
+        return json.loads(
+            subprocess.run([self.path, *words, "--json"], capture_output=True, text=True, check=True).stdout
+        )
 
     def calibrate(self, law):
         asked = ["--restitution", str(RESTITUTION)] if law["restitution"] else []
@@ -42,15 +48,20 @@ class Program:
     def loop(self, law, formula):
         """Penetrations [m] and forces [N] of one impact of two free floors, as recorded."""
         import h5py
+
         asked = f", restitution: {RESTITUTION}" if law["restitution"] else ""
         chosen = f", formula: {formula}" if formula else ""
         given = "".join(f", {p['name']}: {p['typical']}" for p in law["parameters"] if p["need"] == "required")
-        model = (f"structures:\n  a: {{body: {{mass: {MASSES[0]}}}, initial_velocity: {SPEED} m/s}}\n  b: {{body: {{mass: {MASSES[1]}}}}}\n"
-                 f"links: [{{between: [a, b], gap: 1 mm, law: {law['name']}{given}{asked}{chosen}}}]\n"
-                 "analysis: {duration: 0.5, tolerance: 1e-6}\n")
+        model = (
+            f"structures:\n  a: {{body: {{mass: {MASSES[0]}}}, initial_velocity: {SPEED} m/s}}\n  b: {{body: {{mass: {MASSES[1]}}}}}\n"
+            f"links: [{{between: [a, b], gap: 1 mm, law: {law['name']}{given}{asked}{chosen}}}]\n"
+            "analysis: {duration: 0.5, tolerance: 1e-6}\n"
+        )
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "model.yaml").write_text(model)
-            subprocess.run([self.path, "run", "model.yaml", "-o", "out.h5", "-q"], cwd=folder, check=True, capture_output=True)
+            subprocess.run(
+                [self.path, "run", "model.yaml", "-o", "out.h5", "-q"], cwd=folder, check=True, capture_output=True
+            )
             with h5py.File(Path(folder) / "out.h5") as file:
                 link = file["links/a-b"]
                 penetration, force = link["penetration"][()], link["force"][()]
@@ -74,55 +85,130 @@ def verified(law):
 
 def table(head, rows, right=()):
     line = lambda cells: "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
-    return [line(head), "|" + "|".join("---:" if i in right else "---" for i in range(len(head))) + "|", *map(line, rows), ""]
+    return [
+        line(head),
+        "|" + "|".join("---:" if i in right else "---" for i in range(len(head))) + "|",
+        *map(line, rows),
+        "",
+    ]
 
 
 def parameters(law):
-    rows = [(f"`{p['name']}`", p["unit"] or "-", f"{p['typical']:g}", p["meaning"], p["need"]) for p in law["parameters"]]
+    rows = [
+        (f"`{p['name']}`", p["unit"] or "-", f"{p['typical']:g}", p["meaning"], p["need"]) for p in law["parameters"]
+    ]
     if law["restitution"]:
         direct = any(p["need"].startswith("instead") for p in law["parameters"])
-        rows.append(("`restitution`", "-", RESTITUTION, f"coefficient of restitution e, in {'[' if law['sticks_at_zero'] else '('}0, 1]", "or a direct damping value" if direct else "required"))
+        rows.append(
+            (
+                "`restitution`",
+                "-",
+                RESTITUTION,
+                f"coefficient of restitution e, in {'[' if law['sticks_at_zero'] else '('}0, 1]",
+                "or a direct damping value" if direct else "required",
+            )
+        )
     if law["impact_velocity"]:
-        rows.append(("`impact_velocity`", "m/s", "", "fixed design velocity; without it each impact takes its own closing speed", "optional"))
+        rows.append(
+            (
+                "`impact_velocity`",
+                "m/s",
+                "",
+                "fixed design velocity; without it each impact takes its own closing speed",
+                "optional",
+            )
+        )
     if law["reduced_mass"]:
         rows.append(("`reduced_mass`", "kg", "", "m of the linked floors", "found by the link"))
     return table(("parameter", "unit", "typical", "meaning", "need"), rows, {2})
 
 
 def formulas(law):
-    lines = ["## Damping formulas", "", "What turns the restitution that is asked into damping. e is the one asked.", ""]
-    lines += table(("formula", "equation", "source", "what it gives"),
-                   [(f"`{f['name']}`", f"`{f['equation']}`", f["source"], f["note"]) for f in law["formulas"]])
+    lines = [
+        "## Damping formulas",
+        "",
+        "What turns the restitution that is asked into damping. e is the one asked.",
+        "",
+    ]
+    lines += table(
+        ("formula", "equation", "source", "what it gives"),
+        [(f"`{f['name']}`", f"`{f['equation']}`", f["source"], f["note"]) for f in law["formulas"]],
+    )
     asked = [row["asked"] for row in law["formulas"][0]["obtained"]]
     lines += [f"Restitution really obtained in a free impact at {SPEED:g} m/s:", ""]
-    lines += table(("asked", *(f"{e:.1f}" for e in asked)),
-                   [(f"`{f['name']}`", *("-" if row["obtained"] is None else f"{row['obtained']:.4f}" for row in f["obtained"]))
-                    for f in law["formulas"]], set(range(1, 10)))
+    lines += table(
+        ("asked", *(f"{e:.1f}" for e in asked)),
+        [
+            (f"`{f['name']}`", *("-" if row["obtained"] is None else f"{row['obtained']:.4f}" for row in f["obtained"]))
+            for f in law["formulas"]
+        ],
+        set(range(1, 10)),
+    )
     return lines
 
 
 def one_impact(law, rows):
     asked = f", restitution {RESTITUTION} asked" if law["restitution"] else ""
-    lines = ["## One impact", "", f"A floor of {MASSES[0]} meets one of {MASSES[1]} at {SPEED:g} m/s{asked}, typical parameters:", ""]
-    shown = [(f"`{row['formula']}`" if row["formula"] else "-", f"{row['restitution']:.3f}", f"{row['peak_force'] / 1e3:.4g}",
-              f"{row['peak_penetration'] * 1e3:.4g}", f"{row['duration'] * 1e3:.4g}", f"{row['energy_lost'] / 1e3:.3g}") for row in rows]
-    return lines + table(("formula", "restitution", "peak force [kN]", "penetration [mm]", "duration [ms]", "energy lost [kJ]"), shown, set(range(1, 6)))
+    lines = [
+        "## One impact",
+        "",
+        f"A floor of {MASSES[0]} meets one of {MASSES[1]} at {SPEED:g} m/s{asked}, typical parameters:",
+        "",
+    ]
+    shown = [
+        (
+            f"`{row['formula']}`" if row["formula"] else "-",
+            f"{row['restitution']:.3f}",
+            f"{row['peak_force'] / 1e3:.4g}",
+            f"{row['peak_penetration'] * 1e3:.4g}",
+            f"{row['duration'] * 1e3:.4g}",
+            f"{row['energy_lost'] / 1e3:.3g}",
+        )
+        for row in rows
+    ]
+    return lines + table(
+        ("formula", "restitution", "peak force [kN]", "penetration [mm]", "duration [ms]", "energy lost [kJ]"),
+        shown,
+        set(range(1, 6)),
+    )
 
 
 def page(law, rows):
     name = law["name"]
     symbols = law["symbols"] if law["instantaneous"] else f"{law['symbols']}; {COMMON}"
-    lines = [f"# {name}", "", law["summary"][0].upper() + law["summary"][1:] + ".", "", f"    {law['force']}", "", f"With {symbols}.", ""]
+    lines = [
+        f"# {name}",
+        "",
+        law["summary"][0].upper() + law["summary"][1:] + ".",
+        "",
+        f"    {law['force']}",
+        "",
+        f"With {symbols}.",
+        "",
+    ]
     for word in ("source", "range", "beware"):
         lines += [f"**{word.capitalize()}:** {law[word]}.", ""]
-    lines += [f"In a model: `law: {name}`" + "".join(f", `{p['name']}: {p['typical']:g}`" for p in law["parameters"] if p["need"] == "required")
-              + (f", `restitution: {RESTITUTION}`" if law["restitution"] else "") + ".", ""]
+    lines += [
+        f"In a model: `law: {name}`"
+        + "".join(f", `{p['name']}: {p['typical']:g}`" for p in law["parameters"] if p["need"] == "required")
+        + (f", `restitution: {RESTITUTION}`" if law["restitution"] else "")
+        + ".",
+        "",
+    ]
     if not law["instantaneous"]:
         lines += [f"![Force over penetration, and the restitution that is obtained]({name}.png)", ""]
     lines += ["## Parameters", "", *parameters(law)] if law["parameters"] else []
     lines += formulas(law) if law["formulas"] else []
     lines += one_impact(law, rows) if not law["instantaneous"] else []
-    lines += ["## Verified by", "", "Sections of the verification book:", "", *verified(law), "", "[All laws](README.md)"]
+    lines += [
+        "## Verified by",
+        "",
+        "Sections of the verification book:",
+        "",
+        *verified(law),
+        "",
+        "[All laws](README.md)",
+    ]
     return "\n".join(lines) + "\n"
 
 
@@ -131,10 +217,28 @@ def index(all_laws):
     for law in all_laws:
         half = [row["obtained"][HALF]["obtained"] for row in law["formulas"]]
         spread = " ... ".join(sorted({f"{e:.3f}" for e in (min(half), max(half))})) if half else "-"
-        rows.append((f"[`{law['name']}`]({law['name']}.md)", f"`{law['force']}`", law["summary"], len(law["formulas"]) or "-", spread))
-    lines = ["# Contact laws", "", f"{COMMON}.", "", "A page for each law: symbols, source, range, parameters, every damping formula with its equation and the",
-             "restitution that it really gives, the loop of one impact, what to beware of, and the tests that verify it. Made by",
-             "", "    .venv-test/bin/python3 python/docs/law_pages.py build/pounding --write", "", "from what `pounding laws NAME` says.", ""]
+        rows.append(
+            (
+                f"[`{law['name']}`]({law['name']}.md)",
+                f"`{law['force']}`",
+                law["summary"],
+                len(law["formulas"]) or "-",
+                spread,
+            )
+        )
+    lines = [
+        "# Contact laws",
+        "",
+        f"{COMMON}.",
+        "",
+        "A page for each law: symbols, source, range, parameters, every damping formula with its equation and the",
+        "restitution that it really gives, the loop of one impact, what to beware of, and the tests that verify it. Made by",
+        "",
+        "    .venv-test/bin/python3 python/docs/law_pages.py build/pounding --write",
+        "",
+        "from what `pounding laws NAME` says.",
+        "",
+    ]
     lines += table(("law", "force", "what it is", "formulas", "0.50 asked gives"), rows, {3})
     return "\n".join(lines).rstrip("\n") + "\n"
 
@@ -143,30 +247,53 @@ def draw(program, law, path):
     """Left the loop of one impact, right what each formula gives over what is asked."""
     sys.path.insert(0, str(ROOT / "python"))
     import matplotlib
+
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     from PIL import Image  # comes with matplotlib
     from pounding.pictures.style import STYLE
+
     names = [f["name"] for f in law["formulas"]] or [""]
     colours = ["black", *plt.colormaps["tab10"].colors, "0.6"]
     with plt.rc_context(STYLE | {"savefig.dpi": 110}):
-        figure, axes = plt.subplots(1, 2 if law["formulas"] else 1, figsize=(7.8, 2.9) if law["formulas"] else (3.6, 2.9), squeeze=False,
-                                    layout="constrained")
+        figure, axes = plt.subplots(
+            1,
+            2 if law["formulas"] else 1,
+            figsize=(7.8, 2.9) if law["formulas"] else (3.6, 2.9),
+            squeeze=False,
+            layout="constrained",
+        )
         loops, curves = axes[0][0], axes[0][-1]
         for number, (name, colour) in enumerate(zip(names, colours)):
             penetration, force = program.loop(law, name)
             width = 1.6 if number == 0 else 0.8
             loops.plot(1e3 * penetration, force / 1e6, color=colour, linewidth=width, zorder=5 if number == 0 else 3)
-        loops.set(xlabel="penetration d (mm)", ylabel="force F (MN)",
-                  title=f"One impact at {SPEED:g} m/s" + (f", e = {RESTITUTION} asked" if law["restitution"] else ""))
+        loops.set(
+            xlabel="penetration d (mm)",
+            ylabel="force F (MN)",
+            title=f"One impact at {SPEED:g} m/s" + (f", e = {RESTITUTION} asked" if law["restitution"] else ""),
+        )
         loops.axhline(0, color="0.5", linewidth=0.6)
         if law["formulas"]:
             curves.plot([0, 1], [0, 1], color="0.75", linewidth=3, zorder=1)
             for number, (formula, colour) in enumerate(zip(law["formulas"], colours)):
                 known = [row for row in formula["obtained"] if row["obtained"] is not None]
-                curves.plot([row["asked"] for row in known], [row["obtained"] for row in known], color=colour, marker="o", markersize=2.2,
-                            linewidth=1.4 if number == 0 else 0.9, label=formula["name"])
-            curves.set(xlabel="restitution asked", ylabel="restitution obtained", xlim=(0, 1), ylim=(0, 1), title="Obtained in a free impact")
+                curves.plot(
+                    [row["asked"] for row in known],
+                    [row["obtained"] for row in known],
+                    color=colour,
+                    marker="o",
+                    markersize=2.2,
+                    linewidth=1.4 if number == 0 else 0.9,
+                    label=formula["name"],
+                )
+            curves.set(
+                xlabel="restitution asked",
+                ylabel="restitution obtained",
+                xlim=(0, 1),
+                ylim=(0, 1),
+                title="Obtained in a free impact",
+            )
             curves.legend(loc="upper left", bbox_to_anchor=(1, 1))
         drawn = io.BytesIO()
         figure.savefig(drawn, format="png")
@@ -178,7 +305,9 @@ def main():
     path, write = arguments(__doc__, "program", "the program `pounding`")
     program = Program(path)
     all_laws = [program.json("laws", law["name"]) for law in program.json("laws")]
-    texts = {law["name"] + ".md": page(law, program.calibrate(law)) for law in all_laws} | {"README.md": index(all_laws)}
+    texts = {law["name"] + ".md": page(law, program.calibrate(law)) for law in all_laws} | {
+        "README.md": index(all_laws)
+    }
     pictures = {f"{law['name']}.png": partial(draw, program, law) for law in all_laws if not law["instantaneous"]}
     write_or_compare(PAGES, texts, pictures, write)
 

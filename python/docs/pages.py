@@ -1,5 +1,6 @@
-"""Extensions of Sphinx for the site: links to folders, parts of the README as pages, formulas without a network, comments as
-reStructuredText, and a first page at the top."""
+"""Extensions of Sphinx for the site: links to folders, parts of the README as pages, formulas without a network,
+comments as reStructuredText, and a first page at the top."""
+
 import os
 import re
 from pathlib import Path
@@ -20,12 +21,14 @@ LINK = re.compile(r"(?<=\]\()(?![a-z]+:|#)([^)#\s]+)(?=[)#])")
 
 def links_from(text, folder, page):
     """A text of this folder on a page of another one: links lead to the same files, and to the README of a folder."""
+
     def link(match):
         target = (folder / match.group(1)).resolve()
         target = FOLDERS.get(target, target)
         if (target / "README.md").is_file():
             target /= "README.md"
         return os.path.relpath(target, page) if target.is_file() else match.group(1)
+
     return LINK.sub(link, text)
 
 
@@ -40,15 +43,21 @@ LIST_OF_PAGES = "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
 
 
 def typeset_laws(app, docname, source):
-    """On the pages of the laws: forces and damping formulas as mathematics, and the list of all laws above its pages."""
+    """On the pages of the laws: forces and damping formulas as mathematics, and the list of all laws above its
+    pages."""
     if docname == "elements/pounding/hysteresis/pages/README":
         source[0] += LIST_OF_PAGES
     if not docname.startswith("elements/pounding/laws/pages/"):
         return
+
     def cell(match):
         # A line may break before the definition of another symbol, not inside of mathematics.
         parts = re.split(r"([;,]) (?=\w\*? (?:=|the|and) )", match.group(2))
-        return match.group(1) + "".join(f"${tex(part)}$" if place % 2 == 0 else f"{part} " for place, part in enumerate(parts)) + " |"
+        return (
+            match.group(1)
+            + "".join(f"${tex(part)}$" if place % 2 == 0 else f"{part} " for place, part in enumerate(parts))
+            + " |"
+        )
 
     text = re.sub(r"(?m)^    (\S.* = .*)$", lambda match: f"$${tex(match.group(1))}$$", source[0])
     source[0] = re.sub(r"(?m)^(\| [^|]* \| )`([^`|]* = [^`|]*)` \|", cell, text)
@@ -58,6 +67,7 @@ def typeset_laws(app, docname, source):
 
 class ReadmeSection(SphinxDirective):
     """`{readme} TITLE`: what the README says under this title, without the title."""
+
     required_arguments, final_argument_whitespace = 1, True
 
     def run(self):
@@ -83,7 +93,9 @@ def show_block(translator, node):
     if "\\\\" in tex and "\\begin" not in tex:
         tex = f"\\begin{{aligned}}{tex}\\end{{aligned}}"
     number = f'<span class="eqno">({get_node_equation_number(translator, node)})</span>' if node["number"] else ""
-    translator.body.append(f'{translator.starttag(node, "div", CLASS="math")}{number}{tex2mathml(tex, as_block=True)}</div>\n')
+    translator.body.append(
+        f"{translator.starttag(node, 'div', CLASS='math')}{number}{tex2mathml(tex, as_block=True)}</div>\n"
+    )
     raise nodes.SkipNode
 
 
@@ -99,8 +111,14 @@ def rst(text):
             is_code = False
         # Outside of names in backticks every sign stands for itself, and "file:line" is no address.
         parts = re.split(r"(`[^`]+`)", row)
-        rows.append(row if is_code else "".join(
-            part if place % 2 else re.sub(r"([*|_`\\]|(?<=\bfile):)", r"\\\1", part) for place, part in enumerate(parts)))
+        rows.append(
+            row
+            if is_code
+            else "".join(
+                part if place % 2 else re.sub(r"([*|_`\\]|(?<=\bfile):)", r"\\\1", part)
+                for place, part in enumerate(parts)
+            )
+        )
     return rows
 
 
@@ -113,7 +131,8 @@ def first_page(app, exception):
     if exception is None and app.builder.format == "html":
         target = app.builder.get_target_uri(app.config.root_doc)
         (Path(app.outdir) / "index.html").write_text(
-            f'<!DOCTYPE html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={target}"><a href="{target}">pounding</a>\n')
+            f'<!DOCTYPE html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={target}"><a href="{target}">pounding</a>\n'
+        )
 
 
 def setup(app):

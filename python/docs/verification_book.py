@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Makes the verification book, tests/verification/README.md, from the tests themselves.
 
-    python3 python/docs/verification_book.py build --write    # runs the tests that compare with a source of their own, writes the page
-    python3 python/docs/verification_book.py build --check    # refuses, with exit code 1, a page that says something else
-    POUNDING_BOOK=build/book python3 python/docs/verification_book.py build --check    # from what tests have written there
+    python3 python/docs/verification_book.py build --write    # runs the tests that compare with a source of their own,
+    writes the page python3 python/docs/verification_book.py build --check    # refuses, with exit code 1, a page that
+    says something else POUNDING_BOOK=build/book python3 python/docs/verification_book.py build --check    # from what
+    tests have written there
 
-The tests write what they compared through `Book` (tests/support/book.hpp, tests/program/book.py). What was obtained may differ
-from machine to machine within its tolerance, and is not compared.
+The tests write what they compared through `Book` (tests/support/book.hpp, tests/program/book.py). What was obtained may
+differ from machine to machine within its tolerance, and is not compared.
 """
+
 import json
 import math
 import os
@@ -22,11 +24,19 @@ from generated_pages import ROOT, arguments, refuse
 
 PAGE = ROOT / "tests/verification/README.md"
 #: Folders of tests, with the words that head their chapters.
-CHAPTERS = {"tests/laws": "Contact laws and free impacts", "tests/verification": "Impacts of structures",
-            "tests/frames": "Structures and frames", "tests/structures": "Structures and frames",
-            "tests/stepping": "Time integration", "tests/linear": "Time integration", "tests/run": "Time integration",
-            "tests/ground": "Ground motions", "tests/reproduce": "The paper, recomputed", "tests/program": "The program",
-            "tests/study": "Studies"}
+CHAPTERS = {
+    "tests/laws": "Contact laws and free impacts",
+    "tests/verification": "Impacts of structures",
+    "tests/frames": "Structures and frames",
+    "tests/structures": "Structures and frames",
+    "tests/stepping": "Time integration",
+    "tests/linear": "Time integration",
+    "tests/run": "Time integration",
+    "tests/ground": "Ground motions",
+    "tests/reproduce": "The paper, recomputed",
+    "tests/program": "The program",
+    "tests/study": "Studies",
+}
 INTRODUCTION = """\
 # Verification book
 
@@ -45,8 +55,14 @@ difference, the largest that was obtained is shown. "1e-12 of it" is of each exp
 
 
 def environment(build, book):
-    records = {"POUNDING_PROGRAM": build / "pounding", "POUNDING_EXAMPLES": ROOT / "examples", "PYTHONDONTWRITEBYTECODE": "1",
-               "POUNDING_TEST_ENVIRONMENT": ROOT / ".venv", "POUNDING_BOOK": book, "OPENBLAS_NUM_THREADS": "1"}
+    records = {
+        "POUNDING_PROGRAM": build / "pounding",
+        "POUNDING_EXAMPLES": ROOT / "examples",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "POUNDING_TEST_ENVIRONMENT": ROOT / ".venv",
+        "POUNDING_BOOK": book,
+        "OPENBLAS_NUM_THREADS": "1",
+    }
     return os.environ | {name: str(value) for name, value in records.items()}
 
 
@@ -71,7 +87,9 @@ def run_tests(build, book):
     """Lets all tests that compare with a source of their own write into the folder `book`."""
     shared = environment(build, book)
     for chapter in CHAPTERS:
-        for binary in sorted(path for path in (build / chapter).glob("test_*") if path.is_file() and os.access(path, os.X_OK)):
+        for binary in sorted(
+            path for path in (build / chapter).glob("test_*") if path.is_file() and os.access(path, os.X_OK)
+        ):
             names = tests_with_a_book(binary, book)
             if names:
                 run([binary, "--gtest_brief=1", "--gtest_filter=" + ":".join(names)], env=shared, cwd=book)
@@ -88,8 +106,10 @@ def entries(build):
             run_tests(build, folder)
         written = [json.loads(path.read_text()) for path in Path(book).glob("*.*.*.json")]
     place = list(CHAPTERS)
-    return sorted((entry for entry in written if str(Path(entry["file"]).parent) in place),
-                  key=lambda entry: (place.index(str(Path(entry["file"]).parent)), entry["file"], entry["order"]))
+    return sorted(
+        (entry for entry in written if str(Path(entry["file"]).parent) in place),
+        key=lambda entry: (place.index(str(Path(entry["file"]).parent)), entry["file"], entry["order"]),
+    )
 
 
 def number(value):
@@ -105,7 +125,7 @@ def digits(value, tolerance):
     if tolerance == 0:
         return f"{value:.15g}"
     decimals = math.ceil(-math.log10(tolerance) - 1e-9)
-    if abs(value) < 0.5 * 10.0 ** -decimals:
+    if abs(value) < 0.5 * 10.0**-decimals:
         return "0"
     size = math.floor(math.log10(abs(value)))
     figures = min(max(size + 1 + decimals, 1), 15)
@@ -141,8 +161,11 @@ def tolerance(cases):
 
 
 def nearness(cases):
-    """The largest deviation over its tolerance. What is rounding differs from machine to machine: no digits below 0.01."""
-    ratios = [abs(number(obtained) - number(expected)) / allowed if allowed else 0.0 for expected, obtained, allowed in cases]
+    """The largest deviation over its tolerance. What is rounding differs from machine to machine: no digits below
+    0.01."""
+    ratios = [
+        abs(number(obtained) - number(expected)) / allowed if allowed else 0.0 for expected, obtained, allowed in cases
+    ]
     worst = max(ratios)
     return "0" if worst == 0 else "< 0.01" if worst < 0.01 else f"{worst:.2f}"
 
@@ -169,10 +192,17 @@ def block(source, reason, of_one_source):
         tests = files.setdefault(entry["file"], [])
         if test_name(entry["test"]) not in tests:
             tests.append(test_name(entry["test"]))
-    where = "; ".join(f"[{Path(file).name}]({os.path.relpath(file, 'tests/verification')}) " + ", ".join(f"`{test}`" for test in tests)
-                      for file, tests in files.items())
-    lines = [f"**Source:** {source}. **Tolerances:** {reason}. {where}", "", "| quantity | cases | expected | obtained | tolerance | deviation/tolerance |",
-             "|---|---:|---|---|---|---:|"]
+    where = "; ".join(
+        f"[{Path(file).name}]({os.path.relpath(file, 'tests/verification')}) "
+        + ", ".join(f"`{test}`" for test in tests)
+        for file, tests in files.items()
+    )
+    lines = [
+        f"**Source:** {source}. **Tolerances:** {reason}. {where}",
+        "",
+        "| quantity | cases | expected | obtained | tolerance | deviation/tolerance |",
+        "|---|---:|---|---|---|---:|",
+    ]
     lines += [row(quantity, cases) for quantity, cases in quantities.items()]
     return lines + [""], quantities
 
@@ -206,8 +236,12 @@ def same_number(a, b, tolerance="0"):
     if a == b:
         return True
     try:
-        allowed = max(10.0 ** (int(exponent or 0) - len(decimals or "")) for decimals, exponent in
-                      (re.fullmatch(r"-?\d+(?:\.(\d*))?(?:e([+-]\d+))?", text).groups() for text in (a, b)))
+        allowed = max(
+            10.0 ** (int(exponent or 0) - len(decimals or ""))
+            for decimals, exponent in (
+                re.fullmatch(r"-?\d+(?:\.(\d*))?(?:e([+-]\d+))?", text).groups() for text in (a, b)
+            )
+        )
         first = tolerance.split()[0]
         if first != "equal":
             allowed = max(allowed, 0.1 * float(first) * (abs(float(a)) if tolerance.endswith("of it") else 1))
@@ -227,8 +261,12 @@ def same_line(a, b):
     if not (a.startswith("| ") and b.startswith("| ")):
         return False
     first, second = ([cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in (a, b))
-    return (len(first) == len(second) == 6 and first[:2] == second[:2] and same_cell(first[2], second[2], first[4])
-            and same_cell(first[4], second[4]))
+    return (
+        len(first) == len(second) == 6
+        and first[:2] == second[:2]
+        and same_cell(first[2], second[2], first[4])
+        and same_cell(first[4], second[4])
+    )
 
 
 def differences(committed, made):
@@ -237,7 +275,7 @@ def differences(committed, made):
     if len(before) == len(now):
         return [(a, b) for a, b in zip(before, now) if not same_line(a, b)]
     known, fresh = set(before), set(now)
-    return ([(line, "") for line in before if line not in fresh] + [("", line) for line in now if line not in known])
+    return [(line, "") for line in before if line not in fresh] + [("", line) for line in now if line not in known]
 
 
 def main():

@@ -6,6 +6,7 @@
 
 The page is python/docs/reference/words.md, the schema python/pounding/model.schema.json.
 """
+
 import json
 import subprocess
 
@@ -45,8 +46,13 @@ def row(word):
     needed = {"required": "**required**", "optional": ""}.get(word["need"], word["need"])
     otherwise = word.get("default", "")
     since = f" Since {word['since']}." if word["since"] != FIRST else ""
-    facts = (f"`{word['key']}`", cell(word["takes"]), "; ".join(filter(None, (needed, otherwise))), cell(word["meaning"]) + since,
-             f"`{word['example']}`")
+    facts = (
+        f"`{word['key']}`",
+        cell(word["takes"]),
+        "; ".join(filter(None, (needed, otherwise))),
+        cell(word["meaning"]) + since,
+        f"`{word['example']}`",
+    )
     return "| " + " | ".join(facts) + " |"
 
 
@@ -57,14 +63,20 @@ def section(found):
     if (law := found["name"]) and "with law" in found["place"]:
         lines += [f"[Equations and formulas of {law}](../../../elements/pounding/laws/pages/{law}.md)", ""]
     if found["keys"]:
-        lines += ["| key | takes | needed, or value without it | meaning | example |", "|---|---|---|---|---|", *map(row, found["keys"])]
+        lines += [
+            "| key | takes | needed, or value without it | meaning | example |",
+            "|---|---|---|---|---|",
+            *map(row, found["keys"]),
+        ]
     return "\n".join(lines) + "\n"
 
 
 def made(program):
     """Text of each file that is made."""
+
     def printed(*words):
         return subprocess.run([str(program), "words", *words], capture_output=True, text=True, check=True).stdout
+
     page = HEAD.format(first=FIRST) + "".join(map(section, json.loads(printed("--json"))))
     return {PAGE: page.replace("\n\n\n", "\n\n"), SCHEMA: printed("--schema")}
 

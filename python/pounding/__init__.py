@@ -52,9 +52,40 @@ if TYPE_CHECKING:
 
     __version__: str
 
-__all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Loop", "Mode", "Model", "Modes",
-           "Pushover", "Response", "Run", "SolverError", "Spectrum", "Study", "YieldingLaw", "calibrate", "check", "from_opensees", "hysteresis", "laws",
-           "modes", "pushover", "read", "read_pushover", "record", "record_spectrum", "resume", "run", "study", "sweep"]
+__all__ = [
+    "AccuracyWarning",
+    "FreeImpact",
+    "ImplausibleWarning",
+    "InputError",
+    "Interrupted",
+    "Law",
+    "Loop",
+    "Mode",
+    "Model",
+    "Modes",
+    "Pushover",
+    "Response",
+    "Run",
+    "SolverError",
+    "Spectrum",
+    "Study",
+    "YieldingLaw",
+    "calibrate",
+    "check",
+    "from_opensees",
+    "hysteresis",
+    "laws",
+    "modes",
+    "pushover",
+    "read",
+    "read_pushover",
+    "record",
+    "record_spectrum",
+    "resume",
+    "run",
+    "study",
+    "sweep",
+]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "plan", "results")

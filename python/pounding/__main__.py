@@ -1,5 +1,5 @@
-"""`python3 -m pounding ...`, and the command `pounding` of the wheel: the program that lies in this package. In a folder of sources
-alone, which holds no program, its parts that draw and convert: plot, animate and export."""
+"""`python3 -m pounding ...`, and the command `pounding` of the wheel: the program that lies in this package. In a
+folder of sources alone, which holds no program, its parts that draw and convert: plot, animate and export."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ STUDIES = ("study", "separation")
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Becomes the program with these words, those of the command line unless given. Without a program hands them to one module.
-    Returns its code, or 2 after a message."""
+    """Becomes the program with these words, those of the command line unless given. Without a program hands them to one
+    module. Returns its code, or 2 after a message."""
     leave_working_folder_out()
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and arguments[0] in STUDIES:
@@ -28,6 +28,7 @@ def main(arguments: list[str] | None = None) -> int:
     if arguments and arguments[0] in ("demo", "lessons"):
         from pounding import demo
         from pounding.errors import InputError
+
         try:
             if arguments[0] == "lessons":
                 return demo.copy_lessons(arguments[1:])
@@ -40,8 +41,11 @@ def main(arguments: list[str] | None = None) -> int:
         os.environ.setdefault("POUNDING_PYTHON", sys.executable)
         os.execv(PROGRAM, ["pounding", *arguments])
     if not arguments or arguments[0] not in MODULES:
-        print(f"{PROGRAM} is missing, and without it there is only python3 -m pounding {'|'.join(MODULES)} --help. Type "
-              "`python3 -m pip install .` in the source directory", file=sys.stderr)
+        print(
+            f"{PROGRAM} is missing, and without it there is only python3 -m pounding {'|'.join(MODULES)} --help. Type "
+            "`python3 -m pip install .` in the source directory",
+            file=sys.stderr,
+        )
         return 2
     return importlib.import_module(f"pounding.{MODULES[arguments[0]]}").main(arguments[1:])
 

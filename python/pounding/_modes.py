@@ -46,10 +46,19 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
 
     def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:
         self._title = title
-        self._drawn = [_Drawn(structure.name, list(structure.elevations), np.reshape(structure.nodes, (-1, 3)),
-                              np.reshape(np.array(structure.members, int), (-1, 2)), [np.array(shape) for shape in structure.node_shapes])
-                       for structure in found]
-        self._modes = {structure.name: [_mode(one, structure.is_frame) for one in structure.modes] for structure in found}
+        self._drawn = [
+            _Drawn(
+                structure.name,
+                list(structure.elevations),
+                np.reshape(structure.nodes, (-1, 3)),
+                np.reshape(np.array(structure.members, int), (-1, 2)),
+                [np.array(shape) for shape in structure.node_shapes],
+            )
+            for structure in found
+        ]
+        self._modes = {
+            structure.name: [_mode(one, structure.is_frame) for one in structure.modes] for structure in found
+        }
 
     def __getitem__(self, structure: str) -> list[Mode]:
         return self._modes[structure]
@@ -63,25 +72,34 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
     def _repr_html_(self) -> str:
         names = [name for name, found in self.items() if found]
         longest = max((len(self[name]) for name in names), default=0)
-        rows = [[number + 1, *(_words(self[name][number]) if number < len(self[name]) else "" for name in names)]
-                for number in range(longest)]
+        rows = [
+            [number + 1, *(_words(self[name][number]) if number < len(self[name]) else "" for name in names)]
+            for number in range(longest)
+        ]
         return table(["mode", *(f"{name}: T [s], damping" for name in names)], rows)
 
     def plot(self, title: str | None = None) -> Figure:
         """A picture of the first shapes of every structure. Raises InputError when there is none."""
         from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
-        structures = [DrawnStructure(
-            one.name, [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]], one.elevations, one.nodes,
-            one.members, one.node_shapes)
-            for one in self._drawn]
+        structures = [
+            DrawnStructure(
+                one.name,
+                [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]],
+                one.elevations,
+                one.nodes,
+                one.members,
+                one.node_shapes,
+            )
+            for one in self._drawn
+        ]
         return plot_modes(structures, title or self._title or "Mode shapes")
 
 
 @takes(count=whole(1, 10_000))
 def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
-    """The natural modes of a model or an input file, longest period first: `count` of a frame, all of other structures, none
-    of a wall. Raises InputError."""
+    """The natural modes of a model or an input file, longest period first: `count` of a frame, all of other structures,
+    none of a wall. Raises InputError."""
     model = as_model(model)
     return Modes(core.modes(model._source(), count), str(model.title or ""))
 
@@ -90,8 +108,13 @@ def _mode(one: core.Mode, is_frame: bool) -> Mode:
     # Without a frame there is the direction x only.
     directions = len(one.participation) if is_frame else 1
     shape = np.array(one.shape, order="C")
-    return Mode(one.period, one.damping_ratio, np.array(one.participation[:directions]),
-                np.array(one.effective_mass[:directions]), shape if is_frame else shape[:, 0])
+    return Mode(
+        one.period,
+        one.damping_ratio,
+        np.array(one.participation[:directions]),
+        np.array(one.effective_mass[:directions]),
+        shape if is_frame else shape[:, 0],
+    )
 
 
 def _words(mode: Mode) -> str:

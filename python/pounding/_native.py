@@ -1,5 +1,5 @@
-"""The compiled part of the package, as `core`; ImportError says what to type where it is missing. Pictures and results files
-do without it."""
+"""The compiled part of the package, as `core`; ImportError says what to type where it is missing. Pictures and results
+files do without it."""
 
 import atexit
 import contextlib
@@ -8,9 +8,11 @@ import sys
 try:
     from pounding import _core as core
 except ImportError as error:
-    raise ImportError(f"the compiled part of pounding cannot be loaded: {error}. Type `python3 -m venv env` and "
-                      "then `env/bin/python3 -m pip install .` in the source directory, or set PYTHONPATH to build/python after "
-                      "`make`") from error
+    raise ImportError(
+        f"the compiled part of pounding cannot be loaded: {error}. Type `python3 -m venv env` and "
+        "then `env/bin/python3 -m pip install .` in the source directory, or set PYTHONPATH to build/python after "
+        "`make`"
+    ) from error
 
 
 def _end() -> None:

@@ -17,34 +17,52 @@ from pounding.pushover_curve import Pushover
 
 
 @takes(structure=text, to=optional(quantity), direction=text, output=arguments.file)
-def pushover(model: Model | str | PathLike[str], structure: str = "", *, to: str | float | None = None,
-             cyclic: Sequence[str | float] | str = (), load: str | PathLike[str] | Sequence[float] = "triangular", direction: str = "x",
-             output: str | PathLike[str] = "") -> Pushover:
-    """Pushes a structure of a model or an input file by horizontal forces on its floors until its roof has moved by `to`: "250 mm",
-    "2 % roof" of its height, or a number [m]. Its parts must yield. `structure` may be left out where one structure of the model
-    yields. Displacements in `cyclic` are reached before, one after the other.
+def pushover(
+    model: Model | str | PathLike[str],
+    structure: str = "",
+    *,
+    to: str | float | None = None,
+    cyclic: Sequence[str | float] | str = (),
+    load: str | PathLike[str] | Sequence[float] = "triangular",
+    direction: str = "x",
+    output: str | PathLike[str] = "",
+) -> Pushover:
+    """Pushes a structure of a model or an input file by horizontal forces on its floors until its roof has moved by
+    `to`: "250 mm", "2 % roof" of its height, or a number [m]. Its parts must yield. `structure` may be left out where
+    one structure of the model yields. Displacements in `cyclic` are reached before, one after the other.
 
-    `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest effective mass),
-    the name of a file with one force a floor, or these forces, from the ground up and to any scale. `direction` is x, or in space y.
-    `output` is a results file to write.
+    `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest
+    effective mass), the name of a file with one force a floor, or these forces, from the ground up and to any scale.
+    `direction` is x, or in space y. `output` is a results file to write.
 
-    Raises InputError for what cannot be pushed so; SolverError, with the results until then, for a structure that collapses."""
+    Raises InputError for what cannot be pushed so; SolverError, with the results until then, for a structure that
+    collapses."""
     model = as_model(model)
-    steps = arguments.text("cyclic", cyclic) if isinstance(cyclic, str) else ", ".join(map(_length, arguments.listed(quantity)("cyclic", cyclic)))
+    steps = (
+        arguments.text("cyclic", cyclic)
+        if isinstance(cyclic, str)
+        else ", ".join(map(_length, arguments.listed(quantity)("cyclic", cyclic)))
+    )
     words = (direction, "" if to is None else _length(to), steps, fspath(output))
     if isinstance(load, (str, PathLike)):
         pushed = core.pushover(model._source(), structure, fspath(arguments.file("load", load)), *words)
     else:
         with tempfile.TemporaryDirectory() as folder:
             forces = Path(folder) / "load"
-            forces.write_text("\n".join(map(repr, arguments.listed(arguments.number(), "a name, a file or a list of forces")("load", load))))
+            forces.write_text(
+                "\n".join(
+                    map(repr, arguments.listed(arguments.number(), "a name, a file or a list of forces")("load", load))
+                )
+            )
             try:
                 pushed = core.pushover(model._source(), structure, str(forces), *words)
             except InputError as error:
                 raise InputError(str(error).replace(f"{forces} holds", "the list holds")) from None
     found = Pushover.from_json(json.loads(pushed))
     if found.status != "done":
-        raise SolverError(f"{found.structure} collapses: {found.status.removeprefix('collapse: ')}; push it less far", found)
+        raise SolverError(
+            f"{found.structure} collapses: {found.status.removeprefix('collapse: ')}; push it less far", found
+        )
     return found
 
 

@@ -1,8 +1,8 @@
 """A run in motion: `python3 -m pounding.animation RESULTS.h5 [-o FILE.gif|.mp4|.png]`.
 
 Frames move with the displacements of their nodes, or of their floors where the file has no nodes; other structures are
-sticks with masses. All displacements are relative to the ground and drawn larger than they are, as are the gaps, so that
-what touches in the run touches in the picture. A link flashes while it is pressed.
+sticks with masses. All displacements are relative to the ground and drawn larger than they are, as are the gaps, so
+that what touches in the run touches in the picture. A link flashes while it is pressed.
 """
 
 from __future__ import annotations
@@ -48,8 +48,14 @@ def choose_scale(run: RunData) -> float:
     """1, 2, 5, 10 ...: the largest with which displacements stay below a twelfth of the size of the picture."""
     scene = Scene(run)
     size = float(np.ptp(scene.bounds(), axis=1).max())
-    moved = largest([motion.displacement for structure in run.structures.values()
-                     for axis, motion in structure.along.items() if axis in "xy"])
+    moved = largest(
+        [
+            motion.displacement
+            for structure in run.structures.values()
+            for axis, motion in structure.along.items()
+            if axis in "xy"
+        ]
+    )
     if moved <= 0 or size <= 0:
         return 1.0
     wanted = size / 12 / moved
@@ -57,7 +63,9 @@ def choose_scale(run: RunData) -> float:
     return max(1.0, next(step * power for step in (10, 5, 2, 1) if step * power <= wanted * (1 + 1e-12)))
 
 
-def frame_times(run: RunData, frames: int | None = None, start: float | None = None, end: float | None = None) -> np.ndarray:
+def frame_times(
+    run: RunData, frames: int | None = None, start: float | None = None, end: float | None = None
+) -> np.ndarray:
     """The times that are drawn, evenly spread: fifteen a second, 30 to 240 in all, unless told otherwise.
 
     Raises BadRequest for a span that the run does not have or fewer than two frames."""
@@ -66,7 +74,9 @@ def frame_times(run: RunData, frames: int | None = None, start: float | None = N
     first, last = run.time[0], run.time[-1]
     start, end = first if start is None else start, last if end is None else end
     if not (math.isfinite(start) and math.isfinite(end)) or not first <= start < end <= last:
-        raise BadRequest(f"--from {start:g} --to {end:g} is not a part of the run, which goes from {first:g} s to {last:g} s")
+        raise BadRequest(
+            f"--from {start:g} --to {end:g} is not a part of the run, which goes from {first:g} s to {last:g} s"
+        )
     frames = int(np.clip(round(15 * (end - start)), 30, 240)) if frames is None else frames
     if frames < 2:
         raise BadRequest(f"--frames {frames} is too few; type --frames 2 or more")
@@ -182,10 +192,11 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
 
 
 def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], None] | None = None) -> None:
-    """Writes .gif, .mp4, or one .png a frame: NAME_0001.png and so on. `progress(done, all)` is called after each frame.
+    """Writes .gif, .mp4, or one .png a frame: NAME_0001.png and so on. `progress(done, all)` is called after each
+    frame.
 
-    Raises InputError for another suffix, for .mp4 without ffmpeg, and if a file would replace something else than a picture; OSError when nothing can
-    be written."""
+    Raises InputError for another suffix, for .mp4 without ffmpeg, and if a file would replace something else than a
+    picture; OSError when nothing can be written."""
     path = Path(path)
     check_output(path)
     with rc_context(STYLE):
@@ -216,15 +227,17 @@ def check_output(path: str | PathLike[str]) -> None:
     if suffix not in SUFFIXES:
         raise BadRequest(f'cannot write {path}: "{suffix}" is none of {", ".join(SUFFIXES)}')
     if suffix == ".mp4" and shutil.which("ffmpeg") is None:
-        raise BadRequest(f"cannot write {path}: .mp4 needs ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or "
-                         f"`-o {Path(path).with_suffix('.gif')}`")
+        raise BadRequest(
+            f"cannot write {path}: .mp4 needs ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or "
+            f"`-o {Path(path).with_suffix('.gif')}`"
+        )
     if suffix != ".png":  # whose frames have names of their own
         destination(path, PICTURE)
 
 
 def _save_gif(pictures: list[Image.Image], path: Path, speed: float) -> None:
-    """Repeated for ever, all pictures in the 256 colours that four of them use most: finding colours for each would take most of
-    the time. Pillow's own search for the nearest colour makes white grey."""
+    """Repeated for ever, all pictures in the 256 colours that four of them use most: finding colours for each would
+    take most of the time. Pillow's own search for the nearest colour makes white grey."""
     numbers = np.linspace(0, len(pictures) - 1, 4).round().astype(int)
     counts = np.sum([np.bincount(_coarse(pictures[number]).ravel(), minlength=64**3) for number in numbers], axis=0)
     levels = np.linspace(0, 255, 64).round()
@@ -295,8 +308,11 @@ def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the animation not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.animation", description="Animate the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")
-    parser.add_argument("-o", "--output", help="file to write: .gif, .mp4, or .png for one file a frame (default: RESULTS.gif in "
-                                               "the current folder)")
+    parser.add_argument(
+        "-o",
+        "--output",
+        help="file to write: .gif, .mp4, or .png for one file a frame (default: RESULTS.gif in the current folder)",
+    )
     parser.add_argument("--scale", type=float, help="how many times as large displacements are drawn")
     parser.add_argument("--frames", type=int, help="how many")
     parser.add_argument("--from", type=float, dest="start", help="time of the first one [s]")

@@ -1,5 +1,5 @@
-"""Arguments of public functions: what each takes, checked before anything else sees it. A wrong one raises InputError that names it, the
-value and what is expected.
+"""Arguments of public functions: what each takes, checked before anything else sees it. A wrong one raises InputError
+that names it, the value and what is expected.
 
     @takes(count=whole(1), periods=optional(numbers))
     def modes(count, periods=None): ...
@@ -41,7 +41,9 @@ def takes(**kinds: Kind) -> Callable[[Function], Function]:
                 if name in given.arguments:
                     given.arguments[name] = kind(name, given.arguments[name])
             if rest in kinds and rest in given.arguments:
-                given.arguments[rest] = {name: kinds[rest](name, value) for name, value in given.arguments[rest].items()}
+                given.arguments[rest] = {
+                    name: kinds[rest](name, value) for name, value in given.arguments[rest].items()
+                }
             return function(*given.args, **given.kwargs)
 
         return checked  # type: ignore[return-value]
@@ -79,7 +81,12 @@ def is_encodable(value: str) -> bool:
 
 def file(name: str, value: Any) -> Any:
     """The name of a file: a text or a path."""
-    if not isinstance(value, (str, PathLike)) or not isinstance(path := fspath(value), str) or "\0" in path or len(path) > LONGEST_PATH:
+    if (
+        not isinstance(value, (str, PathLike))
+        or not isinstance(path := fspath(value), str)
+        or "\0" in path
+        or len(path) > LONGEST_PATH
+    ):
         raise refuse(name, f"the name of a file of at most {LONGEST_PATH} characters", value)
     if not is_encodable(path):
         raise refuse(name, "the name of a file in UTF-8", value)
@@ -111,8 +118,17 @@ def whole(least: int, most: int | None = None) -> Kind:
     """A whole number within these bounds."""
 
     def check(name: str, value: Any) -> int:
-        if not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least or (most is not None and value > most):
-            raise refuse(name, f"a whole number of at least {least}" if most is None else f"a whole number from {least} to {most}", value)
+        if (
+            not isinstance(value, (int, np.integer))
+            or isinstance(value, bool)
+            or value < least
+            or (most is not None and value > most)
+        ):
+            raise refuse(
+                name,
+                f"a whole number of at least {least}" if most is None else f"a whole number from {least} to {most}",
+                value,
+            )
         return int(value)
 
     return check
@@ -164,7 +180,11 @@ def listed(kind: Kind, expected: str = "a list") -> Kind:
     """A sequence whose items are all of a kind."""
 
     def check(name: str, value: Any) -> list[Any]:
-        if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, (Sequence, np.ndarray)) or (isinstance(value, np.ndarray) and value.ndim == 0):
+        if (
+            isinstance(value, (str, bytes, Mapping))
+            or not isinstance(value, (Sequence, np.ndarray))
+            or (isinstance(value, np.ndarray) and value.ndim == 0)
+        ):
             raise refuse(name, expected, value)
         return [kind(f"{name}[{i}]", one) for i, one in enumerate(value)]
 
@@ -174,7 +194,11 @@ def listed(kind: Kind, expected: str = "a list") -> Kind:
 def files(name: str, value: Any) -> list[Any]:
     """Names of files, from any iterable."""
     expected = "a list of names of files"
-    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable) or (isinstance(value, np.ndarray) and value.ndim == 0):
+    if (
+        isinstance(value, (str, bytes, Mapping))
+        or not isinstance(value, Iterable)
+        or (isinstance(value, np.ndarray) and value.ndim == 0)
+    ):
         raise refuse(name, expected, value)
     return listed(file, expected)(name, list(value))
 
@@ -185,14 +209,17 @@ def one_of(words: Iterable[str]) -> Kind:
 
     def check(name: str, value: Any) -> str:
         if not isinstance(value, str) or value not in known:
-            raise refuse(name, " or ".join([", ".join(known[:-1]), known[-1]] if len(known) > 1 else known) or "nothing", value)
+            raise refuse(
+                name, " or ".join([", ".join(known[:-1]), known[-1]] if len(known) > 1 else known) or "nothing", value
+            )
         return value
 
     return check
 
 
 def options_of(function: Callable[..., Any], given: Mapping[str, Any], skipped: int = 0) -> None:
-    """Raises InputError if a function does not take these keywords, or needs others, after `skipped` arguments by position."""
+    """Raises InputError if a function does not take these keywords, or needs others, after `skipped` arguments by
+    position."""
     try:
         inspect.signature(function).bind(*[None] * skipped, **given)
     except TypeError as error:
@@ -201,7 +228,11 @@ def options_of(function: Callable[..., Any], given: Mapping[str, Any], skipped: 
 
 def size(name: str, value: Any) -> tuple[float, float]:
     """Width and height of a picture [in]."""
-    found = numbers(name, value) if isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (str, bytes)) else np.empty(0)
+    found = (
+        numbers(name, value)
+        if isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (str, bytes))
+        else np.empty(0)
+    )
     if found.shape != (2,) or not np.all(np.isfinite(found) & (found > 0) & (found <= 200)):
         raise refuse(name, "width and height [in], each above 0 and at most 200", value)
     return float(found[0]), float(found[1])

@@ -1,5 +1,5 @@
-"""The text in front of a results file and of the table of a study, by which a reader knows whose file it is and whether every byte is as it
-was written. HDF5 sees a file only afterwards: on a damaged one it may crash or never end."""
+"""The text in front of a results file and of the table of a study, by which a reader knows whose file it is and whether
+every byte is as it was written. HDF5 sees a file only afterwards: on a damaged one it may crash or never end."""
 
 from __future__ import annotations
 
@@ -18,8 +18,14 @@ FIRST_LINE = b"results of pounding\n"
 FIRST_LINE_OF_STUDY = b"study of pounding\n"
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Files that results may replace, also those of versions before 0.2, and those that a table of a study may replace.
-RESULTS = Kind("results of pounding", lambda _, start: start.startswith(FIRST_LINE) or start.startswith(_HDF5) and all(
-    name in start for name in (b"program\0", b"pounding", b"resolved.yaml")))
+RESULTS = Kind(
+    "results of pounding",
+    lambda _, start: (
+        start.startswith(FIRST_LINE)
+        or start.startswith(_HDF5)
+        and all(name in start for name in (b"program\0", b"pounding", b"resolved.yaml"))
+    ),
+)
 STUDY = Kind("table of a study", lambda _, start: start.startswith(FIRST_LINE_OF_STUDY))
 
 
@@ -33,14 +39,20 @@ class HoldsPushover(NotResults):
 
 def block(size: int, crc: int, first_line: bytes = FIRST_LINE) -> bytes:
     """The text in front of a file of `size` bytes, this text included, whose other bytes have the CRC-32 `crc`."""
-    text = first_line + (f"size {size:020}\ncrc32 {crc:08x}\n"
-                         f"The HDF5 file begins at byte {BLOCK}, as HDF5 allows; h5py and h5dump open it as it is.\n"
-                         "size: all bytes, these included. crc32: of the bytes behind these.\n").encode()
+    text = (
+        first_line
+        + (
+            f"size {size:020}\ncrc32 {crc:08x}\n"
+            f"The HDF5 file begins at byte {BLOCK}, as HDF5 allows; h5py and h5dump open it as it is.\n"
+            "size: all bytes, these included. crc32: of the bytes behind these.\n"
+        ).encode()
+    )
     return text.ljust(BLOCK - 1) + b"\n"
 
 
 def require_whole(path: str | PathLike[str]) -> None:
-    """Raises NotResults unless the file is a results file with every byte as it was written; OSError when it cannot be read."""
+    """Raises NotResults unless the file is a results file with every byte as it was written; OSError when it cannot be
+    read."""
     if not Path(path).is_file():
         raise FileNotFoundError(f"there is no file {path}")
     with open(path, "rb") as file:
@@ -48,14 +60,19 @@ def require_whole(path: str | PathLike[str]) -> None:
 
 
 def require_whole_study(path: Path) -> None:
-    """Raises NotResults unless the file is the table of a study with every byte as it was written; OSError when it cannot be read."""
+    """Raises NotResults unless the file is the table of a study with every byte as it was written; OSError when it
+    cannot be read."""
     with open(path, "rb") as file:
         start = file.read(BLOCK)
         if not start.startswith(FIRST_LINE_OF_STUDY):
-            raise NotResults(f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged")
+            raise NotResults(
+                f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged"
+            )
         if start != _block_before(file, FIRST_LINE_OF_STUDY):
-            raise NotResults(f"{path}: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it and run the "
-                             "study again")
+            raise NotResults(
+                f"{path}: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it and run the "
+                "study again"
+            )
 
 
 def write_study(path: Path, image: bytes) -> None:
@@ -82,7 +99,9 @@ def _require_whole(file: BinaryIO, name: str) -> None:
     start = file.read(BLOCK)
     signature = file.read(len(_HDF5))
     if start.startswith(FIRST_LINE_OF_STUDY):
-        raise NotResults(f"{name} is the table of a study and holds no run; type pounding study show {name}, or pounding.Study.open in Python")
+        raise NotResults(
+            f"{name} is the table of a study and holds no run; type pounding study show {name}, or pounding.Study.open in Python"
+        )
     # A block whose first line is damaged still has HDF5 behind it.
     if not start.startswith(FIRST_LINE) and signature != _HDF5:
         raise NotResults(_foreign(name, start))
@@ -91,10 +110,16 @@ def _require_whole(file: BinaryIO, name: str) -> None:
         size, crc = size + len(part), zlib.crc32(part, crc)
     if start == block(size, crc):
         return
-    digits = start[len(FIRST_LINE) + len("size "):][:20]
-    what = f"it has {size} of its {int(digits)} bytes" if digits.isdigit() and size < int(digits) else "its checksum is another one"
-    raise NotResults(f"{name}: the file is damaged, or another program has changed it: {what}. Take a copy that is whole, or run the model "
-                     "again")
+    digits = start[len(FIRST_LINE) + len("size ") :][:20]
+    what = (
+        f"it has {size} of its {int(digits)} bytes"
+        if digits.isdigit() and size < int(digits)
+        else "its checksum is another one"
+    )
+    raise NotResults(
+        f"{name}: the file is damaged, or another program has changed it: {what}. Take a copy that is whole, or run the model "
+        "again"
+    )
 
 
 def _foreign(name: str, start: bytes) -> str:
@@ -102,8 +127,10 @@ def _foreign(name: str, start: bytes) -> str:
     if not start:
         return f"{name}: the file is empty; run the model again"
     if start.startswith(_HDF5):
-        return (f"{name}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program wrote it. "
-                f'Run the model again, or read results of your own as they stand: pounding.read("{name}", checked=False)')
+        return (
+            f"{name}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program wrote it. "
+            f'Run the model again, or read results of your own as they stand: pounding.read("{name}", checked=False)'
+        )
     if Path(name).suffix.lower() in (".yaml", ".yml"):
         results = Path(name).with_suffix(".h5")
         return f"{name} is an input file; type pounding run {name} -o {results}, and name {results} here"

@@ -84,12 +84,18 @@ class LawKind:
     leaves_indentation: bool
     instantaneous: bool
 
-    def __call__(self, *, restitution: Quantity | None = None, formula: str | None = None,
-                 impact_velocity: Quantity | None = None, reduced_mass: Quantity | None = None,
-                 **parameters: Quantity | None) -> Law:
+    def __call__(
+        self,
+        *,
+        restitution: Quantity | None = None,
+        formula: str | None = None,
+        impact_velocity: Quantity | None = None,
+        reduced_mass: Quantity | None = None,
+        **parameters: Quantity | None,
+    ) -> Law:
         """The law with its damping from `restitution` (0, 1] by `formula` ("exact"), or given directly by one of the
-        parameters that are there instead of a restitution. Those marked "together" are given alone. Two laws take a restitution
-        of 0, with which the bodies stick: stereomechanical and kelvin_voigt.
+        parameters that are there instead of a restitution. Those marked "together" are given alone. Two laws take a
+        restitution of 0, with which the bodies stick: stereomechanical and kelvin_voigt.
 
         `impact_velocity` is a fixed design velocity [m/s]; without it every impact takes its own. `reduced_mass` is
         m1 m2/(m1+m2) [kg] of the bodies, where the damping depends on it. Raises InputError."""
@@ -97,7 +103,9 @@ class LawKind:
 
     def __str__(self) -> str:
         lines = [f"{self.name}: {self.summary}", f"  {self.shape}", f"  {self.source}"]
-        lines += [f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters]
+        lines += [
+            f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters
+        ]
         lines += [f"  formula {f.name}: {f.source}; {f.note}" for f in self.formulas]
         return "\n".join(lines)
 
@@ -105,8 +113,15 @@ class LawKind:
 class Law:
     """One law with its parameters. Holds no history: the same states give the same forces."""
 
-    def __init__(self, kind: LawKind, restitution: Quantity | None, formula: str | None, impact_velocity: Quantity | None,
-                 reduced_mass: Quantity | None, parameters: Mapping[str, Quantity | None]) -> None:
+    def __init__(
+        self,
+        kind: LawKind,
+        restitution: Quantity | None,
+        formula: str | None,
+        impact_velocity: Quantity | None,
+        reduced_mass: Quantity | None,
+        parameters: Mapping[str, Quantity | None],
+    ) -> None:
         given = {name: value for name, value in parameters.items() if value is not None}
         exponent = next((p.typical for p in kind.parameters if p.name == "exponent"), 1.0)
         if "exponent" in given:
@@ -119,7 +134,8 @@ class Law:
         self.reduced_mass = None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
         #: in SI
         self.parameters = {name: _number(name, value, units.get(name, ""), exponent) for name, value in given.items()}
-        # Without a mass of its own the law is checked with another one; every answer asks for the true one, unless none is needed.
+        # Without a mass of its own the law is checked with another one; every answer asks for the true one, unless none
+        # is needed.
         self._made: core.Law | None = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
         if self.reduced_mass is None and kind.takes_reduced_mass:
             try:
@@ -128,63 +144,101 @@ class Law:
                 self._made = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # The compiled law is made again from the parameters: copies, and laws sent to other processes, have the same bits.
-        return Law, (self.kind, self.restitution, self.formula, self.impact_velocity, self.reduced_mass, self.parameters)
+        # The compiled law is made again from the parameters: copies, and laws sent to other processes, have the same
+        # bits.
+        return Law, (
+            self.kind,
+            self.restitution,
+            self.formula,
+            self.impact_velocity,
+            self.reduced_mass,
+            self.parameters,
+        )
 
-    def force(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
-              reduced_mass: Quantity | None = None, in_order: bool = False) -> Values:
+    def force(
+        self,
+        penetration: Numbers,
+        rate: Numbers,
+        approach_velocity: Numbers | None = None,
+        *,
+        reduced_mass: Quantity | None = None,
+        in_order: bool = False,
+    ) -> Values:
         """Contact force [N] at penetrations [m] and rates [m/s], arrays of any shapes that go together.
 
-        `approach_velocity`: closing speed of the impact [m/s], where the damping depends on it. Each state is taken as the
-        first of its impact; `in_order` takes those of a row as one impact, with the memory that some laws have. NaN gives
-        NaN. Raises InputError."""
+        `approach_velocity`: closing speed of the impact [m/s], where the damping depends on it. Each state is taken as
+        the first of its impact; `in_order` takes those of a row as one impact, with the memory that some laws have. NaN
+        gives NaN. Raises InputError."""
         return self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=False)[()]
 
-    def respond(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
-                reduced_mass: Quantity | None = None, in_order: bool = False) -> Response:
+    def respond(
+        self,
+        penetration: Numbers,
+        rate: Numbers,
+        approach_velocity: Numbers | None = None,
+        *,
+        reduced_mass: Quantity | None = None,
+        in_order: bool = False,
+    ) -> Response:
         """As `force`, with the slopes of the force by penetration [N/m] and by rate [N s/m]. Raises InputError."""
         answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
         return Response(*(values[()] for values in answer))
 
     @takes(closing_speed=arguments.numbers, reduced_mass=optional(quantity))
     def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
-        """Two free bodies with this reduced mass [kg] that meet at this speed [m/s], one impact an element. The mass is the
-        law's own unless given. Raises InputError unless both are finite and positive."""
+        """Two free bodies with this reduced mass [kg] that meet at this speed [m/s], one impact an element. The mass is
+        the law's own unless given. Raises InputError unless both are finite and positive."""
         mass = self.reduced_mass if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
         if mass is None:
             raise InputError("free_impact needs reduced_mass [kg]: m1 m2/(m1+m2) of the two bodies")
         law = self._with_mass(None if self.reduced_mass is not None else mass)
         speeds = np.asarray(closing_speed)
         impacts = [law.free_impact(mass, speed) for speed in speeds.ravel()]
-        values = {name: np.array([getattr(impact, name) for impact in impacts]).reshape(speeds.shape)[()]
-                  for name in FreeImpact.__dataclass_fields__ if name != "closed_form"}
+        values = {
+            name: np.array([getattr(impact, name) for impact in impacts]).reshape(speeds.shape)[()]
+            for name in FreeImpact.__dataclass_fields__
+            if name != "closed_form"
+        }
         return FreeImpact(**values, closed_form=tuple(impacts[0].closed_form) if impacts else ())
 
     @takes(closing_speed=number(0, open=True))
     def describe(self, closing_speed: float = 1.0) -> dict[str, tuple[float, str]]:
-        """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value, SI
-        unit)."""
+        """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value,
+        SI unit)."""
         return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
 
     def __str__(self) -> str:
         return "\n".join(told.law(self))
 
     def __repr__(self) -> str:
-        given = {"restitution": self.restitution, "formula": self.formula, "impact_velocity": self.impact_velocity,
-                 "reduced_mass": self.reduced_mass, **self.parameters}
+        given = {
+            "restitution": self.restitution,
+            "formula": self.formula,
+            "impact_velocity": self.impact_velocity,
+            "reduced_mass": self.reduced_mass,
+            **self.parameters,
+        }
         words = ", ".join(f"{name}={value!r}" for name, value in given.items() if value is not None)
         return f'laws["{self.kind.name}"]({words})'
 
-    def _asked(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None,
-               reduced_mass: Quantity | None, in_order: bool, slopes: bool) -> Any:
+    def _asked(
+        self,
+        penetration: Numbers,
+        rate: Numbers,
+        approach_velocity: Numbers | None,
+        reduced_mass: Quantity | None,
+        in_order: bool,
+        slopes: bool,
+    ) -> Any:
         name, in_order = self.kind.name, flag("in_order", in_order)
         if self.kind.instantaneous:
             raise InputError(f"{name} has no force history")
         law = self._with_mass(None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg"))
         if approach_velocity is None:
             if law.needs_approach_velocity:
-                raise InputError(f"{name} needs approach_velocity [m/s], the closing speed of the impact: its damping depends "
-                                 "on it")
+                raise InputError(
+                    f"{name} needs approach_velocity [m/s], the closing speed of the impact: its damping depends on it"
+                )
             approach_velocity = 1.0
         given = {"penetration": penetration, "rate": rate, "approach_velocity": approach_velocity}
         arrays = [arguments.numbers(key, values) for key, values in given.items()]
@@ -193,13 +247,17 @@ class Law:
             worst = velocity[~(np.isfinite(velocity) & (velocity >= 0))].flat[0]
             raise InputError(f"approach_velocity is {worst:g}, but must be finite and not negative")
         if in_order and (velocity.ndim or max(array.ndim for array in arrays) != 1):
-            raise InputError("in_order takes the states of one impact: rows of penetrations and rates, one approach_velocity")
+            raise InputError(
+                "in_order takes the states of one impact: rows of penetrations and rates, one approach_velocity"
+            )
         if len({array.shape for array in arrays if array.ndim}) > 1:
             try:
                 arrays = list(np.broadcast_arrays(*arrays))
             except ValueError:
                 shapes = ", ".join(f"{key} {array.shape}" for key, array in zip(given, arrays))
-                raise InputError(f"the arrays have shapes that do not go together: {shapes}; give arrays of one shape, or numbers") from None
+                raise InputError(
+                    f"the arrays have shapes that do not go together: {shapes}; give arrays of one shape, or numbers"
+                ) from None
         ask = law.responses if slopes else law.forces
         return ask(arrays[0], arrays[1], arrays[2], in_order)
 
@@ -207,12 +265,15 @@ class Law:
         if mass is not None:
             return self._make(mass)
         if self._made is None:
-            raise InputError(f"{self.kind.name} needs reduced_mass [kg], m1 m2/(m1+m2) of the two bodies: its damping "
-                             "depends on it")
+            raise InputError(
+                f"{self.kind.name} needs reduced_mass [kg], m1 m2/(m1+m2) of the two bodies: its damping depends on it"
+            )
         return self._made
 
     def _make(self, mass: float) -> core.Law:
-        return core.Law(self.kind.name, self.formula or "", self.restitution, self.impact_velocity, mass, self.parameters)
+        return core.Law(
+            self.kind.name, self.formula or "", self.restitution, self.impact_velocity, mass, self.parameters
+        )
 
 
 class Laws(Mapping[str, LawKind]):
@@ -244,24 +305,53 @@ class Laws(Mapping[str, LawKind]):
         return "laws"
 
 
-@takes(law=text, m1=quantity, m2=quantity, restitution=optional(quantity), stiffness=optional(quantity), velocity=optional(quantity),
-       exponent=optional(quantity), parameters=quantity)
-def calibrate(law: str, *, m1: Quantity, m2: Quantity = "wall", restitution: Quantity | None = None,
-              stiffness: Quantity | None = None, velocity: Quantity | None = None, exponent: Quantity | None = None,
-              **parameters: Quantity) -> dict[str, Any]:
-    """Damping of a law for a restitution by every formula, and what each really gives in a free impact of bodies of masses
-    `m1` and `m2` [kg] at closing speed `velocity` [m/s]: the object that `pounding calibrate --json` prints.
+@takes(
+    law=text,
+    m1=quantity,
+    m2=quantity,
+    restitution=optional(quantity),
+    stiffness=optional(quantity),
+    velocity=optional(quantity),
+    exponent=optional(quantity),
+    parameters=quantity,
+)
+def calibrate(
+    law: str,
+    *,
+    m1: Quantity,
+    m2: Quantity = "wall",
+    restitution: Quantity | None = None,
+    stiffness: Quantity | None = None,
+    velocity: Quantity | None = None,
+    exponent: Quantity | None = None,
+    **parameters: Quantity,
+) -> dict[str, Any]:
+    """Damping of a law for a restitution by every formula, and what each really gives in a free impact of bodies of
+    masses `m1` and `m2` [kg] at closing speed `velocity` [m/s]: the object that `pounding calibrate --json` prints.
 
-    Typical values stand in for what is not given; "assumed" names them. In "formulas" there is one entry a formula with its
-    restitution, peak_force [N], time_of_peak [s], peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and
-    damping, or why it is "refused". Raises InputError."""
-    return core.calibrate(law, _word(restitution), _word(m1), _word(m2), _word(stiffness), _word(velocity), _word(exponent),
-                          [(name, _word(value)) for name, value in parameters.items()])
+    Typical values stand in for what is not given; "assumed" names them. In "formulas" there is one entry a formula with
+    its restitution, peak_force [N], time_of_peak [s], peak_penetration [m], duration [s], energy_lost [J], impulse [N
+    s] and damping, or why it is "refused". Raises InputError."""
+    return core.calibrate(
+        law,
+        _word(restitution),
+        _word(m1),
+        _word(m2),
+        _word(stiffness),
+        _word(velocity),
+        _word(exponent),
+        [(name, _word(value)) for name, value in parameters.items()],
+    )
 
 
 def _kind(entry: dict[str, Any]) -> LawKind:
-    return LawKind(**{**entry, "parameters": tuple(Parameter(*p) for p in entry["parameters"]),
-                      "formulas": tuple(Formula(*f) for f in entry["formulas"])})
+    return LawKind(
+        **{
+            **entry,
+            "parameters": tuple(Parameter(*p) for p in entry["parameters"]),
+            "formulas": tuple(Formula(*f) for f in entry["formulas"]),
+        }
+    )
 
 
 def _number(name: str, value: Quantity, unit: str, exponent: float = 1.0) -> float:

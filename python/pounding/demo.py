@@ -1,5 +1,5 @@
-"""`pounding demo`, two frames through a synthetic earthquake, and `pounding lessons`, which copies the models of the lessons. Both lie in the
-wheel; a folder of sources has them in examples/."""
+"""`pounding demo`, two frames through a synthetic earthquake, and `pounding lessons`, which copies the models of the
+lessons. Both lie in the wheel; a folder of sources has them in examples/."""
 
 from __future__ import annotations
 
@@ -16,28 +16,41 @@ _PLACES = (Path(__file__).parent / "lessons", Path(__file__).resolve().parents[2
 
 
 def lessons() -> Path:
-    """Folder of the lessons: a folder a lesson, with its model and its page. Raises InputError where neither wheel nor sources have one."""
+    """Folder of the lessons: a folder a lesson, with its model and its page. Raises InputError where neither wheel nor
+    sources have one."""
     for place in _PLACES:
         if (place / "demo/synthetic.yaml").is_file():
             return place
-    raise InputError(f"the lessons are in none of {', '.join(map(str, _PLACES))}; the wheel that `make portable-wheel` builds brings them")
+    raise InputError(
+        f"the lessons are in none of {', '.join(map(str, _PLACES))}; the wheel that `make portable-wheel` builds brings them"
+    )
 
 
 def demo_words(arguments: list[str]) -> list[str]:
-    """The words of the program that `pounding demo` stands for: the run leaves demo.h5, and demo.png where matplotlib is installed."""
-    parser = argparse.ArgumentParser(prog="pounding demo", description="Two frames, 10 mm apart, through a synthetic earthquake of 30 s: prints the table, "
-                                     "leaves demo.h5 and demo.png in this folder.")
+    """The words of the program that `pounding demo` stands for: the run leaves demo.h5, and demo.png where matplotlib
+    is installed."""
+    parser = argparse.ArgumentParser(
+        prog="pounding demo",
+        description="Two frames, 10 mm apart, through a synthetic earthquake of 30 s: prints the table, "
+        "leaves demo.h5 and demo.png in this folder.",
+    )
     parser.parse_args(arguments)
     words = ["run", str(lessons() / "demo/synthetic.yaml"), "-o", "demo.h5"]
     if importlib.util.find_spec("matplotlib"):
         return [*words, "--plot"]
-    print("pounding: warning: no demo.png without matplotlib; type python3 -m pip install matplotlib", file=sys.stderr, flush=True)
+    print(
+        "pounding: warning: no demo.png without matplotlib; type python3 -m pip install matplotlib",
+        file=sys.stderr,
+        flush=True,
+    )
     return words
 
 
 def copy_lessons(arguments: list[str]) -> int:
     """`pounding lessons FOLDER`: copies them. Returns 0."""
-    parser = argparse.ArgumentParser(prog="pounding lessons", description="Copies the models of the lessons, each with its page.")
+    parser = argparse.ArgumentParser(
+        prog="pounding lessons", description="Copies the models of the lessons, each with its page."
+    )
     parser.add_argument("folder", nargs="?", default="lessons", help="new folder (default: lessons)")
     folder = Path(parser.parse_args(arguments).folder)
     if folder.exists():
@@ -50,5 +63,7 @@ def copy_lessons(arguments: list[str]) -> int:
         for source in (file, file.parent / "README.md"):
             shutil.copy(source, place)
     count = sum(1 for model in folder.glob("[0-9]*/model.yaml"))
-    print(f"lessons      {folder}{os.sep} ({count} models); the first one: pounding run {folder}/02_two_oscillators/model.yaml")
+    print(
+        f"lessons      {folder}{os.sep} ({count} models); the first one: pounding run {folder}/02_two_oscillators/model.yaml"
+    )
     return 0

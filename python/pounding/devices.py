@@ -27,7 +27,8 @@ class Device(told.Told, lines=told.device):
     exponent: float  #: of the velocity
     elongation: np.ndarray  #: [time] at the output times [m]
     force: np.ndarray  #: [time] [N]
-    largest: dict[str, np.ndarray]  #: least and largest elongation and force over all steps; elongation_time and force_time [s]
+    #: least and largest elongation and force over all steps; elongation_time and force_time [s]
+    largest: dict[str, np.ndarray]
 
 
 def read_devices(file: h5py.Group) -> dict[str, Device]:
@@ -38,6 +39,12 @@ def read_devices(file: h5py.Group) -> dict[str, Device]:
 def _device(name: str, group: h5py.Group) -> Device:
     ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
     numbers: dict[str, Any] = {key: float(group.attrs[key]) for key in ("stiffness", "coefficient", "exponent")}
-    return Device(name=name, **ends, **numbers, direction=np.asarray(group.attrs["direction"], dtype=float),
-                  elongation=group["elongation"][:], force=group["force"][:],
-                  largest={key: data[:] for key, data in group["envelope"].items()})
+    return Device(
+        name=name,
+        **ends,
+        **numbers,
+        direction=np.asarray(group.attrs["direction"], dtype=float),
+        elongation=group["elongation"][:],
+        force=group["force"][:],
+        largest={key: data[:] for key, data in group["envelope"].items()},
+    )

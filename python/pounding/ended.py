@@ -12,7 +12,8 @@ from pounding.errors import InputError, SolverError
 
 
 def exit_code(main: Callable[[], int]) -> int:
-    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else, Ctrl-C included.
+    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else, Ctrl-C
+    included.
 
     Every exception is one line on standard error. A closed pipe, as by `head`, is no error."""
     before = sys.stdout, sys.stderr
@@ -33,7 +34,8 @@ def exit_code(main: Callable[[], int]) -> int:
 
 
 class _Stream:
-    """A standard stream. What it cannot print ends no command: the first error is kept. None where the caller has closed it."""
+    """A standard stream. What it cannot print ends no command: the first error is kept. None where the caller has
+    closed it."""
 
     def __init__(self, stream: TextIO | None) -> None:
         self._stream = stream

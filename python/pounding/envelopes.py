@@ -1,5 +1,5 @@
-"""Extremes of a run: least and largest value of every quantity, with their times. They are tracked in every step of the run and
-inside the steps, so they do not depend on the output times."""
+"""Extremes of a run: least and largest value of every quantity, with their times. They are tracked in every step of the
+run and inside the steps, so they do not depend on the output times."""
 
 from __future__ import annotations
 
@@ -12,12 +12,14 @@ import numpy as np
 from pounding.texts import text, texts
 
 
-#: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan along y, then along y.
+#: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan
+#: along y, then along y.
 EDGES = ("x at smallest y", "x at largest y", "y at smallest x", "y at largest x")
 
 
 def section_signs(components: list[str]) -> np.ndarray:
-    """[component]: -1 for those of the start of a member, 1 for those of its end: they turn end forces into internal forces."""
+    """[component]: -1 for those of the start of a member, 1 for those of its end: they turn end forces into internal
+    forces."""
     return np.array([-1.0 if component.startswith("start") else 1.0 for component in components])
 
 
@@ -52,7 +54,8 @@ class StructureEnvelope:
     floors: list[str]  #: labels from the ground up
     directions: list[str] = field(default_factory=list)  #: of the floors: x; in space x, y, rz
     displacement: Extremes | None = None  #: [floor, direction] relative to the ground [m], [rad]
-    edge_displacement: Extremes | None = None  #: [floor, edge] in the order of EDGES [m]; NaN for floors that are not rigid in space
+    #: [floor, edge] in the order of EDGES [m]; NaN for floors that are not rigid in space
+    edge_displacement: Extremes | None = None
     acceleration: Extremes | None = None  #: [floor, direction] absolute [m/s^2], [rad/s^2]
     drift: Extremes | None = None  #: [floor, x or x and y] floor minus the floor below [m]
     storey_shear: Extremes | None = None  #: [floor, x or x and y] of the storey below the floor [N]
@@ -62,14 +65,17 @@ class StructureEnvelope:
     member_force: Extremes | None = None  #: [member, component] on the ends of members, local axes [N], [N m]
     supports: list[str] = field(default_factory=list)  #: names of the nodes that the ground holds
     support_directions: list[str] = field(default_factory=list)  #: x, z, ry; in space x, y, z, rx, ry, rz
-    reaction: Extremes | None = None  #: [support, direction] of the ground on a frame [N], [N m]; along z negative in uplift
-    gravity_included: bool | None = None  #: whether member_force and reaction include the weights of the masses; None if not known
+    #: [support, direction] of the ground on a frame [N], [N m]; along z negative in uplift
+    reaction: Extremes | None = None
+    #: whether member_force and reaction include the weights of the masses; None if not known
+    gravity_included: bool | None = None
     included: str = ""  #: what else they include: "gravity, P-Delta"
 
     @property
     def section_force(self) -> Extremes | None:
-        """[member, component]: internal forces on the sections at the ends of members, on the face towards the end of the member: N > 0 is
-        tension at either end, and the sign of a component does not depend on the end [N], [N m]."""
+        """[member, component]: internal forces on the sections at the ends of members, on the face towards the end of
+        the member: N > 0 is tension at either end, and the sign of a component does not depend on the end [N], [N
+        m]."""
         if self.member_force is None:
             return None
         starts = np.array([component.startswith("start") for component in self.components])[:, None]
@@ -88,36 +94,56 @@ class StructureEnvelope:
         return Extremes(np.take_along_axis(values, at, axis=1)[:, 0], np.take_along_axis(times, at, axis=1)[:, 0])
 
     def member(self, name: str) -> dict[str, tuple[float, float]]:
-        """Least and largest force on the ends of one member, by component: `member("column 1.0")["start My"]` [N], [N m]. The axial force
-        has one sign at the start and the other one at the end; see `section`. Raises KeyError."""
+        """Least and largest force on the ends of one member, by component: `member("column 1.0")["start My"]` [N], [N
+        m]. The axial force has one sign at the start and the other one at the end; see `section`. Raises KeyError."""
         return self._of_member(name, self.member_force)
 
     def section(self, name: str) -> dict[str, tuple[float, float]]:
-        """As `member`, but internal forces: `section("column 1.0")["start N"]` is positive in tension, as is "end N". Raises KeyError."""
+        """As `member`, but internal forces: `section("column 1.0")["start N"]` is positive in tension, as is "end N".
+        Raises KeyError."""
         return self._of_member(name, self.section_force)
 
     def _of_member(self, name: str, forces: Extremes | None) -> dict[str, tuple[float, float]]:
         if forces is None or name not in self.members:
             raise KeyError(f"{self.name} has no member {name}; it has {', '.join(self.members) or 'none'}")
-        return {component: (float(low), float(high)) for component, (low, high) in zip(self.components, forces.values[self.members.index(name)])}
+        return {
+            component: (float(low), float(high))
+            for component, (low, high) in zip(self.components, forces.values[self.members.index(name)])
+        }
 
 
 def read_envelopes(file: h5py.Group) -> dict[str, StructureEnvelope]:
-    """The envelopes of all structures in a results file, or in its group of the run without links; none in files of version 0.1."""
+    """The envelopes of all structures in a results file, or in its group of the run without links; none in files of
+    version 0.1."""
     place = "envelopes/structures"
     return {name: _envelope(name, group) for name, group in file[place].items()} if place in file else {}
 
 
 def _envelope(name: str, group: h5py.Group) -> StructureEnvelope:
-    quantities = ("displacement", "edge_displacement", "acceleration", "drift", "storey_shear", "base_shear", "member_force", "reaction")
-    found: dict[str, Any] = {key: Extremes(group[key][:], group[f"{key}_time"][:]) for key in quantities if key in group}
+    quantities = (
+        "displacement",
+        "edge_displacement",
+        "acceleration",
+        "drift",
+        "storey_shear",
+        "base_shear",
+        "member_force",
+        "reaction",
+    )
+    found: dict[str, Any] = {
+        key: Extremes(group[key][:], group[f"{key}_time"][:]) for key in quantities if key in group
+    }
     return StructureEnvelope(
-        name=name, floors=texts(group.attrs["floors"]), directions=_attribute(group, "displacement", "directions"),
+        name=name,
+        floors=texts(group.attrs["floors"]),
+        directions=_attribute(group, "displacement", "directions"),
         members=texts(group["members"][:]) if "members" in group else [],
         components=_attribute(group, "member_force", "components"),
         supports=texts(group["supports"][:]) if "supports" in group else [],
         support_directions=_attribute(group, "reaction", "directions"),
-        **included(group.get("member_force", group.get("reaction"))), **found)
+        **included(group.get("member_force", group.get("reaction"))),
+        **found,
+    )
 
 
 def included(forces: h5py.Dataset | None) -> dict[str, Any]:

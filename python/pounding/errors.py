@@ -13,7 +13,7 @@ LONGEST_MESSAGE, LONGEST_EXCERPT = 1800, 200
 
 def shortened(text: str) -> str:
     """The text without its middle if it is longer than a message may be: its end says what to type."""
-    return text if len(text) <= LONGEST_MESSAGE else f"{text[:LONGEST_MESSAGE - 605]} ... {text[-600:]}"
+    return text if len(text) <= LONGEST_MESSAGE else f"{text[: LONGEST_MESSAGE - 605]} ... {text[-600:]}"
 
 
 def excerpt(value: object) -> str:
@@ -21,7 +21,7 @@ def excerpt(value: object) -> str:
     if isinstance(value, str):
         return f'"{value}"' if len(value) <= LONGEST_EXCERPT else f'"{value[:LONGEST_EXCERPT]}..."'
     if isinstance(value, (bytes, bytearray)):
-        shown = repr(value[:LONGEST_EXCERPT + 1])
+        shown = repr(value[: LONGEST_EXCERPT + 1])
     else:
         try:
             shown = reprlib.repr(value)
@@ -34,12 +34,23 @@ class InputError(ValueError):
     """Wrong input. The text says where it is, what was read, what is allowed and what to type."""
 
     def __init__(self, text: object = "") -> None:
-        super().__init__("".join(letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode() for letter in shortened(str(text))))
+        super().__init__(
+            "".join(
+                letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode()
+                for letter in shortened(str(text))
+            )
+        )
 
 
 def _is_shown(letter: str) -> bool:
-    """Whether a character is shown as itself: what a file quotes may hold characters that move the cursor of a terminal."""
-    return letter.isascii() and letter.isprintable() or not letter.isascii() and unicodedata.category(letter) not in ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
+    """Whether a character is shown as itself: what a file quotes may hold characters that move the cursor of a
+    terminal."""
+    return (
+        letter.isascii()
+        and letter.isprintable()
+        or not letter.isascii()
+        and unicodedata.category(letter) not in ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
+    )
 
 
 class SolverError(RuntimeError):
@@ -63,5 +74,5 @@ class AccuracyWarning(UserWarning):
 
 
 class ImplausibleWarning(UserWarning):
-    """A model, or a run of it, holds numbers far from those of buildings, mostly by a unit that is missing. `accept` of the model
-    silences what is meant."""
+    """A model, or a run of it, holds numbers far from those of buildings, mostly by a unit that is missing. `accept` of
+    the model silences what is meant."""

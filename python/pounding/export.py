@@ -3,8 +3,9 @@
 NAME.xdmf is text that points into HDF5 files. It points into the results where datasets fit as they are; the rest
 (displacements of sticks, of plane frames, of frames with a part of their nodes) is written beside it to NAME.data.h5.
 Every structure is a grid of lines with the point vectors `displacement` [m] and, where the results have end forces of
-members, one cell array per component, such as `start N` [N], [N m], and `axial force`, positive in tension [N]; members without are NaN. Displacements are relative to
-the ground. In ParaView choose the reader "XDMF Reader" and warp by `displacement`.
+members, one cell array per component, such as `start N` [N], [N m], and `axial force`, positive in tension [N]; members
+without are NaN. Displacements are relative to the ground. In ParaView choose the reader "XDMF Reader" and warp by
+`displacement`.
 """
 
 from __future__ import annotations
@@ -37,10 +38,11 @@ BLOCK = 200
 
 
 def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> Path:
-    """Writes `path` for the run that was read from the file `results`, and the file of data beside it, which is returned.
+    """Writes `path` for the run that was read from the file `results`, and the file of data beside it, which is
+    returned.
 
-    Raises InputError when the suffix is not .xdmf, the run has no times, or a file would replace something else than an export; OSError when nothing can be
-    written."""
+    Raises InputError when the suffix is not .xdmf, the run has no times, or a file would replace something else than an
+    export; OSError when nothing can be written."""
     path = Path(path)
     if path.suffix != ".xdmf":
         raise BadRequest(f'cannot write {path}: "{path.suffix}" is not .xdmf')
@@ -64,7 +66,9 @@ def _xdmf(grids: list[_Grid], run: RunData) -> ElementTree.Element:
     domain = ElementTree.SubElement(root, "Domain")
     for grid in grids:
         # A series for each structure: names of grids within one series would be numbered by the reader.
-        series = ElementTree.SubElement(domain, "Grid", Name=grid.name, GridType="Collection", CollectionType="Temporal")
+        series = ElementTree.SubElement(
+            domain, "Grid", Name=grid.name, GridType="Collection", CollectionType="Temporal"
+        )
         for i, time in enumerate(run.time):
             grid.write(series, i, float(time))
     ElementTree.indent(root)
@@ -98,7 +102,9 @@ class _Data:
         """`count` values of the last axis from `first` on, of one time: [item, count]."""
         items = self.shape[1]
         shape = (items, count) if count > 1 else (items,)
-        slab = ElementTree.SubElement(parent, "DataItem", ItemType="HyperSlab", Type="HyperSlab", Dimensions=_numbers(shape))
+        slab = ElementTree.SubElement(
+            parent, "DataItem", ItemType="HyperSlab", Type="HyperSlab", Dimensions=_numbers(shape)
+        )
         choice = ElementTree.SubElement(slab, "DataItem", Dimensions="3 3", Format="XML", NumberType="Int")
         choice.text = " ".join(map(_numbers, ((step, 0, first), (1, 1, 1), (1, items, count))))
         self.whole(slab, FLOATS)
@@ -136,27 +142,36 @@ class _Grid:
                 stored = _Data(results, f"{own}/members/end_forces", members.end_forces.shape, companion)
             else:
                 stored = self._store_forces("end_forces", members.end_forces, members.names, geometry.member_names)
-            axial = self._store_forces("axial_force", members.axial_force[:, :, None], members.names, geometry.member_names)
+            axial = self._store_forces(
+                "axial_force", members.axial_force[:, :, None], members.names, geometry.member_names
+            )
             self.forces = [(stored, members.components), (axial, ["axial force"])]
 
     def write(self, parent: ElementTree.Element, step: int, time: float) -> None:
         grid = ElementTree.SubElement(parent, "Grid", Name=self.name, GridType="Uniform")
         ElementTree.SubElement(grid, "Time", Value=repr(time))
-        topology = ElementTree.SubElement(grid, "Topology", TopologyType="Polyline", NodesPerElement="2",
-                                          NumberOfElements=str(self.lines.shape[0]))
+        topology = ElementTree.SubElement(
+            grid, "Topology", TopologyType="Polyline", NodesPerElement="2", NumberOfElements=str(self.lines.shape[0])
+        )
         self.lines.whole(topology, INTEGERS)
         self.points.whole(ElementTree.SubElement(grid, "Geometry", GeometryType="XYZ"), FLOATS)
         vectors = ElementTree.SubElement(grid, "Attribute", Name="displacement", AttributeType="Vector", Center="Node")
         self.displacement.at(vectors, step, 0, 3)
         for forces, components in self.forces:
             for i, component in enumerate(components):
-                scalars = ElementTree.SubElement(grid, "Attribute", Name=component, AttributeType="Scalar", Center="Cell")
+                scalars = ElementTree.SubElement(
+                    grid, "Attribute", Name=component, AttributeType="Scalar", Center="Cell"
+                )
                 forces.at(scalars, step, i, 1)
 
     def _has_every_node(self) -> bool:
         nodes, geometry = self.structure.nodes, self.structure.geometry
-        return (nodes is not None and geometry is not None and nodes.names == geometry.node_names
-                and nodes.directions[:3] == ["x", "y", "z"])
+        return (
+            nodes is not None
+            and geometry is not None
+            and nodes.names == geometry.node_names
+            and nodes.directions[:3] == ["x", "y", "z"]
+        )
 
     def _store(self, what: str, values: np.ndarray) -> _Data:
         place = f"/{self.name}/{what}"
@@ -167,8 +182,8 @@ class _Grid:
         time = self.scene.run.time
         stored = self.data.create_dataset(f"/{self.name}/displacement", (time.size, len(model.nodes), 3), "f8")
         for first in range(0, time.size, BLOCK):
-            times = time[first:first + BLOCK]
-            stored[first:first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), model)
+            times = time[first : first + BLOCK]
+            stored[first : first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), model)
         return _Data(self.beside, stored.name, stored.shape, self.beside)
 
     def _store_forces(self, what: str, forces: np.ndarray, members: list[str], names: list[str]) -> _Data:
@@ -184,7 +199,9 @@ def _numbers(values: Iterable[int]) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the export not written."""
-    parser = argparse.ArgumentParser(prog="python3 -m pounding.export", description="Write the results of a run for ParaView.")
+    parser = argparse.ArgumentParser(
+        prog="python3 -m pounding.export", description="Write the results of a run for ParaView."
+    )
     parser.add_argument("results", help="file that `pounding run` wrote")
     parser.add_argument("-o", "--output", help="file to write: .xdmf (default: RESULTS.xdmf in the current folder)")
     options = parser.parse_args(arguments)

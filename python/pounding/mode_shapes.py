@@ -1,4 +1,5 @@
-"""Pictures of mode shapes: `pounding modes MODEL.yaml --plot` calls `python3 -m pounding.mode_shapes MODES.json -o OUT.png`.
+"""Pictures of mode shapes: `pounding modes MODEL.yaml --plot` calls `python3 -m pounding.mode_shapes MODES.json -o
+OUT.png`.
 
 The file is one JSON object:
 
@@ -8,7 +9,8 @@ The file is one JSON object:
     node_shapes   name -> [mode][node][x, y, z], displacements of the nodes of `geometry` in each mode, to any scale
     elevations    name -> [floor] [m]; of structures without geometry; optional
 
-A bare `pounding modes --json` is read too: its structures are drawn as profiles, their unknowns floors from the ground up.
+A bare `pounding modes --json` is read too: its structures are drawn as profiles, their unknowns floors from the ground
+up.
 """
 
 from __future__ import annotations
@@ -68,13 +70,23 @@ def read_modes(values: dict[str, Any]) -> list[DrawnStructure]:
     structures = []
     for name, found in whole["modes"].items():
         geometry = whole.get("geometry", {}).get(name) or {}
-        structures.append(DrawnStructure(
-            name,
-            [DrawnMode(math.inf if one.get("period") is None else one["period"], one["damping_ratio"], np.array(one["shape"]))
-             for one in found],
-            whole.get("elevations", {}).get(name), np.array(geometry.get("nodes", []), float).reshape(-1, 3),
-            np.array(geometry.get("members", []), int).reshape(-1, 2),
-            [np.array(shape, float) for shape in whole.get("node_shapes", {}).get(name, [])]))
+        structures.append(
+            DrawnStructure(
+                name,
+                [
+                    DrawnMode(
+                        math.inf if one.get("period") is None else one["period"],
+                        one["damping_ratio"],
+                        np.array(one["shape"]),
+                    )
+                    for one in found
+                ],
+                whole.get("elevations", {}).get(name),
+                np.array(geometry.get("nodes", []), float).reshape(-1, 3),
+                np.array(geometry.get("members", []), int).reshape(-1, 2),
+                [np.array(shape, float) for shape in whole.get("node_shapes", {}).get(name, [])],
+            )
+        )
     return structures
 
 
@@ -110,7 +122,7 @@ def _view(nodes: np.ndarray) -> str:
 
 
 def _draw_structure(row: np.ndarray, structure: DrawnStructure, colour: str) -> None:
-    for axes in row[len(structure.modes):]:
+    for axes in row[len(structure.modes) :]:
         axes.set_axis_off()
     for number, (axes, mode) in enumerate(zip(row, structure.modes)):
         if len(structure.nodes):
@@ -143,16 +155,19 @@ def draw_deformed(axes: Axes, structure: DrawnStructure, number: int, colour: st
         raise BadRequest(f"{structure.name}: node_shapes of mode {number + 1} are missing")
     shape = structure.node_shapes[number]
     if shape.shape != nodes.shape:
-        raise BadRequest(f"{structure.name}: node_shapes are {shape.shape} numbers for {len(nodes)} nodes, they should be "
-                         f"{nodes.shape}")
+        raise BadRequest(
+            f"{structure.name}: node_shapes are {shape.shape} numbers for {len(nodes)} nodes, they should be "
+            f"{nodes.shape}"
+        )
     view = _view(nodes)
     moved = np.abs(shape).max()
     size = np.ptp(nodes, axis=0).max()
     displaced = nodes + (DRAWN_SIZE * size / moved if moved > 0 else 0) * shape
     many = len(members) > 300
     for points, line_colour, width in ((nodes, QUIET, 0.5), (displaced, colour, 0.6 if many else 1.2)):
-        axes.add_collection(LineCollection(project(points, view)[members], capstyle="round",
-                                         color=line_colour, linewidth=width))
+        axes.add_collection(
+            LineCollection(project(points, view)[members], capstyle="round", color=line_colour, linewidth=width)
+        )
     # All modes of a frame have the same scale, whichever way they move.
     room = DRAWN_SIZE * size
     flat = project(nodes, view)

@@ -22,8 +22,8 @@ PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis",
 
 
 class Model(told.Told, lines=told.model):
-    """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with units
-    ("20 mm") or numbers in SI.
+    """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with
+    units ("20 mm") or numbers in SI.
 
         Model(structures={"left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},
                           "right": {"wall": {}}},
@@ -31,14 +31,22 @@ class Model(told.Told, lines=told.model):
               ground_motion={"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}},
               analysis={"duration": 3.0})
 
-    The parts are attributes and may be changed; `check` and `run` read them, with the program's own reader. Relative paths
-    start from the working folder, those of a model from a file from the file's."""
+    The parts are attributes and may be changed; `check` and `run` read them, with the program's own reader. Relative
+    paths start from the working folder, those of a model from a file from the file's."""
 
-    def __init__(self, structures: Mapping[str, Any], links: Sequence[Mapping[str, Any]] = (), *,
-                 ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
-                 title: str | None = None, compare: str | None = None,
-                 checkpoint: Mapping[str, Any] | None = None, accept: Sequence[str] | None = None,
-                 devices: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self,
+        structures: Mapping[str, Any],
+        links: Sequence[Mapping[str, Any]] = (),
+        *,
+        ground_motion: Mapping[str, Any] | None = None,
+        analysis: Mapping[str, Any] | None = None,
+        title: str | None = None,
+        compare: str | None = None,
+        checkpoint: Mapping[str, Any] | None = None,
+        accept: Sequence[str] | None = None,
+        devices: Mapping[str, Any] | None = None,
+    ) -> None:
         self.structures = structures
         self.links = links
         self.ground_motion = ground_motion
@@ -50,7 +58,8 @@ class Model(told.Told, lines=told.model):
         self.devices = devices
         self._file = ""
         self._text = ""
-        self._files: Mapping[str, bytes] = {}  # contents of files that were read before, by the names that the parts give them
+        # contents of files that were read before, by the names that the parts give them
+        self._files: Mapping[str, bytes] = {}
         self._parts_of_text: dict[str, Any] | None = None
 
     @classmethod
@@ -134,8 +143,8 @@ def as_model(model: Model | str | PathLike[str]) -> Model:
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:
-    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong; warns of what is
-    hardly meant (ImplausibleWarning)."""
+    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong; warns of
+    what is hardly meant (ImplausibleWarning)."""
     description, resolved, doubts = core.check(as_model(model)._source())
     for doubt in doubts:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)

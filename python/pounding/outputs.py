@@ -32,8 +32,17 @@ class Kind:
 
 
 def _is_picture(_: Path, start: bytes) -> bool:
-    signatures = (b"\x89PNG", b"%PDF-", b"GIF8", b"%!PS", b"\xff\xd8\xff", b"RIFF", b"II*\0", b"MM\0*",
-                  b"%% Creator: Matplotlib")
+    signatures = (
+        b"\x89PNG",
+        b"%PDF-",
+        b"GIF8",
+        b"%!PS",
+        b"\xff\xd8\xff",
+        b"RIFF",
+        b"II*\0",
+        b"MM\0*",
+        b"%% Creator: Matplotlib",
+    )
     is_svg = start.startswith((b"<?xml", b"<svg")) and b"<svg" in start
     return start.startswith(signatures) or start[4:8] == b"ftyp" or is_svg
 
@@ -83,8 +92,9 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     if busy:
         refuse(path, "a run writes it now", "Wait for its end, or name another file")
     if start and not kind.recognises(place, start):
-        refuse(path, f"a file of this name exists and holds no {kind.name}",
-               f"Name another file, or first type: rm {name}")
+        refuse(
+            path, f"a file of this name exists and holds no {kind.name}", f"Name another file, or first type: rm {name}"
+        )
     return place
 
 
@@ -146,7 +156,8 @@ def bring_to_disk(path: Path) -> None:
 
 
 def _remove_leftovers(place: Path, suffix: str) -> str:
-    """Removes temporary files of killed processes of this host next to the file. Returns the beginning of their names."""
+    """Removes temporary files of killed processes of this host next to the file. Returns the beginning of their
+    names."""
     prefix = f".{place.name}.{socket.gethostname()}."
     pattern = re.compile(re.escape(prefix) + r"(\d+)" + re.escape(suffix))
     with contextlib.suppress(OSError):
@@ -166,7 +177,8 @@ def _is_running(process: int) -> bool:
     return True
 
 
-# One byte that no file reaches, as `pounding run` locks the file that it writes. HDF5 and other readers lock whole files.
+# One byte that no file reaches, as `pounding run` locks the file that it writes. HDF5 and other readers lock whole
+# files.
 _FLOCK = struct.Struct("@hhqqi4x")
 
 

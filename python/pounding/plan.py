@@ -1,4 +1,5 @@
-"""Frames placed in plan: rows along streets, blocks with corners. They take the words of a model and give them an `origin`."""
+"""Frames placed in plan: rows along streets, blocks with corners. They take the words of a model and give them an
+`origin`."""
 
 from __future__ import annotations
 
@@ -34,25 +35,33 @@ class Extent(NamedTuple):
 
 
 def extent(structures: Mapping[str, Any]) -> Extent:
-    """The rectangle around frames, as a model holds them: {name: {"frame": {...}, "damping": ...}}. A plane frame has no depth.
+    """The rectangle around frames, as a model holds them: {name: {"frame": {...}, "damping": ...}}. A plane frame has
+    no depth.
 
     Raises InputError for a structure that is no frame, and for one without grid and nodes."""
     if not arguments.mapping("structures", structures):
         raise InputError("structures: there is none; give at least one frame")
     every = [_extent(name, words) for name, words in structures.items()]
-    return Extent(min(one.x0 for one in every), max(one.x1 for one in every), min(one.y0 for one in every), max(one.y1 for one in every))
+    return Extent(
+        min(one.x0 for one in every),
+        max(one.x1 for one in every),
+        min(one.y0 for one in every),
+        max(one.y1 for one in every),
+    )
 
 
-def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Sequence[Any] = (0.0, 0.0), align: str = "low") -> dict[str, Any]:
+def row(
+    structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Sequence[Any] = (0.0, 0.0), align: str = "low"
+) -> dict[str, Any]:
     """The frames one after the other along x or y, in their order, as structures of a model.
 
-    gap: between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame but the last. It is measured
-    between faces, which are the `face` of a frame beyond its axes; "auto" is known to the program only and refused here.
-    start: x, y where the row begins [m].
-    align: which sides of the frames stand in the line through `start`: those where the other coordinate is least (low) or largest (high).
+    gap: between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame but the
+    last. It is measured between faces, which are the `face` of a frame beyond its axes; "auto" is known to the program
+    only and refused here. start: x, y where the row begins [m]. align: which sides of the frames stand in the line
+    through `start`: those where the other coordinate is least (low) or largest (high).
 
-    Nothing that was given is changed; an `origin` that a frame had is replaced. Raises InputError as `extent` does, and for gaps that
-    are negative or too few."""
+    Nothing that was given is changed; an `origin` that a frame had is replaced. Raises InputError as `extent` does, and
+    for gaps that are negative or too few."""
     arguments.mapping("structures", structures)
     arguments.one_of(("x", "y"))("along", along)
     arguments.one_of(("low", "high"))("align", align)
@@ -72,9 +81,9 @@ def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Seq
         is_plane = not _is_spatial(frame)
         if is_plane and along == "y":
             raise InputError(f"structures.{name}: is a plane frame, and these stand in rows along x")
-        height = list(frame.pop("origin", ()))[1 if is_plane else 2:]
+        height = list(frame.pop("origin", ()))[1 if is_plane else 2 :]
         own = _extent(name, placed[name])
-        corner = [place[0] - own.x0, place[1] - own.y0][:1 if is_plane else 2]
+        corner = [place[0] - own.x0, place[1] - own.y0][: 1 if is_plane else 2]
         if align == "high" and not is_plane:
             corner[1 - axis] -= (own.width, own.depth)[1 - axis]
         frame["origin"] = [*(round(value, DECIMALS) for value in corner), *height]
@@ -86,7 +95,9 @@ def _each(gap: Any, count: int) -> list[Any]:
     if isinstance(gap, str) or not isinstance(gap, Sequence):
         return [gap] * max(count, 0)
     if len(gap) != count:
-        raise InputError(f"gap: takes one gap, or a list of {count}, one after each frame but the last; {len(gap)} were given")
+        raise InputError(
+            f"gap: takes one gap, or a list of {count}, one after each frame but the last; {len(gap)} were given"
+        )
     return list(gap)
 
 
@@ -95,12 +106,14 @@ def _frame(name: str, words: Any) -> dict[str, Any]:
     if isinstance(frame, dict):
         for key, kind in (("grid", Mapping), ("nodes", Mapping), ("origin", Sequence)):
             if key in frame and not isinstance(frame[key], kind):
-                raise arguments.refuse(f"structures.{name}.frame.{key}", "a map" if kind is Mapping else "a list", frame[key])
+                raise arguments.refuse(
+                    f"structures.{name}.frame.{key}", "a map" if kind is Mapping else "a list", frame[key]
+                )
         for node, position in frame.get("nodes", {}).items():
             if isinstance(position, str) or not isinstance(position, Sequence) or len(position) not in (2, 3):
                 raise arguments.refuse(f"structures.{name}.frame.nodes.{node}", "two or three coordinates", position)
     if not isinstance(frame, dict):
-        raise InputError(f"structures.{name}: has no place in plan; only frames have: {{\"frame\": {{...}}}}")
+        raise InputError(f'structures.{name}: has no place in plan; only frames have: {{"frame": {{...}}}}')
     return frame
 
 
@@ -109,7 +122,9 @@ def _face(name: str, words: Mapping[str, Any]) -> float:
     frame = _frame(name, words)
     face = words.get("face", frame.get("face", 0.0))
     if face == "auto":
-        raise InputError(f'structures.{name}.face: a row needs the distance from the axes to the faces; type "0.3 m" instead of auto')
+        raise InputError(
+            f'structures.{name}.face: a row needs the distance from the axes to the faces; type "0.3 m" instead of auto'
+        )
     return _metres(face, f"structures.{name}.face")
 
 
@@ -141,7 +156,9 @@ def _size(place: str, grid: Mapping[str, Any]) -> tuple[float, float]:
         raise InputError(f'{place}: its size needs bays and bay_width, as in "bays": [3, 2], "bay_width": "6 m"')
     counts = list(bays) if isinstance(bays, Sequence) and not isinstance(bays, str) else [bays]
     if not counts:
-        raise InputError(f"{place}.bays: takes a number of bays, or one along x and one along y; an empty list was given")
+        raise InputError(
+            f"{place}.bays: takes a number of bays, or one along x and one along y; an empty list was given"
+        )
     sizes = []
     for count, axis in zip(counts, "xy"):
         if isinstance(width, Mapping) and axis not in width:

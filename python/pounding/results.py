@@ -54,18 +54,20 @@ class MemberForces(told.Told, lines=told.member_forces):
     names: list[str]
     components: list[str]  #: "start N", "start Vz", "start My", "end N" ...
     end_forces: np.ndarray  #: [time, member, component] [N], [N m]
-    gravity_included: bool | None = None  #: whether the weights of the masses are in them; None in a file that does not say it
+    #: whether the weights of the masses are in them; None in a file that does not say it
+    gravity_included: bool | None = None
     included: str = ""  #: what else is: "gravity, P-Delta"
 
     @property
     def section_forces(self) -> np.ndarray:
-        """[time, member, component]: internal forces on the sections at the ends, on the face towards the end of the member: N > 0 is tension at
-        either end, and the sign of a component does not depend on the end [N], [N m]."""
+        """[time, member, component]: internal forces on the sections at the ends, on the face towards the end of the
+        member: N > 0 is tension at either end, and the sign of a component does not depend on the end [N], [N m]."""
         return self.end_forces * section_signs(self.components)
 
     @property
     def axial_force(self) -> np.ndarray:
-        """[time, member]: axial force, positive in tension [N]; of the end where it is larger if loads act along the member."""
+        """[time, member]: axial force, positive in tension [N]; of the end where it is larger if loads act along the
+        member."""
         ends = self.section_forces[:, :, [self.components.index(f"{end} N") for end in ("start", "end")]]
         return np.take_along_axis(ends, np.abs(ends).argmax(axis=2, keepdims=True), axis=2)[:, :, 0]
 
@@ -95,8 +97,8 @@ class FloorMotion(told.Told, lines=told.floor_motion):
 
 @dataclass(frozen=True, repr=False)
 class Structure(told.Told, lines=told.structure):
-    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other directions are
-    in `along`, as in `along["y"].drift`."""
+    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other
+    directions are in `along`, as in `along["y"].drift`."""
 
     name: str
     floors: list[str]  #: labels from the ground up
@@ -109,8 +111,8 @@ class Structure(told.Told, lines=told.structure):
     members: MemberForces | None = None  #: None where the input asked for no members
     reactions: Reactions | None = None  #: of a frame; None for other structures
     springs: Springs | None = None  #: the parts that yield; None where all stays elastic
-    #: [floor, 4] of rigid floors in space: smallest x, largest x, smallest y, largest y, relative to the point whose motion is
-    #: reported [m]; NaN for other floors, None for a structure without rigid floors in space.
+    #: [floor, 4] of rigid floors in space: smallest x, largest x, smallest y, largest y, relative to the point whose
+    #: motion is reported [m]; NaN for other floors, None for a structure without rigid floors in space.
     plan: np.ndarray | None = None
 
     @property
@@ -145,15 +147,16 @@ class Structure(told.Told, lines=told.structure):
 
     @property
     def rotation(self) -> np.ndarray | None:
-        """[time, floor] about z [rad]; NaN for a floor that is not rigid, None for a structure without rigid floors in space."""
+        """[time, floor] about z [rad]; NaN for a floor that is not rigid, None for a structure without rigid floors in
+        space."""
         if self.plan is None:
             return None
         return np.where(np.isnan(self.plan[:, 0]), np.nan, self.along["rz"].displacement)
 
     @property
     def edge_displacement(self) -> np.ndarray | None:
-        """[time, floor, edge]: displacements of the edges of rigid floors along themselves, in the order of `pounding.envelopes.EDGES` [m]; NaN
-        and None as in `rotation`."""
+        """[time, floor, edge]: displacements of the edges of rigid floors along themselves, in the order of
+        `pounding.envelopes.EDGES` [m]; NaN and None as in `rotation`."""
         if self.plan is None:
             return None
         x, y, turn = (self.along[axis].displacement[:, :, None] for axis in ("x", "y", "rz"))
@@ -203,9 +206,10 @@ class RunData(told.Told, lines=told.run):
     ground_acceleration: np.ndarray  #: [time] along x [m/s^2]
     structures: dict[str, Structure]  #: in the order of the input
     links: dict[str, Link]  #: in the order of the input
-    #: Structured array, one row an impact, in the order of their beginnings: `link` (its name, str), t_start, t_end, t_release
-    #: [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s], peak_penetration
-    #: [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN while a contact presses.
+    #: Structured array, one row an impact, in the order of their beginnings: `link` (its name, str), t_start, t_end,
+    #: t_release [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s],
+    #: peak_penetration [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN while a contact
+    #: presses.
     impacts: np.ndarray
     #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]; with devices also devices [J].
     energy: dict[str, np.ndarray]
@@ -217,21 +221,24 @@ class RunData(told.Told, lines=told.run):
     #: Extremes of every structure over all steps; empty in files of version 0.1.
     envelopes: dict[str, StructureEnvelope] = field(default_factory=dict)
     devices: dict[str, Device] = field(default_factory=dict)  #: bars and dampers in the order of the input
-    #: By structure that was reduced: coordinates, blocks (of the links, of the ground), inputs (of links, of friction and
-    #: devices among them, of what yields, of the ground), frequency [Hz], and three times the estimated error_force, error_displacement, error_acceleration,
-    #: error_members over the largest values; NaN where nothing estimates them. With `check: true` checked_windows, check_force and
-    #: check_displacement too, of all unknowns in the hardest impacts.
+    #: By structure that was reduced: coordinates, blocks (of the links, of the ground), inputs (of links, of friction
+    #: and devices among them, of what yields, of the ground), frequency [Hz], and three times the estimated
+    #: error_force, error_displacement, error_acceleration, error_members over the largest values; NaN where nothing
+    #: estimates them. With `check: true` checked_windows, check_force and check_displacement too, of all unknowns in
+    #: the hardest impacts.
     reduction: dict[str, dict[str, Any]] = field(default_factory=dict)
-    ground_across: dict[str, np.ndarray] = field(default_factory=dict)  #: y, z -> [time] acceleration of the ground if it moves so [m/s^2]
-    #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
+    #: y, z -> [time] acceleration of the ground if it moves so [m/s^2]
+    ground_across: dict[str, np.ndarray] = field(default_factory=dict)
+    #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without
+    #: it.
     no_pounding: RunData | None = field(default_factory=lambda: None)
 
     @classmethod
     @takes(path=arguments.file, checked=arguments.flag)
     def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
-        """The results in the file `path`. Its checksum is compared first; `checked=False` reads a file that has none, of an earlier
-        version, or to which you have added something, as it stands: HDF5 may never end on a damaged one. Raises OSError when it
-        cannot be opened, NotResults when it is something else or damaged."""
+        """The results in the file `path`. Its checksum is compared first; `checked=False` reads a file that has none,
+        of an earlier version, or to which you have added something, as it stands: HDF5 may never end on a damaged one.
+        Raises OSError when it cannot be opened, NotResults when it is something else or damaged."""
         if checked:
             require_whole(path)
         elif not Path(path).is_file():
@@ -295,14 +302,19 @@ def _contents(file: h5py.Group) -> dict[str, Any]:
         "status": text(file.attrs["status"]),
         "time": file["time"][:],
         "ground_acceleration": file["ground/acceleration"][:],
-        "ground_across": {axis: file[f"ground/acceleration_{axis}"][:] for axis in "yz" if f"ground/acceleration_{axis}" in file},
+        "ground_across": {
+            axis: file[f"ground/acceleration_{axis}"][:] for axis in "yz" if f"ground/acceleration_{axis}" in file
+        },
         "structures": {name: _structure(name, group) for name, group in file["structures"].items()},
         "links": {name: _link(name, group) for name, group in file["links"].items()},
         "impacts": _with_text(file["impacts"][:]),
         "energy": {name: data[:] for name, data in file["energy"].items()},
         "summary": json.loads(text(file["summary"][()]) or "{}"),
         "solver": {name: data[()] for name, data in file.get("solver", {}).items() if isinstance(data, h5py.Dataset)},
-        "reduction": {name: {key: data[()] for key, data in group.items()} for name, group in file.get("solver/reduction", {}).items()},
+        "reduction": {
+            name: {key: data[()] for key, data in group.items()}
+            for name, group in file.get("solver/reduction", {}).items()
+        },
         "model_yaml": _text(file, "input/model.yaml"),
         "resolved_yaml": _text(file, "input/resolved.yaml"),
         "envelopes": read_envelopes(file),
@@ -313,8 +325,10 @@ def _contents(file: h5py.Group) -> dict[str, Any]:
 def _with_text(rows: np.ndarray) -> np.ndarray:
     """A structured array whose columns of bytes are columns of str."""
     columns = {name: rows[name] for name in rows.dtype.names or ()}
-    columns = {name: np.array(texts(values), dtype=str) if values.dtype.kind in "SO" else values
-               for name, values in columns.items()}
+    columns = {
+        name: np.array(texts(values), dtype=str) if values.dtype.kind in "SO" else values
+        for name, values in columns.items()
+    }
     table = np.empty(rows.shape, dtype=[(name, values.dtype) for name, values in columns.items()])
     for name, values in columns.items():
         table[name] = values
@@ -329,16 +343,22 @@ def _structure(name: str, group: h5py.Group) -> Structure:
     floors = texts(group.attrs["floors"])
     directions = texts(group.attrs.get("directions", ["x"]))
     return Structure(
-        name=name, floors=floors,
+        name=name,
+        floors=floors,
         along={direction: _floor_motion(group, i) for i, direction in enumerate(directions)},
-        kind=text(group.attrs.get("kind", "")), dimension=int(group.attrs.get("dimension", 1)),
-        elevations=np.asarray(group.attrs["elevations"] if floors and "elevations" in group.attrs else
-                              np.full(len(floors), np.nan), dtype=float),
+        kind=text(group.attrs.get("kind", "")),
+        dimension=int(group.attrs.get("dimension", 1)),
+        elevations=np.asarray(
+            group.attrs["elevations"] if floors and "elevations" in group.attrs else np.full(len(floors), np.nan),
+            dtype=float,
+        ),
         geometry=_geometry(group["geometry"]) if "geometry" in group else None,
         nodes=_nodes(group["nodes"]) if "nodes" in group else None,
         members=_members(group["members"]) if "members" in group else None,
         reactions=_reactions(group["reactions"]) if "reactions" in group else None,
-        springs=read_springs(group), plan=group["plan"][:] if "plan" in group else None)
+        springs=read_springs(group),
+        plan=group["plan"][:] if "plan" in group else None,
+    )
 
 
 def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
@@ -354,24 +374,39 @@ def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
 
 
 def _geometry(group: h5py.Group) -> Geometry:
-    return Geometry(nodes=group["nodes"][:], members=group["members"][:].astype(int).reshape(-1, 2),
-                    floor_of_node=group["floor_of_node"][:].astype(int), node_names=texts(group["node_names"][:]),
-                    member_names=texts(group["member_names"][:]))
+    return Geometry(
+        nodes=group["nodes"][:],
+        members=group["members"][:].astype(int).reshape(-1, 2),
+        floor_of_node=group["floor_of_node"][:].astype(int),
+        node_names=texts(group["node_names"][:]),
+        member_names=texts(group["member_names"][:]),
+    )
 
 
 def _nodes(group: h5py.Group) -> NodeMotion:
-    return NodeMotion(names=texts(group["names"][:]), directions=texts(group["displacement"].attrs["directions"]),
-                      **{key: group[key][:] for key in ("displacement", "velocity", "acceleration")})
+    return NodeMotion(
+        names=texts(group["names"][:]),
+        directions=texts(group["displacement"].attrs["directions"]),
+        **{key: group[key][:] for key in ("displacement", "velocity", "acceleration")},
+    )
 
 
 def _members(group: h5py.Group) -> MemberForces:
-    return MemberForces(names=texts(group["names"][:]), components=texts(group["end_forces"].attrs["components"]),
-                        end_forces=group["end_forces"][:], **included(group["end_forces"]))
+    return MemberForces(
+        names=texts(group["names"][:]),
+        components=texts(group["end_forces"].attrs["components"]),
+        end_forces=group["end_forces"][:],
+        **included(group["end_forces"]),
+    )
 
 
 def _reactions(group: h5py.Group) -> Reactions:
-    return Reactions(names=texts(group["names"][:]), directions=texts(group["force"].attrs["directions"]), force=group["force"][:],
-                     **included(group["force"]))
+    return Reactions(
+        names=texts(group["names"][:]),
+        directions=texts(group["force"].attrs["directions"]),
+        force=group["force"][:],
+        **included(group["force"]),
+    )
 
 
 def _link(name: str, group: h5py.Group) -> Link:
@@ -389,4 +424,6 @@ def _link(name: str, group: h5py.Group) -> Link:
         more["direction"] = np.asarray(group.attrs["direction"], dtype=float)
     if "friction" in group:
         more["friction"] = group["friction"][:]
-    return Link(name=name, law=text(group.attrs["law"]), gap=float(group.attrs["gap"]), **ends, **floors, **series, **more)
+    return Link(
+        name=name, law=text(group.attrs["law"]), gap=float(group.attrs["gap"]), **ends, **floors, **series, **more
+    )

@@ -23,20 +23,26 @@ Progress = Callable[[float, float, int], None]
 File = str | PathLike[str]
 
 
-def run(model: Model | File, *, tolerance: float | None = None, output: File | None = None,
-        options: Mapping[str, Any] | None = None, progress: Progress | bool | None = None) -> Run:
-    """Runs a model, or an input file, and returns its results. No file is written or read unless `output` names one: histories become
-    arrays when they are first asked for. Other threads run meanwhile; models run one after another.
+def run(
+    model: Model | File,
+    *,
+    tolerance: float | None = None,
+    output: File | None = None,
+    options: Mapping[str, Any] | None = None,
+    progress: Progress | bool | None = None,
+) -> Run:
+    """Runs a model, or an input file, and returns its results. No file is written or read unless `output` names one:
+    histories become arrays when they are first asked for. Other threads run meanwhile; models run one after another.
 
-    `tolerance` replaces that of the model [-]. `output` is a results file, rewritten while the run goes on. `options` are
-    PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. Progress is
-    shown on a terminal and in a notebook unless `progress` is False; a function is called with time [s], duration [s] and
-    number of impacts.
+    `tolerance` replaces that of the model [-]. `output` is a results file, rewritten while the run goes on. `options`
+    are PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value.
+    Progress is shown on a terminal and in a notebook unless `progress` is False; a function is called with time [s],
+    duration [s] and number of impacts.
 
-    Raises InputError when the model is wrong; SolverError when the run fails and Interrupted at Ctrl-C, both with the results
-    so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning) and of numbers that a model holds
-    and hardly means (ImplausibleWarning). Under mpirun all processes call
-    this function alike, and an error of one of them is raised by all."""
+    Raises InputError when the model is wrong; SolverError when the run fails and Interrupted at Ctrl-C, both with the
+    results so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning) and of numbers that
+    a model holds and hardly means (ImplausibleWarning). Under mpirun all processes call this function alike, and an
+    error of one of them is raised by all."""
     with _refused_by_all():
         model = as_model(model)
         tolerance = optional(arguments.number(0, open=True))("tolerance", tolerance)
@@ -53,10 +59,15 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
     return _results(ran, place)
 
 
-def resume(results: File, *, output: File | None = None, options: Mapping[str, Any] | None = None,
-           progress: Progress | bool | None = None) -> Run:
-    """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never stopped.
-    `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
+def resume(
+    results: File,
+    *,
+    output: File | None = None,
+    options: Mapping[str, Any] | None = None,
+    progress: Progress | bool | None = None,
+) -> Run:
+    """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never
+    stopped. `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
     with _refused_by_all():
         place, words, other = fspath(arguments.file("results", results)), _words(options), _place(output)
     with _Shown(progress) as shown:
@@ -75,7 +86,8 @@ def _place(output: File | None) -> str:
 
 @contextlib.contextmanager
 def _refused_by_all() -> Iterator[None]:
-    """Raises an error of this process on all of them: under mpirun the others run already, and would wait for this one."""
+    """Raises an error of this process on all of them: under mpirun the others run already, and would wait for this
+    one."""
     try:
         yield
     except InputError as error:
@@ -95,7 +107,9 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
         words.append(f"-pounding_{name}")
         if value is not True:
             if not isinstance(value, (str, PathLike, Real)) or str(value) in ("", "nan"):
-                raise arguments.refuse(f"options[{name!r}]", "a number, a text, or True for an option without a value", value)
+                raise arguments.refuse(
+                    f"options[{name!r}]", "a number, a text, or True for an option without a value", value
+                )
             words.append(arguments.text(f"options[{name!r}]", str(value)))
     return words
 
@@ -127,7 +141,9 @@ class _Shown:
 
     def __init__(self, progress: Progress | bool | None) -> None:
         if not (progress is None or isinstance(progress, bool) or callable(progress)):
-            raise arguments.refuse("progress", "True, False, None or a function of time, duration and impacts", progress)
+            raise arguments.refuse(
+                "progress", "True, False, None or a function of time, duration and impacts", progress
+            )
         notebook = _is_notebook()
         shows = notebook or sys.stderr.isatty() if progress is None else progress
         shown = self._show_bar if notebook else self._write

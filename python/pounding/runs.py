@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Run(RunData):
-    """Results of a run: what its file holds, and pictures and tables of it. Those of `pounding.run` lie in memory: `summary` is
-    there at once, and the histories become arrays when the first of them is asked for."""
+    """Results of a run: what its file holds, and pictures and tables of it. Those of `pounding.run` lie in memory:
+    `summary` is there at once, and the histories become arrays when the first of them is asked for."""
 
     @classmethod
     def _of_outcome(cls, ran: core.RunOutcome) -> Run:
@@ -60,32 +60,55 @@ class Run(RunData):
         return self.__dict__
 
     @takes(picture=text, title=optional(text), size=optional(arguments.size), compare=optional(flag))
-    def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
-             compare: bool | None = None) -> Figure:
-        """A picture: "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap", "force", "loops", "energy", "model" (the
-        structures at rest), "profiles" (extreme values over the height), "plan" (a map of drifts and impacts of frames in space), "springs" (loops of
-        the six parts that lose most energy) or "hinges" (a map of what yielded).
+    def plot(
+        self,
+        picture: str = "run",
+        title: str | None = None,
+        size: tuple[float, float] | None = None,
+        *,
+        compare: bool | None = None,
+    ) -> Figure:
+        """A picture: "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
+        "force", "loops", "energy", "model" (the structures at rest), "profiles" (extreme values over the height),
+        "plan" (a map of drifts and impacts of frames in space), "springs" (loops of the six parts that lose most
+        energy) or "hinges" (a map of what yielded).
 
-        `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is width and
-        height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture; save it with
-        `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare: no_pounding` keeps; profiles and
-        plan do so whenever it is there, unless it is False. Raises InputError for another name, ImportError without matplotlib."""
+        `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is
+        width and height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture;
+        save it with `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare:
+        no_pounding` keeps; profiles and plan do so whenever it is there, unless it is False. Raises InputError for
+        another name, ImportError without matplotlib."""
         return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)
 
-    def spectrum(self, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,
-                 direction: str = "x") -> Spectrum:
-        """The response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground. `damping` is a ratio
-        [-], `periods` [s] are 200 from 0.02 s to 4 s unless given. With `compare: no_pounding`, `results.no_pounding.spectrum(...)` is
-        that without links.
+    def spectrum(
+        self, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *, direction: str = "x"
+    ) -> Spectrum:
+        """The response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground.
+        `damping` is a ratio [-], `periods` [s] are 200 from 0.02 s to 4 s unless given. With `compare: no_pounding`,
+        `results.no_pounding.spectrum(...)` is that without links.
 
-        It takes the accelerations at the output times: raises InputError where these are too far apart, with the output_step to
-        try, and for a floor that is not there."""
+        It takes the accelerations at the output times: raises InputError where these are too far apart, with the
+        output_step to try, and for a floor that is not there."""
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 
-    @takes(path=optional(arguments.file), frames=optional(whole(1)), start=optional(number()), end=optional(number()),
-           scale=optional(number()), title=optional(text))
-    def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
-                end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
+    @takes(
+        path=optional(arguments.file),
+        frames=optional(whole(1)),
+        start=optional(number()),
+        end=optional(number()),
+        scale=optional(number()),
+        title=optional(text),
+    )
+    def animate(
+        self,
+        path: str | PathLike[str] | None = None,
+        *,
+        frames: int | None = None,
+        start: float | None = None,
+        end: float | None = None,
+        scale: float | None = None,
+        title: str | None = None,
+    ) -> Film:
         """The run in motion from `start` to `end` [s], displacements drawn `scale` times as large.
 
         Written to `path` when it is given: .gif, .mp4, or .png for one file a frame. A notebook plays the film. Raises
@@ -99,16 +122,17 @@ class Run(RunData):
         return film
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
-        """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground", "links/NAME",
-        "devices/NAME", "structures/NAME" with columns (quantity, floor, direction), edges of rigid floors in space among them as (edge_displacement, floor,
-        edge); where the input asked for them "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
-        "structures/NAME/members", forces on the ends, and "structures/NAME/sections", internal forces with N positive in tension. The
-        `attrs` of these two say whether gravity is included. In SI. Raises ImportError without pandas."""
+        """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground",
+        "links/NAME", "devices/NAME", "structures/NAME" with columns (quantity, floor, direction), edges of rigid floors
+        in space among them as (edge_displacement, floor, edge); where the input asked for them "structures/NAME/nodes"
+        with (quantity, node, direction), and with (member, component) "structures/NAME/members", forces on the ends,
+        and "structures/NAME/sections", internal forces with N positive in tension. The `attrs` of these two say whether
+        gravity is included. In SI. Raises ImportError without pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:
-        """As `to_pandas`, but as datasets with the dimensions time, floor or node, and direction, or time, member and component,
-        and with units. Raises ImportError without xarray."""
+        """As `to_pandas`, but as datasets with the dimensions time, floor or node, and direction, or time, member and
+        component, and with units. Raises ImportError without xarray."""
         return _needing("xarray", "pounding.tables").to_xarray(self)
 
     def _repr_html_(self) -> str:
@@ -120,9 +144,9 @@ _FIELDS = frozenset(each.name for each in fields(Run))
 
 @takes(path=arguments.file, checked=flag)
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
-    """The run in the results file `path`. Its checksum is compared first; `checked=False` reads a file that has none, of an earlier
-    version, or to which you have added something, as it stands. Raises OSError when it cannot be opened, NotResults when it is
-    something else or damaged."""
+    """The run in the results file `path`. Its checksum is compared first; `checked=False` reads a file that has none,
+    of an earlier version, or to which you have added something, as it stands. Raises OSError when it cannot be opened,
+    NotResults when it is something else or damaged."""
     return Run.read(path, checked=checked)
 
 

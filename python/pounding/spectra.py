@@ -1,4 +1,5 @@
-"""Elastic response spectra of records and of floors, and pictures of them: `python3 -m pounding.spectra SPECTRA.json -o OUT.png`."""
+"""Elastic response spectra of records and of floors, and pictures of them: `python3 -m pounding.spectra SPECTRA.json -o
+OUT.png`."""
 
 from __future__ import annotations
 
@@ -51,11 +52,17 @@ class Spectrum:
 
 
 @takes(file=arguments.file, damping=number(), periods=optional(numbers_above(0)), units=text, channel=text)
-def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: Sequence[float] | None = None, *, units: str = "",
-                    channel: str = "") -> Spectrum:
-    """The spectrum of the record in a file, unscaled. `periods` [s] are 200 from 0.02 s to 4 s unless given; `units` and `channel`
-    are for files that do not say them. Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is
-    no record, and for values out of range."""
+def record_spectrum(
+    file: str | PathLike[str],
+    damping: float = 0.05,
+    periods: Sequence[float] | None = None,
+    *,
+    units: str = "",
+    channel: str = "",
+) -> Spectrum:
+    """The spectrum of the record in a file, unscaled. `periods` [s] are 200 from 0.02 s to 4 s unless given; `units`
+    and `channel` are for files that do not say them. Warns of implausible peaks and steps (ImplausibleWarning). Raises
+    InputError for a file that is no record, and for values out of range."""
     from pounding._native import core
 
     chosen = _chosen(periods)
@@ -66,22 +73,31 @@ def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: S
 
 
 @takes(floor=text, damping=number(), periods=optional(numbers_above(0)), direction=text)
-def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,
-                   direction: str = "x") -> Spectrum:
-    """The spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, at the output times of a run,
-    straight lines between them. `periods` [s] are 200 from 0.02 s, or from ten output steps if these are longer, to 4 s unless given.
+def floor_spectrum(
+    run: RunData, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *, direction: str = "x"
+) -> Spectrum:
+    """The spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, at the output times
+    of a run, straight lines between them. `periods` [s] are 200 from 0.02 s, or from ten output steps if these are
+    longer, to 4 s unless given.
 
-    The outputs must be close enough: InputError where they reach less than 95 % of the peak that the run has tracked, with the
-    output_step to try. Raises InputError also for a floor or a direction that is not there."""
+    The outputs must be close enough: InputError where they reach less than 95 % of the peak that the run has tracked,
+    with the output_step to try. Raises InputError also for a floor or a direction that is not there."""
     from pounding._native import core
 
     name, _, place = floor.rpartition(".")
-    if name not in run.structures or not place.isdecimal() or len(place) > 9 or not 1 <= int(place) <= len(run.structures[name].floors):
+    if (
+        name not in run.structures
+        or not place.isdecimal()
+        or len(place) > 9
+        or not 1 <= int(place) <= len(run.structures[name].floors)
+    ):
         known = ", ".join(f"{key}.1 to {key}.{len(one.floors)}" for key, one in run.structures.items() if one.floors)
-        raise InputError(f'there is no floor {excerpt(floor)}; there is {known}')
+        raise InputError(f"there is no floor {excerpt(floor)}; there is {known}")
     structure, i = run.structures[name], int(place) - 1
     if direction not in ("x", "y") or direction not in structure.along:
-        raise InputError(f'{name} moves along {", ".join(axis for axis in structure.along if axis != "rz")}, not along {excerpt(direction)}')
+        raise InputError(
+            f"{name} moves along {', '.join(axis for axis in structure.along if axis != 'rz')}, not along {excerpt(direction)}"
+        )
     accelerations = structure.along[direction].acceleration[:, i]
     if len(run.time) < 2:
         raise InputError("this run holds no results over time yet")
@@ -90,16 +106,23 @@ def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Seq
         peak, seen = tracked.peak[i, "xy".index(direction)], np.abs(accelerations).max()
         if seen < core.enough_of_the_peak * peak:
             step = run.time[1] - run.time[0]
-            raise InputError(f"the outputs every {step:g} s are too far apart for a spectrum of {floor}: they reach {seen:.4g} m/s^2 of "
-                             f"the peak of {peak:.4g} m/s^2; run the model again with analysis: {{output_step: {step / 10:g}}}")
+            raise InputError(
+                f"the outputs every {step:g} s are too far apart for a spectrum of {floor}: they reach {seen:.4g} m/s^2 of "
+                f"the peak of {peak:.4g} m/s^2; run the model again with analysis: {{output_step: {step / 10:g}}}"
+            )
     chosen = _chosen(periods, STEPS_IN_A_PERIOD * (run.time[1] - run.time[0]))
-    return Spectrum(floor, chosen, damping, np.asarray(core.spectrum(run.time.tolist(), accelerations.tolist(), list(chosen), damping)))
+    return Spectrum(
+        floor,
+        chosen,
+        damping,
+        np.asarray(core.spectrum(run.time.tolist(), accelerations.tolist(), list(chosen), damping)),
+    )
 
 
 @takes(title=text, size=optional(arguments.size))
 def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[float, float] | None = None) -> Figure:
-    """Pseudo-acceleration and displacement over the period; of several spectra the second one is dashed. `size` is width and height
-    [in]. Raises InputError without a spectrum."""
+    """Pseudo-acceleration and displacement over the period; of several spectra the second one is dashed. `size` is
+    width and height [in]. Raises InputError without a spectrum."""
     from matplotlib import rc_context
 
     from pounding.pictures.style import STRUCTURE_COLOURS, STYLE, Picture, head
@@ -112,12 +135,19 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
     with rc_context(STYLE):
         figure = Picture(figsize=size, layout="constrained")
         panels = figure.subplots(2, 1, sharex=True) if narrow else figure.subplots(1, 2)
-        drawn = (("Pseudo-acceleration [g]", [spectrum.psa / GRAVITY for spectrum in spectra]),
-                 ("Displacement [mm]", [1e3 * spectrum.sd for spectrum in spectra]))
+        drawn = (
+            ("Pseudo-acceleration [g]", [spectrum.psa / GRAVITY for spectrum in spectra]),
+            ("Displacement [mm]", [1e3 * spectrum.sd for spectrum in spectra]),
+        )
         for axes, (label, curves) in zip(panels, drawn):
             for number, (spectrum, values) in enumerate(zip(spectra, curves)):
-                axes.plot(spectrum.period, values, color=STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)],
-                          linestyle="--" if number == 1 else "-", label=spectrum.name)
+                axes.plot(
+                    spectrum.period,
+                    values,
+                    color=STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)],
+                    linestyle="--" if number == 1 else "-",
+                    label=spectrum.name,
+                )
             axes.set(xlim=(spectra[0].period[0], spectra[0].period[-1]), ylabel=label)
             axes.set_ylim(bottom=0)
             if not narrow or axes is panels[-1]:
@@ -139,10 +169,18 @@ def _chosen(periods: Sequence[float] | None, shortest: float = 0.02) -> np.ndarr
 
 
 def read_spectra(data: dict[str, Any]) -> tuple[str, list[Spectrum]]:
-    """Title and spectra of {"title", "damping", "spectra": [{"name", "period", "sd", ...}]}, in SI. Raises InputError."""
+    """Title and spectra of {"title", "damping", "spectra": [{"name", "period", "sd", ...}]}, in SI. Raises
+    InputError."""
     try:
-        return data["title"], [Spectrum(one["name"], np.asarray(one["period"], dtype=float), float(data["damping"]),
-                                        np.asarray(one["sd"], dtype=float)) for one in data["spectra"]]
+        return data["title"], [
+            Spectrum(
+                one["name"],
+                np.asarray(one["period"], dtype=float),
+                float(data["damping"]),
+                np.asarray(one["sd"], dtype=float),
+            )
+            for one in data["spectra"]
+        ]
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(f"this is no object of spectra: {error}") from error
 

@@ -20,8 +20,8 @@ _ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 @dataclass(frozen=True, repr=False)
 class Springs(told.Told, lines=told.springs):
-    """The parts of one structure that yield, and its devices. Deformations are drifts of storeys and elongations of devices [m] or rotations of
-    hinges [rad], forces are shears and tensions [N] or moments [N m]."""
+    """The parts of one structure that yield, and its devices. Deformations are drifts of storeys and elongations of
+    devices [m] or rotations of hinges [rad], forces are shears and tensions [N] or moments [N m]."""
 
     names: list[str]  #: "storey 1", from the ground up
     laws: list[str]  #: word of the input, one a part
@@ -31,10 +31,10 @@ class Springs(told.Told, lines=told.springs):
     deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
     force: np.ndarray  #: [time, part] [N] or [N m]
     hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
-    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility (of a hinge: rotation of the
-    #: member end over its yield rotation), peak_plastic (largest size of the plastic
-    #: part of the deformation), cycles, residual, hysteretic [J], first_yield [s] (NaN where it stayed elastic), damping_shear (over the
-    #: yield shear; NaN for hinges).
+    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility (of a hinge:
+    #: rotation of the member end over its yield rotation), peak_plastic (largest size of the plastic part of the
+    #: deformation), cycles, residual, hysteretic [J], first_yield [s] (NaN where it stayed elastic), damping_shear
+    #: (over the yield shear; NaN for hinges).
     largest: dict[str, np.ndarray]
     states: list[str]  #: "elastic", "yielded" or "beyond ultimate", one a part
     ultimate_rotation: np.ndarray  #: [part] plastic rotation that a hinge can bear [rad]; NaN where none was given
@@ -69,6 +69,12 @@ def read_springs(structure: h5py.Group) -> Springs | None:
     summary = group["summary"]
     ultimate = group["ultimate_rotation"][:] if "ultimate_rotation" in group else np.full(len(group["names"]), np.nan)
     negative = group["negative_yield_deformation" if "negative_yield_deformation" in group else "yield_deformation"][:]
-    return Springs(negative_yield_deformation=negative, names=texts(group["names"][:]), laws=texts(group["laws"][:]), states=texts(summary["state"][:]),
-                   ultimate_rotation=ultimate, largest={key: data[:] for key, data in summary.items() if key != "state"},
-                   **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")})
+    return Springs(
+        negative_yield_deformation=negative,
+        names=texts(group["names"][:]),
+        laws=texts(group["laws"][:]),
+        states=texts(summary["state"][:]),
+        ultimate_rotation=ultimate,
+        largest={key: data[:] for key, data in summary.items() if key != "state"},
+        **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")},
+    )

@@ -32,11 +32,15 @@ class Told:
 def run(results: Any) -> list[str]:
     """Title and state; structures; links, and what pressed them."""
     span = f"{results.time[0]:.4g} to {results.time[-1]:.4g} s" if results.time.size else "no time"
-    structures = (f"{one.name} ({counted(len(one.floors), 'floor') if one.floors else 'wall'})"
-                  for one in results.structures.values())
-    return [f'"{results.title}": {results.status}, {span}, {counted(results.time.size, "output time")}',
-            f"structures: {few(structures)}",
-            f"links: {few(_impacts(results, link.name) for link in results.links.values())}"]
+    structures = (
+        f"{one.name} ({counted(len(one.floors), 'floor') if one.floors else 'wall'})"
+        for one in results.structures.values()
+    )
+    return [
+        f'"{results.title}": {results.status}, {span}, {counted(results.time.size, "output time")}',
+        f"structures: {few(structures)}",
+        f"links: {few(_impacts(results, link.name) for link in results.links.values())}",
+    ]
 
 
 def structure(one: Any) -> list[str]:
@@ -44,53 +48,80 @@ def structure(one: Any) -> list[str]:
     place = {1: "along x", 2: "in the plane x z", 3: "in space"}[one.dimension]
     heights = one.elevations[np.isfinite(one.elevations)]
     height = f", {heights.max():.4g} m high" if heights.size else ""
-    beside = [counted(len(part.names), word) for part, word in ((one.nodes, "node"), (one.members, "member")) if part is not None]
+    beside = [
+        counted(len(part.names), word)
+        for part, word in ((one.nodes, "node"), (one.members, "member"))
+        if part is not None
+    ]
     moved = "; ".join(f"along {axis} {_motion(motion)}" for axis, motion in one.along.items())
-    return [f"{one.name}: {one.kind or 'structure'} {place}, {counted(len(one.floors), 'floor')}{height}",
-            "moves with the ground" if one.is_wall else f"largest at the output times: {moved}",
-            f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in beside)}, directions {', '.join(one.along)}"]
+    return [
+        f"{one.name}: {one.kind or 'structure'} {place}, {counted(len(one.floors), 'floor')}{height}",
+        "moves with the ground" if one.is_wall else f"largest at the output times: {moved}",
+        f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in beside)}, directions {', '.join(one.along)}",
+    ]
 
 
 def floor_motion(motion: Any) -> list[str]:
     """Shape; largest motion; largest drift and shear."""
-    return [f"{_shape(motion.displacement, 'time', 'floor')}",
-            _motion(motion),
-            f"storey shear {peak(motion.storey_shear)} N, base shear "
-            f"{'not in the file' if motion.base_shear is None else f'{peak(motion.base_shear)} N'}"]
+    return [
+        f"{_shape(motion.displacement, 'time', 'floor')}",
+        _motion(motion),
+        f"storey shear {peak(motion.storey_shear)} N, base shear "
+        f"{'not in the file' if motion.base_shear is None else f'{peak(motion.base_shear)} N'}",
+    ]
 
 
 def node_motion(motion: Any) -> list[str]:
     """Shape; names; largest motion."""
-    return [f"{_shape(motion.displacement, 'time', 'node', 'direction')}",
-            f"nodes {few(motion.names)}; directions {', '.join(motion.directions)}",
-            "; ".join(f"{name} {peak(getattr(motion, name))} {unit}" for name, unit in
-                      (("displacement", "m or rad"), ("velocity", "m/s or rad/s"), ("acceleration", "m/s^2 or rad/s^2")))]
+    return [
+        f"{_shape(motion.displacement, 'time', 'node', 'direction')}",
+        f"nodes {few(motion.names)}; directions {', '.join(motion.directions)}",
+        "; ".join(
+            f"{name} {peak(getattr(motion, name))} {unit}"
+            for name, unit in (
+                ("displacement", "m or rad"),
+                ("velocity", "m/s or rad/s"),
+                ("acceleration", "m/s^2 or rad/s^2"),
+            )
+        ),
+    ]
 
 
 def member_forces(forces: Any) -> list[str]:
     """Shape; names; largest force of each component."""
-    ends = (f"{name} {peak(forces.end_forces[..., i])} {'N m' if name.split()[-1][0] in 'MT' else 'N'}"
-            for i, name in enumerate(forces.components))
-    return [f"{_shape(forces.end_forces, 'time', 'member', 'component')}", f"members {few(forces.names)}",
-            f"largest {few(ends, 12)}{GRAVITY[forces.gravity_included]}"]
+    ends = (
+        f"{name} {peak(forces.end_forces[..., i])} {'N m' if name.split()[-1][0] in 'MT' else 'N'}"
+        for i, name in enumerate(forces.components)
+    )
+    return [
+        f"{_shape(forces.end_forces, 'time', 'member', 'component')}",
+        f"members {few(forces.names)}",
+        f"largest {few(ends, 12)}{GRAVITY[forces.gravity_included]}",
+    ]
 
 
 def geometry(one: Any) -> list[str]:
     """Counts; extent; names."""
     low, high = (one.nodes.min(axis=0), one.nodes.max(axis=0)) if len(one.nodes) else (np.zeros(3), np.zeros(3))
-    return [f"{counted(len(one.nodes), 'node')}, {counted(len(one.members), 'member')}",
-            ", ".join(f"{axis} {a:.4g} to {b:.4g} m" for axis, a, b in zip("xyz", low, high)),
-            f"nodes {few(one.node_names, 4)}; members {few(one.member_names, 4)}"]
+    return [
+        f"{counted(len(one.nodes), 'node')}, {counted(len(one.members), 'member')}",
+        ", ".join(f"{axis} {a:.4g} to {b:.4g} m" for axis, a, b in zip("xyz", low, high)),
+        f"nodes {few(one.node_names, 4)}; members {few(one.member_names, 4)}",
+    ]
 
 
 def link(one: Any) -> list[str]:
     """Ends, law and gap; largest values; samples."""
-    left, right = (name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end)))
+    left, right = (
+        name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end))
+    )
     span = f"from {one.time[0]:.4g} to {one.time[-1]:.4g} s" if one.time.size else "at no time"
-    return [f"{one.name}: {one.law}, gap {1e3 * one.gap:.4g} mm, {left} against {right}",
-            f"largest force {peak(one.force)} N, penetration {max(0.0, _largest(one.penetration)):.4g} m, work "
-            f"{one.energy[-1] if one.energy.size else 0.0:.4g} J",
-            f"{counted(one.time.size, 'sample')} {span}"]
+    return [
+        f"{one.name}: {one.law}, gap {1e3 * one.gap:.4g} mm, {left} against {right}",
+        f"largest force {peak(one.force)} N, penetration {max(0.0, _largest(one.penetration)):.4g} m, work "
+        f"{one.energy[-1] if one.energy.size else 0.0:.4g} J",
+        f"{counted(one.time.size, 'sample')} {span}",
+    ]
 
 
 def springs(parts: Any) -> list[str]:
@@ -98,20 +129,26 @@ def springs(parts: Any) -> list[str]:
     ductility = parts.largest["ductility"]
     most = int(np.argmax(ductility))
     yielded = parts.states.count("yielded")
-    return [f"{_shape(parts.deformation, 'time', 'part')}, {few(sorted(set(parts.laws)))}",
-            f"{yielded} of {counted(len(parts.names), 'part')} yielded; largest ductility {ductility[most]:.4g}, {parts.names[most]}",
-            f"largest force {peak(parts.largest['peak_force'])} N or N m; {parts.largest['hysteretic'].sum():.4g} J lost by yielding"]
+    return [
+        f"{_shape(parts.deformation, 'time', 'part')}, {few(sorted(set(parts.laws)))}",
+        f"{yielded} of {counted(len(parts.names), 'part')} yielded; largest ductility {ductility[most]:.4g}, {parts.names[most]}",
+        f"largest force {peak(parts.largest['peak_force'])} N or N m; {parts.largest['hysteretic'].sum():.4g} J lost by yielding",
+    ]
 
 
 def device(one: Any) -> list[str]:
     """Ends and kind; largest values; samples."""
-    left, right = (name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end)))
+    left, right = (
+        name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end))
+    )
     parts = [f"bar {one.stiffness:.4g} N/m"] if one.stiffness else []
     if one.coefficient:
         parts.append(f"damper {one.coefficient:.4g} N (s/m)^{one.exponent:g}")
-    return [f"{one.name}: {', '.join(parts)} between {left} and {right}",
-            f"largest force {peak(one.largest['force'])} N, elongation {peak(one.largest['elongation'])} m",
-            f"{counted(one.force.size, 'output time')}"]
+    return [
+        f"{one.name}: {', '.join(parts)} between {left} and {right}",
+        f"largest force {peak(one.largest['force'])} N, elongation {peak(one.largest['elongation'])} m",
+        f"{counted(one.force.size, 'output time')}",
+    ]
 
 
 def law(one: Any) -> list[str]:
@@ -121,6 +158,7 @@ def law(one: Any) -> list[str]:
 
 def model(one: Any) -> list[str]:
     """Title and size; structures; links and analysis."""
+
     def kind(words: Any) -> str:
         return next((str(word) for word in words), "") if isinstance(words, dict) else ""
 
@@ -128,48 +166,77 @@ def model(one: Any) -> list[str]:
         return between if isinstance(between, str) else " - ".join(map(str, between))
 
     structures = one.structures or {}
-    links = (f"{ends(words.get('between', []))} ({words.get('law', 'no law')}, gap {words.get('gap', 'not given')})"
-             for words in one.links or ())
-    return [f'"{one.title or ""}": {counted(len(structures), "structure")}, {counted(len(one.links or ()), "link")}, '
-            f"ground motion {kind(one.ground_motion) or 'none'}",
-            f"structures: {few(f'{name} ({kind(words)})' for name, words in structures.items())}",
-            f"links: {few(links)}"]
+    links = (
+        f"{ends(words.get('between', []))} ({words.get('law', 'no law')}, gap {words.get('gap', 'not given')})"
+        for words in one.links or ()
+    )
+    return [
+        f'"{one.title or ""}": {counted(len(structures), "structure")}, {counted(len(one.links or ()), "link")}, '
+        f"ground motion {kind(one.ground_motion) or 'none'}",
+        f"structures: {few(f'{name} ({kind(words)})' for name, words in structures.items())}",
+        f"links: {few(links)}",
+    ]
 
 
 def modes(found: Any) -> list[str]:
     """Count of modes; periods of the first structures."""
-    return [few(f"{counted(len(modes), 'mode')} of {name}" for name, modes in found.items()),
-            few((f"{name}: T = {', '.join(f'{mode.period:.4g}' for mode in modes[:4])} s" for name, modes in found.items() if modes), 4),
-            few((f"{name}: damping {', '.join(f'{100 * mode.damping_ratio:.3g}' for mode in modes[:4])} %"
-                 for name, modes in found.items() if modes), 4)]
+    return [
+        few(f"{counted(len(modes), 'mode')} of {name}" for name, modes in found.items()),
+        few(
+            (
+                f"{name}: T = {', '.join(f'{mode.period:.4g}' for mode in modes[:4])} s"
+                for name, modes in found.items()
+                if modes
+            ),
+            4,
+        ),
+        few(
+            (
+                f"{name}: damping {', '.join(f'{100 * mode.damping_ratio:.3g}' for mode in modes[:4])} %"
+                for name, modes in found.items()
+                if modes
+            ),
+            4,
+        ),
+    ]
 
 
 def mode(one: Any) -> list[str]:
     """Period and damping; participation; shape."""
-    return [f"T = {one.period:.4g} s, damping {100 * one.damping_ratio:.3g} %",
-            f"participation {numbers(one.participation)}, effective mass {numbers(one.effective_mass)} kg",
-            f"shape {numbers(np.ravel(one.shape))}"]
+    return [
+        f"T = {one.period:.4g} s, damping {100 * one.damping_ratio:.3g} %",
+        f"participation {numbers(one.participation)}, effective mass {numbers(one.effective_mass)} kg",
+        f"shape {numbers(np.ravel(one.shape))}",
+    ]
 
 
 def free_impact(one: Any) -> list[str]:
     """Restitution and loss; force and penetration; times and impulse."""
-    return [f"restitution {numbers(one.restitution)}, energy lost {numbers(one.energy_lost)} J",
-            f"peak force {numbers(one.peak_force)} N after {numbers(one.time_of_peak)} s, penetration "
-            f"{numbers(one.peak_penetration)} m",
-            f"duration {numbers(one.duration)} s, impulse {numbers(one.impulse)} N s"]
+    return [
+        f"restitution {numbers(one.restitution)}, energy lost {numbers(one.energy_lost)} J",
+        f"peak force {numbers(one.peak_force)} N after {numbers(one.time_of_peak)} s, penetration "
+        f"{numbers(one.peak_penetration)} m",
+        f"duration {numbers(one.duration)} s, impulse {numbers(one.impulse)} N s",
+    ]
 
 
 def film(one: Any) -> list[str]:
     """Frames; length; how to keep it."""
-    return [f"{counted(one.frames, 'frame')}, {one.speed:.3g} a second", f"{one.frames / one.speed:.3g} s long",
-            "pounding.animation.save(film, \"NAME.gif\") writes it"]
+    return [
+        f"{counted(one.frames, 'frame')}, {one.speed:.3g} a second",
+        f"{one.frames / one.speed:.3g} s long",
+        'pounding.animation.save(film, "NAME.gif") writes it',
+    ]
 
 
 def opensees_link(one: Any) -> list[str]:
     """Element, nodes and gap; law; direction."""
     mass = "" if one.reduced_mass is None else f", reduced mass {one.reduced_mass:.6g} kg"
-    return [f"{one.tag}: nodes {one.nodes[0]} and {one.nodes[1]}, gap {one.gap:g} m", repr(one.law),
-            f"along degree of freedom {one.dof}{mass}"]
+    return [
+        f"{one.tag}: nodes {one.nodes[0]} and {one.nodes[1]}, gap {one.gap:g} m",
+        repr(one.law),
+        f"along degree of freedom {one.dof}{mass}",
+    ]
 
 
 def few(words: Iterable[str], most: int = 6) -> str:
@@ -180,7 +247,7 @@ def few(words: Iterable[str], most: int = 6) -> str:
 
 
 def counted(number: int, word: str) -> str:
-    """"1 floor", "2 floors"."""
+    """ "1 floor", "2 floors"."""
     return f"{number} {word}{'' if number == 1 else 's'}"
 
 

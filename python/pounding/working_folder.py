@@ -1,5 +1,5 @@
-"""The commands of this package use no module of Python and no settings of matplotlib from the working folder: a folder with a model may
-come from anywhere. In your own scripts and notebooks Python and matplotlib work as usual."""
+"""The commands of this package use no module of Python and no settings of matplotlib from the working folder: a folder
+with a model may come from anywhere. In your own scripts and notebooks Python and matplotlib work as usual."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ def leave_working_folder_out() -> None:
 
 
 def _leave_modules_out() -> None:
-    """Removes the working folder from the module path of this process and of those that it starts: `python3 -m` and empty entries of
-    PYTHONPATH add it. It stays if this package is in it."""
+    """Removes the working folder from the module path of this process and of those that it starts: `python3 -m` and
+    empty entries of PYTHONPATH add it. It stays if this package is in it."""
     try:
         here = os.path.realpath(os.getcwd())
     except OSError:
@@ -32,8 +32,8 @@ def _leave_modules_out() -> None:
 
 
 def _leave_settings_out() -> None:
-    """Imports matplotlib from another folder if the working folder has a file matplotlibrc: its settings name programs to run and modules
-    to load, and matplotlib prefers them to those of the user."""
+    """Imports matplotlib from another folder if the working folder has a file matplotlibrc: its settings name programs
+    to run and modules to load, and matplotlib prefers them to those of the user."""
     if "matplotlib" in sys.modules or not os.path.exists("matplotlibrc"):
         return
     here = os.getcwd()

@@ -1,4 +1,5 @@
-"""Nested dicts and lists as YAML in the layout of the examples: short branches on one line, long ones below each other."""
+"""Nested dicts and lists as YAML in the layout of the examples: short branches on one line, long ones below each
+other."""
 
 from __future__ import annotations
 
@@ -25,12 +26,16 @@ DEEPEST = 60
 
 
 def plain(value: Any, place: str = "", depth: int = 0) -> Any:
-    """The value in dicts, lists and texts, as it comes back from a YAML file. Raises InputError, with the place, for a value that
-    YAML cannot hold."""
+    """The value in dicts, lists and texts, as it comes back from a YAML file. Raises InputError, with the place, for a
+    value that YAML cannot hold."""
     if depth > DEEPEST:
-        raise InputError(f"{place[:200]}...: has more than {DEEPEST} maps and lists inside each other; does one contain itself?")
+        raise InputError(
+            f"{place[:200]}...: has more than {DEEPEST} maps and lists inside each other; does one contain itself?"
+        )
     if isinstance(value, Mapping):
-        return {str(key): plain(inner, f"{place}.{key}" if place else str(key), depth + 1) for key, inner in value.items()}
+        return {
+            str(key): plain(inner, f"{place}.{key}" if place else str(key), depth + 1) for key, inner in value.items()
+        }
     if isinstance(value, (list, tuple)) or isinstance(value, np.ndarray) and value.ndim:
         return [plain(inner, f"{place}[{i}]", depth + 1) for i, inner in enumerate(value)]
     if isinstance(value, (np.generic, np.ndarray)):
@@ -69,7 +74,7 @@ def _item(value: Any, indent: str) -> str:
     if len(line) <= WIDTH or not isinstance(value, dict) or not value:
         return line
     entries = "".join(_entry(k, v, indent + "  ") for k, v in value.items())
-    return f"{indent}- {entries[len(indent) + 2:]}"
+    return f"{indent}- {entries[len(indent) + 2 :]}"
 
 
 def _holds_branches(value: Any) -> bool:

@@ -75,12 +75,15 @@ class YieldingKind:
     has_corners: bool  #: whether the slope jumps elsewhere than at turning points
 
     def __call__(self, **parameters: Quantity | None) -> YieldingLaw:
-        """The law with these parameters: numbers in SI, texts with units, and words for what is chosen. Raises InputError."""
+        """The law with these parameters: numbers in SI, texts with units, and words for what is chosen. Raises
+        InputError."""
         return YieldingLaw(self, parameters)
 
     def __str__(self) -> str:
         lines = [f"{self.name}: {self.summary}", f"  {self.shape}", f"  {self.source}"]
-        lines += [f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters]
+        lines += [
+            f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters
+        ]
         lines += [f"  {c.name}: {' or '.join(c.words)}  {c.meaning}" for c in self.choices]
         return "\n".join(lines)
 
@@ -95,7 +98,9 @@ class YieldingLaw:
         self.kind = kind
         self.choices = {name: arguments.text(name, value) for name, value in given.items() if name in chosen}
         #: in SI
-        self.parameters = {name: _number(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen}
+        self.parameters = {
+            name: _number(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen
+        }
         self._made = core.YieldingLaw(kind.name, self.parameters, self.choices)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -112,9 +117,9 @@ class YieldingLaw:
         return self._made.yield_deformation
 
     def follow(self, path: npt.ArrayLike) -> Loop:
-        """The law along deformations [m], each reached straight from the one before, the first from zero. Of an array with more than one
-        dimension every row is a path of its own. Ways are followed exactly: points between turning points change nothing after them.
-        Raises InputError for what is no finite number."""
+        """The law along deformations [m], each reached straight from the one before, the first from zero. Of an array
+        with more than one dimension every row is a path of its own. Ways are followed exactly: points between turning
+        points change nothing after them. Raises InputError for what is no finite number."""
         deformation = arguments.numbers("path", path)
         if not np.isfinite(deformation).all():
             raise InputError("path: a deformation is not finite")

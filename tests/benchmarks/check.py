@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Tests of the yardsticks: the benchmark's laws, frame matrices, counting and interpolation.
 
-    python3 tests/benchmarks/check.py        # needs numpy and scipy, not OpenSees
+python3 tests/benchmarks/check.py        # needs numpy and scipy, not OpenSees
 """
+
 import math
 import unittest
 
@@ -21,8 +22,9 @@ MASS, SPEED = problem.OSCILLATOR_MASS, 0.5
 def free_impact(law):
     """Restitution and peak force [N] of free bodies of reduced mass MASS that close at SPEED."""
     slope = lambda t, y, forces: np.array([y[1], -forces.get(0, 0.0) / MASS])
-    kept, peaks, _ = integrate(slope, [Contact(law, MASS)], lambda y, link: tuple(y), [-0.005, SPEED], [0.3], [0.0, 0.3], 1e-11,
-                               1e-14, 1e-3)
+    kept, peaks, _ = integrate(
+        slope, [Contact(law, MASS)], lambda y, link: tuple(y), [-0.005, SPEED], [0.3], [0.0, 0.3], 1e-11, 1e-14, 1e-3
+    )
     return -kept[-1][1] / SPEED, peaks[0][0]
 
 
@@ -46,10 +48,12 @@ class FreeImpact(unittest.TestCase):
         self.assertAlmostEqual(a * (1 + e), math.log((1 + a) / (1 - a * e)), delta=1e-7)
 
     def test_jankowski_obeys_the_linear_oscillator_in_stretched_time(self):
-        # With s = d^(5/4) the approach is a linear oscillator of ratio z = 2 xi/sqrt(5); the restitution is elastic. The share of
-        # the kinetic energy that is stored at the deepest point is exp(-2 z/sqrt(1 - z^2) acos(z)).
+        # With s = d^(5/4) the approach is a linear oscillator of ratio z = 2 xi/sqrt(5); the restitution is elastic.
+        # The share of the kinetic energy that is stored at the deepest point is exp(-2 z/sqrt(1 - z^2) acos(z)).
         z = 2 * problem.jankowski_ratio() / math.sqrt(5)
-        self.assertAlmostEqual(free_impact("jankowski")[0], math.exp(-z / math.sqrt(1 - z * z) * math.acos(z)), delta=1e-7)
+        self.assertAlmostEqual(
+            free_impact("jankowski")[0], math.exp(-z / math.sqrt(1 - z * z) * math.acos(z)), delta=1e-7
+        )
 
     def test_bilinear_loses_the_area_of_its_loop(self):
         k1, k2, yielding = problem.bilinear_curve(MASS)
@@ -143,7 +147,11 @@ class Reading(unittest.TestCase):
         self.assertAlmostEqual(at_error(points, 1e-3)["seconds"], 2.0)
 
     def test_a_bound_proves_only_what_it_bounds(self):
-        exact, early, missed = {"seconds": 2.0, "bound": False}, {"seconds": 2.0, "bound": True}, {"seconds": None, "best": {"seconds": 9.0}}
+        exact, early, missed = (
+            {"seconds": 2.0, "bound": False},
+            {"seconds": 2.0, "bound": True},
+            {"seconds": None, "best": {"seconds": 9.0}},
+        )
         self.assertEqual(factor(exact, exact), (1.0, "1", "="))
         self.assertEqual(factor(missed, exact), (4.5, "more than 4.5", ">"))
         self.assertEqual(factor(early, exact), (1.0, "at most 1", "<"))

@@ -3,11 +3,13 @@
 
     python3 tests/benchmarks/city_block.py PROGRAM [--sizes 10,20,40,80] [--short 400]
 
-The block is that of examples/25_city_block: a ring of buildings of 6 to 20 storeys, every pair of neighbours linked at all common floors by two points,
-shaken along x and y for 4 s. Of each size a line of JSON: seconds of the processor (which other work on the machine moves less than the clock does) for
-reading alone and for the whole run, the largest memory, steps, events, impacts, and the size of the results file. The sizes after --short run for 20 ms
-only: reading, set-up and steps without an impact. Needs the Python package in PYTHONPATH.
+The block is that of examples/25_city_block: a ring of buildings of 6 to 20 storeys, every pair of neighbours linked at
+all common floors by two points, shaken along x and y for 4 s. Of each size a line of JSON: seconds of the processor
+(which other work on the machine moves less than the clock does) for reading alone and for the whole run, the largest
+memory, steps, events, impacts, and the size of the results file. The sizes after --short run for 20 ms only: reading,
+set-up and steps without an impact. Needs the Python package in PYTHONPATH.
 """
+
 import argparse
 import json
 import os
@@ -23,7 +25,12 @@ LESSON = Path(__file__).resolve().parents[2] / "examples/25_city_block/city_bloc
 def used(command):
     """(seconds of the processor, MB) of a process."""
     with tempfile.TemporaryFile() as errors:
-        child = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=errors, env=os.environ | {"OPENBLAS_NUM_THREADS": "1"})
+        child = subprocess.Popen(
+            [str(word) for word in command],
+            stdout=subprocess.DEVNULL,
+            stderr=errors,
+            env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
+        )
         status, usage = os.wait4(child.pid, 0)[1:]
         child.returncode = os.waitstatus_to_exitcode(status)
         if child.returncode:
@@ -45,10 +52,24 @@ def measure(program, folder, buildings, duration, make):
     with h5py.File(results) as file:
         solver = {name: float(data[()]) for name, data in file["solver"].items() if isinstance(data, h5py.Dataset)}
         impacts, links = len(file["impacts"]), len(file["links"])
-    print(json.dumps({"buildings": len(made.structures), "links": links, "simulated": duration, "seconds_reading": reading, "seconds": seconds,
-                      "memory_mb": memory, "steps": solver["steps"] + solver["rejected"], "events": solver["events"], "impacts": impacts,
-                      "wall": {name: round(value, 3) for name, value in solver.items() if name.startswith("wall")},
-                      "file_mb": results.stat().st_size / 1e6}), flush=True)
+    print(
+        json.dumps(
+            {
+                "buildings": len(made.structures),
+                "links": links,
+                "simulated": duration,
+                "seconds_reading": reading,
+                "seconds": seconds,
+                "memory_mb": memory,
+                "steps": solver["steps"] + solver["rejected"],
+                "events": solver["events"],
+                "impacts": impacts,
+                "wall": {name: round(value, 3) for name, value in solver.items() if name.startswith("wall")},
+                "file_mb": results.stat().st_size / 1e6,
+            }
+        ),
+        flush=True,
+    )
 
 
 def main():

@@ -3,6 +3,7 @@
 Written from the equations of the laws alone: shares no line with pounding and none with OpenSees. Opening is negative
 penetration d [m], rate v = d' [m/s] closes, force F [N] pushes apart.
 """
+
 import math
 
 import numpy as np
@@ -15,8 +16,8 @@ import problem
 class Contact:
     """One link: phase `free` or a phase of its law; `events` end the phase.
 
-    hertz_damped pulls where bodies part faster than v/a. OpenSees leaves it so, pounding cuts the pull: two equations, both
-    are here, the first under the name hertz_damped_pulling.
+    hertz_damped pulls where bodies part faster than v/a. OpenSees leaves it so, pounding cuts the pull: two equations,
+    both are here, the first under the name hertz_damped_pulling.
     """
 
     def __init__(self, law, mass):
@@ -52,7 +53,9 @@ class Contact:
         events = [(lambda d, v: d, -1, "free")]
         if self.factor and not self.pulls:
             slack = self.phase == "slack"
-            events.append((lambda d, v: self.speed + self.factor * v, 1 if slack else -1, "pressed" if slack else "slack"))
+            events.append(
+                (lambda d, v: self.speed + self.factor * v, 1 if slack else -1, "pressed" if slack else "slack")
+            )
         if self.phase == "approach":
             events.append((lambda d, v: v, -1, "restitution"))
         if self.phase == "restitution":
@@ -83,8 +86,12 @@ def largest_force(contact, motion, start, end):
     forces = [contact.force(*motion(t)) for t in times]
     best = int(np.argmax(forces))
     if 0 < best < 60:
-        found = minimize_scalar(lambda t: -contact.force(*motion(t)), bounds=(times[best - 1], times[best + 1]),
-                                method="bounded", options={"xatol": 1e-12})
+        found = minimize_scalar(
+            lambda t: -contact.force(*motion(t)),
+            bounds=(times[best - 1], times[best + 1]),
+            method="bounded",
+            options={"xatol": 1e-12},
+        )
         return max(forces[best], -found.fun)
     return forces[best]
 
@@ -92,8 +99,8 @@ def largest_force(contact, motion, start, end):
 def integrate(slope, contacts, relative, start, breaks, samples, rtol, atol, max_step):
     """Integrates from y = start and returns samples [n, size], peak forces [link][impact], and the largest |y| [size].
 
-    slope(t, y, forces) -> y'; relative(y, link) -> (d, v). `breaks` are times where the load has a corner, the last one is
-    the end.
+    slope(t, y, forces) -> y'; relative(y, link) -> (d, v). `breaks` are times where the load has a corner, the last one
+    is the end.
     """
     y, t, step = np.array(start, dtype=float), 0.0, None
     kept = [y.copy()]
@@ -110,13 +117,25 @@ def integrate(slope, contacts, relative, start, breaks, samples, rtol, atol, max
             functions, follow = [], []
             for i, c in enumerate(contacts):
                 for function, direction, phase in c.events():
+
                     def event(time, state, function=function, i=i):
                         return function(*relative(state, i))
+
                     event.terminal, event.direction = True, direction
                     functions.append(event)
                     follow.append((i, phase))
-            r = solve_ivp(rate, (t, stop), y, method="DOP853", rtol=rtol, atol=atol, max_step=max_step, events=functions,
-                          dense_output=True, first_step=min(step or 1e-6, stop - t))
+            r = solve_ivp(
+                rate,
+                (t, stop),
+                y,
+                method="DOP853",
+                rtol=rtol,
+                atol=atol,
+                max_step=max_step,
+                events=functions,
+                dense_output=True,
+                first_step=min(step or 1e-6, stop - t),
+            )
             if r.status < 0:
                 raise RuntimeError(r.message)
             for i in active:

@@ -3,8 +3,8 @@
 //   frames plane --law NAME --tolerance T --motion FILE [--integrator esdirk4] [--base modal|sparse]
 //   frames space --storeys N --bays N [--bays-y M] [--steps K] [--base modal|sparse]
 //
-// plane: the pair of plane_frames.py, six links, 20 s. space: two frames in space, a link at every column line and floor that
-// face each other, pushed together by constant forces; K steps of 5 ms. Other words are PETSc options.
+// plane: the pair of plane_frames.py, six links, 20 s. space: two frames in space, a link at every column line and
+// floor that face each other, pushed together by constant forces; K steps of 5 ms. Other words are PETSc options.
 
 #include <petscts.h>
 #include <sys/resource.h>
@@ -25,14 +25,14 @@
 #include <nlohmann/json.hpp>
 
 #include <pounding/frames/frame.hpp>
-#include <pounding/links/gap_link.hpp>
+#include <pounding/linear/make_solver.hpp>
 #include <pounding/linear/modal_solver.hpp>
+#include <pounding/linear/sparse_solver.hpp>
+#include <pounding/links/gap_link.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/handle.hpp>
-#include <pounding/linear/make_solver.hpp>
-#include <pounding/linear/sparse_solver.hpp>
-#include <pounding/stepping/ts_pounding.hpp>
 #include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
 
 namespace {
 
@@ -72,7 +72,8 @@ double number(const Words& words, const std::string& name, double otherwise) {
 
 int count(const Words& words, const std::string& name, int otherwise) {
   const double value = number(words, name, otherwise);
-  if (!(value >= 1 && value <= 1e6 && value == std::floor(value))) throw std::invalid_argument(name + ": a whole number from 1 on");
+  if (!(value >= 1 && value <= 1e6 && value == std::floor(value)))
+    throw std::invalid_argument(name + ": a whole number from 1 on");
   return static_cast<int>(value);
 }
 
@@ -86,7 +87,8 @@ GridFrame grid(int storeys, int bays_x, int bays_y, double stiffer) {
   g.bay_width_y = {bay};
   const double column = 0.55, depth = 0.6, width = 0.3;
   const double inertia = stiffer * 0.7 * std::pow(column, 4) / 12;
-  g.column = Section{.area = column * column, .inertia_y = inertia, .inertia_z = inertia, .torsion = 0.141 * std::pow(column, 4)};
+  g.column = Section{
+      .area = column * column, .inertia_y = inertia, .inertia_z = inertia, .torsion = 0.141 * std::pow(column, 4)};
   g.beam = Section{.area = width * depth,
                    .inertia_y = stiffer * 0.5 * width * std::pow(depth, 3) / 12,
                    .inertia_z = 0.5 * depth * std::pow(width, 3) / 12,
@@ -113,7 +115,8 @@ struct Pair {
       const AssembledFrame& f = frames.back();
       for (int j = 0; j < f.size(); ++j) {
         for (SparseMatrix::InnerIterator it(f.mass, j); it; ++it) mass.emplace_back(n + it.row(), n + j, it.value());
-        for (SparseMatrix::InnerIterator it(f.stiffness, j); it; ++it) stiffness.emplace_back(n + it.row(), n + j, it.value());
+        for (SparseMatrix::InnerIterator it(f.stiffness, j); it; ++it)
+          stiffness.emplace_back(n + it.row(), n + j, it.value());
       }
       system.groups.push_back({n, f.size(), 1e-4, 1e-3, by_mass, by_stiffness});
       n += f.size();
@@ -321,8 +324,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Both frames pushed towards each other with a force that grows with time; without a gap and with elastic links the static
-// answer to a push of 1 m/s^2 times the time is the motion itself but for the damping, so that the links stay pressed.
+// Both frames pushed towards each other with a force that grows with time; without a gap and with elastic links the
+// static answer to a push of 1 m/s^2 times the time is the motion itself but for the damping, so that the links stay
+// pressed.
 Eigen::VectorXd static_answer(const Pair& pair, StructureSolver& base) {
   base.set_matrix({0, 0, 1}, std::nullopt);
   Eigen::VectorXd x = base.load().col(0);
@@ -370,8 +374,9 @@ nlohmann::json space(const Words& words) {
   const int storeys = count(words, "--storeys", 12), bays = count(words, "--bays", 5);
   const int bays_y = count(words, "--bays-y", bays), steps = count(words, "--steps", 100);
   const int lower = std::max(1, 4 * storeys / 5);
-  Pair pair({grid(storeys, bays, bays_y, 1.0), grid(lower, bays, bays_y, 1.7)},
-            [](int link) { return std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = linear_stiffness}, 0.0, link); });
+  Pair pair({grid(storeys, bays, bays_y, 1.0), grid(lower, bays, bays_y, 1.7)}, [](int link) {
+    return std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = linear_stiffness}, 0.0, link);
+  });
   const Group& right = pair.system.groups[1];
   pair.system.load.middleRows(right.first, right.count) *= -1;
   constexpr double begin = 1, far = 1e4;
@@ -385,7 +390,8 @@ nlohmann::json space(const Words& words) {
   const Eigen::VectorXd closing = pair.system.gap_jacobian.transpose() * pushed;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
     if (closing[static_cast<Eigen::Index>(i)] > 0)
-      pair.contacts[i]->on_event(0, begin, {begin * closing[static_cast<Eigen::Index>(i)], closing[static_cast<Eigen::Index>(i)]});
+      pair.contacts[i]->on_event(
+          0, begin, {begin * closing[static_cast<Eigen::Index>(i)], closing[static_cast<Eigen::Index>(i)]});
   stepper.start(begin, begin * pushed, pushed);
   Solve solve(stepper, far, space_step);
   StepClock clock;
@@ -409,7 +415,8 @@ nlohmann::json space(const Words& words) {
   const std::vector<double> timed(clock.seconds.begin() + settling_steps, clock.seconds.end());
   double total = 0;
   for (const double s : timed) total += s;
-  const auto pressed = std::count_if(pair.contacts.begin(), pair.contacts.end(), [](const auto& c) { return presses(c->phase()); });
+  const auto pressed =
+      std::count_if(pair.contacts.begin(), pair.contacts.end(), [](const auto& c) { return presses(c->phase()); });
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   std::array<double, 1> memory{static_cast<double>(usage.ru_maxrss) / 1024};

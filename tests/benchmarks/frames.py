@@ -3,9 +3,9 @@
 
     python3 tests/benchmarks/frames.py OUT.json [FRAMES] [--quick]
 
-plane: error against time for six laws; the error is the larger of the links' peak forces (relative, 1 where contact is missed)
-and the top displacements (OpenSees: every 0.1 s over the largest; pounding: the peaks, unless it prints "displacement").
-space: seconds of a step in contact against the number of equations.
+plane: error against time for six laws; the error is the larger of the links' peak forces (relative, 1 where contact is
+missed) and the top displacements (OpenSees: every 0.1 s over the largest; pounding: the peaks, unless it prints
+"displacement"). space: seconds of a step in contact against the number of equations.
 
 FRAMES is called as
     frames plane --law LAW --tolerance T --motion FILE [--integrator esdirk4]
@@ -16,6 +16,7 @@ The masses, stiffnesses and Rayleigh damping are those of plane_frames.py (the c
 reference/plane_frames.json), the laws those of problem.py with a reduced mass of 43.2 t, the tops the roof nodes of the
 columns that face each other. FILE has two columns, s and m/s^2, linear in between.
 """
+
 import json
 import statistics
 import sys
@@ -33,15 +34,22 @@ INTEGRATORS = ("generalized_alpha", "esdirk4")
 SYSTEMS = ("SparseSYM", "Mumps", "UmfPack")
 ALGORITHMS = ("Newton", "ModifiedNewton")
 # Equations in OpenSees -> the sizes that pounding is asked for, and the steps timed there.
-SPACE = {"4536": (["--storeys", "12", "--bays", "5"], 20), "19440": (["--storeys", "20", "--bays", "9", "--bays-y", "8"], 4)}
+SPACE = {
+    "4536": (["--storeys", "12", "--bays", "5"], 20),
+    "19440": (["--storeys", "20", "--bays", "9", "--bays-y", "8"], 4),
+}
 
 
 def opensees_plane(law, step, record, truth):
     run = run_json([sys.executable, FOLDER / "opensees_frames.py", "plane", law, step, record])
     if "failed" in run or "failed_at" in run:
         return {"step": step, "failed": run.get("failed", f"Newton failed at {run.get('failed_at', 0):.3f} s")}
-    return {"step": step, "steps": run["steps"], "seconds": run["wall_seconds"],
-            **errors(run["peaks"], displacement_error(run["displacement"], truth["displacement"]), truth)}
+    return {
+        "step": step,
+        "steps": run["steps"],
+        "seconds": run["wall_seconds"],
+        **errors(run["peaks"], displacement_error(run["displacement"], truth["displacement"]), truth),
+    }
 
 
 def pounding_plane(program, law, integrator, tolerance, record, truth, repeats):
@@ -54,8 +62,13 @@ def pounding_plane(program, law, integrator, tolerance, record, truth, repeats):
         moved = displacement_error(one["displacement"], truth["displacement"])
     else:
         moved = peak_error([one["peak_displacement"][side] for side in ("left", "right")], truth["peak_displacement"])
-    return {"tolerance": float(tolerance), "steps": one["steps"], "impacts": one["impacts"],
-            "seconds": statistics.median(r["wall_seconds"] for r in runs), **errors(one["peaks"], moved, truth)}
+    return {
+        "tolerance": float(tolerance),
+        "steps": one["steps"],
+        "impacts": one["impacts"],
+        "seconds": statistics.median(r["wall_seconds"] for r in runs),
+        **errors(one["peaks"], moved, truth),
+    }
 
 
 def errors(peaks, moved, truth):
@@ -76,7 +89,9 @@ def plane(program, record, quick):
                 break  # beyond the error that is compared
         laws[law] = {"opensees": points, "pounding": {}}
         for integrator in INTEGRATORS if program else ():
-            runs = [pounding_plane(program, law, integrator, t, record, truth[law], 1 if quick else 3) for t in TOLERANCES]
+            runs = [
+                pounding_plane(program, law, integrator, t, record, truth[law], 1 if quick else 3) for t in TOLERANCES
+            ]
             if all("failed" in r for r in runs):
                 print(f"plane {law} {integrator}: {runs[0]['failed']}")
             else:
@@ -92,7 +107,9 @@ def space(program, record, quick):
             continue
         for system in SYSTEMS:
             for algorithm in ALGORITHMS:
-                row = run_json([sys.executable, FOLDER / "opensees_frames.py", "space", size, system, algorithm, steps, record])
+                row = run_json(
+                    [sys.executable, FOLDER / "opensees_frames.py", "space", size, system, algorithm, steps, record]
+                )
                 rows.append({"program": "opensees", "size": size, "system": system, "algorithm": algorithm, **row})
                 print("space", size, system, algorithm, row.get("failed") or row.get("seconds_per_step"), flush=True)
         if program:
@@ -105,8 +122,11 @@ def main(out, program, quick):
     np.savetxt(record, np.column_stack(motion()), fmt="%.15e")
     if not program:
         print("the program `frames` is not built (tests/benchmarks/frames.cpp): OpenSees alone is measured")
-    Path(out).write_text(json.dumps({"plane": plane(program, record, quick), "space": space(program, record, quick),
-                                     "quick": quick}, indent=1))
+    Path(out).write_text(
+        json.dumps(
+            {"plane": plane(program, record, quick), "space": space(program, record, quick), "quick": quick}, indent=1
+        )
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
 """Shared by the benchmarks: running a program, its error against a reference, and the time at an error."""
+
 import json
 import math
 import os
@@ -11,7 +12,13 @@ import numpy as np
 FOLDER = Path(__file__).parent
 ERRORS = (1e-3, 1e-4, 1e-6)
 # CHOLMOD asks for four threads whatever OMP_NUM_THREADS says; only a limit holds it.
-ONE_THREAD = {**os.environ, "OMP_NUM_THREADS": "1", "OMP_THREAD_LIMIT": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+ONE_THREAD = {
+    **os.environ,
+    "OMP_NUM_THREADS": "1",
+    "OMP_THREAD_LIMIT": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+    "MKL_NUM_THREADS": "1",
+}
 
 
 def reference(name):
@@ -22,7 +29,9 @@ def run_json(command, timeout=3600):
     """The JSON object that a program prints, with `process_seconds`; or `failed` with the reason."""
     start = time.perf_counter()
     try:
-        done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env=ONE_THREAD, timeout=timeout)
+        done = subprocess.run(
+            [str(c) for c in command], capture_output=True, text=True, env=ONE_THREAD, timeout=timeout
+        )
     except subprocess.TimeoutExpired:
         return {"failed": f"stopped after {timeout} s"}
     seconds = time.perf_counter() - start
@@ -47,9 +56,9 @@ def peak_error(peaks, truth):
 def at_error(points, error, key="seconds"):
     """Time at which a work-precision curve reaches `error`: {"seconds", "bound", "best"}.
 
-    points: {"error", key} each. A straight line in logarithms between the last point that misses and the first that reaches;
-    `bound` says that already the cheapest measured point reaches it, so that the time is an upper bound. When none does,
-    seconds is None and best is the most accurate point.
+    points: {"error", key} each. A straight line in logarithms between the last point that misses and the first that
+    reaches; `bound` says that already the cheapest measured point reaches it, so that the time is an upper bound. When
+    none does, seconds is None and best is the most accurate point.
     """
     before = None
     for point in sorted(points, key=lambda p: p[key]):
@@ -64,10 +73,11 @@ def at_error(points, error, key="seconds"):
 
 
 def factor(peer, ours):
-    """(number, text, sense): OpenSees' time over pounding's; sense "=", ">" (a lower bound), "<" (an upper bound) or "?".
+    """(number, text, sense): OpenSees' time over pounding's; sense "=", ">" (a lower bound), "<" (an upper bound) or
+    "?".
 
-    OpenSees that misses the error counts with its best run, which only bounds the ratio from below; so does a pounding curve
-    whose cheapest point already reaches the error. An OpenSees curve of that kind bounds it from above.
+    OpenSees that misses the error counts with its best run, which only bounds the ratio from below; so does a pounding
+    curve whose cheapest point already reaches the error. An OpenSees curve of that kind bounds it from above.
     """
     if ours["seconds"] is None or (peer["seconds"] is None and not peer.get("best")):
         return None, "-", "?"

@@ -2,8 +2,9 @@
 //
 //   model_steps MODEL.yaml
 //
-// As `pounding run` steps it. Steps that end at no event, by their length [s] and the number of contacts that press at their ends: of each sort how many there
-// were, and the time [s] that a quarter of them stay below. Sorts of fewer than eight are left out.
+// As `pounding run` steps it. Steps that end at no event, by their length [s] and the number of contacts that press at
+// their ends: of each sort how many there were, and the time [s] that a quarter of them stay below. Sorts of fewer than
+// eight are left out.
 
 #include <petscts.h>
 
@@ -48,7 +49,8 @@ struct StepClock {
 
   void take(double time) {
     const double seconds = seconds_since(last);
-    const auto pressed = std::ranges::count_if(system.contacts, [](const Contact* contact) { return presses(contact->phase()); });
+    const auto pressed =
+        std::ranges::count_if(system.contacts, [](const Contact* contact) { return presses(contact->phase()); });
     if (stepper.events() == events) taken[{std::lround(1e9 * (time - begin)), pressed}].push_back(seconds);
     events = stepper.events();
     begin = time;
@@ -60,7 +62,10 @@ struct StepClock {
     for (auto& [sort, seconds] : taken) {
       if (seconds.size() < 8) continue;
       std::ranges::sort(seconds);
-      all.push_back({{"length", 1e-9 * static_cast<double>(sort.first)}, {"pressed", sort.second}, {"count", seconds.size()}, {"seconds", seconds[seconds.size() / 4]}});
+      all.push_back({{"length", 1e-9 * static_cast<double>(sort.first)},
+                     {"pressed", sort.second},
+                     {"count", seconds.size()},
+                     {"seconds", seconds[seconds.size() / 4]}});
     }
     return all;
   }
@@ -99,7 +104,7 @@ nlohmann::json measure(const std::string& file) {
   PetscInt steps = 0;
   check(TSGetStepNumber(setup.ts, &steps));
   return {{"solver", solver->description()}, {"sorts", clock.sorts()}, {"steps", steps},
-          {"events", stepper.events()}, {"seconds", seconds}, {"seconds_setup", seconds_setup}};
+          {"events", stepper.events()},      {"seconds", seconds},     {"seconds_setup", seconds_setup}};
 }
 
 }  // namespace

@@ -3,9 +3,10 @@
 
     python3 tests/benchmarks/motion.py FILE       # two columns, time [s] and acceleration [m/s^2]
 
-White noise (seed 2025) through a Kanai-Tajimi filter (15.7 rad/s, 0.6) and a Clough-Penzien high-pass (1.57 rad/s, 0.6), an
-envelope (t/2)^2 to 2 s, 1 to 9 s, exp(-0.3 (t-9)) after, and a Butterworth high-pass at 0.1 Hz.
+White noise (seed 2025) through a Kanai-Tajimi filter (15.7 rad/s, 0.6) and a Clough-Penzien high-pass (1.57 rad/s,
+0.6), an envelope (t/2)^2 to 2 s, 1 to 9 s, exp(-0.3 (t-9)) after, and a Butterworth high-pass at 0.1 Hz.
 """
+
 import sys
 
 import numpy as np

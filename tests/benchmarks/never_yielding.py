@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""The cost of hinges that never yield: the frames of yielding_frames.py with hinges too strong to yield, beside the same frames without hinges.
+"""The cost of hinges that never yield: the frames of yielding_frames.py with hinges too strong to yield, beside the
+same frames without hinges.
 
     python3 tests/benchmarks/never_yielding.py PROGRAM [--repeats 15] [--models frame,pair,towers]
 
-A line of JSON each: hinges, quartiles of the wall clock of whole runs with and without them, taken in turn [s], their ratio, and how many datasets of
-both results files are equal to the last bit, and how many are not.
+A line of JSON each: hinges, quartiles of the wall clock of whole runs with and without them, taken in turn [s], their
+ratio, and how many datasets of both results files are equal to the last bit, and how many are not.
 """
+
 import argparse
 import json
 import re
@@ -37,7 +39,12 @@ def equal(first, second):
     counts = [0, 0]
 
     def visit(name, one):
-        if isinstance(one, h5py.Dataset) and name in second and one.dtype.kind == "f" and not name.startswith(("solver", "input")):
+        if (
+            isinstance(one, h5py.Dataset)
+            and name in second
+            and one.dtype.kind == "f"
+            and not name.startswith(("solver", "input"))
+        ):
             counts[one[()].tobytes() != second[name][()].tobytes()] += 1
 
     first.visititems(visit)
@@ -59,13 +66,33 @@ def main():
             for _ in range(given.repeats):
                 for which, seconds in both.items():
                     start = time.perf_counter()
-                    subprocess.run([given.program, "run", folder / f"{which}.yaml", "-q", "-o", folder / f"{which}.h5"], check=True, stderr=subprocess.DEVNULL)
+                    subprocess.run(
+                        [given.program, "run", folder / f"{which}.yaml", "-q", "-o", folder / f"{which}.h5"],
+                        check=True,
+                        stderr=subprocess.DEVNULL,
+                    )
                     seconds.append(time.perf_counter() - start)
             quartile = {which: statistics.quantiles(seconds, n=4)[0] for which, seconds in both.items()}
             with h5py.File(folder / "without.h5") as without, h5py.File(folder / "with.h5") as strong:
-                hinges = sum(len(structure["springs/names"]) for structure in strong["structures"].values() if "springs/names" in structure)
+                hinges = sum(
+                    len(structure["springs/names"])
+                    for structure in strong["structures"].values()
+                    if "springs/names" in structure
+                )
                 same, other = equal(without, strong)
-        print(json.dumps({"model": name, "hinges": hinges, **quartile, "ratio": quartile["with"] / quartile["without"], "equal": same, "different": other}), flush=True)
+        print(
+            json.dumps(
+                {
+                    "model": name,
+                    "hinges": hinges,
+                    **quartile,
+                    "ratio": quartile["with"] / quartile["without"],
+                    "equal": same,
+                    "different": other,
+                }
+            ),
+            flush=True,
+        )
 
 
 if __name__ == "__main__":

@@ -5,12 +5,13 @@
     python3 opensees_frames.py space SIZE SYSTEM ALGORITHM STEPS MOTION
     python3 opensees_frames.py towers CASE SYSTEM STEPS
 
-plane: the pair of plane_frames.py, 20 s, BandGeneral, Newmark, Newton to increments of 1e-9; `wall_seconds` are those of the
-analysis loop alone. The recorder of the largest forces (one number a link) is part of the run.
-space: two regular 3D frames facing each other with linear links, 0.02 mm apart and started in the strong part of the motion,
-so that links are in contact; seconds of each step. MOTION: two columns, s and m/s^2, every 0.005 s.
-towers: those of towers.py with flexible floors, pressed, Newton; one Rayleigh damping for all, which costs what any does.
+plane: the pair of plane_frames.py, 20 s, BandGeneral, Newmark, Newton to increments of 1e-9; `wall_seconds` are those
+of the analysis loop alone. The recorder of the largest forces (one number a link) is part of the run. space: two
+regular 3D frames facing each other with linear links, 0.02 mm apart and started in the strong part of the motion, so
+that links are in contact; seconds of each step. MOTION: two columns, s and m/s^2, every 0.005 s. towers: those of
+towers.py with flexible floors, pressed, Newton; one Rayleigh damping for all, which costs what any does.
 """
+
 import json
 import resource
 import statistics
@@ -45,12 +46,28 @@ def plane_frame(storeys, bays, stiffer, x0, first_node, first_element):
                 ops.mass(node(floor, line), m, m, 0.0)
     for floor in range(1, storeys + 1):
         for line in range(bays + 1):
-            ops.element("elasticBeamColumn", tag, node(floor - 1, line), node(floor, line), COLUMN[0], ELASTICITY,
-                        COLUMN[1] * stiffer, 1)
+            ops.element(
+                "elasticBeamColumn",
+                tag,
+                node(floor - 1, line),
+                node(floor, line),
+                COLUMN[0],
+                ELASTICITY,
+                COLUMN[1] * stiffer,
+                1,
+            )
             tag += 1
         for line in range(bays):
-            ops.element("elasticBeamColumn", tag, node(floor, line), node(floor, line + 1), BEAM[0], ELASTICITY,
-                        BEAM[1] * stiffer, 1)
+            ops.element(
+                "elasticBeamColumn",
+                tag,
+                node(floor, line),
+                node(floor, line + 1),
+                BEAM[0],
+                ELASTICITY,
+                BEAM[1] * stiffer,
+                1,
+            )
             tag += 1
     return node, tag
 
@@ -74,13 +91,26 @@ def space_frame(storeys, bays, stiffer, x0, first_node, first_element, y0=0.0):
     for floor in range(1, storeys + 1):
         for line, row in lines:
             inertia = COLUMN[1] * stiffer
-            ops.element("elasticBeamColumn", tag, node(floor - 1, line, row), node(floor, line, row), COLUMN[0], ELASTICITY,
-                        shear, twist_column, inertia, inertia, 1)
+            ops.element(
+                "elasticBeamColumn",
+                tag,
+                node(floor - 1, line, row),
+                node(floor, line, row),
+                COLUMN[0],
+                ELASTICITY,
+                shear,
+                twist_column,
+                inertia,
+                inertia,
+                1,
+            )
             tag += 1
         beams = [(node(floor, line, row), node(floor, line + 1, row), 2) for line, row in lines if line < along]
         beams += [(node(floor, line, row), node(floor, line, row + 1), 3) for line, row in lines if row < across]
         for a, b, turn in beams:
-            ops.element("elasticBeamColumn", tag, a, b, BEAM[0], ELASTICITY, shear, twist_beam, weak, BEAM[1] * stiffer, turn)
+            ops.element(
+                "elasticBeamColumn", tag, a, b, BEAM[0], ELASTICITY, shear, twist_beam, weak, BEAM[1] * stiffer, turn
+            )
             tag += 1
     return node, tag
 
@@ -94,7 +124,7 @@ def links(pairs, law, tag):
 
 def excite(file, start=0.0):
     """The motion from `start` [s] on."""
-    a = np.loadtxt(file)[round(start / 0.005):, 1]
+    a = np.loadtxt(file)[round(start / 0.005) :, 1]
     ops.timeSeries("Path", 1, "-dt", 0.005, "-values", *a.tolist())
     ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
     a0, b0 = plane_frames.pair()[2]
@@ -147,7 +177,11 @@ def space(size, system, algorithm, steps, file):
     ops.geomTransf("Linear", 3, 1, 0, 0)
     left, tag = space_frame(s1, bays, 1.0, 0.0, 1, 1)
     right, tag = space_frame(s2, bays, 1.7, bays[0] * BAY + SPACE_GAP, 100001, tag)
-    pairs = [(left(floor, bays[0], row), right(floor, 0, row)) for floor in range(1, min(s1, s2) + 1) for row in range(bays[1] + 1)]
+    pairs = [
+        (left(floor, bays[0], row), right(floor, 0, row))
+        for floor in range(1, min(s1, s2) + 1)
+        for row in range(bays[1] + 1)
+    ]
     tags = links(pairs, ("ElasticPPGap", problem.LINEAR_STIFFNESS, -1e15, -SPACE_GAP, 0.0), tag)
     excite(file, SPACE_START)
     analysis(system, algorithm)
@@ -160,8 +194,13 @@ def space(size, system, algorithm, steps, file):
         iterations.append(ops.testIter())
         touching.append(sum(ops.eleResponse(tag, "material", 1, "stress")[0] != 0 for tag in tags))
     # The first step also orders the equations and the first factorisation analyses them.
-    return {"unknowns": ops.systemSize(), "links": len(tags), "seconds_per_step": statistics.median(seconds[1:]),
-            "iterations_per_step": statistics.mean(iterations[1:]), "links_in_contact": statistics.mean(touching[1:])}
+    return {
+        "unknowns": ops.systemSize(),
+        "links": len(tags),
+        "seconds_per_step": statistics.median(seconds[1:]),
+        "iterations_per_step": statistics.mean(iterations[1:]),
+        "links_in_contact": statistics.mean(touching[1:]),
+    }
 
 
 def towers(case, system, steps):
@@ -177,8 +216,15 @@ def towers(case, system, steps):
     for k in range(of_program.ROWS[count][1]):
         for i in range(of_program.ROWS[count][0]):
             place = i * width, k * (width + of_program.ACROSS)
-            nodes[i, k], tag = space_frame(of_program.STOREYS, (bays, bays), of_program.stiffer(i, k), place[0], 1 + 100000 * len(nodes),
-                                           tag, place[1])
+            nodes[i, k], tag = space_frame(
+                of_program.STOREYS,
+                (bays, bays),
+                of_program.stiffer(i, k),
+                place[0],
+                1 + 100000 * len(nodes),
+                tag,
+                place[1],
+            )
             for floor in range(1, of_program.STOREYS + 1):
                 for row in range(bays + 1):
                     for line in range(bays + 1):
@@ -192,7 +238,9 @@ def towers(case, system, steps):
                     ends = (bays, edge), (0, edge)
                     one, other = (nodes[t](floor, *(end if axis == 0 else end[::-1])) for t, end in zip((a, b), ends))
                     # Nodes in one place need the axes told.
-                    ops.element("twoNodeLink", tag, one, other, "-mat", 1 + axis, "-dir", 1 + axis, "-orient", 1, 0, 0, 0, 1, 0)
+                    ops.element(
+                        "twoNodeLink", tag, one, other, "-mat", 1 + axis, "-dir", 1 + axis, "-orient", 1, 0, 0, 0, 1, 0
+                    )
                     tags.append(tag)
                     tag += 1
     a0, b0 = plane_frames.pair()[2]
@@ -206,9 +254,14 @@ def towers(case, system, steps):
         seconds.append(time.perf_counter() - start)
         iterations.append(ops.testIter())
     touching = sum(ops.eleResponse(tag, "force")[0] != 0 for tag in tags)
-    return {"unknowns": ops.systemSize(), "links": len(tags), "seconds_per_step": of_program.quarter(seconds[1:]),
-            "iterations_per_step": statistics.mean(iterations[1:]), "pressed": touching,
-            "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024}
+    return {
+        "unknowns": ops.systemSize(),
+        "links": len(tags),
+        "seconds_per_step": of_program.quarter(seconds[1:]),
+        "iterations_per_step": statistics.mean(iterations[1:]),
+        "pressed": touching,
+        "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+    }
 
 
 if __name__ == "__main__":

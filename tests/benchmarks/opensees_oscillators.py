@@ -3,9 +3,10 @@
 
     python3 opensees_oscillators.py LAW STEP REPEATS
 
-Average acceleration (Newmark), Newton to increments of 1e-12 m. `wall_seconds` are those of the analysis loop alone, one of
-each repeat, without any recorder; the forces of all impacts come from one more run, which is not timed.
+Average acceleration (Newmark), Newton to increments of 1e-12 m. `wall_seconds` are those of the analysis loop alone,
+one of each repeat, without any recorder; the forces of all impacts come from one more run, which is not timed.
 """
+
 import json
 import math
 import sys

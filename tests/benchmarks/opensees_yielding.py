@@ -4,9 +4,11 @@
     python3 opensees_yielding.py frame STEP RECORD
     python3 opensees_yielding.py pair STEP MOTION
 
-elasticBeamColumn and zeroLength hinges of Steel01, Newmark, Newton to increments of 1e-10, BandGeneral. RECORD and MOTION: two columns, s and
-m/s^2, at a fixed step. `wall_seconds` are those of the analysis loop alone, recorders of the peaks included.
+elasticBeamColumn and zeroLength hinges of Steel01, Newmark, Newton to increments of 1e-10, BandGeneral. RECORD and
+MOTION: two columns, s and m/s^2, at a fixed step. `wall_seconds` are those of the analysis loop alone, recorders of the
+peaks included.
 """
+
 import json
 import sys
 import tempfile
@@ -48,8 +50,13 @@ class Builder:
         """node(floor, line)."""
         node = lambda floor, line: first + floor * (bays + 1) + line
         place = lambda floor, line: (x0 + line * BAY, floor * HEIGHT)
-        for material, moment, inertia, length in ((first, moments[0], beam[1], BAY), (first + 1, moments[1], column[1], HEIGHT)):
-            ops.uniaxialMaterial("Steel01", material, moment, of.STIFFER_THAN_MEMBERS * 6 * young * inertia / length, of.HARDENING)
+        for material, moment, inertia, length in (
+            (first, moments[0], beam[1], BAY),
+            (first + 1, moments[1], column[1], HEIGHT),
+        ):
+            ops.uniaxialMaterial(
+                "Steel01", material, moment, of.STIFFER_THAN_MEMBERS * 6 * young * inertia / length, of.HARDENING
+            )
         for floor in range(storeys + 1):
             for line in range(bays + 1):
                 ops.node(node(floor, line), *place(floor, line))
@@ -93,7 +100,9 @@ def read(file):
 
 
 def frame(step, record, folder):
-    node = Builder().frame(of.FRAME_STOREYS, 1, 0.0, 1, of.FRAME_E, of.FRAME_COLUMN, of.FRAME_BEAM, 2 * of.FRAME_MASS, of.FRAME_MOMENTS)
+    node = Builder().frame(
+        of.FRAME_STOREYS, 1, 0.0, 1, of.FRAME_E, of.FRAME_COLUMN, of.FRAME_BEAM, 2 * of.FRAME_MASS, of.FRAME_MOMENTS
+    )
     floors = [node(floor, 0) for floor in range(1, of.FRAME_STOREYS + 1)]
     envelope(folder / "peaks", "EnvelopeNode", "-node", *floors, "-dof", 1, "disp")
     analysis(record, of.FRAME_SCALE, of.FRAME_PERIOD)
@@ -110,15 +119,38 @@ def pair(step, record, folder):
     builder, nodes = Builder(), []
     for k in range(2):
         stiffer = plane_frames.STIFFER[k]
-        nodes.append(builder.frame(plane_frames.STOREYS[k], plane_frames.BAYS[k], k * (plane_frames.BAYS[0] * BAY + problem.GAP), 1 + 1000 * k,
-                                   ELASTICITY, (COLUMN[0], COLUMN[1] * stiffer), (BEAM[0], BEAM[1] * stiffer), problem.FLOOR_MASS, of.PAIR_MOMENTS[k]))
-    ops.uniaxialMaterial(*problem.opensees_material("linear_spring", problem.FRAME_MASS)[:1], 5000,
-                         *problem.opensees_material("linear_spring", problem.FRAME_MASS)[1:])
+        nodes.append(
+            builder.frame(
+                plane_frames.STOREYS[k],
+                plane_frames.BAYS[k],
+                k * (plane_frames.BAYS[0] * BAY + problem.GAP),
+                1 + 1000 * k,
+                ELASTICITY,
+                (COLUMN[0], COLUMN[1] * stiffer),
+                (BEAM[0], BEAM[1] * stiffer),
+                problem.FLOOR_MASS,
+                of.PAIR_MOMENTS[k],
+            )
+        )
+    ops.uniaxialMaterial(
+        *problem.opensees_material("linear_spring", problem.FRAME_MASS)[:1],
+        5000,
+        *problem.opensees_material("linear_spring", problem.FRAME_MASS)[1:],
+    )
     tags = []
     for floor in range(1, min(plane_frames.STOREYS) + 1):
         builder.tag += 1
         tags.append(builder.tag)
-        ops.element("twoNodeLink", builder.tag, nodes[0](floor, plane_frames.BAYS[0]), nodes[1](floor, 0), "-mat", 5000, "-dir", 1)
+        ops.element(
+            "twoNodeLink",
+            builder.tag,
+            nodes[0](floor, plane_frames.BAYS[0]),
+            nodes[1](floor, 0),
+            "-mat",
+            5000,
+            "-dir",
+            1,
+        )
     tops = [nodes[0](plane_frames.STOREYS[0], plane_frames.BAYS[0]), nodes[1](plane_frames.STOREYS[1], 0)]
     envelope(folder / "peaks", "EnvelopeElement", "-ele", *tags, "material", 1, "stress")
     analysis(record, 1.0, of.PAIR_PERIOD)
@@ -132,7 +164,12 @@ def pair(step, record, folder):
         iterations += ops.testIter()
     seconds = time.perf_counter() - start
     ops.wipe()
-    return {"wall_seconds": seconds, "peaks": read(folder / "peaks"), "displacement": u.tolist(), "iterations_per_step": iterations / samples}
+    return {
+        "wall_seconds": seconds,
+        "peaks": read(folder / "peaks"),
+        "displacement": u.tolist(),
+        "iterations_per_step": iterations / samples,
+    }
 
 
 if __name__ == "__main__":

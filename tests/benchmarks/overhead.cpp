@@ -2,7 +2,8 @@
 //
 //   overhead [STEPS]
 //
-// free: apart, steps of fixed length. pounding: the problem of problem.py with hertz_damped, steps chosen for 1e-4. Each by both integrators.
+// free: apart, steps of fixed length. pounding: the problem of problem.py with hertz_damped, steps chosen for 1e-4.
+// Each by both integrators.
 
 #include <petscts.h>
 
@@ -15,12 +16,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
+#include <pounding/links/gap_link.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/handle.hpp>
-#include <pounding/stepping/ts_pounding.hpp>
 #include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
 
 namespace {
 
@@ -106,7 +107,8 @@ int main(int argc, char** argv) {
       // The least of some runs: what disturbs only adds.
       Result free, pounding;
       for (int i = 0; i < 5; ++i) {
-        const Result a = run(scheme, far, step * static_cast<double>(wanted), step, true), b = run(scheme, 0.02, 10.0, 0.05, false);
+        const Result a = run(scheme, far, step * static_cast<double>(wanted), step, true),
+                     b = run(scheme, 0.02, 10.0, 0.05, false);
         if (i == 0 || a.seconds_per_step < free.seconds_per_step) free = a;
         if (i == 0 || b.seconds_per_step < pounding.seconds_per_step) pounding = b;
       }

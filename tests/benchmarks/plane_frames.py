@@ -1,9 +1,10 @@
 """Matrices of the two plane frames, for the reference only.
 
-Elastic frames of 3.2 m storeys and 6 m bays, columns 0.55 x 0.55 m (70 % of I), beams 0.30 x 0.60 m (50 % of I), E = 25 GPa, the
-second frame 1.7 times stiffer in bending; mass at the nodes, both directions, none for rotations; fixed bases. Rayleigh
-damping of 5 % at the first and sixth frequency of the pair (at 4 Hz if that is higher).
+Elastic frames of 3.2 m storeys and 6 m bays, columns 0.55 x 0.55 m (70 % of I), beams 0.30 x 0.60 m (50 % of I), E = 25
+GPa, the second frame 1.7 times stiffer in bending; mass at the nodes, both directions, none for rotations; fixed bases.
+Rayleigh damping of 5 % at the first and sixth frequency of the pair (at 4 Hz if that is higher).
 """
+
 import math
 
 import numpy as np
@@ -23,8 +24,13 @@ def beam(length, area, inertia, vertical):
     k = np.zeros((6, 6))
     k[np.ix_([0, 3], [0, 3])] = a * np.array([[1, -1], [-1, 1]])
     k[np.ix_([1, 2, 4, 5], [1, 2, 4, 5])] = i * np.array(
-        [[12, 6 * h, -12, 6 * h], [6 * h, 4 * h * h, -6 * h, 2 * h * h],
-         [-12, -6 * h, 12, -6 * h], [6 * h, 2 * h * h, -6 * h, 4 * h * h]])
+        [
+            [12, 6 * h, -12, 6 * h],
+            [6 * h, 4 * h * h, -6 * h, 2 * h * h],
+            [-12, -6 * h, 12, -6 * h],
+            [6 * h, 2 * h * h, -6 * h, 4 * h * h],
+        ]
+    )
     if vertical:
         turn = np.kron(np.eye(2), np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]))
         k = turn.T @ k @ turn
@@ -46,7 +52,7 @@ def frame(storeys, bays, stiffer):
             add(node(floor - 1, line), node(floor, line), beam(HEIGHT, COLUMN[0], COLUMN[1] * stiffer, True))
         for line in range(bays):
             add(node(floor, line), node(floor, line + 1), beam(BAY, BEAM[0], BEAM[1] * stiffer, False))
-    k = k[3 * columns:, 3 * columns:]  # fixed bases
+    k = k[3 * columns :, 3 * columns :]  # fixed bases
     turning = np.arange(2, len(k), 3)
     moving = np.setdiff1d(np.arange(len(k)), turning)
     share = np.array([0.5 if line in (0, bays) else 1.0 for line in range(columns)])
@@ -60,7 +66,7 @@ def pair():
     (m1, k1), (m2, k2) = (frame(*each) for each in zip(STOREYS, BAYS, STIFFER))
     mass = np.concatenate([m1, m2])
     stiffness = np.zeros((len(mass),) * 2)
-    stiffness[:len(m1), :len(m1)], stiffness[len(m1):, len(m1):] = k1, k2
+    stiffness[: len(m1), : len(m1)], stiffness[len(m1) :, len(m1) :] = k1, k2
     w = np.sqrt(eigh(stiffness, np.diag(mass), eigvals_only=True, subset_by_index=(0, 5)))
     low, high = w[0], max(w[5], 2 * math.pi * 4)
     coefficients = 2 * problem.DAMPING * low * high / (low + high), 2 * problem.DAMPING / (low + high)

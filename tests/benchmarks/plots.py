@@ -1,4 +1,5 @@
 """Plots of the benchmarks, small PNG."""
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -27,7 +28,15 @@ def work_precision(laws, title, file):
         lines += [(f"pounding, {name}", OURS[name], points) for name, points in curves["pounding"].items()]
         for label, colour, points in lines:
             points = sorted(good(points), key=lambda p: p["seconds"])
-            axis.loglog([p["error"] for p in points], [p["seconds"] for p in points], "o-", ms=4, lw=1.3, color=colour, label=label)
+            axis.loglog(
+                [p["error"] for p in points],
+                [p["seconds"] for p in points],
+                "o-",
+                ms=4,
+                lw=1.3,
+                color=colour,
+                label=label,
+            )
         axis.set_title(law, fontsize=10)
         axis.grid(alpha=0.3)
     axes[0, 0].invert_xaxis()
@@ -50,7 +59,11 @@ def ratio(laws, file):
         xs, ys = [], []
         for error in np.logspace(-2, -8, 49):
             a = at_error(peer, error)
-            b = [at for at in (at_error(points, error) for points in ours) if at["seconds"] is not None and not at["bound"]]
+            b = [
+                at
+                for at in (at_error(points, error) for points in ours)
+                if at["seconds"] is not None and not at["bound"]
+            ]
             if a["seconds"] is not None and not a["bound"] and b:
                 xs.append(error)
                 ys.append(a["seconds"] / min(at["seconds"] for at in b))
@@ -75,8 +88,14 @@ def space(rows, file):
             groups.setdefault(label, []).append((row["unknowns"], row["seconds_per_step"]))
     colours = {"SparseSYM": "#b5483a", "Mumps": "#8a6d1d", "UmfPack": "#6b4c9a", "pounding": OURS["generalized_alpha"]}
     for label, points in groups.items():
-        axis.loglog(*zip(*sorted(points)), "o--" if "Modified" in label else "o-", ms=4, lw=1.3,
-                    color=colours[label.split(",")[0]], label=label)
+        axis.loglog(
+            *zip(*sorted(points)),
+            "o--" if "Modified" in label else "o-",
+            ms=4,
+            lw=1.3,
+            color=colours[label.split(",")[0]],
+            label=label,
+        )
     axis.set_xlabel("equations")
     axis.set_ylabel("seconds a step")
     axis.set_title("3D frames in contact", fontsize=10)

@@ -1,8 +1,10 @@
 """The benchmark problems: numbers that the reference, OpenSees and pounding share. SI units.
 
-Two oscillators (100 t, 0.5 s; 150 t, 1.0 s; 5 %; 20 mm apart) under 0.4 g at 1.5 Hz for 10 s, and two plane frames (8 storeys
-with 3 bays, 6 storeys with 2 bays) under a synthetic record of 20 s; restitution 0.65, six laws that both programs have.
+Two oscillators (100 t, 0.5 s; 150 t, 1.0 s; 5 %; 20 mm apart) under 0.4 g at 1.5 Hz for 10 s, and two plane frames (8
+storeys with 3 bays, 6 storeys with 2 bays) under a synthetic record of 20 s; restitution 0.65, six laws that both
+programs have.
 """
+
 import math
 
 MASSES = (100e3, 150e3)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Time of `pounding.run` beside its solve, and of a row of a study: each the shortest of many, in milliseconds of processor time.
+"""Time of `pounding.run` beside its solve, and of a row of a study: each the shortest of many, in milliseconds of
+processor time.
 
     PYTHONPATH=build/python .venv-test/bin/python3 tests/benchmarks/python_overhead.py
 """
@@ -36,8 +37,11 @@ def best(task):
 def frames():
     """Time of a row of lesson 7's frames, where records and levels change alone, and of its run in it [ms]."""
     model = pounding.Model.from_file(ROOT / "examples/07_plane_frames/model.yaml")
-    words = {"engine": "solver", "records": {"synthetic": {"count": 2, "duration": "1 s", "pga": "0.35 g"}},
-             "intensity": {"measure": "pga", "levels": ["0.2 g", "0.4 g"]}}
+    words = {
+        "engine": "solver",
+        "records": {"synthetic": {"count": 2, "duration": "1 s", "pga": "0.35 g"}},
+        "intensity": {"measure": "pga", "levels": ["0.2 g", "0.4 g"]},
+    }
     batch = batch_of(plan := make_plan(model, words, Path()), np.arange(4))
     ready = prepared(plan.template)
     motions = [ready.motion(int(record), float(scale), batch.files) for record, scale in zip(batch.record, batch.scale)]
@@ -53,11 +57,15 @@ def main():
     call = best(lambda: pounding.run(model)) - native
     whole = best(lambda: pounding.run(model).time)
     solve = 1e3 * min(pounding.run(model).summary["solver"]["wall_seconds"] for _ in range(TIMES))
-    batch = batch_of(plan := make_plan(model, {"factors": {"gap": {"of": "links.*.gap", "list": ["20 mm"]}}}, Path()), np.arange(1))
+    batch = batch_of(
+        plan := make_plan(model, {"factors": {"gap": {"of": "links.*.gap", "list": ["20 mm"]}}}, Path()), np.arange(1)
+    )
     row = best(lambda: run_batch(batch))
     case = best(lambda: yaml_text.emit(plan.case(0)))
     print(f"load of the machine {os.getloadavg()[0]:.1f}")
-    print(f"run in C++, from text to numbers     {native:8.3f} ms, of which set-up and solve by its own clock {solve:.3f} (wall), reading {reading:.3f}")
+    print(
+        f"run in C++, from text to numbers     {native:8.3f} ms, of which set-up and solve by its own clock {solve:.3f} (wall), reading {reading:.3f}"
+    )
     print(f"pounding.run beside that             {call:8.3f} ms; its summary as a dict {summary:.3f} more")
     print(f"pounding.run with all arrays         {whole:8.3f} ms")
     print(f"a row of a study                     {row:8.3f} ms, of which its text {case:.3f}")

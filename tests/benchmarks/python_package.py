@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Cost of the Python package: imports, a law per element of an array of a million, a run beside the program.
 
-    PYTHONPATH=build/python .venv/bin/python3 tests/benchmarks/python_package.py build/pounding
-    ... python_package.py --imports           only these
+PYTHONPATH=build/python .venv/bin/python3 tests/benchmarks/python_package.py build/pounding
+... python_package.py --imports           only these
 """
 
 import subprocess
@@ -59,12 +59,17 @@ def main():
         if kind.instantaneous:
             continue
         law = typical(kind)
-        force, slopes = (1e9 / SIZE * best(lambda: ask(penetration, rate, 0.5), 15, time.process_time) for ask in (law.force, law.respond))
+        force, slopes = (
+            1e9 / SIZE * best(lambda: ask(penetration, rate, 0.5), 15, time.process_time)
+            for ask in (law.force, law.respond)
+        )
         print(f"{name:<30}{force:12.2f}{slopes:14.2f}")
     if len(sys.argv) > 1:
         ours = best(lambda: pounding.run(MODEL))
         program = best(lambda: subprocess.run([sys.argv[1], "run", MODEL, "-q"], check=True))
-        print(f"\npounding.run {1e3 * ours:.1f} ms, the program as a process {1e3 * program:.1f} ms ({MODEL.parent.name})")
+        print(
+            f"\npounding.run {1e3 * ours:.1f} ms, the program as a process {1e3 * program:.1f} ms ({MODEL.parent.name})"
+        )
 
 
 if __name__ == "__main__":

@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
-"""Errors of reduced structures against all natural modes, and what the runs tell of them, for eight pairs of towers in space.
+"""Errors of reduced structures against all natural modes, and what the runs tell of them, for eight pairs of towers in
+space.
 
-    python3 tests/benchmarks/reduction.py PROGRAM [--models NAME,...] [--tolerances 1e-3,1e-4] [--words "auto" "{links: 5, ground: 20}" ...]
-    python3 tests/benchmarks/reduction.py PROGRAM --conditions [--models NAME,...]
-    python3 tests/benchmarks/reduction.py yaml NAME             # prints a model
+    python3 tests/benchmarks/reduction.py PROGRAM [--models NAME,...] [--tolerances 1e-3,1e-4] [--words "auto" "{links:
+    5, ground: 20}" ...] python3 tests/benchmarks/reduction.py PROGRAM --conditions [--models NAME,...] python3
+    tests/benchmarks/reduction.py yaml NAME             # prints a model
 
-Each pair stands on ground that shakes along x and across the links. Of every run a line of JSON: errors against all modes at a tenth of the smallest
-tolerance, those against all modes at the same tolerance (by_reduction: errors of the steps nearly cancel), what the run tells (three times its estimates), coordinates,
-blocks, seconds. Errors are largest differences over largest values: of peak forces and impulses of links, of histories of floors along x and y, of extremes of
-member forces.
+Each pair stands on ground that shakes along x and across the links. Of every run a line of JSON: errors against all
+modes at a tenth of the smallest tolerance, those against all modes at the same tolerance (by_reduction: errors of the
+steps nearly cancel), what the run tells (three times its estimates), coordinates, blocks, seconds. Errors are largest
+differences over largest values: of peak forces and impulses of links, of histories of floors along x and y, of extremes
+of member forces.
 
---conditions tells instead how well each model is posed: the same differences where a number of the input is another one, over the relative change of
-that number. A run that keeps its tolerance may differ by as many tolerances.
+--conditions tells instead how well each model is posed: the same differences where a number of the input is another
+one, over the relative change of that number. A run that keeps its tolerance may differ by as many tolerances.
 """
+
 import argparse
 import json
 import subprocess
@@ -31,24 +34,31 @@ def kelvin(stiffness):
 # Name -> storeys, bays, rigid floors, points of a floor, law, damping.
 FIVE = "{rayleigh: {ratio: 5 %, modes: [1, 2]}}"
 LIGHT = "{rayleigh: {ratio: 3 %, periods: [1.5, 0.02]}}"
-MODELS = {"flexible": (10, 4, False, 2, HERTZ, FIVE),
-          "rigid": (10, 4, True, 2, kelvin("3e9"), FIVE),
-          "points": (10, 4, False, 5, HERTZ, FIVE),
-          "kelvin": (10, 4, False, 2, kelvin("1e10"), FIVE),
-          "twenty": (20, 5, False, 2, HERTZ, FIVE),
-          "light": (10, 4, False, 2, HERTZ, LIGHT),
-          "modal": (10, 4, False, 2, HERTZ, "{modal: {ratio: 5 %}}"),
-          "friction": (10, 4, False, 2, HERTZ + ", friction: 0.3", FIVE)}
+MODELS = {
+    "flexible": (10, 4, False, 2, HERTZ, FIVE),
+    "rigid": (10, 4, True, 2, kelvin("3e9"), FIVE),
+    "points": (10, 4, False, 5, HERTZ, FIVE),
+    "kelvin": (10, 4, False, 2, kelvin("1e10"), FIVE),
+    "twenty": (20, 5, False, 2, HERTZ, FIVE),
+    "light": (10, 4, False, 2, HERTZ, LIGHT),
+    "modal": (10, 4, False, 2, HERTZ, "{modal: {ratio: 5 %}}"),
+    "friction": (10, 4, False, 2, HERTZ + ", friction: 0.3", FIVE),
+}
 DURATION, BAY, GAP = 4.0, 6.0, 0.02
 #: Numbers of the input that --conditions changes, by this part.
-INPUTS, CHANGE = {"gap": f"gap: {GAP}", "amplitude of the ground": "amplitude: 3", "period of the ground": "period: 1.1"}, 1e-5
+INPUTS, CHANGE = (
+    {"gap": f"gap: {GAP}", "amplitude of the ground": "amplitude: 3", "period of the ground": "period: 1.1"},
+    1e-5,
+)
 
 
 def model(name, tolerance, words="none", duration=DURATION):
     """YAML of a pair; `words`: of reduction."""
     storeys, bays, rigid, points, law, damping = MODELS[name]
-    lines = ["ground_motion: {components: {x: {harmonic: {amplitude: 3, period: 1.1, duration: 4}}, y: {harmonic: {amplitude: 1.5, period: 0.7, duration: 4}}}}",
-             "structures:"]
+    lines = [
+        "ground_motion: {components: {x: {harmonic: {amplitude: 3, period: 1.1, duration: 4}}, y: {harmonic: {amplitude: 1.5, period: 0.7, duration: 4}}}}",
+        "structures:",
+    ]
     for i, (tower, bending) in enumerate((("left", 1.0), ("right", 2.0))):
         lines.append(f"""\
   {tower}:
@@ -62,7 +72,7 @@ def model(name, tolerance, words="none", duration=DURATION):
       grid: {{storeys: {storeys}, bays: [{bays}, {bays}], storey_height: 3.2, bay_width: {BAY}, columns: column, beams: beam,
              floor_mass: {20 * bays * bays} t, rigid_floors: {str(rigid).lower()}}}
     damping: {damping}""")
-    lines.append("links:\n" f"  - {{between: [left, right], floors: all, points: {points}, gap: {GAP}, law: {law}}}")
+    lines.append(f"links:\n  - {{between: [left, right], floors: all, points: {points}, gap: {GAP}, law: {law}}}")
     lines.append(f"analysis: {{duration: {duration}, tolerance: {tolerance}, output_step: 0.01, reduction: {words}}}")
     return "\n".join(lines) + "\n"
 
@@ -74,13 +84,18 @@ def run(program, folder, text):
 
     (folder / "model.yaml").write_text(text)
     start = time.perf_counter()
-    done = subprocess.run([program, "run", folder / "model.yaml", "-o", folder / "out.h5", "--json"], capture_output=True, text=True)
+    done = subprocess.run(
+        [program, "run", folder / "model.yaml", "-o", folder / "out.h5", "--json"], capture_output=True, text=True
+    )
     seconds = time.perf_counter() - start
     if done.returncode:
         raise RuntimeError(done.stderr)
     summary = json.loads(done.stdout)
     with h5py.File(folder / "out.h5") as file:
-        floors = {name: {key: file[f"structures/{name}/{key}"][..., :2] for key in ("displacement", "acceleration")} for name in ("left", "right")}
+        floors = {
+            name: {key: file[f"structures/{name}/{key}"][..., :2] for key in ("displacement", "acceleration")}
+            for name in ("left", "right")
+        }
     return summary, floors, seconds
 
 
@@ -95,7 +110,10 @@ def errors(found, exact):
         return max(abs(x[key] - y[key]) for x, y in zip(a["links"], b["links"])) / largest
 
     def of_floors(key):
-        return max(float(np.abs(floors[name][key] - expected[name][key]).max() / np.abs(expected[name][key]).max()) for name in floors)
+        return max(
+            float(np.abs(floors[name][key] - expected[name][key]).max() / np.abs(expected[name][key]).max())
+            for name in floors
+        )
 
     def of_members():
         worst = 0.0
@@ -104,17 +122,29 @@ def errors(found, exact):
             moment = np.array([component.split()[1][0] in "MT" for component in y["components"]])
             for kind in (moment, ~moment):
                 high = [np.array(e["member_force"][end])[:, kind] for e in (x, y) for end in ("min", "max")]
-                worst = max(worst, max(np.abs(high[0] - high[2]).max(), np.abs(high[1] - high[3]).max()) / max(np.abs(high[2]).max(), np.abs(high[3]).max()))
+                worst = max(
+                    worst,
+                    max(np.abs(high[0] - high[2]).max(), np.abs(high[1] - high[3]).max())
+                    / max(np.abs(high[2]).max(), np.abs(high[3]).max()),
+                )
         return float(worst)
 
-    return {"force": of_links("peak_force"), "impulse": of_links("impulse"), "displacement": of_floors("displacement"),
-            "acceleration": of_floors("acceleration"), "members": of_members()}
+    return {
+        "force": of_links("peak_force"),
+        "impulse": of_links("impulse"),
+        "displacement": of_floors("displacement"),
+        "acceleration": of_floors("acceleration"),
+        "members": of_members(),
+    }
 
 
 def told(summary):
     """{"force", ...} as the run tells them: the largest of both towers."""
     structures = summary["solver"].get("reduction", {}).values()
-    return {key: max((s[f"error_{key}"] or 0.0 for s in structures), default=None) for key in ("force", "displacement", "acceleration", "members")}
+    return {
+        key: max((s[f"error_{key}"] or 0.0 for s in structures), default=None)
+        for key in ("force", "displacement", "acceleration", "members")
+    }
 
 
 def main():
@@ -147,24 +177,54 @@ def conditions(given, folder, name):
     for what, line in INPUTS.items():
         word, number = line.split()
         after = run(given.program, folder, text.replace(line, f"{word} {float(number) * (1 + CHANGE)!r}"))
-        print(json.dumps({"model": name, "input": what, "conditions": {key: value / CHANGE for key, value in errors(after, before).items()}}), flush=True)
+        print(
+            json.dumps(
+                {
+                    "model": name,
+                    "input": what,
+                    "conditions": {key: value / CHANGE for key, value in errors(after, before).items()},
+                }
+            ),
+            flush=True,
+        )
 
 
 def compare(given, folder, name, tolerances):
     """Prints the lines of one model."""
+
     def show(**line):
         print(json.dumps({"model": name, **line}), flush=True)
 
-    exact = None if given.steps_alike else run(given.program, folder, model(name, min(tolerances) / 10, "all modes", given.duration))
+    exact = (
+        None
+        if given.steps_alike
+        else run(given.program, folder, model(name, min(tolerances) / 10, "all modes", given.duration))
+    )
     for tolerance in tolerances:
         whole = run(given.program, folder, model(name, tolerance, "all modes", given.duration))
-        show(tolerance=tolerance, words="all modes", errors=exact and errors(whole, exact), seconds=whole[2], impacts=len(whole[0]["impacts"]))
+        show(
+            tolerance=tolerance,
+            words="all modes",
+            errors=exact and errors(whole, exact),
+            seconds=whole[2],
+            impacts=len(whole[0]["impacts"]),
+        )
         for words in given.words:
             found = run(given.program, folder, model(name, tolerance, words, given.duration))
             left = found[0]["solver"].get("reduction", {}).get("left", {})
-            show(tolerance=tolerance, words=words, errors=exact and errors(found, exact), by_reduction=errors(found, whole), told=told(found[0]),
-                 coordinates=left.get("coordinates"), unknowns=left.get("unknowns"), blocks=left.get("blocks"), seconds=found[2],
-                 impacts=len(found[0]["impacts"]), warnings=found[0]["warnings"])
+            show(
+                tolerance=tolerance,
+                words=words,
+                errors=exact and errors(found, exact),
+                by_reduction=errors(found, whole),
+                told=told(found[0]),
+                coordinates=left.get("coordinates"),
+                unknowns=left.get("unknowns"),
+                blocks=left.get("blocks"),
+                seconds=found[2],
+                impacts=len(found[0]["impacts"]),
+                warnings=found[0]["warnings"],
+            )
 
 
 if __name__ == "__main__":

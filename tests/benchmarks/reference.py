@@ -7,6 +7,7 @@
 Each law is integrated twice, the second time a hundred times looser; `doubt` is the larger of the relative changes of
 displacements and peak forces.
 """
+
 import json
 import math
 import sys
@@ -29,12 +30,23 @@ def oscillators(law, rtol):
     def slope(t, y, forces):
         ground = problem.AMPLITUDE * math.sin(2 * math.pi * problem.FREQUENCY * t)
         f = forces.get(0, 0.0)
-        return np.concatenate([y[2:], -ground - 2 * problem.DAMPING * w * y[2:] - w * w * y[:2] - np.array([f, -f]) / m])
+        return np.concatenate(
+            [y[2:], -ground - 2 * problem.DAMPING * w * y[2:] - w * w * y[:2] - np.array([f, -f]) / m]
+        )
 
     relative = lambda y, link: (y[0] - y[1] - problem.GAP, y[2] - y[3])
     samples = np.arange(round(problem.DURATION / problem.SAMPLE) + 1) * problem.SAMPLE
-    kept, peaks, _ = integrate(slope, [Contact(law, problem.OSCILLATOR_MASS)], relative, np.zeros(4), [problem.DURATION], samples, rtol,
-                               1e-2 * rtol, 2e-3)
+    kept, peaks, _ = integrate(
+        slope,
+        [Contact(law, problem.OSCILLATOR_MASS)],
+        relative,
+        np.zeros(4),
+        [problem.DURATION],
+        samples,
+        rtol,
+        1e-2 * rtol,
+        2e-3,
+    )
     return {"displacement": kept[:, :2].T, "peaks": peaks}
 
 
@@ -59,11 +71,15 @@ def frames(law, rtol):
             y1[n + b] += f / mass[b]
         return y1
 
-    relative = lambda y, link: (y[faces[link][0]] - y[faces[link][1]] - problem.GAP,
-                                y[n + faces[link][0]] - y[n + faces[link][1]])
+    relative = lambda y, link: (
+        y[faces[link][0]] - y[faces[link][1]] - problem.GAP,
+        y[n + faces[link][0]] - y[n + faces[link][1]],
+    )
     samples = np.arange(round(problem.FRAME_DURATION / problem.FRAME_SAMPLE) + 1) * problem.FRAME_SAMPLE
     contacts = [Contact(law, problem.FRAME_MASS) for _ in faces]
-    kept, peaks, largest = integrate(slope, contacts, relative, np.zeros(2 * n), times[1:], samples, rtol, 1e-3 * rtol, STEP / 2)
+    kept, peaks, largest = integrate(
+        slope, contacts, relative, np.zeros(2 * n), times[1:], samples, rtol, 1e-3 * rtol, STEP / 2
+    )
     return {"displacement": kept[:, list(tops)].T, "peaks": peaks, "peak_displacement": largest[list(tops)]}
 
 
@@ -75,9 +91,14 @@ def difference(a, b):
 
 
 def main(which):
-    solve, rtol, name = {"oscillators": (oscillators, 1e-12, "two_oscillators"), "frames": (frames, 1e-10, "plane_frames")}[which]
-    store = {"command": f"python3 tests/benchmarks/reference.py {which}",
-             "method": f"scipy DOP853, rtol {rtol:g}, every touch, separation and corner of the law located"}
+    solve, rtol, name = {
+        "oscillators": (oscillators, 1e-12, "two_oscillators"),
+        "frames": (frames, 1e-10, "plane_frames"),
+    }[which]
+    store = {
+        "command": f"python3 tests/benchmarks/reference.py {which}",
+        "method": f"scipy DOP853, rtol {rtol:g}, every touch, separation and corner of the law located",
+    }
     if which == "frames":
         a0, b0 = plane_frames.pair()[2]
         store |= {"rayleigh": [a0, b0], "record_square_sum": float((motion()[1] ** 2).sum())}
@@ -87,8 +108,11 @@ def main(which):
         doubt = difference(solve(law, 100 * rtol), tight)
         print(law, [len(p) for p in tight["peaks"]], f"doubt {doubt:.1e}", flush=True)
         digits = lambda values: [float(f"{x:.11g}") for x in values]
-        store["laws"][law] = {"doubt": doubt, "displacement": [digits(u) for u in tight["displacement"]],
-                              "peaks": [digits(p) for p in tight["peaks"]]}
+        store["laws"][law] = {
+            "doubt": doubt,
+            "displacement": [digits(u) for u in tight["displacement"]],
+            "peaks": [digits(p) for p in tight["peaks"]],
+        }
         if "peak_displacement" in tight:
             store["laws"][law]["peak_displacement"] = digits(tight["peak_displacement"])
     (FOLDER / f"{name}.json").write_text(json.dumps(store).replace('"displacement"', '\n"displacement"') + "\n")

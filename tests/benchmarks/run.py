@@ -5,9 +5,11 @@
     python3 tests/benchmarks/run.py build --quick    # few steps, single runs, small frames: some five minutes
     python3 tests/benchmarks/run.py build --page     # only the plots and the page, from what was measured before
 
-`build` is the folder with the built program. Measurements go to build/benchmarks/*.json, plots to tests/benchmarks/plots, tables
-into tests/benchmarks/README.md. OpenSeesPy comes from PyPI into build/benchmarks/venv and runs in processes of its own.
+`build` is the folder with the built program. Measurements go to build/benchmarks/*.json, plots to
+tests/benchmarks/plots, tables into tests/benchmarks/README.md. OpenSeesPy comes from PyPI into build/benchmarks/venv
+and runs in processes of its own.
 """
+
 import datetime
 import json
 import os
@@ -26,13 +28,21 @@ def environment(folder):
     if not ready.exists():
         print(f"Making {folder} ({', '.join(PACKAGES)} from PyPI)", flush=True)
         subprocess.run([sys.executable, "-m", "venv", folder], check=True)
-        if subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES]).returncode:
-            sys.exit("openseespy cannot be installed: is PyPI within reach? The benchmarks need it once; afterwards "
-                     f"{folder} is used as it is.")
-    tried = subprocess.run([python, "-c", "import openseespy.opensees as o; print(o.version())"], capture_output=True, text=True)
+        if subprocess.run(
+            [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES]
+        ).returncode:
+            sys.exit(
+                "openseespy cannot be installed: is PyPI within reach? The benchmarks need it once; afterwards "
+                f"{folder} is used as it is."
+            )
+    tried = subprocess.run(
+        [python, "-c", "import openseespy.opensees as o; print(o.version())"], capture_output=True, text=True
+    )
     if tried.returncode:
-        sys.exit(f"{tried.stderr.strip().splitlines()[-1]}\nOpenSeesPy does not load. On Debian it needs: "
-                 "apt-get install libblas3 liblapack3")
+        sys.exit(
+            f"{tried.stderr.strip().splitlines()[-1]}\nOpenSeesPy does not load. On Debian it needs: "
+            "apt-get install libblas3 liblapack3"
+        )
     ready.touch()
     return python, tried.stdout.split()[0]
 
@@ -44,9 +54,17 @@ def built(build, name, *places):
 
 def machine(opensees):
     info = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").exists() else ""
-    model = next((line.split(":")[1].strip() for line in info.splitlines() if line.startswith("model name")), platform.machine())
-    return {"cpu": model, "cores": os.cpu_count(), "system": platform.platform(), "opensees": opensees,
-            "date": datetime.date.today().isoformat(), "load_before": os.getloadavg()[0]}
+    model = next(
+        (line.split(":")[1].strip() for line in info.splitlines() if line.startswith("model name")), platform.machine()
+    )
+    return {
+        "cpu": model,
+        "cores": os.cpu_count(),
+        "system": platform.platform(),
+        "opensees": opensees,
+        "date": datetime.date.today().isoformat(),
+        "load_before": os.getloadavg()[0],
+    }
 
 
 def step(python, *words):

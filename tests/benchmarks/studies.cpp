@@ -2,10 +2,11 @@
 //
 //   studies RECORD.txt [SECONDS [FOLDER]]
 //
-// RECORD.txt: accelerations [m/s^2] at 0.02 s, one a line; El Centro 1940 from Chopra's book has 1560. 512 pairs of oscillators (periods 0.2 to 2 s, gaps to
-// 60 mm, mass ratios 0.5 to 2, 5 %) by every penalty law, and shear buildings of five and three storeys with three links, each for
-// some SECONDS (1) of processor time. FOLDER: pairs h_kelvin.txt, h_hertz.txt (a line: both periods, damping ratios, masses, the gap, k, and c or a) and
-// their converged peaks reference_kelvin.txt, reference_hertz.txt (both displacements, the force, impacts); the share of the pairs whose
+// RECORD.txt: accelerations [m/s^2] at 0.02 s, one a line; El Centro 1940 from Chopra's book has 1560. 512 pairs of
+// oscillators (periods 0.2 to 2 s, gaps to 60 mm, mass ratios 0.5 to 2, 5 %) by every penalty law, and shear buildings
+// of five and three storeys with three links, each for some SECONDS (1) of processor time. FOLDER: pairs h_kelvin.txt,
+// h_hertz.txt (a line: both periods, damping ratios, masses, the gap, k, and c or a) and their converged peaks
+// reference_kelvin.txt, reference_hertz.txt (both displacements, the force, impacts); the share of the pairs whose
 // displacements and force are within 1e-4 of them is printed beside the speed.
 
 #include <algorithm>
@@ -32,8 +33,10 @@ using namespace pounding;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Runs the models round after round until the time is over. A first round fills what laws remember: adams_impact tables its damping.
-nlohmann::json measured(const std::string& name, const std::vector<study::LinearModel>& models, const study::EvenRecord& record, double seconds) {
+// Runs the models round after round until the time is over. A first round fills what laws remember: adams_impact tables
+// its damping.
+nlohmann::json measured(const std::string& name, const std::vector<study::LinearModel>& models,
+                        const study::EvenRecord& record, double seconds) {
   for (const study::LinearModel& model : models) study::run(model, record);
   const double start = processor_seconds();
   double histories = 0, steps = 0, impacts = 0, time = 0;
@@ -43,7 +46,10 @@ nlohmann::json measured(const std::string& name, const std::vector<study::Linear
     for (const study::LinkPeaks& link : peaks.links) impacts += link.impacts;
     time = processor_seconds() - start;
   }
-  return {{"case", name}, {"histories_per_second", histories / time}, {"impacts", impacts / histories}, {"steps_in_contact", steps / histories}};
+  return {{"case", name},
+          {"histories_per_second", histories / time},
+          {"impacts", impacts / histories},
+          {"steps_in_contact", steps / histories}};
 }
 
 std::vector<study::LinearModel> pairs(const laws::Entry& entry) {
@@ -51,7 +57,8 @@ std::vector<study::LinearModel> pairs(const laws::Entry& entry) {
   const auto u = [&] { return static_cast<double>(engine()) / 4294967296.0; };
   std::vector<study::LinearModel> models;
   for (int i = 0; i < 512; ++i) {
-    const double t1 = 0.2 * std::pow(10, u()), t2 = 0.2 * std::pow(10, u()), gap = 0.06 * u(), m1 = 1e5, m2 = 1e5 * std::pow(4, u() - 0.5);
+    const double t1 = 0.2 * std::pow(10, u()), t2 = 0.2 * std::pow(10, u()), gap = 0.06 * u(), m1 = 1e5,
+                 m2 = 1e5 * std::pow(4, u() - 0.5);
     laws::Settings settings = laws::typical_settings(entry);
     settings.reduced_mass = m1 * m2 / (m1 + m2);
     models.push_back(study::pair_of({m1, t1, 0.05}, {m2, t2, 0.05}, gap, laws::make_law(settings)));
@@ -61,9 +68,12 @@ std::vector<study::LinearModel> pairs(const laws::Entry& entry) {
 
 study::LinearModel buildings(double gap, const Samples& samples) {
   Model model;
-  const auto left = model.add("left", make_shear_building({.storeys = 5, .mass = 2e5, .stiffness = 3e8}), {.damping = ModalDamping{0.05}});
-  const auto right = model.add("right", make_shear_building({.storeys = 3, .mass = 3e5, .stiffness = 6e8}), {.damping = ModalDamping{0.05}});
-  model.link(left, right, {.gap = gap, .floors = FacingFloors::level}, laws::HertzDamped{.stiffness = 2.75e9, .damping_factor = 0.793});
+  const auto left = model.add("left", make_shear_building({.storeys = 5, .mass = 2e5, .stiffness = 3e8}),
+                              {.damping = ModalDamping{0.05}});
+  const auto right = model.add("right", make_shear_building({.storeys = 3, .mass = 3e5, .stiffness = 6e8}),
+                               {.damping = ModalDamping{0.05}});
+  model.link(left, right, {.gap = gap, .floors = FacingFloors::level},
+             laws::HertzDamped{.stiffness = 2.75e9, .damping_factor = 0.793});
   model.ground = GroundMotion(samples);
   model.complete();
   return study::modal_form(model);
@@ -75,9 +85,10 @@ nlohmann::json compared(const std::string& folder, const std::string& law, const
   double t[2], z[2], m[2], gap = 0, k = 0, damping = 0, peaks[4];
   std::vector<study::LinearModel> models;
   while (file >> t[0] >> t[1] >> z[0] >> z[1] >> m[0] >> m[1] >> gap >> k >> damping)
-    models.push_back(study::pair_of({m[0], t[0], z[0]}, {m[1], t[1], z[1]}, gap,
-                                    law == "hertz" ? laws::AnyLaw(laws::HertzDamped{.stiffness = k, .damping_factor = damping})
-                                                   : laws::AnyLaw(laws::KelvinVoigt{.stiffness = k, .damping_coefficient = damping})));
+    models.push_back(study::pair_of(
+        {m[0], t[0], z[0]}, {m[1], t[1], z[1]}, gap,
+        law == "hertz" ? laws::AnyLaw(laws::HertzDamped{.stiffness = k, .damping_factor = damping})
+                       : laws::AnyLaw(laws::KelvinVoigt{.stiffness = k, .damping_coefficient = damping})));
   if (models.empty()) throw std::runtime_error("no pairs in " + folder + "/h_" + law + ".txt");
   std::vector<study::Peaks> found;
   const double start = processor_seconds();
@@ -85,9 +96,11 @@ nlohmann::json compared(const std::string& folder, const std::string& law, const
   const double time = processor_seconds() - start;
   double within = 0, count = 0;
   for (const study::Peaks& peak : found) {
-    if (!(reference >> peaks[0] >> peaks[1] >> peaks[2] >> peaks[3])) throw std::runtime_error("reference_" + law + ".txt is shorter than the pairs");
+    if (!(reference >> peaks[0] >> peaks[1] >> peaks[2] >> peaks[3]))
+      throw std::runtime_error("reference_" + law + ".txt is shorter than the pairs");
     const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-4 * std::abs(y); };
-    within += near(peak.outputs[0], peaks[0]) && near(peak.outputs[1], peaks[1]) && near(peak.links[0].peak_force, peaks[2]);
+    within +=
+        near(peak.outputs[0], peaks[0]) && near(peak.outputs[1], peaks[1]) && near(peak.links[0].peak_force, peaks[2]);
     ++count;
   }
   return {{"case", "ensemble, " + law}, {"histories_per_second", count / time}, {"share_within_1e-4", within / count}};
@@ -102,7 +115,8 @@ int main(int argc, char** argv) {
   }
   Samples samples;
   std::ifstream file(argv[1]);
-  for (double a = 0; file >> a;) samples.times.push_back(0.02 * static_cast<double>(samples.times.size())), samples.accelerations.push_back(a);
+  for (double a = 0; file >> a;)
+    samples.times.push_back(0.02 * static_cast<double>(samples.times.size())), samples.accelerations.push_back(a);
   samples.uniform = true;
   const double seconds = argc > 2 ? std::atof(argv[2]) : 1;
   const study::EvenRecord record{.accelerations = samples.accelerations, .step = 0.02};
@@ -110,7 +124,8 @@ int main(int argc, char** argv) {
     if (argc > 3)
       for (const char* law : {"kelvin", "hertz"}) std::cout << compared(argv[3], law, record).dump() << std::endl;
     for (const laws::Entry& entry : laws::catalogue())
-      if (!entry.instantaneous) std::cout << measured(std::string(entry.name), pairs(entry), record, seconds).dump() << std::endl;
+      if (!entry.instantaneous)
+        std::cout << measured(std::string(entry.name), pairs(entry), record, seconds).dump() << std::endl;
     std::vector<study::LinearModel> both;
     for (int i = 0; i < 16; ++i) both.push_back(buildings(0.002 * i, samples));
     std::cout << measured("shear buildings of 5 and 3 storeys", both, record, seconds).dump() << std::endl;

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""Errors at an asked tolerance: two oscillators (100 t, 0.8 s; 150 t, 0.4 s), 3 s of harmonic motion, five impacts, every law.
+"""Errors at an asked tolerance: two oscillators (100 t, 0.8 s; 150 t, 0.4 s), 3 s of harmonic motion, five impacts,
+every law.
 
     python3 tests/benchmarks/tolerance.py build/pounding
 
-Prints a Markdown table for each scheme: for each law and asked tolerance the largest relative error of the peak force (of a
-rigid law the impulse) and the separation speed of every impact against tests/program/independent.py, an integrator that
-shares nothing with the program, and of both peak displacements against a run at 1e-9; then steps and milliseconds of the
-solve (median of five) at each tolerance for all laws. Needs numpy, scipy and h5py.
+Prints a Markdown table for each scheme: for each law and asked tolerance the largest relative error of the peak force
+(of a rigid law the impulse) and the separation speed of every impact against tests/program/independent.py, an
+integrator that shares nothing with the program, and of both peak displacements against a run at 1e-9; then steps and
+milliseconds of the solve (median of five) at each tolerance for all laws. Needs numpy, scipy and h5py.
 """
+
 import json
 import math
 import statistics
@@ -72,7 +74,9 @@ def run(program, folder, law, tolerance, scheme):
     """Summary, and the same of every impact as in reference()."""
     model, results = Path(folder) / "model.yaml", Path(folder) / "results.h5"
     model.write_text(MODEL.format(law=law, parameters=LAWS[law], tolerance=tolerance, scheme=scheme))
-    done = subprocess.run([program, "run", str(model), "--json", "-o", str(results)], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [program, "run", str(model), "--json", "-o", str(results)], capture_output=True, text=True, check=True
+    )
     with h5py.File(results) as file:
         rows = file["impacts"][()]
         seconds = float(file["solver/wall_solve"][()])
@@ -103,13 +107,17 @@ def table(program, folder, scheme, truths):
             milliseconds[tolerance].append(1e3 * statistics.median(seconds for _, _, seconds in runs))
         print(f"| `{law}` | " + " | ".join(f"{error:.1e}" for error in row) + " |", flush=True)
     print("| steps, median | " + " | ".join(f"{statistics.median(steps[t]):.0f}" for t in TOLERANCES) + " |")
-    print("| solve, median (ms) | " + " | ".join(f"{statistics.median(milliseconds[t]):.1f}" for t in TOLERANCES) + " |")
+    print(
+        "| solve, median (ms) | " + " | ".join(f"{statistics.median(milliseconds[t]):.1f}" for t in TOLERANCES) + " |"
+    )
 
 
 def main():
     program = sys.argv[1] if len(sys.argv) > 1 else "build/pounding"
     with tempfile.TemporaryDirectory() as folder:
-        truths = {law: (reference(law), displacements(run(program, folder, law, "1e-9", SCHEMES[0])[0])) for law in LAWS}
+        truths = {
+            law: (reference(law), displacements(run(program, folder, law, "1e-9", SCHEMES[0])[0])) for law in LAWS
+        }
         for k, scheme in enumerate(SCHEMES):
             if k:
                 print()

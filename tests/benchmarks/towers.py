@@ -1,22 +1,28 @@
 #!/usr/bin/env python3
-"""Buildings in space, from their YAML to their last step, through the program; beside it the same equations in OpenSees.
+"""Buildings in space, from their YAML to their last step, through the program; beside it the same equations in
+OpenSees.
 
     python3 tests/benchmarks/towers.py OUT.json PROGRAM [--quick]
-    python3 tests/benchmarks/towers.py yaml CASE [--apart | --stiff]     # prints the model of a case, such as "8 flexible"
+    python3 tests/benchmarks/towers.py yaml CASE [--apart | --stiff]     # prints the model of a case, such as "8
+    flexible"
 
-Towers of 20 storeys stand side by side: one before a wall, two, or eight as four along x by two along y. Neighbours are linked at
-every floor by two points, those along y 50 mm apart, those along x in touch. The towers start towards each other with 0.2 m/s
-between neighbours along x, and the links are rubber bumpers soft enough for all of them to stay pressed, without an event, for
-the steps that are timed. `--apart` moves everything out of reach; `--stiff` takes contacts of 93.5 MN/m, which touch and part.
+Towers of 20 storeys stand side by side: one before a wall, two, or eight as four along x by two along y. Neighbours are
+linked at every floor by two points, those along y 50 mm apart, those along x in touch. The towers start towards each
+other with 0.2 m/s between neighbours along x, and the links are rubber bumpers soft enough for all of them to stay
+pressed, without an event, for the steps that are timed. `--apart` moves everything out of reach; `--stiff` takes
+contacts of 93.5 MN/m, which touch and part.
 
-Steps are of 5 ms at most and of generalized-alpha, a solve each. What one costs is read off the lines of -pounding_ts_monitor: of the steps of the commonest length the
-wall time that a quarter of them stay below, which other work on the machine hardly moves. A landing on a touch or a reversal
-takes several shorter steps, which the time of the whole run counts in. Shares are of the whole process, by -log_view.
+Steps are of 5 ms at most and of generalized-alpha, a solve each. What one costs is read off the lines of
+-pounding_ts_monitor: of the steps of the commonest length the wall time that a quarter of them stay below, which other
+work on the machine hardly moves. A landing on a touch or a reversal takes several shorter steps, which the time of the
+whole run counts in. Shares are of the whole process, by -log_view.
 
-Reduced structures (`reduction: {links: 5, ground: 20}`) stand beside them. A monitor would ask for the displacements of all unknowns, so a step is told
-twice: by itself, as `model_steps` (target `benchmarks`, beside the program) measures it, and as the stepping time of a run of many more steps over all its
-steps, with impacts and everything that is recorded at every step.
+Reduced structures (`reduction: {links: 5, ground: 20}`) stand beside them. A monitor would ask for the displacements of
+all unknowns, so a step is told twice: by itself, as `model_steps` (target `benchmarks`, beside the program) measures
+it, and as the stepping time of a run of many more steps over all its steps, with impacts and everything that is
+recorded at every step.
 """
+
 import json
 import os
 import re
@@ -31,8 +37,8 @@ from plane_frames import BAY, BEAM, COLUMN, ELASTICITY, HEIGHT
 from problem import FLOOR_MASS, LINEAR_STIFFNESS
 
 STOREYS, STEP, SPEED = 20, 5e-3, 0.2  # [s], [m/s] between neighbours
-BUMPER = 5e6                          # N/m
-FAR, ACROSS = 2.0, 0.05               # gaps out of reach, along y [m]
+BUMPER = 5e6  # N/m
+FAR, ACROSS = 2.0, 0.05  # gaps out of reach, along y [m]
 STEPS = {1: 60, 2: 60, 8: 20}
 ROWS = {1: (1, 1), 2: (2, 1), 8: (4, 2)}
 # Name -> towers, bays along x and along y, rigid floors.
@@ -41,7 +47,8 @@ CASES["8 wide"] = (8, 8, False)
 # Solvers that OpenSees tries, and the steps it takes: more would take minutes a case.
 OPENSEES = {"2 flexible": ("SparseSYM", "Mumps"), "8 flexible": ("Mumps",), "8 wide": ("Mumps",)}
 REDUCED, REDUCED_WORDS, LONGER = ("2 flexible", "8 wide"), "{links: 5, ground: 20}", 20
-ALONE = {"2 flexible": 4, "8 wide": 20}  # times as long a run in which steps without an event are timed: bumpers are pressed for much of it
+# times as long a run in which steps without an event are timed: bumpers are pressed for much of it
+ALONE = {"2 flexible": 4, "8 wide": 20}
 OPENSEES_STEPS = {"2 flexible": 6, "8 flexible": 3, "8 wide": 3}
 
 
@@ -67,8 +74,11 @@ def links(count, bays, apart, stiff):
     if count == 1:
         ends = [f"{{structure: t00, node: {storey}.{bays}.{k}}}" for storey in range(1, STOREYS + 1) for k in (0, bays)]
         return [f"  - {{between: [{end}, wall], gap: {FAR if apart else 0.0}, {contact}}}" for end in ends]
-    return [f"  - {{between: [t{a[0]}{a[1]}, t{b[0]}{b[1]}], floors: all, points: 2, gap: {FAR if apart else ACROSS if axis else 0.0}, "
-            f"{contact}}}" for a, b, axis in neighbours(count)]
+    return [
+        f"  - {{between: [t{a[0]}{a[1]}, t{b[0]}{b[1]}], floors: all, points: 2, gap: {FAR if apart else ACROSS if axis else 0.0}, "
+        f"{contact}}}"
+        for a, b, axis in neighbours(count)
+    ]
 
 
 def model(count, bays, rigid, apart=False, stiff=False, reduction="none", longer=1):
@@ -95,19 +105,23 @@ def model(count, bays, rigid, apart=False, stiff=False, reduction="none", longer
     if count == 1:
         lines.append("  wall: {wall: {}}")
     lines += ["links:", *links(count, bays, apart, stiff)]
-    lines.append(f"analysis: {{duration: {longer * STEPS[count] * STEP!r}, max_step: {STEP}, tolerance: 0.01, output_step: {STEP}, "
-                 f"integrator: generalized_alpha, reduction: {reduction}}}")
+    lines.append(
+        f"analysis: {{duration: {longer * STEPS[count] * STEP!r}, max_step: {STEP}, tolerance: 0.01, output_step: {STEP}, "
+        f"integrator: generalized_alpha, reduction: {reduction}}}"
+    )
     return "\n".join(lines) + "\n"
 
 
 def process(command, ranks=1):
-    """{"seconds", "memory_mb", "steps"} of a process: the wall time, the memory of the largest process, and for each line of the
-    monitor (length of the step [s], wall time since the line before [s])."""
+    """{"seconds", "memory_mb", "steps"} of a process: the wall time, the memory of the largest process, and for each
+    line of the monitor (length of the step [s], wall time since the line before [s])."""
     if ranks > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-n", ranks, *command]
     steps, start = [], time.perf_counter()
     with tempfile.TemporaryFile() as errors:
-        child = subprocess.Popen([str(c) for c in command], stdout=subprocess.PIPE, stderr=errors, env=ONE_THREAD, text=True)
+        child = subprocess.Popen(
+            [str(c) for c in command], stdout=subprocess.PIPE, stderr=errors, env=ONE_THREAD, text=True
+        )
         last = start
         for line in child.stdout:
             if found := re.match(r"\s*\d+ TS (?:\(pounding_\) )?dt ([\d.e+-]+) time", line):
@@ -154,10 +168,19 @@ def run(program, folder, case, ranks=1, **how):
         taken.setdefault(f"{length:.9f}", []).append(spent)
     whole = max(taken.values(), key=len)
     log = logged(log)
-    return {"seconds_per_step": quarter(whole), "steps": solver["steps"] + solver["rejected"], "whole_steps": len(whole),
-            "events": solver["events"], "seconds": solver["wall_solve"], "seconds_setup": solver["wall_setup"],
-            "solve_share": log["solve"] / seen["seconds"], "factor_share": log["factor"] / seen["seconds"],
-            "memory_mb": seen["memory_mb"], "links": len(pressed), "pressed": int(sum(pressed))}
+    return {
+        "seconds_per_step": quarter(whole),
+        "steps": solver["steps"] + solver["rejected"],
+        "whole_steps": len(whole),
+        "events": solver["events"],
+        "seconds": solver["wall_solve"],
+        "seconds_setup": solver["wall_setup"],
+        "solve_share": log["solve"] / seen["seconds"],
+        "factor_share": log["factor"] / seen["seconds"],
+        "memory_mb": seen["memory_mb"],
+        "links": len(pressed),
+        "pressed": int(sum(pressed)),
+    }
 
 
 def unknowns(case):
@@ -200,13 +223,26 @@ def reduced(program, folder, case):
         seen = process([program, "run", yaml, "-o", results, "-q"])
         with h5py.File(results) as file:
             solver = {key: float(value[()]) for key, value in file["solver"].items() if isinstance(value, h5py.Dataset)}
-            told = {key: float(value[()]) for key, value in file["solver/reduction/t00"].items() if value.shape == () and value.dtype.kind in "if"}
+            told = {
+                key: float(value[()])
+                for key, value in file["solver/reduction/t00"].items()
+                if value.shape == () and value.dtype.kind in "if"
+            }
         steps = solver["steps"] + solver["rejected"]
-        row[name] = {"seconds_per_step": solver["wall_solve"] / steps, "steps": steps, "events": solver["events"], "seconds_setup": solver["wall_setup"],
-                     "seconds": solver["wall_solve"], "memory_mb": seen["memory_mb"], "told": told}
+        row[name] = {
+            "seconds_per_step": solver["wall_solve"] / steps,
+            "steps": steps,
+            "events": solver["events"],
+            "seconds_setup": solver["wall_setup"],
+            "seconds": solver["wall_solve"],
+            "memory_mb": seen["memory_mb"],
+            "told": told,
+        }
         yaml.write_text(model(*CASES[case], apart=apart, reduction=REDUCED_WORDS, longer=ALONE[case]))
         sorts = run_json([alone, yaml], timeout=600)["sorts"]
-        row[name]["alone"] = max(sorts, key=lambda sort: (-sort["pressed"] if apart else sort["pressed"], sort["count"]))
+        row[name]["alone"] = max(
+            sorts, key=lambda sort: (-sort["pressed"] if apart else sort["pressed"], sort["count"])
+        )
     return row
 
 
@@ -219,17 +255,34 @@ def main(out, program, quick):
                 continue
             for ranks in (1,) if case.startswith("1") or quick else (1, 2):
                 rows.append(pounding(program, Path(name), case, ranks))
-                print("towers", case, f"ranks {ranks}", rows[-1].get("failed") or f"{1e3 * rows[-1]['pressed']['seconds_per_step']:.3g} ms a step", flush=True)
+                print(
+                    "towers",
+                    case,
+                    f"ranks {ranks}",
+                    rows[-1].get("failed") or f"{1e3 * rows[-1]['pressed']['seconds_per_step']:.3g} ms a step",
+                    flush=True,
+                )
         for case in REDUCED[:1] if quick else REDUCED:
             rows.append(reduced(program, Path(name), case))
-            print("towers", case, "reduced", f"{1e3 * rows[-1]['pressed']['seconds_per_step']:.3g} ms a step", flush=True)
+            print(
+                "towers", case, "reduced", f"{1e3 * rows[-1]['pressed']['seconds_per_step']:.3g} ms a step", flush=True
+            )
     for case, systems in OPENSEES.items():
         for system in systems[-1:] if quick else systems:
             if quick and case.startswith("8"):
                 continue
-            row = run_json([sys.executable, FOLDER / "opensees_frames.py", "towers", case, system, OPENSEES_STEPS[case]], timeout=1200)
+            row = run_json(
+                [sys.executable, FOLDER / "opensees_frames.py", "towers", case, system, OPENSEES_STEPS[case]],
+                timeout=1200,
+            )
             rows.append({"program": "opensees", "case": case, "system": system, **row})
-            print("towers", case, system, row.get("failed") or row.get("failed_at") or f"{row['seconds_per_step']:.3g} s", flush=True)
+            print(
+                "towers",
+                case,
+                system,
+                row.get("failed") or row.get("failed_at") or f"{row['seconds_per_step']:.3g} s",
+                flush=True,
+            )
     about = f"Load average {load:.1f} before, {os.getloadavg()[0]:.1f} after, {os.cpu_count()} cores."
     Path(out).write_text(json.dumps({"about": about, "rows": rows, "quick": quick}, indent=1))
 

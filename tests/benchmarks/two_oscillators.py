@@ -3,11 +3,12 @@
 
     python3 tests/benchmarks/two_oscillators.py build/pounding OUT.json [--quick]
 
-The error of a run is the larger of: displacements at every 0.05 s over the largest one; peak force of every impact, each
-relative to its own (1 when impacts are missing). Seconds are medians: OpenSees' analysis loop, pounding's own
-`solver/wall_solve` (stepping and recording) and, as process_seconds, all of `pounding run MODEL --json -o FILE` from start to exit. Runs in the environment
-that has openseespy, numpy and h5py (run.py makes it).
+The error of a run is the larger of: displacements at every 0.05 s over the largest one; peak force of every impact,
+each relative to its own (1 when impacts are missing). Seconds are medians: OpenSees' analysis loop, pounding's own
+`solver/wall_solve` (stepping and recording) and, as process_seconds, all of `pounding run MODEL --json -o FILE` from
+start to exit. Runs in the environment that has openseespy, numpy and h5py (run.py makes it).
 """
+
 import json
 import statistics
 import sys
@@ -36,10 +37,22 @@ analysis: {{duration: {end}, tolerance: {tolerance}, integrator: {integrator}, o
 def pounding(program, law, integrator, tolerance, repeats, truth):
     with tempfile.TemporaryDirectory() as folder:
         model, results = Path(folder) / "model.yaml", Path(folder) / "results.h5"
-        model.write_text(MODEL.format(
-            amplitude=problem.AMPLITUDE, period=1 / problem.FREQUENCY, end=problem.DURATION, m=problem.MASSES,
-            t=problem.PERIODS, damping=problem.DAMPING, gap=problem.GAP, law=law, parameters=problem.LAWS[law],
-            tolerance=tolerance, integrator=integrator, sample=problem.SAMPLE))
+        model.write_text(
+            MODEL.format(
+                amplitude=problem.AMPLITUDE,
+                period=1 / problem.FREQUENCY,
+                end=problem.DURATION,
+                m=problem.MASSES,
+                t=problem.PERIODS,
+                damping=problem.DAMPING,
+                gap=problem.GAP,
+                law=law,
+                parameters=problem.LAWS[law],
+                tolerance=tolerance,
+                integrator=integrator,
+                sample=problem.SAMPLE,
+            )
+        )
         once = run_json([program, "run", model, "--json", "-o", results])
         if "failed" in once:
             return {"tolerance": float(tolerance), "failed": once["failed"]}
@@ -51,24 +64,36 @@ def pounding(program, law, integrator, tolerance, repeats, truth):
             runs.append(run_json([program, "run", model, "--json", "-o", results]))
             with h5py.File(results) as file:
                 runs[-1]["solve_seconds"] = float(file["solver/wall_solve"][()])
-    return {"tolerance": float(tolerance), "steps": once["solver"]["steps"], **errors(u, peaks, truth),
-            "seconds": statistics.median(r["solve_seconds"] for r in runs),
-            "process_seconds": statistics.median(r["process_seconds"] for r in runs)}
+    return {
+        "tolerance": float(tolerance),
+        "steps": once["solver"]["steps"],
+        **errors(u, peaks, truth),
+        "seconds": statistics.median(r["solve_seconds"] for r in runs),
+        "process_seconds": statistics.median(r["process_seconds"] for r in runs),
+    }
 
 
 def opensees(law, step, repeats, truth):
     run = run_json([sys.executable, FOLDER / "opensees_oscillators.py", law, step, repeats])
     if "failed" in run or "failed_at" in run:
         return {"step": step, "failed": run.get("failed", f"Newton failed at {run.get('failed_at', 0):.3f} s")}
-    return {"step": step, "steps": round(problem.DURATION / step), **errors(run["displacement"], run["peaks"], truth),
-            "seconds": statistics.median(run["wall_seconds"])}
+    return {
+        "step": step,
+        "steps": round(problem.DURATION / step),
+        **errors(run["displacement"], run["peaks"], truth),
+        "seconds": statistics.median(run["wall_seconds"]),
+    }
 
 
 def errors(u, peaks, truth):
     by_displacement = displacement_error(u, truth["displacement"])
     by_peaks = peak_error(peaks, truth["peaks"][0])
-    return {"error": max(by_displacement, by_peaks), "displacement_error": by_displacement, "peak_error": by_peaks,
-            "impacts": len(peaks)}
+    return {
+        "error": max(by_displacement, by_peaks),
+        "displacement_error": by_displacement,
+        "peak_error": by_peaks,
+        "impacts": len(peaks),
+    }
 
 
 def main(program, out, quick):

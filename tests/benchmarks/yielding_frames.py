@@ -1,12 +1,15 @@
 """Frames with hinges for the benchmarks: their numbers, and their models as the program reads them. SI units.
 
-frame: three storeys of 3.2 m and a bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m, 20 t at every node, no shear
-deformation; hinges at the ends of beams (180 kN m) and at feet (250 kN m); El Centro 1940 times 1.5 for 12 s.
+frame: three storeys of 3.2 m and a bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m, 20 t at every node, no
+shear deformation; hinges at the ends of beams (180 kN m) and at feet (250 kN m); El Centro 1940 times 1.5 for 12 s.
 towers: the pair in space of towers.py, pressed together, with 240 rigid-plastic hinges that all yield, or without.
-pair: the plane frames of plane_frames.py, 20 mm apart, with hinges at the same places; their motion, 20 s, elastic contacts.
+pair: the plane frames of plane_frames.py, 20 mm apart, with hinges at the same places; their motion, 20 s, elastic
+contacts.
 
-A hinge is a bilinear spring of 10 times 6EI/L with a hardening of 0.003. Damping goes by the mass alone, in which both programs agree.
+A hinge is a bilinear spring of 10 times 6EI/L with a hardening of 0.003. Damping goes by the mass alone, in which both
+programs agree.
 """
+
 import math
 
 import plane_frames
@@ -25,7 +28,8 @@ FRAME_PERIOD, DAMPING = 0.6818603273427927, 0.05
 #: Yield moments of beams and of feet [N m] of both frames, and the period with a damping of 5 % [s].
 PAIR_MOMENTS, PAIR_PERIOD = ((200e3, 320e3), (260e3, 420e3)), 1.0
 
-#: Storeys of both towers whose beams along x have hinges, 60 a storey, and the yield moment that all of them exceed at once [N m].
+#: Storeys of both towers whose beams along x have hinges, 60 a storey, and the yield moment that all of them exceed at
+#: once [N m].
 TOWER_STOREYS, TOWER_MOMENT = (1, 2), 1e2
 
 #: A period so short that damping of 5 % there adds nothing that goes by the stiffness.
@@ -38,7 +42,9 @@ def by_mass(period):
 
 
 def hinges(beams, feet):
-    law = lambda moment: f"bilinear: {{yield_moment: {moment!r}, hardening: {HARDENING}, stiffness_factor: {STIFFER_THAN_MEMBERS}}}"
+    law = lambda moment: (
+        f"bilinear: {{yield_moment: {moment!r}, hardening: {HARDENING}, stiffness_factor: {STIFFER_THAN_MEMBERS}}}"
+    )
     return f"      hinges:\n        beams: {{at: both, {law(beams)}}}\n        columns: {{at: feet, {law(feet)}}}\n"
 
 
@@ -51,24 +57,30 @@ def section(area, inertia):
 
 
 def towers(yield_moment):
-    """The pair of towers.py with flexible floors, pressed together, with a hinge at both ends of every beam along x of TOWER_STOREYS; none for
-    a yield moment of None."""
+    """The pair of towers.py with flexible floors, pressed together, with a hinge at both ends of every beam along x of
+    TOWER_STOREYS; none for a yield moment of None."""
     import towers as of
 
     text = of.model(2, 5, False)
     if yield_moment is None:
         return text
-    words = "".join(f"\n        beam x {storey}.{i}.{k}: {{at: both, axis: y, yield_moment: {yield_moment!r}, hardening: 0.03}}"
-                    for storey in TOWER_STOREYS for i in range(5) for k in range(6))
+    words = "".join(
+        f"\n        beam x {storey}.{i}.{k}: {{at: both, axis: y, yield_moment: {yield_moment!r}, hardening: 0.03}}"
+        for storey in TOWER_STOREYS
+        for i in range(5)
+        for k in range(6)
+    )
     return text.replace("rigid_floors: false}", f"rigid_floors: false}}\n      hinges:{words}")
 
 
 def frame(tolerance, record, integrator):
     """The single frame, as the program reads it."""
-    return (f"ground_motion: {{record: {record}, units: m/s^2, scale: {FRAME_SCALE}}}\nstructures:\n  frame:\n    frame:\n      material: {{E: {FRAME_E!r}}}\n"
-            f"      grid: {{storeys: {FRAME_STOREYS}, bays: 1, storey_height: {HEIGHT}, bay_width: {BAY}, columns: {section(*FRAME_COLUMN)}, "
-            f"beams: {section(*FRAME_BEAM)}, floor_mass: {2 * FRAME_MASS!r}}}\n{hinges(*FRAME_MOMENTS)}{damping(FRAME_PERIOD)}"
-            f"analysis: {{duration: {FRAME_END}, tolerance: {tolerance}, integrator: {integrator}}}\n")
+    return (
+        f"ground_motion: {{record: {record}, units: m/s^2, scale: {FRAME_SCALE}}}\nstructures:\n  frame:\n    frame:\n      material: {{E: {FRAME_E!r}}}\n"
+        f"      grid: {{storeys: {FRAME_STOREYS}, bays: 1, storey_height: {HEIGHT}, bay_width: {BAY}, columns: {section(*FRAME_COLUMN)}, "
+        f"beams: {section(*FRAME_BEAM)}, floor_mass: {2 * FRAME_MASS!r}}}\n{hinges(*FRAME_MOMENTS)}{damping(FRAME_PERIOD)}"
+        f"analysis: {{duration: {FRAME_END}, tolerance: {tolerance}, integrator: {integrator}}}\n"
+    )
 
 
 def pair(tolerance, record, integrator):
@@ -76,9 +88,14 @@ def pair(tolerance, record, integrator):
     text = f"ground_motion: {{record: {record}, units: m/s^2}}\nstructures:\n"
     for k in range(2):
         storeys, bays, stiffer = plane_frames.STOREYS[k], plane_frames.BAYS[k], plane_frames.STIFFER[k]
-        text += (f"  {'left' if k == 0 else 'right'}:\n    frame:\n      origin: [{k * (plane_frames.BAYS[0] * BAY + problem.GAP)!r}, 0]\n"
-                 f"      material: {{E: {ELASTICITY!r}}}\n"
-                 f"      grid: {{storeys: {storeys}, bays: {bays}, storey_height: {HEIGHT}, bay_width: {BAY}, columns: {section(COLUMN[0], COLUMN[1] * stiffer)}, "
-                 f"beams: {section(BEAM[0], BEAM[1] * stiffer)}, floor_mass: {bays * problem.FLOOR_MASS!r}}}\n{hinges(*PAIR_MOMENTS[k])}{damping(PAIR_PERIOD)}")
-    return (text + f"links: [{{between: [left, right], floors: all, gap: {problem.GAP}, law: linear_spring, stiffness: {problem.LINEAR_STIFFNESS!r}}}]\n"
-            f"analysis: {{duration: {problem.FRAME_DURATION}, tolerance: {tolerance}, integrator: {integrator}, output_step: {problem.FRAME_SAMPLE}}}\n")
+        text += (
+            f"  {'left' if k == 0 else 'right'}:\n    frame:\n      origin: [{k * (plane_frames.BAYS[0] * BAY + problem.GAP)!r}, 0]\n"
+            f"      material: {{E: {ELASTICITY!r}}}\n"
+            f"      grid: {{storeys: {storeys}, bays: {bays}, storey_height: {HEIGHT}, bay_width: {BAY}, columns: {section(COLUMN[0], COLUMN[1] * stiffer)}, "
+            f"beams: {section(BEAM[0], BEAM[1] * stiffer)}, floor_mass: {bays * problem.FLOOR_MASS!r}}}\n{hinges(*PAIR_MOMENTS[k])}{damping(PAIR_PERIOD)}"
+        )
+    return (
+        text
+        + f"links: [{{between: [left, right], floors: all, gap: {problem.GAP}, law: linear_spring, stiffness: {problem.LINEAR_STIFFNESS!r}}}]\n"
+        f"analysis: {{duration: {problem.FRAME_DURATION}, tolerance: {tolerance}, integrator: {integrator}, output_step: {problem.FRAME_SAMPLE}}}\n"
+    )

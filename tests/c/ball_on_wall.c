@@ -1,6 +1,6 @@
 #include "ball_on_wall.h"
 
-double speed_after(const pnd_law *law, double mass, double closing_speed, double step, pnd_contact *contact) {
+double speed_after(const pnd_law* law, double mass, double closing_speed, double step, pnd_contact* contact) {
   double penetration = contact->indentation, rate = closing_speed;
   pnd_response r;
   if (pnd_touch(law, closing_speed, contact) != PND_OK) return -1;

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* The speed at which it comes back [m/s] from a closing speed [m/s], by steps [s]; -1 when a call fails. */
-double speed_after(const pnd_law *law, double mass, double closing_speed, double step, pnd_contact *contact);
+double speed_after(const pnd_law* law, double mass, double closing_speed, double step, pnd_contact* contact);
 
 #ifdef __cplusplus
 }

@@ -89,7 +89,9 @@ TEST(CInterface, BallComesBackWithTheRestitutionThatWasAsked) {
     const test::LawInC law = test::made_in_c(laws::typical_settings(entry));
     pnd_free_impact impact{};
     ASSERT_EQ(pnd_collide(law.get(), mass, speed, &impact), PND_OK);
-    const double asked = entry.takes_restitution ? laws::typical_restitution : entry.leaves_indentation ? impact.restitution : 1;
+    const double asked = entry.takes_restitution    ? laws::typical_restitution
+                         : entry.leaves_indentation ? impact.restitution
+                                                    : 1;
     for (const double step : {2e-6, 2e-7}) {
       pnd_contact contact{};
       const double after = speed_after(law.get(), mass, speed, step, &contact);
@@ -152,9 +154,13 @@ TEST(CInterface, KomodromosLeavesItsIndentationInTheGap) {
   EXPECT_DOUBLE_EQ(contact.indentation, 1.2 * left);
 }
 
-// k d up to 5 mm, back at 1/e^2 = 4 times the slope: three quarters stay, and the next impact is elastic until 5 mm again.
+// k d up to 5 mm, back at 1/e^2 = 4 times the slope: three quarters stay, and the next impact is elastic until 5 mm
+// again.
 TEST(CInterface, ElastoplasticRemembersWhatWasCrushed) {
-  const test::LawInC law = test::made_in_c({.law = "elastoplastic", .formula = {}, .restitution = 0.5, .reduced_mass = 6e4,
+  const test::LawInC law = test::made_in_c({.law = "elastoplastic",
+                                            .formula = {},
+                                            .restitution = 0.5,
+                                            .reduced_mass = 6e4,
                                             .values = {{"stiffness", 1e8}, {"exponent", 1}}});
   ASSERT_TRUE(law) << pnd_error_text();
   pnd_contact contact{};
@@ -225,7 +231,9 @@ TEST(CInterface, RefusesAContactThatIsFarSofterThanItsDesign) {
   pnd_contact contact{};
   ASSERT_EQ(pnd_touch(law.get(), 0, &contact), PND_OK);
   EXPECT_EQ(pnd_accept(law.get(), 1e-3, 0.1, &contact), PND_BAD_ARGUMENT);
-  EXPECT_NE(std::string(pnd_error_text()).find("bilinear_hertz takes its stiffness from the closing speed, 0 m/s in this impact"), std::string::npos)
+  EXPECT_NE(std::string(pnd_error_text())
+                .find("bilinear_hertz takes its stiffness from the closing speed, 0 m/s in this impact"),
+            std::string::npos)
       << pnd_error_text();
   contact = {};
   ASSERT_EQ(pnd_touch(law.get(), 0.5, &contact), PND_OK);

@@ -15,12 +15,13 @@ namespace errors_test {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 test::LawInC hertz_damped() {
-  return test::made_in_c({.law = "hertz_damped", .formula = {}, .restitution = 0.65, .values = {{"stiffness", 2.75e9}}});
+  return test::made_in_c(
+      {.law = "hertz_damped", .formula = {}, .restitution = 0.65, .values = {{"stiffness", 2.75e9}}});
 }
 
-#define EXPECT_REFUSED(call, words)       \
-  do {                                    \
-    EXPECT_EQ(call, PND_BAD_ARGUMENT);    \
+#define EXPECT_REFUSED(call, words)        \
+  do {                                     \
+    EXPECT_EQ(call, PND_BAD_ARGUMENT);     \
     EXPECT_STREQ(pnd_error_text(), words); \
   } while (false)
 
@@ -35,7 +36,8 @@ TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
   const pnd_value soft[] = {{"stiffness", -1}, {"restitution", 0.65}};
   const pnd_value twice[] = {{"stiffness", 1}, {"stiffness", 2}}, nameless[] = {{nullptr, 1}};
   pnd_law* law = reinterpret_cast<pnd_law*>(&law);
-  EXPECT_REFUSED(pnd_create("hertz_damp", "", stiff, 2, &law), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
+  EXPECT_REFUSED(pnd_create("hertz_damp", "", stiff, 2, &law),
+                 R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
   EXPECT_EQ(law, nullptr);
   EXPECT_REFUSED(pnd_create("HERTZ", "", stiff, 1, &law), R"(unknown law "HERTZ". Did you mean "hertz"?)");
   EXPECT_REFUSED(pnd_create("hertz_damped", "ye2009", stiff, 2, &law),
@@ -138,7 +140,8 @@ TEST(CInterfaceErrors, LongTextIsCutAndEndsWithAZero) {
   std::string name;
   for (int i = 0; i < 150; ++i) name += "\U0001F3E0";  // four bytes
   EXPECT_EQ(pnd_create(name.c_str(), "", nullptr, 0, &law), PND_BAD_ARGUMENT);
-  EXPECT_EQ(std::string(pnd_error_text()), "unknown law \"" + name.substr(0, (511 - 13) / 4 * 4)) << "a letter is not cut";
+  EXPECT_EQ(std::string(pnd_error_text()), "unknown law \"" + name.substr(0, (511 - 13) / 4 * 4))
+      << "a letter is not cut";
 }
 
 }  // namespace errors_test

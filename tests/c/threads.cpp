@@ -1,5 +1,5 @@
-// Several threads share laws, follow impacts of their own, and make errors of their own; each finds what one thread alone
-// finds, and its own texts.
+// Several threads share laws, follow impacts of their own, and make errors of their own; each finds what one thread
+// alone finds, and its own texts.
 #include <pounding.h>
 
 #include <array>

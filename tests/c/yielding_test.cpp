@@ -88,7 +88,8 @@ TEST(YieldingInC, AnswersAsCppDoesToTheBit) {
 // One full cycle of a bilinear spring loses 4 (1 - a) Fy (dmax - dy), and the quarter before it a quarter of that.
 TEST(YieldingInC, BilinearLoopHasItsClosedForm) {
   const double k = 2e7, yield = 1.5e5, a = 0.1, dy = yield / k, far = 4 * dy;
-  const YieldingInC law = made_in_c({.law = "bilinear", .values = {{"stiffness", k}, {"yield_force", yield}, {"hardening", a}}});
+  const YieldingInC law =
+      made_in_c({.law = "bilinear", .values = {{"stiffness", k}, {"yield_force", yield}, {"hardening", a}}});
   ASSERT_TRUE(law) << pnd_error_text();
   const std::array path{far, -far, far};
   std::array<double, 3> force{}, tangent{}, lost{};
@@ -113,12 +114,15 @@ TEST(YieldingInC, EveryPathBeginsUndeformed) {
 TEST(YieldingInC, RefusalsSayWhatIsAllowed) {
   pnd_yielding* law = nullptr;
   const std::array steel{pnd_value{"stiffness", 2e7}, pnd_value{"yield_force", 1.5e5}};
-  EXPECT_REFUSED(pnd_create_yielding("bouc_wenn", steel.data(), 2, nullptr, 0, &law), "unknown law of yielding \"bouc_wenn\". Did you mean \"bouc_wen\"?");
-  EXPECT_REFUSED(pnd_create_yielding("bilinear", steel.data(), 1, nullptr, 0, &law), "bilinear needs yield_force (force at the first yield Fy)");
+  EXPECT_REFUSED(pnd_create_yielding("bouc_wenn", steel.data(), 2, nullptr, 0, &law),
+                 "unknown law of yielding \"bouc_wenn\". Did you mean \"bouc_wen\"?");
+  EXPECT_REFUSED(pnd_create_yielding("bilinear", steel.data(), 1, nullptr, 0, &law),
+                 "bilinear needs yield_force (force at the first yield Fy)");
   const std::array twice{steel[0], steel[0]};
   EXPECT_REFUSED(pnd_create_yielding("bilinear", twice.data(), 2, nullptr, 0, &law), "stiffness is given twice");
   const std::array negative{steel[0], pnd_value{"yield_force", -1}};
-  EXPECT_REFUSED(pnd_create_yielding("bilinear", negative.data(), 2, nullptr, 0, &law), "yield_force is -1, but must be finite and positive");
+  EXPECT_REFUSED(pnd_create_yielding("bilinear", negative.data(), 2, nullptr, 0, &law),
+                 "yield_force is -1, but must be finite and positive");
   const pnd_word wrong{"memory", "lost"};
   EXPECT_REFUSED(pnd_create_yielding("menegotto_pinto", steel.data(), 2, &wrong, 1, &law),
                  "memory of menegotto_pinto cannot be \"lost\". Did you mean \"last\"?");
@@ -128,7 +132,8 @@ TEST(YieldingInC, RefusalsSayWhatIsAllowed) {
   const YieldingInC made = made_in_c({.law = "bilinear", .values = {{"stiffness", 2e7}, {"yield_force", 1.5e5}}});
   const std::array path{0.01, std::numeric_limits<double>::quiet_NaN()};
   std::array<double, 2> force{7, 7};
-  EXPECT_REFUSED(pnd_follow(made.get(), path.data(), 2, force.data(), nullptr, nullptr), "deformation[1] is nan, but must be finite");
+  EXPECT_REFUSED(pnd_follow(made.get(), path.data(), 2, force.data(), nullptr, nullptr),
+                 "deformation[1] is nan, but must be finite");
   EXPECT_EQ(force, (std::array<double, 2>{7, 7})) << "nothing is changed";
   EXPECT_REFUSED(pnd_follow(nullptr, path.data(), 1, force.data(), nullptr, nullptr), "law is a null pointer");
   EXPECT_EQ(pnd_follow(made.get(), nullptr, 0, nullptr, nullptr, nullptr), PND_OK);

@@ -46,7 +46,8 @@ TEST(Archive, RefusesBytesThatEndEarly) {
   EXPECT_THROW(short_one(value), std::runtime_error);
 }
 
-// Sizes as other states or damage leave them: no vector has two columns or none, and eight bytes hold no thousand numbers.
+// Sizes as other states or damage leave them: no vector has two columns or none, and eight bytes hold no thousand
+// numbers.
 TEST(Archive, RefusesSizesThatAMatrixCannotHave) {
   const auto bytes = [](std::size_t rows, std::size_t columns) {
     Archive archive;

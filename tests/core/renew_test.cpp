@@ -3,8 +3,8 @@
 #include <new>
 #include <optional>
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
+#include <Eigen/Cholesky>
 
 namespace pounding {
 namespace renew_test {

@@ -28,13 +28,16 @@ TEST(Excerpt, ShowsAtMostTwoHundredCharacters) {
   EXPECT_EQ(excerpt(std::string(201, 'x')), std::string(200, 'x') + "...");
   std::string letters;
   for (int i = 0; i < 201; ++i) letters += "\u00e4";
-  EXPECT_EQ(excerpt(letters), letters.substr(0, 400) + "...") << "a letter of two bytes is one character and is not cut";
+  EXPECT_EQ(excerpt(letters), letters.substr(0, 400) + "...")
+      << "a letter of two bytes is one character and is not cut";
 }
 
 TEST(Excerpt, EscapesWhatActsOnATerminalAndWhatIsNoUtf8) {
   EXPECT_EQ(excerpt("a\0b\x1b[31m\n\t\r\x7f"sv), R"(a\x00b\x1b[31m\n\t\r\x7f)");
   EXPECT_EQ(excerpt("Z\xfcrich"), R"(Z\xfcrich)");
-  EXPECT_EQ(excerpt("\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82"), R"(\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82)") << "overlong, surrogate, too large, cut";
+  EXPECT_EQ(excerpt("\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82"),
+            R"(\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82)")
+      << "overlong, surrogate, too large, cut";
   EXPECT_EQ(excerpt("\u202e \u009b \u2028 \ufeff"), R"(\u202e \x9b \u2028 \ufeff)");
   EXPECT_EQ(excerpt("Z\u00fcrich \u6771\u4eac \U0001F3E0"), "Z\u00fcrich \u6771\u4eac \U0001F3E0");
 }
@@ -49,7 +52,9 @@ TEST(WrongText, IsFoundAtItsLineAndColumn) {
   EXPECT_EQ(place_in("a: 1\n# \u00e4\xe4\n").substr(0, 32), "2:4: the byte E4 is no UTF-8; sa");
   EXPECT_EQ(place_in("a\rb\n").substr(0, 31), "1:2: a carriage return stands a");
   EXPECT_EQ(place_in("a\n\0b"sv), R"(2:1: the control character \x00 stands here; delete it)");
-  EXPECT_EQ(place_in("\xff\xfe" "a\0"sv), "1:1: this file is in UTF-16; save it as UTF-8");
+  EXPECT_EQ(place_in("\xff\xfe"
+                     "a\0"sv),
+            "1:1: this file is in UTF-16; save it as UTF-8");
   EXPECT_EQ(place_in("\0a\0b"sv), "1:1: this file is in UTF-16; save it as UTF-8");
   EXPECT_EQ(place_in("\xff\xfe\0\0a\0\0\0"sv), "1:1: this file is in UTF-32; save it as UTF-8");
 }

@@ -45,28 +45,47 @@ TEST(Quantity, EveryNamedUnitHasItsSiValue) {
     double value;
   };
   const double pi = std::numbers::pi;
-  const std::vector<Case> cases = {
-      {"1 m", dimension::length, 1},          {"20 mm", dimension::length, 0.02},
-      {"3 cm", dimension::length, 0.03},      {"2 km", dimension::length, 2000},
-      {"10 in", dimension::length, 0.254},    {"1 ft", dimension::length, 0.3048},
-      {"7 kg", dimension::mass, 7},           {"250 t", dimension::mass, 250e3},
-      {"1 lb", dimension::mass, 0.45359237},  {"5 s", dimension::time, 5},
-      {"5 ms", dimension::time, 0.005},       {"2 min", dimension::time, 120},
-      {"1 h", dimension::time, 3600},         {"2 Hz", dimension::frequency, 2},
-      {"1 g", dimension::acceleration, 9.80665}, {"100 gal", dimension::acceleration, 1},
-      {"3 N", dimension::force, 3},           {"3 kN", dimension::force, 3e3},
-      {"3 MN", dimension::force, 3e6},        {"3 GN", dimension::force, 3e9},
-      {"1 lbf", dimension::force, 4.4482216152605}, {"1 kip", dimension::force, 4448.2216152605},
-      {"1 Pa", dimension::stress, 1},         {"1 kPa", dimension::stress, 1e3},
-      {"1 MPa", dimension::stress, 1e6},      {"30 GPa", dimension::stress, 30e9},
-      {"1 psi", dimension::stress, 6894.757293168}, {"1 ksi", dimension::stress, 6894757.293168},
-      {"1 J", dimension::energy, 1},          {"1 kJ", dimension::energy, 1e3},
-      {"1 kips", dimension::force, 4448.2216152605}, {"2 kgf", dimension::force, 19.6133},
-      {"1 tf", dimension::force, 9806.65},    {"10 tonf", dimension::force, 98066.5},
-      {"1 lbm", dimension::mass, 0.45359237}, {"0.5 sec", dimension::time, 0.5},
-      {"5 msec", dimension::time, 0.005},
-      {"1 MJ", dimension::energy, 1e6},       {"1 rad", dimension::none, 1},
-      {"180 deg", dimension::none, pi},       {"5 %", dimension::none, 0.05}};
+  const std::vector<Case> cases = {{"1 m", dimension::length, 1},
+                                   {"20 mm", dimension::length, 0.02},
+                                   {"3 cm", dimension::length, 0.03},
+                                   {"2 km", dimension::length, 2000},
+                                   {"10 in", dimension::length, 0.254},
+                                   {"1 ft", dimension::length, 0.3048},
+                                   {"7 kg", dimension::mass, 7},
+                                   {"250 t", dimension::mass, 250e3},
+                                   {"1 lb", dimension::mass, 0.45359237},
+                                   {"5 s", dimension::time, 5},
+                                   {"5 ms", dimension::time, 0.005},
+                                   {"2 min", dimension::time, 120},
+                                   {"1 h", dimension::time, 3600},
+                                   {"2 Hz", dimension::frequency, 2},
+                                   {"1 g", dimension::acceleration, 9.80665},
+                                   {"100 gal", dimension::acceleration, 1},
+                                   {"3 N", dimension::force, 3},
+                                   {"3 kN", dimension::force, 3e3},
+                                   {"3 MN", dimension::force, 3e6},
+                                   {"3 GN", dimension::force, 3e9},
+                                   {"1 lbf", dimension::force, 4.4482216152605},
+                                   {"1 kip", dimension::force, 4448.2216152605},
+                                   {"1 Pa", dimension::stress, 1},
+                                   {"1 kPa", dimension::stress, 1e3},
+                                   {"1 MPa", dimension::stress, 1e6},
+                                   {"30 GPa", dimension::stress, 30e9},
+                                   {"1 psi", dimension::stress, 6894.757293168},
+                                   {"1 ksi", dimension::stress, 6894757.293168},
+                                   {"1 J", dimension::energy, 1},
+                                   {"1 kJ", dimension::energy, 1e3},
+                                   {"1 kips", dimension::force, 4448.2216152605},
+                                   {"2 kgf", dimension::force, 19.6133},
+                                   {"1 tf", dimension::force, 9806.65},
+                                   {"10 tonf", dimension::force, 98066.5},
+                                   {"1 lbm", dimension::mass, 0.45359237},
+                                   {"0.5 sec", dimension::time, 0.5},
+                                   {"5 msec", dimension::time, 0.005},
+                                   {"1 MJ", dimension::energy, 1e6},
+                                   {"1 rad", dimension::none, 1},
+                                   {"180 deg", dimension::none, pi},
+                                   {"5 %", dimension::none, 0.05}};
   for (const Case& c : cases) EXPECT_NEAR(parse_quantity(c.text, c.dimension) / c.value, 1, 1e-12) << c.text;
 }
 
@@ -76,7 +95,8 @@ TEST(Quantity, ProductsQuotientsAndPowersCombine) {
   EXPECT_DOUBLE_EQ(parse_quantity("4 kN/m^1.5", dimension::hertz_stiffness), 4e3);
   EXPECT_NEAR(parse_quantity("1 N/mm^1.5", dimension::hertz_stiffness), std::pow(1e3, 1.5), 1e-9);
   EXPECT_DOUBLE_EQ(parse_quantity("8000 cm^4", dimension::second_moment), 8e-5);
-  for (const char* text : {"2 kN s/m", "2 kN*s/m", "2kN * s / m", "2 kN s m^-1", "2 (kN s)/m", "2 kN/(m/s)", "2e3 N s/m"})
+  for (const char* text :
+       {"2 kN s/m", "2 kN*s/m", "2kN * s / m", "2 kN s m^-1", "2 (kN s)/m", "2 kN/(m/s)", "2e3 N s/m"})
     EXPECT_DOUBLE_EQ(parse_quantity(text, dimension::damping), 2e3) << text;
   for (const char* text : {"3 m/s^2", "3 m/s2", "3 m/s/s", "300 cm/s^2", "3 m/(s s)"})
     EXPECT_DOUBLE_EQ(parse_quantity(text, dimension::acceleration), 3) << text;
@@ -115,13 +135,15 @@ TEST(Quantity, TextThatIsNoFiniteNumberIsRefused) {
               "takes a length such as \"20 mm\"; \"" + std::string(text) + "\" is not a finite number");
   EXPECT_EQ(error_of("0,02 m", dimension::length),
             "takes a length such as \"20 mm\"; \"0,02 m\" needs a decimal point, not a comma; type 0.02 m");
-  EXPECT_EQ(error_of("2 3 m", dimension::length), "takes a length such as \"20 mm\"; cannot read \"3 m\" in unit \"3 m\"");
+  EXPECT_EQ(error_of("2 3 m", dimension::length),
+            "takes a length such as \"20 mm\"; cannot read \"3 m\" in unit \"3 m\"");
   EXPECT_EQ(error_of("2 1", dimension::none), "takes a number such as \"5 %\"; cannot read \"1\" in unit \"1\"");
 }
 
 TEST(Unit, BadSpellingIsRefused) {
-  EXPECT_EQ(unit_error("kN/m s"), "unit \"kN/m s\" can be read in two ways; type the product first, as in \"N s/m\", or "
-                                  "use parentheses, as in \"N/(m s)\"");
+  EXPECT_EQ(unit_error("kN/m s"),
+            "unit \"kN/m s\" can be read in two ways; type the product first, as in \"N s/m\", or "
+            "use parentheses, as in \"N/(m s)\"");
   EXPECT_EQ(unit_error("kN/"), "unit \"kN/\" ends where a unit should follow");
   EXPECT_EQ(unit_error("kN/(m s"), "unit \"kN/(m s\" lacks a \")\"");
   EXPECT_EQ(unit_error("kN)"), "cannot read \")\" in unit \"kN)\"");
@@ -134,16 +156,18 @@ TEST(Unit, PureNumbersHaveNoDimension) {
 }
 
 TEST(Unit, TextOfADimensionReadsBackAsThatDimension) {
-  for (const char* text : {"kg", "m", "s", "N", "N/m", "N s/m", "N/m^1.5", "N/m^1.2", "N s/m^2.5", "N^2", "kg m", "1/s^3",
-                           "N s^0.5/m", "s/m", "Pa", "kg/m^2", "m^0.5 s^0.5", "1/(m s)", "N/m^4", "kg^2", "kg s/m"}) {
+  for (const char* text :
+       {"kg",    "m",         "s",   "N",  "N/m",    "N s/m",       "N/m^1.5", "N/m^1.2", "N s/m^2.5", "N^2",   "kg m",
+        "1/s^3", "N s^0.5/m", "s/m", "Pa", "kg/m^2", "m^0.5 s^0.5", "1/(m s)", "N/m^4",   "kg^2",      "kg s/m"}) {
     const Dimension dimension = parse_unit_dimension(text);
     EXPECT_EQ(parse_unit_dimension(unit_text(dimension)), dimension) << text << " became " << unit_text(dimension);
   }
 }
 
 TEST(Unit, EveryExampleIsAValueOfItsDimension) {
-  for (const char* unit : {"1", "kg", "m", "s", "1/s", "m^2", "m^3", "m^4", "m/s", "s/m", "m/s^2", "N", "N s", "J", "N/m",
-                           "N s/m", "N/m^1.5", "Pa", "kg/m^3", "kg/m", "kg/m^2", "kg m^2", "N/m^1.2"}) {
+  for (const char* unit :
+       {"1",   "kg", "m",   "s",     "1/s",     "m^2", "m^3",    "m^4",  "m/s",    "s/m",    "m/s^2",  "N",
+        "N s", "J",  "N/m", "N s/m", "N/m^1.5", "Pa",  "kg/m^3", "kg/m", "kg/m^2", "kg m^2", "N/m^1.2"}) {
     const Dimension dimension = parse_unit_dimension(unit);
     EXPECT_GT(parse_quantity(quantity_example(dimension), dimension), 0) << unit;
   }

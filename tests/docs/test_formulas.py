@@ -1,4 +1,5 @@
 """Formulas of the laws on the site."""
+
 import re
 import sys
 import unittest
@@ -33,7 +34,9 @@ class Formulas(unittest.TestCase):
                 plain = "".join(formula)
                 with self.subTest(plain):
                     letters = re.sub(r"\\(text|operatorname|quad|le|ge)\b", "", tex(plain))
-                    self.assertEqual(*(sorted(re.findall(r"[A-Za-z\d]", re.sub("<=|>=", "", each))) for each in (letters, plain)))
+                    self.assertEqual(
+                        *(sorted(re.findall(r"[A-Za-z\d]", re.sub("<=|>=", "", each))) for each in (letters, plain))
+                    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""The folders of pounding/ are modules in one order: each includes only the modules that its NEEDS name, and these stand before it."""
+"""The folders of pounding/ are modules in one order: each includes only the modules that its NEEDS name, and these
+stand before it."""
+
 import re
 import unittest
 from pathlib import Path
@@ -42,8 +44,15 @@ class Modules(unittest.TestCase):
     def test_EveryFolderIsAModule(self):
         folders = {path.name for part in PARTS for path in (ROOT / part / "pounding").iterdir() if path.is_dir()}
         self.assertEqual(folders, set(declared()))
-        loose = [str(path) for part in PARTS for path in (ROOT / part / "pounding").iterdir() if path.is_file() and path.suffix in (".hpp", ".cpp")]
-        self.assertEqual([path for path in loose if Path(path).name not in ("links.hpp", "elements.hpp", "lib.hpp")], [])
+        loose = [
+            str(path)
+            for part in PARTS
+            for path in (ROOT / part / "pounding").iterdir()
+            if path.is_file() and path.suffix in (".hpp", ".cpp")
+        ]
+        self.assertEqual(
+            [path for path in loose if Path(path).name not in ("links.hpp", "elements.hpp", "lib.hpp")], []
+        )
 
     def test_AModuleNeedsOnlyWhatStandsBeforeIt(self):
         before = []
@@ -60,7 +69,9 @@ class Modules(unittest.TestCase):
                 for path in sources(folder):
                     for line, other in includes(path):
                         if other != folder.name and other not in modules[folder.name]:
-                            wrong.append(f"{path.relative_to(ROOT)}:{line}: {folder.name} includes {other}, which its NEEDS do not name")
+                            wrong.append(
+                                f"{path.relative_to(ROOT)}:{line}: {folder.name} includes {other}, which its NEEDS do not name"
+                            )
         self.assertEqual(wrong, [], "\n" + "\n".join(wrong))
 
     def test_NoNeedIsIdle(self):
@@ -69,7 +80,11 @@ class Modules(unittest.TestCase):
             for folder in (ROOT / part / "pounding").iterdir():
                 if folder.is_dir():
                     used = {other for path in sources(folder) for _, other in includes(path)}
-                    idle += [f"{folder.name} needs {need}, but includes nothing of it" for need in declared()[folder.name] if need not in used]
+                    idle += [
+                        f"{folder.name} needs {need}, but includes nothing of it"
+                        for need in declared()[folder.name]
+                        if need not in used
+                    ]
         self.assertEqual(sorted(idle), [])
 
     def test_EveryRecordFormatIsInTheList(self):

@@ -1,4 +1,5 @@
 """Every public name has an explanation: of the installed headers in C and C++, and of the Python package."""
+
 import ast
 import sys
 import tempfile
@@ -13,8 +14,22 @@ EXPLAINED = {"struct", "class", "union", "enum", "concept", "type", "function"}
 
 
 #: Members of every law of contact or yielding, by the folder whose law.hpp explains them once.
-LAWS = {"laws": ("check", "damping_for", "contact", "respond", "corner", "keep"),
-        "hysteresis": ("check", "stiffness", "yield_deformation", "respond", "advance", "stored", "work", "corner", "excess", "lost", "stored_excess")}
+LAWS = {
+    "laws": ("check", "damping_for", "contact", "respond", "corner", "keep"),
+    "hysteresis": (
+        "check",
+        "stiffness",
+        "yield_deformation",
+        "respond",
+        "advance",
+        "stored",
+        "work",
+        "corner",
+        "excess",
+        "lost",
+        "stored_excess",
+    ),
+}
 
 
 def law_contract():
@@ -33,7 +48,8 @@ def unexplained(items, contract=frozenset()):
 
 
 def without_docstring(tree, around=""):
-    """Public classes, functions, methods and properties of a module; a method may leave it to that which it overrides."""
+    """Public classes, functions, methods and properties of a module; a method may leave it to that which it
+    overrides."""
     for node in tree.body:
         if not isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) or node.name.startswith("_"):
             continue
@@ -47,8 +63,11 @@ class Names(unittest.TestCase):
     def test_EveryInstalledHeaderExplainsWhatItDeclares(self):
         contract = law_contract()
         self.assertEqual(len(contract), sum(map(len, LAWS.values())))
-        silent = [f"{path.relative_to(ROOT)}:{item.line}: {item.name}" for path in installed_headers()
-                  for item in unexplained(declarations(path)[1], contract)]
+        silent = [
+            f"{path.relative_to(ROOT)}:{item.line}: {item.name}"
+            for path in installed_headers()
+            for item in unexplained(declarations(path)[1], contract)
+        ]
         self.assertEqual(silent, [], "\n" + "\n".join(silent))
 
     def test_EveryPublicPythonNameHasADocstring(self):
@@ -62,21 +81,44 @@ class Names(unittest.TestCase):
 
     def test_PrivateHeadersAreNotInstalled(self):
         installed = {str(path.relative_to(ROOT)) for path in installed_headers()}
-        self.assertLessEqual({"lib/pounding/lib.hpp", "lib/pounding/run/run.hpp", "elements/pounding/laws/all.hpp"}, installed)
-        private = {f"lib/pounding/{name}.hpp" for name in ("run/run_monitor", "run/run_writer", "run/ts_setup", "run/recorder", "results/hdf5",
-                                                           "results/replaced_file")} | {"elements/pounding/ground/records/format.hpp"}
+        self.assertLessEqual(
+            {"lib/pounding/lib.hpp", "lib/pounding/run/run.hpp", "elements/pounding/laws/all.hpp"}, installed
+        )
+        private = {
+            f"lib/pounding/{name}.hpp"
+            for name in (
+                "run/run_monitor",
+                "run/run_writer",
+                "run/ts_setup",
+                "run/recorder",
+                "results/hdf5",
+                "results/replaced_file",
+            )
+        } | {"elements/pounding/ground/records/format.hpp"}
         self.assertEqual(installed & private, set())
 
     def test_TestsKeepTheirNamesInANamespaceOfTheirFile(self):
         """Tests are compiled in batches, where two files must not have one name for two things."""
-        unnamed = [str(path.relative_to(ROOT)) for path in sorted((ROOT / "tests").rglob("*_test.cpp"))
-                   if "gtest/gtest.h" in (text := path.read_text()) and f"\nnamespace {path.stem} {{\n" not in text]
+        unnamed = [
+            str(path.relative_to(ROOT))
+            for path in sorted((ROOT / "tests").rglob("*_test.cpp"))
+            if "gtest/gtest.h" in (text := path.read_text()) and f"\nnamespace {path.stem} {{\n" not in text
+        ]
         self.assertEqual(unnamed, [])
 
     def test_TheReaderFindsWhatTheHeadersDeclare(self):
         found = {item.name for path in installed_headers() for item in declarations(path)[1]}
-        for name in ("pnd_respond", "pnd_law", "pnd_status", "pounding::GapLink", "pounding::run", "pounding::laws::touch",
-                     "pounding::laws::Jankowski", "pounding::ContactPhase", "pounding::petsc::Handle"):
+        for name in (
+            "pnd_respond",
+            "pnd_law",
+            "pnd_status",
+            "pounding::GapLink",
+            "pounding::run",
+            "pounding::laws::touch",
+            "pounding::laws::Jankowski",
+            "pounding::ContactPhase",
+            "pounding::petsc::Handle",
+        ):
             self.assertIn(name, found)
 
 
@@ -93,9 +135,13 @@ class Reader(unittest.TestCase):
         return [item.name for item in unexplained(self.read(text, suffix)[1])]
 
     def test_SeesWhatHasNoComment(self):
-        self.assertEqual(self.silent("/// The file.\n\nnamespace a {\n/// One.\nstruct S {\n  int f() const { return 1; }\n};\n\n"
-                                     "int g(double x = h(1));\n\nenum class E { one, two };\n\nusing T = int;\n}"),
-                         ["a::S::f", "a::g", "a::E", "a::T"])
+        self.assertEqual(
+            self.silent(
+                "/// The file.\n\nnamespace a {\n/// One.\nstruct S {\n  int f() const { return 1; }\n};\n\n"
+                "int g(double x = h(1));\n\nenum class E { one, two };\n\nusing T = int;\n}"
+            ),
+            ["a::S::f", "a::g", "a::E", "a::T"],
+        )
         self.assertEqual(self.silent("/* One. */\nint f(void);\n\nint g(void);\n", ".h"), ["g"])
 
     def test_ACommentHoldsForTheLinesBelowIt(self):
@@ -103,14 +149,20 @@ class Reader(unittest.TestCase):
         self.assertEqual(self.silent("int f();  ///< Its own.\nint g();\n"), ["g"])
 
     def test_PrivatePartsAreNobodysBusiness(self):
-        _, (item,) = self.read("/// One.\nclass C {\n public:\n  /// Two.\n  C(int a) : a_{a}, b_(a) { go(); }\n private:\n  int f();\n  int a_;\n};")
+        _, (item,) = self.read(
+            "/// One.\nclass C {\n public:\n  /// Two.\n  C(int a) : a_{a}, b_(a) { go(); }\n private:\n  int f();\n  int a_;\n};"
+        )
         self.assertEqual([member.name for member in item.members], ["C::C"])
         self.assertEqual(item.members[0].text, "C(int a)")
 
     def test_TakesCommentsBehindMembers(self):
-        _, (item,) = self.read("/// One.\nstruct S {\n  double mass = 0;  ///< of the floor [kg]\n  std::function<void(int)> f;\n  double a = 1, b{};\n};")
-        self.assertEqual([(member.kind, member.name, member.doc) for member in item.members],
-                         [("member", "S::mass", "of the floor [kg]"), ("member", "S::f", ""), ("member", "S::a", "")])
+        _, (item,) = self.read(
+            "/// One.\nstruct S {\n  double mass = 0;  ///< of the floor [kg]\n  std::function<void(int)> f;\n  double a = 1, b{};\n};"
+        )
+        self.assertEqual(
+            [(member.kind, member.name, member.doc) for member in item.members],
+            [("member", "S::mass", "of the floor [kg]"), ("member", "S::f", ""), ("member", "S::a", "")],
+        )
 
 
 if __name__ == "__main__":

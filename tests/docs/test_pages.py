@@ -1,4 +1,5 @@
 """The pages for users and contributors name only what is there: headers, files, links and headings."""
+
 import re
 import sys
 import unittest
@@ -29,7 +30,10 @@ def header_exists(path):
 def anchors(path):
     """Anchors of the headings of a page, as GitHub and the site make them."""
     text = re.sub(r"(?ms)^```.*?^```$", "", path.read_text())
-    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in re.findall(r"(?m)^#+ (.*)$", text)}
+    return {
+        re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-")
+        for heading in re.findall(r"(?m)^#+ (.*)$", text)
+    }
 
 
 def links(text):
@@ -44,8 +48,11 @@ class Pages(unittest.TestCase):
             if page.name == "CHANGELOG.md":
                 continue  # names the places of earlier versions, too
             for number, line in enumerate(page.read_text().splitlines(), 1):
-                wrong += [f"{page.relative_to(ROOT)}:{number}: {path}" for path in re.findall(r"(?<![\w/])pounding/[\w/]+\.hpp", line)
-                          if not header_exists(path)]
+                wrong += [
+                    f"{page.relative_to(ROOT)}:{number}: {path}"
+                    for path in re.findall(r"(?<![\w/])pounding/[\w/]+\.hpp", line)
+                    if not header_exists(path)
+                ]
         self.assertEqual(wrong, [], "\n" + "\n".join(wrong))
 
     def test_EveryFileThatAPageNamesExists(self):
@@ -93,7 +100,9 @@ class Reader(unittest.TestCase):
     """The check itself finds links, and skips examples of text."""
 
     def test_FindsLinksOutsideOfPrograms(self):
-        self.assertEqual(links("[a](b.md#c) [w](https://x.y) `[z]`\n```\n[d](e)\n```\n![p](q.png)"), ["b.md#c", "q.png"])
+        self.assertEqual(
+            links("[a](b.md#c) [w](https://x.y) `[z]`\n```\n[d](e)\n```\n![p](q.png)"), ["b.md#c", "q.png"]
+        )
 
 
 if __name__ == "__main__":

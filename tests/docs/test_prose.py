@@ -1,11 +1,13 @@
-"""Comments open with the thing they speak of: "Mass weight of each coordinate", not "What the square of a coordinate counts".
+"""Comments open with the thing they speak of: "Mass weight of each coordinate", not "What the square of a coordinate
+counts".
 
-Counted are comments of C++ and C, of Fortran, and docstrings and comments of Python, that open with a bare What, Whatever, Of,
-Those, The same or But for, or with a "Where ..." that no main clause follows. Such an opening makes the reader look for the
-noun; a few are the shortest good sentence.
+Counted are comments of C++ and C, of Fortran, and docstrings and comments of Python, that open with a bare What,
+Whatever, Of, Those, The same or But for, or with a "Where ..." that no main clause follows. Such an opening makes the
+reader look for the noun; a few are the shortest good sentence.
 
     python3 tests/docs/test_prose.py            # all of them, and how many there are in each folder
 """
+
 import ast
 import io
 import re
@@ -37,7 +39,7 @@ def marked_comments(text, mark):
         if not behind:
             open_at = None
             continue
-        words, alone = line[behind.end():].strip(), not line[:behind.start()].strip()
+        words, alone = line[behind.end() :].strip(), not line[: behind.start()].strip()
         if alone and open_at is not None and words:
             found[open_at] = (found[open_at][0], f"{found[open_at][1]} {words}".strip())
         elif words:
@@ -56,12 +58,14 @@ def python_comments(text):
     """Docstrings and comments: (line, text)."""
     found = []
     for node in ast.walk(ast.parse(text)):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) and ast.get_docstring(node):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) and ast.get_docstring(
+            node
+        ):
             found.append((node.body[0].lineno, " ".join(ast.get_docstring(node).split())))
     last = None
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.COMMENT:
-            words, alone = token.string.lstrip("#:! "), not token.line[:token.start[1]].strip()
+            words, alone = token.string.lstrip("#:! "), not token.line[: token.start[1]].strip()
             if alone and last == token.start[0] - 1:
                 found[-1] = (found[-1][0], f"{found[-1][1]} {words}")
             else:
@@ -94,20 +98,36 @@ class Reader(unittest.TestCase):
     """The check itself knows bare openings, and finds the comments of a file."""
 
     def test_KnowsABareOpening(self):
-        for words in ("What the square counts.", "Of the present state [s].", "Those that move.", "The same for 95 %.",
-                      "But for rounding it is zero.", "Where a record is: its name.", "Where the files are."):
+        for words in (
+            "What the square counts.",
+            "Of the present state [s].",
+            "Those that move.",
+            "The same for 95 %.",
+            "But for rounding it is zero.",
+            "Where a record is: its name.",
+            "Where the files are.",
+        ):
             self.assertTrue(is_bare(words), words)
-        for words in ("Mass weight of each coordinate.", "of the floor [kg]", "Where the force is zero, the contact ends.",
-                      "Whether it moves.", "Offset of the floor."):
+        for words in (
+            "Mass weight of each coordinate.",
+            "of the floor [kg]",
+            "Where the force is zero, the contact ends.",
+            "Whether it moves.",
+            "Offset of the floor.",
+        ):
             self.assertFalse(is_bare(words), words)
 
     def test_TakesLinesBelowEachOtherForOneComment(self):
-        text = ("/// Force of a link, and\n/// What is not an opening.\nint a;  // Of two.\nint b;  ///< Those\n"
-                "\"http://what\";\n/* What a\n * block says. */\n")
+        text = (
+            "/// Force of a link, and\n/// What is not an opening.\nint a;  // Of two.\nint b;  ///< Those\n"
+            '"http://what";\n/* What a\n * block says. */\n'
+        )
         self.assertEqual([line for line, words in marked_comments(text, "//") if is_bare(words)], [3, 4, 6])
 
     def test_ReadsDocstringsAndCommentsOfPython(self):
-        text = '"""What it is."""\n\n\ndef f():\n    """A noun."""\n    # Of it,\n    # Those\n    return 1  # The same\n'
+        text = (
+            '"""What it is."""\n\n\ndef f():\n    """A noun."""\n    # Of it,\n    # Those\n    return 1  # The same\n'
+        )
         self.assertEqual([line for line, words in python_comments(text) if is_bare(words)], [1, 6, 8])
 
 

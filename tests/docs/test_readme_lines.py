@@ -3,6 +3,7 @@
 The environment names the built parts; a test is skipped where its part is not built:
 POUNDING_PROGRAM, POUNDING_PACKAGE (the folder of the Python package), POUNDING_CXX, POUNDING_CC, POUNDING_C_LIBRARY.
 """
+
 import json
 import os
 import re
@@ -15,7 +16,12 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "python/docs/index.md", *sorted((ROOT / "python/docs/guide").glob("*.md"))]
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "python/docs/index.md",
+    *sorted((ROOT / "python/docs/guide").glob("*.md")),
+]
 PATIENCE = 120
 #: Language and text of every block in a fence.
 FENCE = re.compile(r"(?ms)^```([^\n]*)\n(.*?)^```$")
@@ -26,7 +32,7 @@ def blocks(page, language):
     text, found = page.read_text(), []
     for match in FENCE.finditer(text):
         if match.group(1) == language:
-            below = re.match(r"\n\n```\n(.*?)^```$", text[match.end():], re.DOTALL | re.MULTILINE)
+            below = re.match(r"\n\n```\n(.*?)^```$", text[match.end() :], re.DOTALL | re.MULTILINE)
             found.append((match.group(2), below and below.group(1)))
     return found
 
@@ -41,6 +47,7 @@ def part(name):
 def without_times(text):
     return re.sub(r"\d+\.\d+ s$", "... s", text.strip(), flags=re.MULTILINE)
 
+
 #: Stands for the pair.yaml that pages name.
 PAIR = """\
 ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 1}}
@@ -53,12 +60,16 @@ analysis: {duration: 4}
 
 
 #: Stands for the towers.yaml of the page on reduced structures.
-TOWER = ("{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
-         "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 120 t}}, damping: 5 %}")
-TOWERS = ("ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 1}}\nstructures:\n"
-          f"  left: {TOWER.replace('X', '0')}\n  right: {TOWER.replace('X', '18.02')}\n"
-          "links: [{between: [left.12, right.12], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
-          "analysis: {duration: 1}\n")
+TOWER = (
+    "{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
+    "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 120 t}}, damping: 5 %}"
+)
+TOWERS = (
+    "ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 1}}\nstructures:\n"
+    f"  left: {TOWER.replace('X', '0')}\n  right: {TOWER.replace('X', '18.02')}\n"
+    "links: [{between: [left.12, right.12], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+    "analysis: {duration: 1}\n"
+)
 
 
 class Lines(unittest.TestCase):
@@ -70,8 +81,14 @@ class Lines(unittest.TestCase):
 
     def done(self, *words, **environment):
         """Output of a command, which must succeed."""
-        run = subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE,
-                             env=os.environ | environment)
+        run = subprocess.run(
+            [str(word) for word in words],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            env=os.environ | environment,
+        )
         self.assertEqual((run.returncode, run.stderr), (0, ""), f"{words}\n{run.stdout[-2000:]}\n{run.stderr[-2000:]}")
         return run.stdout
 
@@ -84,8 +101,22 @@ class Lines(unittest.TestCase):
     def run_c(self, text):
         """Compiles and runs a block of C, which makes a law and ends with it alive."""
         c, cxx, library = part("POUNDING_CC"), part("POUNDING_CXX"), part("POUNDING_C_LIBRARY")
-        (self.folder / "host.c").write_text(self.in_main(text, "double penetration = 2e-3, rate = 0.3;", "pnd_destroy(law);\nreturn 0;"))
-        self.done(c, "-std=c99", "-Wall", "-Werror", "-Wno-unused-parameter", "-I", ROOT / "elements/c", "-c", "host.c", "-o", "host.o")
+        (self.folder / "host.c").write_text(
+            self.in_main(text, "double penetration = 2e-3, rate = 0.3;", "pnd_destroy(law);\nreturn 0;")
+        )
+        self.done(
+            c,
+            "-std=c99",
+            "-Wall",
+            "-Werror",
+            "-Wno-unused-parameter",
+            "-I",
+            ROOT / "elements/c",
+            "-c",
+            "host.c",
+            "-o",
+            "host.o",
+        )
         self.done(cxx, "host.o", library, f"-Wl,-rpath,{Path(library).parent}", "-o", "host")
         self.assertEqual(self.done(self.folder / "host"), "")
 
@@ -104,13 +135,20 @@ class Commands(Lines):
             case ["make", *targets]:
                 known = re.search(r"(?m)^\.PHONY: ((?:.*\\\n)*.*)$", (ROOT / "Makefile").read_text()).group(1).split()
                 for target in targets:
-                    self.assertIn(target.split("=")[0], [*known, "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS", "VERSIONS"])
+                    self.assertIn(
+                        target.split("=")[0], [*known, "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS", "VERSIONS"]
+                    )
             case ["build/pounding", *rest]:
                 self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *rest), "")
             case ["pounding", "run", "towers.yaml", *options]:
                 (self.folder / "towers.yaml").write_text(TOWERS)
-                run = subprocess.run([part("POUNDING_PROGRAM"), "run", "towers.yaml", *options], cwd=self.folder, capture_output=True, text=True,
-                                     timeout=PATIENCE)
+                run = subprocess.run(
+                    [part("POUNDING_PROGRAM"), "run", "towers.yaml", *options],
+                    cwd=self.folder,
+                    capture_output=True,
+                    text=True,
+                    timeout=PATIENCE,
+                )
                 self.assertEqual(run.returncode, 0, run.stderr)
                 told = "no structure is reduced" if "-pounding_red_auto" in options else "errors by it: forces "
                 self.assertIn(told, run.stderr + run.stdout)
@@ -128,7 +166,14 @@ class Commands(Lines):
                 area, subject = name.split(".")
                 self.assertTrue((ROOT / "tests" / area / f"test_{subject}.py").is_file(), name)
             case ["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options]:
-                texts = [path.read_text() for path in (ROOT / "CMakeLists.txt", ROOT / "python/CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake"))]
+                texts = [
+                    path.read_text()
+                    for path in (
+                        ROOT / "CMakeLists.txt",
+                        ROOT / "python/CMakeLists.txt",
+                        *(ROOT / "cmake").glob("*.cmake"),
+                    )
+                ]
                 for option in options:
                     name = re.fullmatch(r"-D(\w+)=.+", option).group(1)
                     self.assertTrue(any(re.search(rf"\b{name}\b", text) for text in texts), option)
@@ -148,7 +193,9 @@ class Commands(Lines):
     def assert_target(self, target):
         texts = [path.read_text() for folder in ("lib", "tests") for path in (ROOT / folder).rglob("CMakeLists.txt")]
         name = target.removeprefix("test_")
-        self.assertTrue(any(re.search(rf"pounding_test\({name}\s|add_executable\({target}\s", text) for text in texts), target)
+        self.assertTrue(
+            any(re.search(rf"pounding_test\({name}\s|add_executable\({target}\s", text) for text in texts), target
+        )
 
     def test_AreRunOrThere(self):
         for page in PAGES:
@@ -160,16 +207,21 @@ class Commands(Lines):
     def test_NothingIsInstalledIntoThePythonOfTheSystem(self):
         # Debian answers "externally-managed-environment".
         for page in [*PAGES, *(ROOT / "examples").rglob("*.md")]:
-            self.assertNotRegex(page.read_text(), r"(?<!env/bin/)python3 -m pip install|(?<!-m )\bpip3? install \S", page)
+            self.assertNotRegex(
+                page.read_text(), r"(?<!env/bin/)python3 -m pip install|(?<!-m )\bpip3? install \S", page
+            )
 
     def test_NamedExtrasExist(self):
-        extras = re.search(r"(?ms)^\[project\.optional-dependencies\]\n(.*?)^\[", (ROOT / "pyproject.toml").read_text()).group(1)
+        extras = re.search(
+            r"(?ms)^\[project\.optional-dependencies\]\n(.*?)^\[", (ROOT / "pyproject.toml").read_text()
+        ).group(1)
         for page in PAGES:
             for name in re.findall(r'"\.\[(\w+)\]"', page.read_text()):
                 self.assertRegex(extras, rf"(?m)^{name} = ", page)
 
     def test_CommandsOfTheProgramExist(self):
-        known = self.done(part("POUNDING_PROGRAM"), "--help") + "  demo \n  lessons \n"  # by the package alone: python.demo
+        # by the package alone: python.demo
+        known = self.done(part("POUNDING_PROGRAM"), "--help") + "  demo \n  lessons \n"
         for page in PAGES:
             for name in re.findall(r"`(?:mpirun -n K )?pounding ([a-z]+)", page.read_text()):
                 self.assertRegex(known, rf"(?m)^  {name} ", page)
@@ -182,8 +234,10 @@ class Models(Lines):
         (self.folder / "records").mkdir()
         for name, sign in (("one", 1), ("two", -1)):
             values = " ".join(f"{sign * 0.1 * (-1) ** (i // 10):.7E}" for i in range(200))
-            (self.folder / f"records/{name}.AT2").write_text("PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN "
-                                                             f"UNITS OF G\nNPTS= 200, DT= .0200 SEC\n{values}\n")
+            (self.folder / f"records/{name}.AT2").write_text(
+                "PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN "
+                f"UNITS OF G\nNPTS= 200, DT= .0200 SEC\n{values}\n"
+            )
 
     def test_AreReadAsTheyStand(self):
         count = 0
@@ -201,7 +255,9 @@ class Models(Lines):
         readme = (ROOT / "README.md").read_text()
         (self.folder / "model.yaml").write_text(blocks(ROOT / "README.md", "yaml")[0][0])
         printed = re.search(r"(?ms)^<!-- begin two_oscillators -->\n```\n\$ [^\n]*\n(.*?)^```$", readme).group(1)
-        self.assertEqual(without_times(self.done(part("POUNDING_PROGRAM"), "run", "model.yaml")), without_times(printed))
+        self.assertEqual(
+            without_times(self.done(part("POUNDING_PROGRAM"), "run", "model.yaml")), without_times(printed)
+        )
 
 
 class Programs(Lines):
@@ -210,7 +266,9 @@ class Programs(Lines):
         for page in PAGES:
             for text, printed in blocks(page, "python"):
                 with self.subTest(page.name):
-                    found = self.done(sys.executable, "-c", text, PYTHONPATH=package, MPLBACKEND="agg", PYTHONDONTWRITEBYTECODE="1")
+                    found = self.done(
+                        sys.executable, "-c", text, PYTHONPATH=package, MPLBACKEND="agg", PYTHONDONTWRITEBYTECODE="1"
+                    )
                     if printed:
                         self.assertEqual(found.strip(), printed.strip())
                     count += 1
@@ -221,7 +279,9 @@ class Programs(Lines):
         for page in PAGES:
             for text, _ in blocks(page, "cpp"):
                 with self.subTest(page.name):
-                    (self.folder / "host.cpp").write_text(self.in_main(text, "", "return !(force > 0 && by_penetration > 0 && by_rate > 0);"))
+                    (self.folder / "host.cpp").write_text(
+                        self.in_main(text, "", "return !(force > 0 && by_penetration > 0 && by_rate > 0);")
+                    )
                     self.done(compiler, "-std=c++20", "-I", ROOT / "elements", "host.cpp", "-o", "host")
                     self.done(self.folder / "host")
                     count += 1

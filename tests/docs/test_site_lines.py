@@ -1,5 +1,7 @@
-"""Lines of the site beside the blocks of README and guide: commands of the lessons and in tables, calls of Python inside sentences,
-programs in docstrings and in the header of the C interface. The environment is that of test_readme_lines."""
+"""Lines of the site beside the blocks of README and guide: commands of the lessons and in tables, calls of Python
+inside sentences, programs in docstrings and in the header of the C interface. The environment is that of
+test_readme_lines."""
+
 import ast
 import importlib.util
 import inspect
@@ -17,8 +19,18 @@ from test_readme_lines import PAGES, ROOT, Lines, part
 LESSONS = sorted((ROOT / "examples").rglob("*.md"))
 PACKAGE = ROOT / "python/pounding"
 #: Words in commands that stand for something, and something to put there.
-STAND_INS = {"MODEL.yaml": "stand_in.yaml", "OUT.h5": "out.h5", "OTHER.h5": "other.h5", "FILE.gif": "film.gif",
-             "FILE": "record.at2", "DIR": "paper", "N": "3", "NAME": "hertz", "L": "hertz_damped", "K": "2"}
+STAND_INS = {
+    "MODEL.yaml": "stand_in.yaml",
+    "OUT.h5": "out.h5",
+    "OTHER.h5": "other.h5",
+    "FILE.gif": "film.gif",
+    "FILE": "record.at2",
+    "DIR": "paper",
+    "N": "3",
+    "NAME": "hertz",
+    "L": "hertz_damped",
+    "K": "2",
+}
 #: Two buildings whose third floors meet, with the run without links, and with outputs that show each blow.
 STAND_IN = """\
 ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 1}}
@@ -32,12 +44,20 @@ compare: no_pounding
 """
 YIELDS = STAND_IN.replace("stiffness: 90 MN/m", "stiffness: 90 MN/m, yield_force: 0.5 MN, hardening: 5 %")
 #: Commands that need a Python, a host or a folder of their own, and the test that runs them.
-ELSEWHERE = {"cmake": "program.cpp_lessons and program.hosts", "cc": "program.hosts", "build-lesson/": "program.cpp_lessons",
-             "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel, python.plan"}
+ELSEWHERE = {
+    "cmake": "program.cpp_lessons and program.hosts",
+    "cc": "program.hosts",
+    "build-lesson/": "program.cpp_lessons",
+    "build/": "program.hosts",
+    "./": "program.hosts",
+    "env/bin/python3": "program.hosts",
+    "python3": "install.wheel, python.plan",
+}
 
 
 def indented_lines(page):
-    """Commands of the lessons: indented lines after an empty one, those that end with a backslash joined to the next."""
+    """Commands of the lessons: indented lines after an empty one, those that end with a backslash joined to the
+    next."""
     blocks = re.findall(r"(?m)(?:\A|\n)\n((?:    \S.*\n)(?:    .*\n)*)", page.read_text())
     return [line for block in blocks for line in textwrap.dedent(block).replace("\\\n", "").splitlines()]
 
@@ -74,15 +94,19 @@ class CommandsOfLessons(Lines):
                 for command in line.split(" && "):
                     words = shlex.split(command, comments=True)
                     if "build/pounding" in words:  # behind what is set for it
-                        words = words[words.index("build/pounding"):]
+                        words = words[words.index("build/pounding") :]
                     if words[0] != "build/pounding":
-                        self.assertTrue(any(words[0].startswith(one) for one in ELSEWHERE), f"{page}: nobody has tried {command}")
+                        self.assertTrue(
+                            any(words[0].startswith(one) for one in ELSEWHERE), f"{page}: nobody has tried {command}"
+                        )
                         continue
                     if "el_centro" in command and not records():
                         continue
                     words = short_film(words)
                     with self.subTest(page.parent.name, command=command):
-                        self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *words[1:], POUNDING_RECORDS=records()), "")
+                        self.assertNotEqual(
+                            self.done(part("POUNDING_PROGRAM"), *words[1:], POUNDING_RECORDS=records()), ""
+                        )
                         count += 1
         self.assertGreaterEqual(count, 25)
 
@@ -92,8 +116,10 @@ class CommandsInSentences(Lines):
         super().setUp()
         (self.folder / STAND_INS["MODEL.yaml"]).write_text(STAND_IN)
         values = " ".join(f"{0.1 * (-1) ** i:.7E}" for i in range(200))
-        (self.folder / "record.at2").write_text("PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN UNITS OF G\n"
-                                                f"NPTS= 200, DT= .0200 SEC\n{values}\n")
+        (self.folder / "record.at2").write_text(
+            "PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN UNITS OF G\n"
+            f"NPTS= 200, DT= .0200 SEC\n{values}\n"
+        )
         self.done(part("POUNDING_PROGRAM"), "run", STAND_INS["MODEL.yaml"], "-q", "-o", "out.h5")
 
     def test_AreRun(self):
@@ -109,13 +135,20 @@ class CommandsInSentences(Lines):
                 if "--resume" in words:  # only a run that is cut can go on
                     (self.folder / "cut.yaml").write_text(STAND_IN.replace("compare: no_pounding\n", ""))
                     self.done_or_failed("run", "cut.yaml", "-q", "-o", "cut.h5", "-pounding_ts_max_steps", "100")
-                    words = ["cut.h5" if word == "out.h5" else word for word in words] + ["cut.h5"] * (words[-1] == "--resume")
+                    words = ["cut.h5" if word == "out.h5" else word for word in words] + ["cut.h5"] * (
+                        words[-1] == "--resume"
+                    )
                     if "-pounding_ts_max_steps" in words:  # more than the run needs
                         words[words.index("-pounding_ts_max_steps") + 1] = "100000"
                 if words[0] == "pushover":
                     (self.folder / "yields.yaml").write_text(YIELDS)
                     (self.folder / "floors.txt").write_text("1\n2\n3\n")
-                    given = {"stand_in.yaml": "yields.yaml", "hertz": "left", "record.at2": "floors.txt", "-o": "-opushed.h5"}
+                    given = {
+                        "stand_in.yaml": "yields.yaml",
+                        "hertz": "left",
+                        "record.at2": "floors.txt",
+                        "-o": "-opushed.h5",
+                    }
                     words = [given.get(word, word) for word in words]
                     if len(words) == 2:  # an option by itself
                         words += ["yields.yaml", "--structure", "left", "--to", "2 % roof"]
@@ -124,7 +157,14 @@ class CommandsInSentences(Lines):
                     self.done(part("POUNDING_PROGRAM"), "run", "yields.yaml", "-q", "-o", "yields.h5")
                     words = ["yields.h5" if word == "out.h5" else word for word in words]
                 if words[0] == "plot" and words[-1] == "plan":  # something must stand in plan
-                    self.done(part("POUNDING_PROGRAM"), "run", str(ROOT / "examples/25_city_block/model.yaml"), "-q", "-o", "space.h5")
+                    self.done(
+                        part("POUNDING_PROGRAM"),
+                        "run",
+                        str(ROOT / "examples/25_city_block/model.yaml"),
+                        "-q",
+                        "-o",
+                        "space.h5",
+                    )
                     words = ["space.h5" if word == "out.h5" else word for word in words]
                 words = short_film(words)
                 if tuple(words) in tried:
@@ -138,23 +178,31 @@ class CommandsInSentences(Lines):
 
 
 class CallsInSentences(Lines):
-    """`results.plot("gap")`, `run(model, tolerance=, ...)`: run as they stand, or, where values are left out, with every name of an
-    argument that is given."""
+    """`results.plot("gap")`, `run(model, tolerance=, ...)`: run as they stand, or, where values are left out, with
+    every name of an argument that is given."""
 
     def setUp(self):
         super().setUp()
         sys.path.insert(0, part("POUNDING_PACKAGE"))
         self.addCleanup(sys.path.remove, part("POUNDING_PACKAGE"))
         import matplotlib
+
         matplotlib.use("Agg")
         import pounding
+
         (self.folder / STAND_INS["MODEL.yaml"]).write_text(STAND_IN)
         model = pounding.Model.from_file(self.folder / STAND_INS["MODEL.yaml"])
         self.output = self.folder / "out.h5"
         results = pounding.run(model, tolerance=1e-3, output=self.output)
         self.names = {name: getattr(pounding, name) for name in pounding.__all__} | {
-            "pounding": pounding, "model": model, "results": results, "FILE": self.folder / "out.h5", "print": print,
-            "penetration": 2e-3, "rate": 0.3}
+            "pounding": pounding,
+            "model": model,
+            "results": results,
+            "FILE": self.folder / "out.h5",
+            "print": print,
+            "penetration": 2e-3,
+            "rate": 0.3,
+        }
 
     def test_AreMadeOrHaveTheArgumentsThatAreNamed(self):
         count = 0
@@ -173,7 +221,8 @@ class CallsInSentences(Lines):
         if "..." not in code and "=," not in code and "=)" not in code:
             if code.startswith("record(") and not records():
                 return
-            if code.startswith("pounding.from_opensees"):  # needs a model in OpenSees, as in tests/python/test_opensees.py
+            # needs a model in OpenSees, as in tests/python/test_opensees.py
+            if code.startswith("pounding.from_opensees"):
                 self.assertTrue(callable(self.names["pounding"].from_opensees))
                 return
             if code.startswith("pounding.record_spectrum("):
@@ -189,7 +238,7 @@ class CallsInSentences(Lines):
                 code = code.replace('"model.yaml"', repr(str(yields))).replace("FILE", repr(str(pushed)))
             eval(code, self.names | ({"FILE": model} if code.startswith("Model") else {}))
             return
-        function = eval(code[:code.index("(")], self.names)
+        function = eval(code[: code.index("(")], self.names)
         known = inspect.signature(function).parameters
         open_ended = any(one.kind is inspect.Parameter.VAR_KEYWORD for one in known.values())
         for word in re.findall(r"(\w+)=", code):
@@ -214,7 +263,13 @@ class ProgramsInComments(Lines):
                         continue  # tests/python/test_opensees.py runs such a model
                     with self.subTest(file.name, code=block):
                         head = "from pounding import *\nimport pounding\n"
-                        self.done(sys.executable, "-c", head + block, PYTHONPATH=part("POUNDING_PACKAGE"), PYTHONDONTWRITEBYTECODE="1")
+                        self.done(
+                            sys.executable,
+                            "-c",
+                            head + block,
+                            PYTHONPATH=part("POUNDING_PACKAGE"),
+                            PYTHONDONTWRITEBYTECODE="1",
+                        )
                         count += 1
         self.assertGreaterEqual(count, 1)
 
@@ -227,7 +282,10 @@ class ProgramsInComments(Lines):
                 nodes = ast.parse(text).body
             except SyntaxError:
                 continue
-            if any(isinstance(node, (ast.Assign, ast.Expr)) and any(isinstance(each, ast.Call) for each in ast.walk(node)) for node in nodes):
+            if any(
+                isinstance(node, (ast.Assign, ast.Expr)) and any(isinstance(each, ast.Call) for each in ast.walk(node))
+                for node in nodes
+            ):
                 yield text
 
     def test_ThatOfTheHeaderCompilesAndRuns(self):

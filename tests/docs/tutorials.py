@@ -1,7 +1,9 @@
-"""Runs the cells of a page of the site, those that nobody sees and that check its numbers included; no notebook is needed.
+"""Runs the cells of a page of the site, those that nobody sees and that check its numbers included; no notebook is
+needed.
 
     PYTHONPATH=build/python python3 tests/docs/tutorials.py python/docs/tutorials/one_impact.md
 """
+
 import re
 import sys
 from pathlib import Path

@@ -28,8 +28,8 @@ using Eigen::Vector3d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const Section slender{.area = 0.18, .inertia_y = 5.4e-3, .inertia_z = 1.35e-3, .torsion = 3.2e-3};
-const Section deep{.area = 0.9, .inertia_y = 0.24, .inertia_z = 0.02, .torsion = 0.05,
-                   .shear_area_y = 0.7, .shear_area_z = 0.75};
+const Section deep{
+    .area = 0.9, .inertia_y = 0.24, .inertia_z = 0.02, .torsion = 0.05, .shear_area_y = 0.7, .shear_area_z = 0.75};
 const Material concrete{.young = 30e9, .shear = 12.5e9, .density = 2500};
 
 Matrix6 tip(const Matrix12& m) { return m.bottomRightCorner<6, 6>(); }
@@ -71,8 +71,8 @@ TEST(Beam, ActsAsACantileverUnderEveryTipLoad) {
     const Matrix6 found = test::dense::inverse(tip(beam.stiffness()));
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
-        book.near("flexibility of the tip, i j over sqrt(ii jj) [m/N, 1/N, 1/(N m)]",
-                  found(i, j), flexibility(i, j), 1e-12 * std::sqrt(flexibility(i, i) * flexibility(j, j)));
+        book.near("flexibility of the tip, i j over sqrt(ii jj) [m/N, 1/N, 1/(N m)]", found(i, j), flexibility(i, j),
+                  1e-12 * std::sqrt(flexibility(i, i) * flexibility(j, j)));
   }
 }
 
@@ -81,11 +81,7 @@ TEST(Beam, OfAPlaneFrameIsThePartWithUxUzRy) {
   const double l = 2.5, ea = concrete.young * slender.area / l, ei = concrete.young * slender.inertia_y;
   const double a = 12 * ei / (l * l * l), b = 6 * ei / (l * l), c = 4 * ei / l;
   Matrix6 expected;  // the textbook's matrix with the rotations reversed, since ry turns z into x
-  expected << ea, 0, 0, -ea, 0, 0,
-      0, a, -b, 0, -a, -b,
-      0, -b, c, 0, b, c / 2,
-      -ea, 0, 0, ea, 0, 0,
-      0, -a, b, 0, a, b,
+  expected << ea, 0, 0, -ea, 0, 0, 0, a, -b, 0, -a, -b, 0, -b, c, 0, b, c / 2, -ea, 0, 0, ea, 0, 0, 0, -a, b, 0, a, b,
       0, -b, c / 2, 0, b, c;
   book.below("stiffness of a plane member, largest difference over the largest entry [-]",
              distance(in_plane(Beam({0, 0, 0}, {l, 0, 0}, slender, concrete).stiffness()), expected), 1e-14);
@@ -97,8 +93,9 @@ TEST(Beam, OfAPlaneFrameIsThePartWithUxUzRy) {
 // The deflections that a beam without loads between its ends takes for unit (w, t) of its ends.
 Eigen::Vector4d shape(double x, double l, double phi) {
   const double s = x / l, f = 1 / (1 + phi);
-  return {f * (1 - 3 * s * s + 2 * s * s * s + phi * (1 - s)), f * l * (s - 2 * s * s + s * s * s + phi / 2 * (s - s * s)),
-          f * (3 * s * s - 2 * s * s * s + phi * s), f * l * (s * s * s - s * s + phi / 2 * (s * s - s))};
+  return {f * (1 - 3 * s * s + 2 * s * s * s + phi * (1 - s)),
+          f * l * (s - 2 * s * s + s * s * s + phi / 2 * (s - s * s)), f * (3 * s * s - 2 * s * s * s + phi * s),
+          f * l * (s * s * s - s * s + phi / 2 * (s * s - s))};
 }
 
 // Integral over the length of g(x) g(x)^T, polynomials up to degree 7, by four Gauss points.
@@ -114,13 +111,13 @@ Eigen::Matrix4d integral(double l, const std::function<Eigen::Vector4d(double)>&
 }
 
 TEST(Beam, HasMassAndGeometricStiffnessOfItsShapeFunctions) {
-  test::Book book("A beam-column alone",
-                  "integrals of the exact shape functions of a beam with shear, by Gauss's rule",
+  test::Book book("A beam-column alone", "integrals of the exact shape functions of a beam with shear, by Gauss's rule",
                   "rounding; that of slopes by differences");
   for (const Section& s : {slender, deep}) {
     const double l = 1.9, h = 1e-3;
     for (const bool about_y : {true, false}) {
-      const double inertia = about_y ? s.inertia_y : s.inertia_z, shear_area = about_y ? s.shear_area_z : s.shear_area_y;
+      const double inertia = about_y ? s.inertia_y : s.inertia_z,
+                   shear_area = about_y ? s.shear_area_z : s.shear_area_y;
       const double phi = 12 * concrete.young * inertia / (concrete.shear * shear_area * l * l);
       // A central difference of a cubic is off by exactly h^2 w'''/6; Richardson's combination takes it out.
       const auto slope = [&](double x) -> Eigen::Vector4d {
@@ -136,7 +133,8 @@ TEST(Beam, HasMassAndGeometricStiffnessOfItsShapeFunctions) {
       };
       book.below("consistent mass, largest difference over the largest entry [-]",
                  distance(part(beam_mass(s, concrete, l)),
-                         concrete.density * s.area * integral(l, [&](double x) { return shape(x, l, phi); })), 1e-13);
+                          concrete.density * s.area * integral(l, [&](double x) { return shape(x, l, phi); })),
+                 1e-13);
       book.below("geometric stiffness, largest difference over the largest entry [-]",
                  distance(part(beam_geometric_stiffness(s, concrete, l)), integral(l, slope)), 1e-11);
     }
@@ -159,8 +157,7 @@ TEST(Beam, GivesNoForceToTheMotionOfARigidBody) {
 
 // A moving rigid bar: m v^2/2, and m L^2/12 + m r^2 about an axis across it; twist with the section's polar inertia.
 TEST(Beam, HasTheKineticEnergyOfARigidBar) {
-  test::Book book("A beam-column alone",
-                  "a rigid bar: m, m L^2/12 + m r^2, and the polar inertia of the section",
+  test::Book book("A beam-column alone", "a rigid bar: m, m L^2/12 + m r^2, and the polar inertia of the section",
                   "rounding");
   const double l = 4.0, m = concrete.density * deep.area * l;
   const Vector3d start(1, 0, 0), end(1 + l, 0, 0);
@@ -174,12 +171,13 @@ TEST(Beam, HasTheKineticEnergyOfARigidBar) {
   EXPECT_EQ(bar.total_mass(), m);
 
   // Offsets neither add nor lose mass, and releases do not either.
-  const BeamOptions options{.start_offset = {0.5, 0, 0}, .end_releases = {Dof::ry, Dof::ux}, .mass = BeamMass::consistent};
+  const BeamOptions options{
+      .start_offset = {0.5, 0, 0}, .end_releases = {Dof::ry, Dof::ux}, .mass = BeamMass::consistent};
   const Beam shorter(start, end, deep, concrete, options);
   const double mass = concrete.density * deep.area * 3.5;
   for (int axis = 0; axis < 3; ++axis)
-    book.near("mass with offsets and releases [kg]",
-              motions.col(axis).dot(shorter.mass() * motions.col(axis)), mass, 1e-12 * mass);
+    book.near("mass with offsets and releases [kg]", motions.col(axis).dot(shorter.mass() * motions.col(axis)), mass,
+              1e-12 * mass);
   for (const int released : {6, 10}) EXPECT_TRUE(shorter.mass().row(released).isZero(0));
 }
 
@@ -240,8 +238,8 @@ TEST(Beam, CarriesNothingThroughAReleasedEnd) {
   book.near("stiffness of the other end's turn, 3 EI/L [N m]", k(4, 4), three * l * l, 1e-12 * three * l * l);
   EXPECT_TRUE(k.row(10).isZero(0));
   // The other bending is whole.
-  book.near("the other bending, 12 EI/L^3 [N/m]",
-            k(7, 7), 12 * concrete.young * slender.inertia_z / (l * l * l), 1e-12 * k(7, 7));
+  book.near("the other bending, 12 EI/L^3 [N/m]", k(7, 7), 12 * concrete.young * slender.inertia_z / (l * l * l),
+            1e-12 * k(7, 7));
 
   const Beam truss({0, 0, 0}, {l, 0, 0}, slender, concrete,
                    {.start_releases = {Dof::ry, Dof::rz, Dof::rx}, .end_releases = {Dof::ry, Dof::rz}});
@@ -261,7 +259,8 @@ TEST(Beam, HingedAtBothEndsHasTheStiffnessOfAString) {
   const double l = 3, n = -2e5;
   const BeamOptions hinged{.start_releases = {Dof::ry}, .end_releases = {Dof::ry}, .axial_force = n};
   const Beam rod({0, 0, 0}, {l, 0, 0}, slender, concrete, hinged);
-  book.near("stiffness across of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l, 1e-9 * -n / l);  // the difference of stiffnesses 1e4 times larger
+  book.near("stiffness across of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l,
+            1e-9 * -n / l);  // the difference of stiffnesses 1e4 times larger
 }
 
 TEST(Beam, HasRigidOffsets) {
@@ -270,7 +269,8 @@ TEST(Beam, HasRigidOffsets) {
                   "nodes",
                   "rounding");
   const double l = 2, a = 0.4, b = 0.3, ei = concrete.young * slender.inertia_y;
-  const Beam beam({0, 0, 0}, {b + l + a, 0, 0}, slender, concrete, {.start_offset = {b, 0, 0}, .end_offset = {-a, 0, 0}});
+  const Beam beam({0, 0, 0}, {b + l + a, 0, 0}, slender, concrete,
+                  {.start_offset = {b, 0, 0}, .end_offset = {-a, 0, 0}});
   EXPECT_NEAR(beam.length(), l, 1e-15);
   const double w = (l * l * l / 3 + l * l * a + l * a * a) / ei;
   book.near("deflection with a rigid arm [m/N]", test::dense::inverse(tip(beam.stiffness()))(2, 2), w, 1e-12 * w);
@@ -279,7 +279,8 @@ TEST(Beam, HasRigidOffsets) {
   const double d = 0.5;
   const Beam below({0, 0, 0}, {l, 0, 0}, slender, concrete, {.start_offset = {0, 0, -d}, .end_offset = {0, 0, -d}});
   const double u = l / (concrete.young * slender.area) + d * d * l / ei;
-  book.near("stretch of a beam below its nodes [m/N]", test::dense::inverse(tip(below.stiffness()))(0, 0), u, 1e-12 * u);
+  book.near("stretch of a beam below its nodes [m/N]", test::dense::inverse(tip(below.stiffness()))(0, 0), u,
+            1e-12 * u);
 }
 
 TEST(Beam, ReturnsTheForcesOnItsEndsInLocalAxes) {
@@ -322,8 +323,9 @@ TEST(Beam, RefusesWhatCannotBe) {
             "a finite shear area needs a shear modulus");
   EXPECT_EQ(with([](auto&, auto&, auto&, auto& end) { end.x() = infinite; }), "its ends must have finite coordinates");
   EXPECT_EQ(with([](auto&, auto&, auto& o, auto&) { o.start_releases = o.end_releases = {Dof::rx}; }), mechanism);
-  EXPECT_EQ(with([](auto&, auto&, auto& o, auto&) { o.start_releases = {Dof::ry, Dof::uz}, o.end_releases = {Dof::ry}; }),
-            mechanism);
+  EXPECT_EQ(
+      with([](auto&, auto&, auto& o, auto&) { o.start_releases = {Dof::ry, Dof::uz}, o.end_releases = {Dof::ry}; }),
+      mechanism);
   for (const double length : {0.7, 1.1, 3.3})  // singular but for rounding
     EXPECT_EQ(with([&](auto& s, auto&, auto& o, auto& end) {
                 s = deep, end = {length, 0.2, -0.9}, o.start_releases = {Dof::ry, Dof::uz}, o.end_releases = {Dof::ry};

@@ -29,18 +29,19 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-const Section deep{.area = 0.9, .inertia_y = 0.24, .inertia_z = 0.02, .torsion = 0.05,
-                   .shear_area_y = 0.7, .shear_area_z = 0.75};
+const Section deep{
+    .area = 0.9, .inertia_y = 0.24, .inertia_z = 0.02, .torsion = 0.05, .shear_area_y = 0.7, .shear_area_z = 0.75};
 const Material unit_steel{.young = 1.0, .shear = 0.4, .density = 0};
-const BeamOptions with_offsets{.reference = Vector3d(0.3, 1, 0.2), .start_offset = {0.2, -0.1, 0.3},
-                               .end_offset = {-0.1, 0.25, 0.1}};
+const BeamOptions with_offsets{
+    .reference = Vector3d(0.3, 1, 0.2), .start_offset = {0.2, -0.1, 0.3}, .end_offset = {-0.1, 0.25, 0.1}};
 
 // A frame that is linear and corotational at once.
 struct Model {
   Frame frame;
   std::vector<CorotationalMember> members{};
 
-  void add_member(int start, int end, const Section& section, const Material& material, const BeamOptions& options = {}) {
+  void add_member(int start, int end, const Section& section, const Material& material,
+                  const BeamOptions& options = {}) {
     frame.add_member(start, end, section, material, options);
     members.push_back({start, end, section, material, options});
   }
@@ -134,9 +135,9 @@ TEST(CorotationalBeam, DifferencesOfTheForceAreSymmetric) {
       Matrix12 slope = Matrix12::Zero();
       for (int i = 0; i < 12; ++i)
         if (dimension == 3 || i % 2 == 0)
-          slope.col(i) = derivative(
-              [&](const Vector12& v) -> Vector12 { return in_plane_of(beam.evaluate(v).force, dimension); },
-              deformed(dimension, 1.0), i);
+          slope.col(i) =
+              derivative([&](const Vector12& v) -> Vector12 { return in_plane_of(beam.evaluate(v).force, dimension); },
+                         deformed(dimension, 1.0), i);
       EXPECT_LT(distance(slope, slope.transpose()), 1e-8) << dimension;
     }
 }
@@ -254,10 +255,10 @@ Model slender_cantilever(int dimension, int members) {
 struct Tip {
   double p, shortening, deflection;
 };
-constexpr std::array mattiasson{
-    Tip{1, 0.05643, 0.30172}, Tip{2, 0.16064, 0.49346}, Tip{3, 0.25442, 0.60325}, Tip{4, 0.32894, 0.66996},
-    Tip{5, 0.38763, 0.71379}, Tip{6, 0.43459, 0.74457}, Tip{7, 0.47293, 0.76737}, Tip{8, 0.50483, 0.78498},
-    Tip{9, 0.53182, 0.79906}, Tip{10, 0.55500, 0.81061}};
+constexpr std::array mattiasson{Tip{1, 0.05643, 0.30172}, Tip{2, 0.16064, 0.49346}, Tip{3, 0.25442, 0.60325},
+                                Tip{4, 0.32894, 0.66996}, Tip{5, 0.38763, 0.71379}, Tip{6, 0.43459, 0.74457},
+                                Tip{7, 0.47293, 0.76737}, Tip{8, 0.50483, 0.78498}, Tip{9, 0.53182, 0.79906},
+                                Tip{10, 0.55500, 0.81061}};
 
 // By elliptic integrals, Bisshopp & Drucker, Quart. Appl. Math. 3 (1945) 272-275, as a check of the table.
 Tip elastica(double p) {
@@ -285,10 +286,10 @@ TEST(CorotationalFrame, FollowsTheElasticaUnderATipForce) {
       const VectorXd& q = path[static_cast<int>(tip.p)].q;
       book.near("elastica: tip's way along [L]", -displacement(model, q, members, Dof::ux), tip.shortening, 1e-3);
       book.near("elastica: tip's way across [L]", displacement(model, q, members, Dof::uz), tip.deflection, 1e-3);
-      book.near("elastica by elliptic integrals: along, beside the table [L]",
-                elastica(tip.p).shortening, tip.shortening, 6e-6);
-      book.near("elastica by elliptic integrals: across, beside the table [L]",
-                elastica(tip.p).deflection, tip.deflection, 6e-6);
+      book.near("elastica by elliptic integrals: along, beside the table [L]", elastica(tip.p).shortening,
+                tip.shortening, 6e-6);
+      book.near("elastica by elliptic integrals: across, beside the table [L]", elastica(tip.p).deflection,
+                tip.deflection, 6e-6);
     }
   }
 }
@@ -306,8 +307,8 @@ TEST(CorotationalFrame, ConvergesToTheElasticaWithTheSquareOfTheMembersLength) {
   book.near("order between 16 and 32 members [-]", std::log2(errors[1] / errors[2]), 2, 0.1);
 }
 
-// Under an end moment 2 pi EI/L the cantilever closes to a circle. A constant moment bends members of equal length alike, so
-// that they lie on a regular polygon, exactly, with each end turned as that of the arc is: m L/EI.
+// Under an end moment 2 pi EI/L the cantilever closes to a circle. A constant moment bends members of equal length
+// alike, so that they lie on a regular polygon, exactly, with each end turned as that of the arc is: m L/EI.
 TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
   test::Book book("Frames with large displacements",
                   "a cantilever under an end moment up to two turns: members of equal length lie on a regular "
@@ -410,11 +411,12 @@ TEST(CorotationalFrame, SolvesForALoadBeyondALimitPoint) {
   EXPECT_GT(-displacement(model, path.back().q, loaded, Dof::uz), 80);  // snapped through
 }
 
-// Bathe & Bolourchi, IJNME 14 (1979) 961-986: an eighth of a circle of radius 100, clamped, section 1 x 1, under 600 across
-// its plane. Tips in the literature scatter, x 15.5 to 15.9, y 47.0 to 47.2, z 53.4 to 53.5, mostly with eight straight
-// elements: 15.9, 47.2, 53.4 (Bathe & Bolourchi), 15.79, 47.23, 53.37 (Simo & Vu-Quoc, CMAME 58 (1986) 79-116); and with the
-// torsion constant, for which many take the polar moment 1/6 as here instead of 0.1406. The tight reference is an independent
-// solution of the curved extensible Kirchhoff rod with 1/6 by shooting: 15.68536, 47.15215, 53.47176.
+// Bathe & Bolourchi, IJNME 14 (1979) 961-986: an eighth of a circle of radius 100, clamped, section 1 x 1, under 600
+// across its plane. Tips in the literature scatter, x 15.5 to 15.9, y 47.0 to 47.2, z 53.4 to 53.5, mostly with eight
+// straight elements: 15.9, 47.2, 53.4 (Bathe & Bolourchi), 15.79, 47.23, 53.37 (Simo & Vu-Quoc, CMAME 58 (1986)
+// 79-116); and with the torsion constant, for which many take the polar moment 1/6 as here instead of 0.1406. The tight
+// reference is an independent solution of the curved extensible Kirchhoff rod with 1/6 by
+// shooting: 15.68536, 47.15215, 53.47176.
 TEST(CorotationalFrame, BendsTheArcOfBatheAndBolourchi) {
   test::Book book("Frames with large displacements",
                   "arc of Bathe & Bolourchi, IJNME 14 (1979) 961-986; tips of Simo & Vu-Quoc, CMAME 58 (1986) "
@@ -434,9 +436,11 @@ TEST(CorotationalFrame, BendsTheArcOfBatheAndBolourchi) {
     model.frame.fix(0);
     const VectorXd q = model.corotational().solve(600 * unit_load(model, members, Dof::uz), 6).back().q;
     Vector3d tip = model.frame.position(members);
-    for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz}) tip[static_cast<int>(dof)] += displacement(model, q, members, dof);
+    for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz})
+      tip[static_cast<int>(dof)] += displacement(model, q, members, dof);
     if (members == 8) {
-      book.below("arc: tip with 8 members, off Simo & Vu-Quoc's [-]", (tip - simo).cwiseAbs().maxCoeff(), 0.16);  // 0.3 % of the deflection
+      book.below("arc: tip with 8 members, off Simo & Vu-Quoc's [-]", (tip - simo).cwiseAbs().maxCoeff(),
+                 0.16);  // 0.3 % of the deflection
     }
     errors.push_back((tip - rod).norm());
   }
@@ -469,8 +473,8 @@ TEST(CorotationalFrame, SwaysUnderAxialLoadAsByGeometricStiffness) {
       for (int i = 0; i <= members; ++i) linear.add_node({0, 0, 1.0 * i / members});
       linear.fix(0);
       for (int i = 0; i < members; ++i) linear.add_member(i, i + 1, section, material, {.axial_force = -p});
-      book.near("sway stiffness by geometric stiffness [EI/L^3]",
-                stiffness(linear.assemble().stiffness), exact, 1e-4 * exact);
+      book.near("sway stiffness by geometric stiffness [EI/L^3]", stiffness(linear.assemble().stiffness), exact,
+                1e-4 * exact);
       errors.push_back(std::abs(found - exact));
     }
     book.below("sway stiffness, 16 members, error [EI/L^3]", errors[1], 3e-3);  // of the stiffness 3 without the load
@@ -496,7 +500,8 @@ TEST(CorotationalFrame, RefusesWhatItCannotBeMadeOf) {
   const CorotationalFrame frame = model.corotational();
   auto members = model.members;
   members[1].end = 7;
-  EXPECT_EQ(refusal([&] { CorotationalFrame(assembled, members); }), "member 1 (nodes 1 and 7): there is no node 7 among 3");
+  EXPECT_EQ(refusal([&] { CorotationalFrame(assembled, members); }),
+            "member 1 (nodes 1 and 7): there is no node 7 among 3");
   members = model.members;
   members[0].options.axial_force = 3;
   EXPECT_EQ(refusal([&] { CorotationalFrame(assembled, members); }),

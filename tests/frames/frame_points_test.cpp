@@ -26,11 +26,13 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 const Section slender{.area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .torsion = 2e-3};
-const Section deep{.area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .torsion = 2e-3,
-                   .shear_area_y = 0.07, .shear_area_z = 0.1};
+const Section deep{
+    .area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .torsion = 2e-3, .shear_area_y = 0.07, .shear_area_z = 0.1};
 const Material steel{.young = 200e9, .shear = 80e9, .density = 7850};
 
-double relative(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
+double relative(const MatrixXd& a, const MatrixXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
 
 VectorXd under(const Frame& frame, AssembledFrame f, const VectorXd& load) {
   f.load_at_rest = load;
@@ -72,8 +74,8 @@ TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
   const auto point = frame.point_on_member(0, a / l, f);
   const VectorXd q = under(frame, f, -p * VectorXd(point.motion[2]));
   const double whole = p * a * a * b * b / (3 * ei * l), held = p * a * a * a * b * b * b / (3 * ei * l * l * l);
-  book.near("deflection of the point without the bending between held ends [m]",
-            point.motion[2].dot(q), -(whole - held), 1e-12 * whole);
+  book.near("deflection of the point without the bending between held ends [m]", point.motion[2].dot(q),
+            -(whole - held), 1e-12 * whole);
   const Vector12 ends = frame.end_force_rows(0, f) * q + point.fixed_ends * Vector3d(0, 0, -p);
   book.near("left support [N]", ends[2], p * b / l, 1e-11 * p);
   book.near("right support [N]", ends[8], p * a / l, 1e-11 * p);
@@ -81,8 +83,8 @@ TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
   book.near("right end moment [N m]", ends[10], 0, 1e-11 * p * l);
 }
 
-// A frame with a node at the point gives the same: everything else moves alike and the ends carry the same forces; the point
-// itself moves by the bending between held ends more, which is the same difference with the nodes held.
+// A frame with a node at the point gives the same: everything else moves alike and the ends carry the same forces; the
+// point itself moves by the bending between held ends more, which is the same difference with the nodes held.
 TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
   struct Case {
     Section section;
@@ -108,8 +110,11 @@ TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
         frame->add_member(3, 2, slender, steel);
       }
       whole.add_member(1, 2, c.section, steel,
-                       {.reference = leaning, .start_offset = start_offset, .end_offset = end_offset,
-                        .start_releases = c.start_releases, .end_releases = c.end_releases});
+                       {.reference = leaning,
+                        .start_offset = start_offset,
+                        .end_offset = end_offset,
+                        .start_releases = c.start_releases,
+                        .end_releases = c.end_releases});
       if (divided) {
         parts.add_node(middle);
         parts.add_member(1, 4, c.section, steel,
@@ -159,7 +164,8 @@ TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
 TEST(PointOnMember, SumsToTheMemberLoad) {
   const Vector3d from(0, 1, 0), to(2, -1, 3), load(3, -5, 7);
   const BeamOptions hinged{.start_offset = {0.1, 0, 0.2}, .end_releases = {Dof::ry, Dof::rz}};
-  for (const Beam& beam : {Beam(from, to, deep, steel), Beam(from, to, deep, steel, hinged), Beam::truss(from, to, 0.1, steel)}) {
+  for (const Beam& beam :
+       {Beam(from, to, deep, steel), Beam(from, to, deep, steel, hinged), Beam::truss(from, to, 0.1, steel)}) {
     Vector12 sum = Vector12::Zero();
     for (const auto& [at, weight] : {std::pair(-std::sqrt(0.6), 5.0 / 9), {0.0, 8.0 / 9}, {std::sqrt(0.6), 5.0 / 9}})
       sum += beam.length() / 2 * weight * beam.fixed_end_forces_at((1 + at) / 2) * load;
@@ -231,7 +237,8 @@ Frame bridge(int dimension, BeamMass mass) {
   for (const Vector3d& at : {Vector3d(0, 0, 0), {5, y, -1}, {9, 0, 0}, {0, 0, 4}, {5, y, 4}, {9, 0, 4}, {9, 0, -0.5}})
     frame.add_node(at);
   const BeamOptions options{.mass = mass};
-  for (const auto& [a, b] : {std::pair(0, 3), {1, 4}, {2, 5}, {3, 4}, {4, 5}}) frame.add_member(a, b, deep, steel, options);
+  for (const auto& [a, b] : {std::pair(0, 3), {1, 4}, {2, 5}, {3, 4}, {4, 5}})
+    frame.add_member(a, b, deep, steel, options);
   frame.add_truss(0, 4, 1e-2, steel);
   frame.fix(0);
   frame.fix(6);
@@ -269,8 +276,7 @@ TEST(SupportMotion, IsThePartitionOfTheFreeFrame) {
     for (const BeamMass mass : {BeamMass::lumped, BeamMass::consistent}) {
       Frame free(dimension);
       for (const Vector3d& at : {Vector3d(0, 0, 0), {0, 0, 3}, {4, 0, 3.3}, {4, 0, 0}}) free.add_node(at);
-      for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {3, 2}})
-        free.add_member(a, b, deep, steel, {.mass = mass});
+      for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {3, 2}}) free.add_member(a, b, deep, steel, {.mass = mass});
       Frame held = free;
       held.fix(0);
       held.fix(3);
@@ -321,8 +327,7 @@ TEST(SupportMotion, OfAPortalByHand) {
 
 TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
   test::Book book("Points between the ends of members, supports that move apart",
-                  "two springs on one mass: in proportion to their stiffness",
-                  "rounding");
+                  "two springs on one mass: in proportion to their stiffness", "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0}, "pier");
   frame.add_node({1, 0, 0}, "deck");
@@ -374,7 +379,8 @@ TEST(GridFrame, CarriesItsInertiaToTheGround) {
           shear -= (frame.beam(member).axes().transpose() * frame.end_forces(member, f, q).head<3>())[axis];
         }
         // The lower halves of the columns of the first storey rest on the ground; they do not count.
-        const double columns = 3.0 * (bays_y + 1) * (9.3 - 1.75), beams = 3 * (12.0 * (bays_y + 1) + (bays_y > 0 ? 30 : 0));
+        const double columns = 3.0 * (bays_y + 1) * (9.3 - 1.75),
+                     beams = 3 * (12.0 * (bays_y + 1) + (bays_y > 0 ? 30 : 0));
         const double mass = 12e4 + steel.density * (deep.area * columns + slender.area * beams);
         book.near("shear at the ground [N]", shear, mass * g, 1e-9 * mass * g);
       }
@@ -440,7 +446,8 @@ TEST(Frame, NamesNodesAndMembersInItsTexts) {
   EXPECT_EQ(with([](Frame& f) { f.add_member_load(0, {0, 0, NAN}); }), "member c1: its load must be finite");
   EXPECT_EQ(with([](Frame& f) { f.add_member_load(1, {0, 0, 1}); }), "there is no member 1 among 1");
   EXPECT_EQ(with([](Frame& f) { f.set_axial_force(0, NAN); }), "member c1: the axial force must be finite");
-  EXPECT_EQ(with([](Frame& f) { f.tie(0, 1, {Dof::ux}), f.fix(1); }), "node roof: ux is both fixed and tied to another node");
+  EXPECT_EQ(with([](Frame& f) { f.tie(0, 1, {Dof::ux}), f.fix(1); }),
+            "node roof: ux is both fixed and tied to another node");
   EXPECT_EQ(with([](Frame& f) {
               f.add_truss(1, f.add_node({3, 0, 3}, "eye"), 1e-3, steel);
               f.add_load(2, Dof::ry, 1);
@@ -454,9 +461,17 @@ TEST(Frame, NamesNodesAndMembersInItsTexts) {
             }),
             "member strut: it buckles between its released ends under its axial force");
 
-  const Frame grid = make_frame({.storeys = 1, .bays_x = 1, .bays_y = 1, .storey_height = {3}, .bay_width_x = {4},
-                                 .bay_width_y = {5}, .column = slender, .beam = slender, .material = steel,
-                                 .floor_mass = {1}, .rigid_floors = true});
+  const Frame grid = make_frame({.storeys = 1,
+                                 .bays_x = 1,
+                                 .bays_y = 1,
+                                 .storey_height = {3},
+                                 .bay_width_x = {4},
+                                 .bay_width_y = {5},
+                                 .column = slender,
+                                 .beam = slender,
+                                 .material = steel,
+                                 .floor_mass = {1},
+                                 .rigid_floors = true});
   EXPECT_EQ(grid.node_name(5), "1.1.0");
   EXPECT_EQ(grid.node_name(8), "floor 1");
   EXPECT_EQ(grid.member_name(0), "column 1.0.0");

@@ -25,16 +25,19 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 const Section slender{.area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .torsion = 2e-3};
-const Section deep{.area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .torsion = 2e-3,
-                   .shear_area_y = 0.07, .shear_area_z = 0.1};
+const Section deep{
+    .area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .torsion = 2e-3, .shear_area_y = 0.07, .shear_area_z = 0.1};
 const Material steel{.young = 200e9, .shear = 80e9, .density = 7850};
 const Material light{.young = 200e9, .shear = 80e9};
 const double g = 9.80665;
 
-double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof dof) { return f.motion(node, dof).dot(q); }
+double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof dof) {
+  return f.motion(node, dof).dot(q);
+}
 
 // The forces on the ends of a member that carries a load of its own.
-Vector12 true_end_forces(const Frame& frame, int member, const AssembledFrame& f, const VectorXd& q, bool gravity = false) {
+Vector12 true_end_forces(const Frame& frame, int member, const AssembledFrame& f, const VectorXd& q,
+                         bool gravity = false) {
   return frame.end_force_rows(member, f) * q + frame.fixed_end_forces(member, gravity);
 }
 
@@ -94,8 +97,8 @@ TEST(Truss, CarriesASpaceTripod) {
   }
 }
 
-// Patch: displacements that are linear in the place put the same strain into every bar of an irregular mesh and no force
-// on the nodes inside; the motions of a rigid body put none anywhere.
+// Patch: displacements that are linear in the place put the same strain into every bar of an irregular mesh and no
+// force on the nodes inside; the motions of a rigid body put none anywhere.
 TEST(Truss, PassesThePatchTest) {
   test::Book book("Frames at rest",
                   "patch test: displacements linear in the place put the same strain into every bar, a rigid motion "
@@ -116,8 +119,8 @@ TEST(Truss, PassesThePatchTest) {
       turned[j] = 0.3 + across[static_cast<int>(dof)];
     }
     for (int i = 0; i < 4; ++i) {
-      book.near("axial force under a uniform strain [N]",
-                frame.end_forces(i, f, stretched)[6], steel.young * 1e-3 * 1e-3, 1e-9 * steel.young * 1e-6);
+      book.near("axial force under a uniform strain [N]", frame.end_forces(i, f, stretched)[6],
+                steel.young * 1e-3 * 1e-3, 1e-9 * steel.young * 1e-6);
       book.near("axial force under a turn [N]", frame.end_forces(i, f, turned)[6], 0, 1e-9 * steel.young * 1e-6);
     }
     const VectorXd forces = f.stiffness * stretched;
@@ -174,15 +177,15 @@ TEST(MemberLoad, SolvesTheProppedBeam) {
         const Vector3d end(last[6], last[7], last[8]), start(first[0], first[1], first[2]);
         const Eigen::Matrix3d axes = frame.beam(0).axes();
         book.near("propped beam: roller [N]", (axes.transpose() * end)[axis], roller, 1e-10 * w * l);
-        book.near("propped beam: force at the fixed end [N]",
-                  (axes.transpose() * start)[axis], w * l - roller, 1e-10 * w * l);
-        book.near("propped beam: fixing moment [N m]",
-                  std::abs(first[moment]), w * l * l / 2 - roller * l, 1e-10 * w * l * l);
+        book.near("propped beam: force at the fixed end [N]", (axes.transpose() * start)[axis], w * l - roller,
+                  1e-10 * w * l);
+        book.near("propped beam: fixing moment [N m]", std::abs(first[moment]), w * l * l / 2 - roller * l,
+                  1e-10 * w * l * l);
         book.near("propped beam: moment at the roller [N m]", last[6 + moment], 0, 1e-10 * w * l * l);
         const Dof rotation = turn == 1 ? Dof::rz : Dof::ry;
         const double slope = w * l * l * l / (6 * ei) - roller * l * l / (2 * ei);
-        book.near("propped beam: turn at the roller [rad]",
-                  std::abs(displacement(f, q, members, rotation)), std::abs(slope), 1e-10 * w * l * l * l / ei);
+        book.near("propped beam: turn at the roller [rad]", std::abs(displacement(f, q, members, rotation)),
+                  std::abs(slope), 1e-10 * w * l * l * l / ei);
         if (std::isinf(ga)) {
           EXPECT_NEAR(roller, 3 * w * l / 8, 1e-12 * w * l);
           EXPECT_NEAR(std::abs(slope), w * l * l * l / (48 * ei), 1e-12 * w * l * l * l / ei);
@@ -193,8 +196,7 @@ TEST(MemberLoad, SolvesTheProppedBeam) {
 
 // A hinge at the roller's end instead of an end that may turn: the load's held forces go around the hinge.
 TEST(MemberLoad, GoesAroundAReleasedEnd) {
-  test::Book book("Frames at rest",
-                  "Roark: the propped beam with a hinge instead of the roller: 3wL/8, 5wL/8, wL^2/8",
+  test::Book book("Frames at rest", "Roark: the propped beam with a hinge instead of the roller: 3wL/8, 5wL/8, wL^2/8",
                   "rounding");
   const double l = 6, w = 2e4;
   Frame frame(2);
@@ -216,8 +218,7 @@ TEST(MemberLoad, GoesAroundAReleasedEnd) {
 // Divided or not, in both planes.
 TEST(MemberLoad, BendsAndShearsTheDeepCantilever) {
   test::Book book("Frames at rest",
-                  "Timoshenko's deep cantilever: w L^4/(8 EI) + w L^2/(2 G As), p L^2/(2 EA) along it",
-                  "rounding");
+                  "Timoshenko's deep cantilever: w L^4/(8 EI) + w L^2/(2 G As), p L^2/(2 EA) along it", "rounding");
   const double l = 0.8, w = 3e5;
   for (const int members : {1, 4}) {
     Frame frame(3);
@@ -294,9 +295,10 @@ TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
       cantilever.fix(0);
       hanging.add_mass(3, extra);
       const AssembledFrame f = hanging.assemble(true), c = cantilever.assemble(true);
-      const double stretch = steel.density * g * l * l / (2 * steel.young) + extra * g * l / (steel.young * slender.area);
-      book.near("stretch by weight over closed form [-]",
-                displacement(f, hanging.rest(f), 3, Dof::uz) / -stretch, 1, 1e-11);
+      const double stretch =
+          steel.density * g * l * l / (2 * steel.young) + extra * g * l / (steel.young * slender.area);
+      book.near("stretch by weight over closed form [-]", displacement(f, hanging.rest(f), 3, Dof::uz) / -stretch, 1,
+                1e-11);
       EXPECT_TRUE(hanging.assemble().load_at_rest.isZero(0));
 
       const double weight = steel.density * slender.area * g, ei = steel.young * slender.inertia_y;
@@ -308,7 +310,8 @@ TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
         book.near("heavy cantilever: force at the foot [N]", foot[2], weight * l, 1e-10 * weight * l);
         book.near("heavy cantilever: moment at the foot [N m]", foot[4], -weight * l * l / 2, 1e-10 * weight * l * l);
       } else {
-        book.near("heavy cantilever, lumped: force at the foot [N]", foot[2], weight * l * 5 / 6, 1e-10 * weight * l);  // the half member at the foot hangs on the support
+        book.near("heavy cantilever, lumped: force at the foot [N]", foot[2], weight * l * 5 / 6,
+                  1e-10 * weight * l);  // the half member at the foot hangs on the support
       }
     }
 }
@@ -355,8 +358,8 @@ TEST(PDelta, LetsAHingedColumnLeanOnTheRest) {
   frame.add_load(1, Dof::ux, push);
   frame.add_p_delta(false);
   const AssembledFrame f = frame.assemble();
-  book.near("leaning column: displacement [m]",
-            displacement(f, frame.rest(f), 1, Dof::ux), push / (k - p / h), 1e-9 * push / k);
+  book.near("leaning column: displacement [m]", displacement(f, frame.rest(f), 1, Dof::ux), push / (k - p / h),
+            1e-9 * push / k);
 }
 
 // The load at which add_p_delta finds the stiffness no longer positive.
@@ -379,8 +382,10 @@ TEST(PDelta, RefusesAColumnBeyondEulersLoad) {
   book.near("load at which P-Delta finds a column unstable, over Euler's [-]", stands / euler, 1, 1e-3);
   // The message names the head, and one of the equally pressed parts.
   const std::string text = refusal([&] { column(1.1 * euler); });
-  EXPECT_EQ(text.find("node head: ux: the frame buckles here under its axial forces, the largest compression of which is "),
-            0u) << text;
+  EXPECT_EQ(
+      text.find("node head: ux: the frame buckles here under its axial forces, the largest compression of which is "),
+      0u)
+      << text;
   EXPECT_NE(text.find(" N in member part "), std::string::npos) << text;
 }
 
@@ -468,8 +473,7 @@ TEST(Rest, NamesWhatNothingHolds) {
 
 // A weak member beside a stiff spring is no mechanism.
 TEST(Rest, HoldsWhatIsOnlyWeak) {
-  test::Book book("Frames at rest",
-                  "cantilever of 300 members: L^3/(3 EI)",
+  test::Book book("Frames at rest", "cantilever of 300 members: L^3/(3 EI)",
                   "rounding, which 300 members beside a spring of 1e15 N/m amplify");
   const int n = 300;
   const double l = 30, ei = steel.young * slender.inertia_y;

@@ -15,8 +15,8 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/frames/frame_structure.hpp>
-#include <pounding/input/frame_input.hpp>
 #include <pounding/frames/sections.hpp>
+#include <pounding/input/frame_input.hpp>
 #include "support/book.hpp"
 #include "support/dense.hpp"
 
@@ -55,15 +55,18 @@ const std::string shear_grid =
     material + "grid: {storeys: 2, bays: 2, storey_height: [4 m, 3 m], bay_width: [5 m, 6 m], columns: " + column +
     ", beams: {area: 1e3, inertia_y: 1e3}, floor_mass: [30 t, 20 t], rigid_floors: true}\n";
 const std::string space_grid =
-    material + "grid: {storeys: 2, bays: [2, 1], storey_height: 3 m, bay_width: {x: [5 m, 6 m], y: 4 m}, columns: " + column +
+    material +
+    "grid: {storeys: 2, bays: [2, 1], storey_height: 3 m, bay_width: {x: [5 m, 6 m], y: 4 m}, columns: " + column +
     ", beams: {rectangle: [0.3, 0.5]}, floor_mass: [30 t, 20 t]}\n";
 
 TEST(FrameStructure, AGridIsTheSameFrameByLists) {
-  const std::string by_grid = material + "grid: {storeys: 1, bays: 2, storey_height: 3 m, bay_width: [5 m, 6 m], columns: " + column +
-                              ", beams: " + column + ", floor_mass: 22 t}\n";
+  const std::string by_grid =
+      material + "grid: {storeys: 1, bays: 2, storey_height: 3 m, bay_width: [5 m, 6 m], columns: " + column +
+      ", beams: " + column + ", floor_mass: 22 t}\n";
   const std::string by_lists = material + "sections: {s: " + column + "}\n" +
                                "nodes: {a: [0, 0], b: [5, 0], c: [11, 0], d: [0, 3], e: [5, 3], f: [11, 3]}\n"
-                               "members: {1: {between: [a, d], section: s}, 2: {between: [d, e], section: s}, 3: {between: [b, e], section: s},\n"
+                               "members: {1: {between: [a, d], section: s}, 2: {between: [d, e], section: s}, 3: "
+                               "{between: [b, e], section: s},\n"
                                "          4: {between: [e, f], section: s}, 5: {between: [c, f], section: s}}\n"
                                "supports: {a: fixed, b: fixed, c: fixed}\n"
                                "masses: {d: 5 t, e: 11 t, f: 6 t}\n"
@@ -71,7 +74,8 @@ TEST(FrameStructure, AGridIsTheSameFrameByLists) {
   const Structure grid = structure(by_grid), lists = structure(by_lists);
   EXPECT_LT(relative(grid.stiffness, lists.stiffness), 1e-14);
   EXPECT_LT(relative(grid.mass, lists.mass), 1e-14);
-  EXPECT_LT((grid.floors[0].storey_shear[0] - lists.floors[0].storey_shear[0]).norm(), 1e-14 * lists.floors[0].storey_shear[0].norm());
+  EXPECT_LT((grid.floors[0].storey_shear[0] - lists.floors[0].storey_shear[0]).norm(),
+            1e-14 * lists.floors[0].storey_shear[0].norm());
   EXPECT_DOUBLE_EQ(grid.floors[0].mass, lists.floors[0].mass);
 }
 
@@ -109,18 +113,17 @@ TEST(FrameStructure, FloorsHaveMassElevationAndMotion) {
 
 TEST(FrameStructure, MembersWithDensityWeighOnTheirFloors) {
   test::Book book("Frames as structures: floors, shears, weight",
-                  "masses of a beam and of the upper halves of two columns",
-                  "rounding");
+                  "masses of a beam and of the upper halves of two columns", "rounding");
   const Structure s = structure(
       "material: {E: 30 GPa, density: 2500 kg/m^3}\n"
-      "grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {area: 0.1, inertia_y: 1e-3}, beams: {area: 0.2, inertia_y: 1e-3}}\n");
+      "grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {area: 0.1, inertia_y: 1e-3}, beams: "
+      "{area: 0.2, inertia_y: 1e-3}}\n");
   book.near("mass of a floor [kg]", s.floors[0].mass, 2500 * (0.2 * 6 + 2 * 0.1 * 1.5), 1e-9);
 }
 
 // Stiff beams.
 TEST(FrameStructure, StoreyShearIsStiffnessTimesDriftAndTheLoadAbove) {
-  test::Book book("Frames as structures: floors, shears, weight",
-                  "statics: the load above; three columns of 12 EI/h^3",
+  test::Book book("Frames as structures: floors, shears, weight", "statics: the load above; three columns of 12 EI/h^3",
                   "rounding for statics; the beams bend by some EI/h of a column over EI/L of a beam, 3e-6");
   const Structure s = structure(shear_grid);
   VectorXd load = VectorXd::Zero(s.size());
@@ -130,8 +133,8 @@ TEST(FrameStructure, StoreyShearIsStiffnessTimesDriftAndTheLoadAbove) {
   book.near("shear of the second storey [N]", second, 7e3, 1e-4);
   book.near("shear of the first storey [N]", first, 17e3, 1e-4);
   // Columns that do not shorten, or the stiff floors would tilt.
-  const Structure stocky = structure(std::string(shear_grid).replace(shear_grid.find(column), column.size(),
-                                                                     "{area: 1e3, inertia_y: 2e-3}"));
+  const Structure stocky = structure(
+      std::string(shear_grid).replace(shear_grid.find(column), column.size(), "{area: 1e3, inertia_y: 2e-3}"));
   const VectorXd p = solve(stocky, load);
   const double sway_1 = stocky.floors[0].motion[0].dot(p), sway_2 = stocky.floors[1].motion[0].dot(p) - sway_1;
   book.near("stiffness times drift of the first storey [N]", 3 * 12 * 60e6 / 64 * sway_1, 17e3, 3e-5 * 17e3);
@@ -144,8 +147,10 @@ TEST(FrameStructure, StoreyShearOfABracedSplayedFrameIsTheLoadAbove) {
                   "drawn downwards",
                   "rounding");
   const Structure s = structure(
-      "dimension: 3\n" + material + "sections: {s: {rectangle: [0.4, 0.3]}}\n"
-      "nodes: {a: [0, 0, 0], b: [8, 0, 0], c: [8, 7, 0.5], d: [0, 7, 0], e: [1, 1, 3], f: [7, 1, 3], g: [7, 6, 3], h: [1, 6, 3]}\n"
+      "dimension: 3\n" + material +
+      "sections: {s: {rectangle: [0.4, 0.3]}}\n"
+      "nodes: {a: [0, 0, 0], b: [8, 0, 0], c: [8, 7, 0.5], d: [0, 7, 0], e: [1, 1, 3], f: [7, 1, 3], g: [7, 6, 3], h: "
+      "[1, 6, 3]}\n"
       "members: {1: {between: [e, a], section: s}, 2: {between: [b, f], section: s, offsets: {end: [0, 0, -0.3 m]}},\n"
       "  3: {between: [c, g], section: s}, 4: {between: [h, d], section: s}, 5: {between: [e, f], section: s},\n"
       "  6: {between: [f, g], section: s}, 7: {between: [g, h], section: s}, 8: {between: [h, e], section: s},\n"
@@ -166,13 +171,15 @@ TEST(FrameStructure, StoreyShearOfABracedSplayedFrameIsTheLoadAbove) {
 
 // The cut at 2 m: what acts above it counts, what acts below does not.
 TEST(FrameStructure, AStoreyIsCutAtItsMiddleHeight) {
-  const Structure s = structure(
-      material + "nodes: {foot: [0, 0], low: [0, 1], high: [0, 3], top: [0, 4]}\n"
-      "sections: {s: {rectangle: [0.4, 0.4]}}\n"
-      "members: {1: {between: [foot, low], section: s}, 2: {between: [low, high], section: s}, 3: {between: [high, top], section: s}}\n"
-      "supports: {foot: fixed}\nmasses: {top: 1 t}\nfloors: [{nodes: [top]}]\n");
+  const Structure s = structure(material +
+                                "nodes: {foot: [0, 0], low: [0, 1], high: [0, 3], top: [0, 4]}\n"
+                                "sections: {s: {rectangle: [0.4, 0.4]}}\n"
+                                "members: {1: {between: [foot, low], section: s}, 2: {between: [low, high], section: "
+                                "s}, 3: {between: [high, top], section: s}}\n"
+                                "supports: {foot: fixed}\nmasses: {top: 1 t}\nfloors: [{nodes: [top]}]\n");
   const Row& shear = s.floors[0].storey_shear[0];
-  for (const auto& [label, expected] : {std::pair("node low ux", 0.0), std::pair("node high ux", 1e3), std::pair("node top ux", 1e3)}) {
+  for (const auto& [label, expected] :
+       {std::pair("node low ux", 0.0), std::pair("node high ux", 1e3), std::pair("node top ux", 1e3)}) {
     VectorXd load = VectorXd::Zero(s.size());
     load[unknown(s, label)] = 1e3;
     EXPECT_NEAR(shear.dot(solve(s, load)), expected, 1e-7) << label;
@@ -181,14 +188,15 @@ TEST(FrameStructure, AStoreyIsCutAtItsMiddleHeight) {
 
 // A slab on bearings: the storey below the slab has no height.
 TEST(FrameStructure, BearingsWithoutHeightAreAStorey) {
-  const Structure s = structure(
-      material + "sections: {s: {rectangle: [0.4, 0.4]}}\n"
-      "nodes: {ground: [0, 0], slab: [0, 0], roof: [0, 3]}\n"
-      "members: {c: {between: [slab, roof], section: s}}\n"
-      "springs: [{between: [ground, slab], dof: ux, stiffness: 2 MN/m}, {between: [ground, slab], dof: uz, stiffness: 1 GN/m},\n"
-      "          {between: [ground, slab], dof: ry, stiffness: 1 GN m}]\n"
-      "supports: {ground: fixed}\nmasses: {slab: 10 t, roof: 10 t}\n"
-      "floors: [{nodes: [slab]}, {nodes: [roof]}]\n");
+  const Structure s = structure(material +
+                                "sections: {s: {rectangle: [0.4, 0.4]}}\n"
+                                "nodes: {ground: [0, 0], slab: [0, 0], roof: [0, 3]}\n"
+                                "members: {c: {between: [slab, roof], section: s}}\n"
+                                "springs: [{between: [ground, slab], dof: ux, stiffness: 2 MN/m}, {between: [ground, "
+                                "slab], dof: uz, stiffness: 1 GN/m},\n"
+                                "          {between: [ground, slab], dof: ry, stiffness: 1 GN m}]\n"
+                                "supports: {ground: fixed}\nmasses: {slab: 10 t, roof: 10 t}\n"
+                                "floors: [{nodes: [slab]}, {nodes: [roof]}]\n");
   VectorXd load = VectorXd::Zero(s.size());
   load[unknown(s, "node slab ux")] = 3e3;
   load[unknown(s, "node roof ux")] = 1e3;
@@ -229,8 +237,9 @@ TEST(FrameStructure, OneSupportMovesTheWholeFrame) {
 
 TEST(FrameStructure, SupportsThatDifferAddUpToTheWhole) {
   const Structure whole = structure(shear_grid + "springs: [{node: 2.0, dof: ux, stiffness: 3 MN/m}]\n");
-  const Structure parts = structure(shear_grid + "springs: [{node: 2.0, dof: ux, stiffness: 3 MN/m}]\n"
-                                                 "supports: {0.2: {fix: fixed, delay: 0.1 s}}\n");
+  const Structure parts = structure(shear_grid +
+                                    "springs: [{node: 2.0, dof: ux, stiffness: 3 MN/m}]\n"
+                                    "supports: {0.2: {fix: fixed, delay: 0.1 s}}\n");
   ASSERT_EQ(parts.supports.size(), 2u);
   EXPECT_EQ(parts.supports[1].name, "0.2");
   EXPECT_EQ(parts.supports[1].delay, 0.1);
@@ -254,23 +263,22 @@ TEST(FrameStructure, RestsWhereItsWeightTakesIt) {
   const Structure s = structure(cantilever + "gravity: true\nloads: {top: {ux: 5 kN}}\n");
   const double weight = 20e3 * 9.80665;
   book.near("shortening by its weight [m]", s.at_rest[unknown(s, "node top uz")], -weight * 4 / (30e9 * 0.1), 1e-14);
-  book.near("deflection by a force at its top [m]",
-            s.at_rest[unknown(s, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3), 1e-13);
+  book.near("deflection by a force at its top [m]", s.at_rest[unknown(s, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3),
+            1e-13);
   const Structure light = structure(cantilever + "gravity: false\nloads: {top: {ux: 5 kN}}\n");
   EXPECT_NEAR(light.at_rest[unknown(light, "node top uz")], 0, 1e-18);
-  book.near("the same without weight [m]",
-            light.at_rest[unknown(light, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3), 1e-13);
+  book.near("the same without weight [m]", light.at_rest[unknown(light, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3),
+            1e-13);
 }
 
 TEST(FrameStructure, PDeltaSoftensByTheWeight) {
   test::Book book("Frames as structures: floors, shears, weight",
-                  "consistent geometric stiffness of a beam: 12 EI/L^3 - 6/5 P/L",
-                  "rounding");
+                  "consistent geometric stiffness of a beam: 12 EI/L^3 - 6/5 P/L", "rounding");
   const Structure s = structure(cantilever + "geometry: p_delta\n");
   const int ux = unknown(s, "node top ux");
   const double weight = 20e3 * 9.80665;
-  book.near("stiffness across under its weight [N/m]",
-            s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4, 1e-5);
+  book.near("stiffness across under its weight [N/m]", s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4,
+            1e-5);
   EXPECT_THROW(structure("material: {E: 30 GPa}\nnodes: {foot: [0, 0], top: [0, 4 m]}\n"
                          "members: {c: {between: [foot, top], section: {area: 0.1, inertia_y: 1e-3}}}\n"
                          "supports: {foot: fixed}\nmasses: {top: 500 t}\ngeometry: p_delta\n"),
@@ -283,7 +291,8 @@ TEST(FrameStructure, ReportsNodesAndMembers) {
   EXPECT_EQ(s.nodes.names, std::vector<std::string>{"top"});
   EXPECT_EQ(s.nodes.directions, (std::vector<std::string>{"x", "z", "ry"}));
   EXPECT_EQ(s.reported_members, std::vector<int>{0});
-  EXPECT_EQ(s.forces.components, (std::vector<std::string>{"start N", "start Vz", "start My", "end N", "end Vz", "end My"}));
+  EXPECT_EQ(s.forces.components,
+            (std::vector<std::string>{"start N", "start Vz", "start My", "end N", "end Vz", "end My"}));
   EXPECT_EQ(s.forces.places, (std::vector<int>{0, 2, 4, 6, 8, 10}));
   VectorXd load = VectorXd::Zero(s.size());
   load[unknown(s, "node top ux")] = 1e3;
@@ -371,7 +380,8 @@ TEST(FrameSurface, APointOnARigidFloorTurnsWithIt) {
   lift[unknown(s, "node 2.2.0 uz")] = 0.02;
   lift[unknown(s, "node 2.2.1 uz")] = 0.04;
   EXPECT_NEAR(motion(right, 2, lift), 0.035, 1e-15);
-  refused([&] { s.surface->floor(1, Side::plus_x, 5); }, "the edge of floor 2 goes from 0 mm to 4 m, and 5 m lies beside it");
+  refused([&] { s.surface->floor(1, Side::plus_x, 5); },
+          "the edge of floor 2 goes from 0 mm to 4 m, and 5 m lies beside it");
 }
 
 TEST(FrameSurface, AFlexibleFloorIsTouchedOnItsEdgeBeam) {
@@ -379,7 +389,8 @@ TEST(FrameSurface, AFlexibleFloorIsTouchedOnItsEdgeBeam) {
   yaml.replace(yaml.find("floor_mass"), 0, "rigid_floors: false, ");
   const Structure light = structure(yaml);
   refused([&] { light.surface->floor(0, Side::plus_x, 2); },
-          "a push there acts on rz of node 1.2.0, which has no mass; type masses: {1.2.0: {rz: 100 kg m^2}}, or mass: consistent with a "
+          "a push there acts on rz of node 1.2.0, which has no mass; type masses: {1.2.0: {rz: 100 kg m^2}}, or mass: "
+          "consistent with a "
           "density");
   EXPECT_EQ(light.surface->floor(0, Side::plus_x, 4).member, -1) << "at the node itself nothing turns";
   const Structure s = structure(yaml + "masses: {1.2.0: {rz: 100}, 1.2.1: {rz: 100}}\n");
@@ -396,7 +407,8 @@ TEST(FrameSurface, AFlexibleFloorIsTouchedOnItsEdgeBeam) {
 }
 
 TEST(FrameSurface, AColumnIsTouchedBetweenItsFloors) {
-  const std::string turning = "masses: {1.0: {ry: 50}, 1.1: {ry: 50}, 1.2: {ry: 50}, 2.0: {ry: 50}, 2.1: {ry: 50}, 2.2: {ry: 50}}\n";
+  const std::string turning =
+      "masses: {1.0: {ry: 50}, 1.1: {ry: 50}, 1.2: {ry: 50}, 2.0: {ry: 50}, 2.1: {ry: 50}, 2.2: {ry: 50}}\n";
   const Structure s = structure(shear_grid + turning);
   const ContactPoint point = s.surface->column(5.5, Side::plus_x, 0);
   EXPECT_EQ(point.position, Vector3d(11, 0, 5.5));
@@ -412,9 +424,11 @@ TEST(FrameSurface, AColumnIsTouchedBetweenItsFloors) {
   EXPECT_EQ(at_floor.member, -1);
   EXPECT_EQ(at_floor.position, Vector3d(11, 0, 4));
   EXPECT_NEAR(at_floor.mass, 30e3, 1e-8);
-  refused([&] { s.surface->column(7.5, Side::plus_x, 0); }, "there is no column 7.5 m up; its members reach from 0 mm to 7 m");
+  refused([&] { s.surface->column(7.5, Side::plus_x, 0); },
+          "there is no column 7.5 m up; its members reach from 0 mm to 7 m");
   refused([&] { structure(shear_grid).surface->column(5.5, Side::plus_x, 0); },
-          "a push there acts on ry of node 1.2, which has no mass; type masses: {1.2: {ry: 100 kg m^2}}, or mass: consistent with a density");
+          "a push there acts on ry of node 1.2, which has no mass; type masses: {1.2: {ry: 100 kg m^2}}, or mass: "
+          "consistent with a density");
 }
 
 TEST(FrameSurface, InSpaceTheColumnNearestToThePointIsTouched) {
@@ -422,8 +436,8 @@ TEST(FrameSurface, InSpaceTheColumnNearestToThePointIsTouched) {
   for (int storey : {1, 2})
     for (int i : {0, 1, 2})
       for (int k : {0, 1})
-        turning += (turning.back() == '{' ? "" : ", ") + std::to_string(storey) + "." + std::to_string(i) + "." + std::to_string(k) +
-                   ": {rx: 50, ry: 50}";
+        turning += (turning.back() == '{' ? "" : ", ") + std::to_string(storey) + "." + std::to_string(i) + "." +
+                   std::to_string(k) + ": {rx: 50, ry: 50}";
   const Structure s = structure(space_grid + turning + "}\n");
   EXPECT_EQ(s.geometry.member_names[s.surface->column(4, Side::plus_x, 0.5).member], "column 2.2.0");
   EXPECT_EQ(s.geometry.member_names[s.surface->column(4, Side::plus_x, 3.5).member], "column 2.2.1");
@@ -456,7 +470,8 @@ TEST(FrameSurface, NodesAreTouchedByName) {
 std::string inverted_pendulum(double weight, const std::string& more = "") {
   return "geometry: corotational\ngravity: true\nmaterial: {E: 1e9}\nsections: {s: {area: 1, inertia_y: 1}}\n"
          "nodes: {a: [0, 0], b: [0, 2]}\nmembers: {rod: {between: [a, b], section: s}}\n"
-         "supports: {a: {fix: [ux, uz], springs: {ry: 4000}" + more + "}}\nmasses: {b: " + std::to_string(weight / 9.80665) + "}\nfloors: [{nodes: [b]}]\n";
+         "supports: {a: {fix: [ux, uz], springs: {ry: 4000}" +
+         more + "}}\nmasses: {b: " + std::to_string(weight / 9.80665) + "}\nfloors: [{nodes: [b]}]\n";
 }
 
 void refused_input(const std::string& yaml, const std::string& text) {
@@ -482,7 +497,8 @@ TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
 }
 
 TEST(TurningFrame, ThatFallsOverIsRefusedWithWhatItCarries) {
-  refused_input(inverted_pendulum(2500), "test.yaml:1:1: the frame buckles under its own loads; it carries 0.800 of them");
+  refused_input(inverted_pendulum(2500),
+                "test.yaml:1:1: the frame buckles under its own loads; it carries 0.800 of them");
   structure(inverted_pendulum(1990));
 }
 
@@ -490,13 +506,18 @@ TEST(TurningFrame, RefusesWhatItWouldShowWrong) {
   const auto portal = [](const std::string& foot) {
     return "geometry: corotational\nmaterial: {E: 30 GPa}\nsections: {s: {rectangle: [0.4, 0.4], shear: false}}\n"
            "nodes: {a: [0, 0], b: [0, 3], c: [5, 3], d: [5, 0]}\n"
-           "members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}}\n"
-           "supports: {a: fixed, d: " + foot + "}\nmasses: {b: 1000, c: 1000}\nfloors: [{nodes: [b, c]}]\n";
+           "members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, "
+           "c], section: s}}\n"
+           "supports: {a: fixed, d: " +
+           foot + "}\nmasses: {b: 1000, c: 1000}\nfloors: [{nodes: [b, c]}]\n";
   };
-  refused_input(portal("{fix: [ux, uz, ry], delay: 1 s}"), "test.yaml:1:1: with geometry: corotational all supports move alike; leave out their delay and ground_motion, or type geometry: p_delta");
+  refused_input(portal("{fix: [ux, uz, ry], delay: 1 s}"),
+                "test.yaml:1:1: with geometry: corotational all supports move alike; leave out their delay and "
+                "ground_motion, or type geometry: p_delta");
   const Structure s = structure(portal("fixed"));
   refused([&] { s.supports_along({1, 0, 0}); },
-          "a wave moves the supports of a frame one after the other, and with geometry: corotational all move alike; type geometry: p_delta");
+          "a wave moves the supports of a frame one after the other, and with geometry: corotational all move alike; "
+          "type geometry: p_delta");
   EXPECT_EQ(s.supports_along({0, 0, 1}).size(), 1u);
   refused([&] { s.surface->column(1.5, Side::plus_x, 0); },
           "with geometry: corotational a member is not hit between its ends; put a node there");
@@ -505,9 +526,10 @@ TEST(TurningFrame, RefusesWhatItWouldShowWrong) {
 
 // The forces of turned members about the state of rest are those of a rigid turn of the whole: none, and its axes turn.
 TEST(TurningFrame, TrussesTurnToo) {
-  const Structure s = structure("geometry: corotational\nmaterial: {E: 1e9}\nsections: {s: {area: 0.01, inertia_y: 1e-5}}\n"
-                                "nodes: {a: [0, 0], b: [3, 4]}\nmembers: {bar: {between: [a, b], truss: 0.01}}\n"
-                                "supports: {a: pinned, b: {springs: {ux: 1, uz: 1}}}\nmasses: {b: 1000}\nreport: {members: all}\n");
+  const Structure s = structure(
+      "geometry: corotational\nmaterial: {E: 1e9}\nsections: {s: {area: 0.01, inertia_y: 1e-5}}\n"
+      "nodes: {a: [0, 0], b: [3, 4]}\nmembers: {bar: {between: [a, b], truss: 0.01}}\n"
+      "supports: {a: pinned, b: {springs: {ux: 1, uz: 1}}}\nmasses: {b: 1000}\nreport: {members: all}\n");
   // From (3, 4) to (-4, 3): a quarter turn, no strain, the springs alone.
   VectorXd u = VectorXd::Zero(s.size());
   u[unknown(s, "node b ux")] = -7;

@@ -30,13 +30,19 @@ const Section section{.area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .t
 const Material steel{.young = 200e9, .shear = 80e9, .density = 7850};
 const double ei = steel.young * section.inertia_y;
 
-double relative(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
+double relative(const MatrixXd& a, const MatrixXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
 
 VectorXd solve(const AssembledFrame& f, const VectorXd& load) { return test::dense::solve(f.stiffness, load); }
 
-VectorXd load_at(const AssembledFrame& f, int node, Dof dof, double force) { return force * VectorXd(f.motion(node, dof)); }
+VectorXd load_at(const AssembledFrame& f, int node, Dof dof, double force) {
+  return force * VectorXd(f.motion(node, dof));
+}
 
-double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof dof) { return f.motion(node, dof).dot(q); }
+double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof dof) {
+  return f.motion(node, dof).dot(q);
+}
 
 // Squares of the circular frequencies in ascending order, massless unknowns condensed.
 VectorXd frequencies_squared(const AssembledFrame& f) {
@@ -133,8 +139,7 @@ TEST(Frame, CarriesAxialForceAndPureBendingThroughUnequalMembers) {
 }
 
 TEST(Frame, DividesATimoshenkoBeamWithoutError) {
-  test::Book book("Linear frames",
-                  "Timoshenko's deep cantilever, however it is divided: F L^3/(3 EI) + F L/(G As)",
+  test::Book book("Linear frames", "Timoshenko's deep cantilever, however it is divided: F L^3/(3 EI) + F L/(G As)",
                   "rounding");
   Section deep = section;
   deep.shear_area_z = 0.1;
@@ -146,11 +151,13 @@ TEST(Frame, DividesATimoshenkoBeamWithoutError) {
     frame.fix(0);
     const AssembledFrame f = frame.assemble();
     const int tip = frame.nodes() - 1;
-    book.near("tip deflection [m/N]", displacement(f, solve(f, load_at(f, tip, Dof::uz, 1)), tip, Dof::uz), w, 1e-12 * w);
+    book.near("tip deflection [m/N]", displacement(f, solve(f, load_at(f, tip, Dof::uz, 1)), tip, Dof::uz), w,
+              1e-12 * w);
   }
 }
 
-// Euler: pi^2 EI/(K L)^2 with K = 2 (cantilever), 1 (hinged), 1/2 (clamped); shear deformation (Engesser) P/(1 + P/(G As)).
+// Euler: pi^2 EI/(K L)^2 with K = 2 (cantilever), 1 (hinged), 1/2 (clamped); shear deformation (Engesser) P/(1 + P/(G
+// As)).
 TEST(Frame, BucklesAtEulersLoad) {
   const double l = 4;
   const int n = 8;
@@ -189,7 +196,8 @@ TEST(Frame, WithConsistentMassHasTheFrequencyOfACantilever) {
   };
   EXPECT_GT(excess(4), 0);
   book.below("square of the frequency with 4 members over exact, less one [-]", excess(4), 1e-4);
-  book.near("error with 8 members over that with 16 [-]", excess(8) / excess(16), 16, 0.1);  // short of it by the next even order: 1.22, 0.30, 0.07 for 2, 4, 8 members
+  book.near("error with 8 members over that with 16 [-]", excess(8) / excess(16), 16,
+            0.1);  // short of it by the next even order: 1.22, 0.30, 0.07 for 2, 4, 8 members
 }
 
 TEST(Frame, CountsItsWholeMassInEveryDirection) {
@@ -203,8 +211,8 @@ TEST(Frame, CountsItsWholeMassInEveryDirection) {
       const double mass = steel.density * section.area * 3 + 40;
       for (int axis = 0; axis < 3; ++axis) {
         const double expected = dimension == 2 && axis == 1 ? 0 : mass;
-        book.near("mass that a uniform motion meets [kg]",
-                  f.influence.col(axis).dot(f.mass * f.influence.col(axis)), expected, 1e-11 * mass);
+        book.near("mass that a uniform motion meets [kg]", f.influence.col(axis).dot(f.mass * f.influence.col(axis)),
+                  expected, 1e-11 * mass);
       }
       EXPECT_LT(relative(f.load, f.mass * f.influence), 1e-13);
     }
@@ -255,8 +263,8 @@ TEST(Frame, NumbersItsUnknownsNodeByNodeAndKnowsTheMassless) {
   EXPECT_EQ(VectorXd(f.motion(2, Dof::uz, {2, 0, 3})), VectorXd(VectorXd::Unit(4, 2) - 2 * VectorXd::Unit(4, 3)));
 }
 
-// One storey on four unlike columns; its floor rigid, either by constraint or by a cross of beams `stiff` times as stiff
-// in the plane of the floor as a column and almost without stiffness out of it.
+// One storey on four unlike columns; its floor rigid, either by constraint or by a cross of beams `stiff` times as
+// stiff in the plane of the floor as a column and almost without stiffness out of it.
 Frame storey(double stiff, double turn = 0) {
   const double c = std::cos(turn), s = std::sin(turn);
   const auto at = [&](double x, double y, double z) { return Vector3d(c * x - s * y, s * x + c * y, z); };
@@ -317,10 +325,12 @@ TEST(Frame, HasExactlySymmetricMatrices) {
 
 TEST(Frame, HasTheSamePeriodsHoweverItStands) {
   EXPECT_LT(relative(frequencies_squared(storey(0, 0.6).assemble()), frequencies_squared(storey(0).assemble())), 1e-12);
-  EXPECT_LT(relative(frequencies_squared(storey(10, 2.1).assemble()), frequencies_squared(storey(10).assemble())), 1e-12);
+  EXPECT_LT(relative(frequencies_squared(storey(10, 2.1).assemble()), frequencies_squared(storey(10).assemble())),
+            1e-12);
 }
 
-// A load at the end of a rigid arm acts as force and moment at its master; the arm is as one by a member's rigid offset.
+// A load at the end of a rigid arm acts as force and moment at its master; the arm is as one by a member's rigid
+// offset.
 TEST(Frame, TiesRigidBodies) {
   for (const int dimension : {2, 3}) {
     const Vector3d arm(0.4, dimension == 2 ? 0.0 : 0.3, 0.7);
@@ -343,8 +353,7 @@ TEST(Frame, TiesRigidBodies) {
         EXPECT_NEAR(displacement(a, by_tie, end, found), displacement(b, by_offset, 1, found),
                     1e-11 * by_offset.cwiseAbs().maxCoeff());
     }
-    for (const Dof dof : all)
-      EXPECT_LT(relative(VectorXd(a.motion(1, dof, arm)), VectorXd(a.motion(end, dof))), 1e-15);
+    for (const Dof dof : all) EXPECT_LT(relative(VectorXd(a.motion(1, dof, arm)), VectorXd(a.motion(end, dof))), 1e-15);
   }
 }
 
@@ -391,10 +400,14 @@ TEST(GridFrame, HasThePeriodsOfOpenSees) {
   const std::vector<Peer> peers{
       {concrete(8, 3, 0, 1.0), 96, 193077547683.71582, {1.8079103429439345, 0.5728136067229036, 0.3146062042202499}},
       {concrete(6, 2, 0, 1.7), 54, 110076810209.27429, {1.0150092689393408, 0.3111288682120664, 0.16288985794196179}},
-      {concrete(3, 2, 3, 1.0), 216, 253487591705.32227,
+      {concrete(3, 2, 3, 1.0),
+       216,
+       253487591705.32227,
        {0.579432316011733, 0.5562949995471915, 0.47688065095464816, 0.41197330641295615, 0.3810653484746833,
         0.37237524343744194}},
-      {concrete(4, 3, 3, 1.7), 384, 514853629130.0457,
+      {concrete(4, 3, 3, 1.7),
+       384,
+       514853629130.0457,
        {0.619501053130483, 0.6195010531304709, 0.5170821865800193, 0.5031017029366555, 0.4097515328201577,
         0.4097515328201534}}};
   for (const Peer& peer : peers) {
@@ -434,10 +447,12 @@ TEST(GridFrame, PlacesItsNodesAndSharesItsMassByHalfBays) {
   grid.material.density = 2400;
   EXPECT_EQ(make_frame(grid).assemble().mass.nonZeros(), 3 * 12);
   grid.mass = BeamMass::consistent;
-  EXPECT_EQ(make_frame(grid).assemble().mass.diagonal().array().cwiseSign().sum(), 6 * 12);  // rotations have mass as well
+  EXPECT_EQ(make_frame(grid).assemble().mass.diagonal().array().cwiseSign().sum(),
+            6 * 12);  // rotations have mass as well
 }
 
-// So that equal buildings are equal to the last bit. Rounding of places such as 30.02 + 6 would differ from one to the next.
+// So that equal buildings are equal to the last bit. Rounding of places such as 30.02 + 6 would differ from one to the
+// next.
 TEST(GridFrame, HasTheSameMatricesWhereverItStands) {
   for (const bool rigid : {false, true}) {
     GridFrame grid = concrete(3, 2, 2, 1);
@@ -525,7 +540,8 @@ TEST(Frame, RefusesWhatCannotBe) {
   EXPECT_EQ(refusal([] { Frame(4); }), "a frame has 2 or 3 dimensions");
   EXPECT_EQ(with(2, [](Frame& f) { f.add_node({0, 1, 0}); }), "node 3: y must be 0 in a plane frame");
   EXPECT_EQ(with(2, [](Frame& f) { f.add_node({0, NAN, 0}); }), "node 3: its coordinates must be finite");
-  EXPECT_EQ(with(2, [](Frame& f) { f.add_node({5, 0, 0}); }), "node 3: no member, spring or constraint is connected to it");
+  EXPECT_EQ(with(2, [](Frame& f) { f.add_node({5, 0, 0}); }),
+            "node 3: no member, spring or constraint is connected to it");
   EXPECT_EQ(with(2, [](Frame& f) { f.fix(3); }), "there is no node 3 among 3");
   EXPECT_EQ(with(2, [](Frame& f) { f.add_member(0, -1, section, steel); }), "there is no node -1 among 3");
   EXPECT_EQ(with(2, [](Frame& f) { f.fix(1, {Dof::uy}); }), "node 1: a plane frame has no uy");
@@ -542,7 +558,8 @@ TEST(Frame, RefusesWhatCannotBe) {
   EXPECT_EQ(with(3, [](Frame& f) { f.add_member(0, 2, {.area = 1, .inertia_y = 1}, steel); }),
             "member 2 (nodes 0 and 2): in space torsion, inertia_z and shear must be positive");
   EXPECT_EQ(with(2, [](Frame& f) { f.add_mass(1, -1); }), "node 1: mass must be finite and not negative");
-  EXPECT_EQ(with(2, [](Frame& f) { f.add_spring(1, Dof::ux, NAN); }), "node 1: stiffness must be finite and not negative");
+  EXPECT_EQ(with(2, [](Frame& f) { f.add_spring(1, Dof::ux, NAN); }),
+            "node 1: stiffness must be finite and not negative");
   EXPECT_EQ(with(2, [](Frame& f) { f.add_spring(1, 1, Dof::ux, 1); }), "node 1: a spring from the node to itself");
   EXPECT_EQ(with(2, [](Frame& f) { f.tie(1, 1, {Dof::ux}); }), "node 1: tied to itself");
   EXPECT_EQ(with(2, [](Frame& f) { f.tie(1, 2, {Dof::ux}), f.tie_rigidly(0, 2); }), "node 2: ux is tied twice");
@@ -574,8 +591,9 @@ TEST(Frame, RefusesMassesThatLeaveARigidPartWithoutInertia) {
     });
   };
   EXPECT_EQ(mass_at(2), "taken");
-  EXPECT_EQ(mass_at(3), "node 2: the masses leave a motion with rz without inertia; put the mass of a rigid part at its "
-                        "master, spread it, or give the master a rotational one");
+  EXPECT_EQ(mass_at(3),
+            "node 2: the masses leave a motion with rz without inertia; put the mass of a rigid part at its "
+            "master, spread it, or give the master a rotational one");
 }
 
 TEST(GridFrame, RefusesWhatCannotBe) {

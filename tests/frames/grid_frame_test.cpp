@@ -18,8 +18,14 @@ using test::refusal;
 const Material concrete = isotropic(30e9, 2500);
 
 GridFrame plane() {
-  return {.storeys = 3, .bays_x = 2, .storey_height = {4, 3, 3}, .bay_width_x = {6, 5}, .column = rectangle_section(0.5, 0.5),
-          .beam = rectangle_section(0.3, 0.6), .material = concrete, .floor_mass = {60e3}};
+  return {.storeys = 3,
+          .bays_x = 2,
+          .storey_height = {4, 3, 3},
+          .bay_width_x = {6, 5},
+          .column = rectangle_section(0.5, 0.5),
+          .beam = rectangle_section(0.3, 0.6),
+          .material = concrete,
+          .floor_mass = {60e3}};
 }
 
 const Section& section_of(const Frame& frame, const std::string& name) {
@@ -75,7 +81,8 @@ TEST(GridFrame, CutMembersAreAsStiffAsWholeOnes) {
   EXPECT_NEAR(roof(cut), roof(whole), 1e-9 * roof(whole));
 }
 
-// The parts have less and less mass of their own, and yet two floors hit each other. A floor itself loses what the nodes of the cut take.
+// The parts have less and less mass of their own, and yet two floors hit each other. A floor itself loses what the
+// nodes of the cut take.
 TEST(GridFrame, CutColumnsAreHitWithTheMassOfTheirFloors) {
   const auto hit = [](int parts, double elevation) {
     GridFrame grid = plane();
@@ -86,7 +93,8 @@ TEST(GridFrame, CutColumnsAreHitWithTheMassOfTheirFloors) {
   for (const double elevation : {4.1, 5.5, 6.9}) {
     const double whole = hit(1, elevation);
     EXPECT_GT(whole, 60e3);
-    for (const int parts : {2, 3, 8}) EXPECT_NEAR(hit(parts, elevation), whole, 1.2e3) << parts << " parts, " << elevation << " m up";
+    for (const int parts : {2, 3, 8})
+      EXPECT_NEAR(hit(parts, elevation), whole, 1.2e3) << parts << " parts, " << elevation << " m up";
   }
   EXPECT_NEAR(hit(2, 5.5), 0.5 * (hit(2, 4) + hit(2, 7)), 1e-6) << "at the node between the parts";
 }
@@ -103,9 +111,17 @@ TEST(GridFrame, AMemberMayHaveItsOwnSectionMaterialAndReleases) {
 }
 
 TEST(GridFrame, MastersOfRigidFloorsComeAfterTheNodesOfCuts) {
-  GridFrame grid{.storeys = 2, .bays_x = 1, .bays_y = 1, .storey_height = {3}, .bay_width_x = {6}, .bay_width_y = {5},
-                 .column = rectangle_section(0.5, 0.5), .beam = rectangle_section(0.3, 0.6), .material = concrete,
-                 .floor_mass = {60e3}, .rigid_floors = true};
+  GridFrame grid{.storeys = 2,
+                 .bays_x = 1,
+                 .bays_y = 1,
+                 .storey_height = {3},
+                 .bay_width_x = {6},
+                 .bay_width_y = {5},
+                 .column = rectangle_section(0.5, 0.5),
+                 .beam = rectangle_section(0.3, 0.6),
+                 .material = concrete,
+                 .floor_mass = {60e3},
+                 .rigid_floors = true};
   grid.members["column 1.0.0"] = {.parts = 3};
   const FrameModel model = make_frame_model(grid);
   EXPECT_EQ(model.floors[0].master, grid.floor(1));

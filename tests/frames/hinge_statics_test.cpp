@@ -1,4 +1,5 @@
-// Hinges of frames by statics: limit loads of portals, springs at nodes of their own, members that are cut, equilibrium.
+// Hinges of frames by statics: limit loads of portals, springs at nodes of their own, members that are cut,
+// equilibrium.
 
 #include <gtest/gtest.h>
 
@@ -40,15 +41,18 @@ Structure made(const Frame& frame, bool gravity = false) {
 Frame portal(double hardening) {
   Frame frame(2);
   const Section section = without_shear_deformation(rectangle_section(0.4, 0.4));
-  const int a = frame.add_node({0, 0, 0}), b = frame.add_node({0, 0, 4}), c = frame.add_node({4, 0, 4}), d = frame.add_node({8, 0, 4}),
-            e = frame.add_node({8, 0, 0});
+  const int a = frame.add_node({0, 0, 0}), b = frame.add_node({0, 0, 4}), c = frame.add_node({4, 0, 4}),
+            d = frame.add_node({8, 0, 4}), e = frame.add_node({8, 0, 0});
   for (const int foot : {a, e}) frame.fix(foot);
   for (const int node : {b, c, d}) frame.add_mass(node, 1e3);
   const int left = frame.add_member(a, b, section, concrete), first = frame.add_member(b, c, section, concrete);
   frame.add_member(c, d, section, concrete);
   const int right = frame.add_member(e, d, section, concrete);
-  for (const auto& [member, at] : {std::pair(left, MemberEnd::start), {left, MemberEnd::end}, {first, MemberEnd::end},
-                                   {right, MemberEnd::start}, {right, MemberEnd::end}})
+  for (const auto& [member, at] : {std::pair(left, MemberEnd::start),
+                                   {left, MemberEnd::end},
+                                   {first, MemberEnd::end},
+                                   {right, MemberEnd::start},
+                                   {right, MemberEnd::end}})
     frame.add_hinge({.member = member, .at = at, .yield_moment = plastic, .hardening = hardening});
   return frame;
 }
@@ -66,8 +70,10 @@ double limit_load(double across, double down) {
 }
 
 TEST(HingeStatics, PortalsCollapseAtTheLoadsOfLimitAnalysis) {
-  test::Book book("Hinges of frames", "limit analysis of a portal with fixed feet, h = 4 m, l = 8 m, Mp = 200 kN m: mechanisms of sway, beam and both",
-                  "rounding of the event-to-event path");
+  test::Book book(
+      "Hinges of frames",
+      "limit analysis of a portal with fixed feet, h = 4 m, l = 8 m, Mp = 200 kN m: mechanisms of sway, beam and both",
+      "rounding of the event-to-event path");
   book.near("load across, 4 Mp/h [N]", limit_load(1, 0), 4 * plastic / 4, 1e-9 * 200e3);
   book.near("load at midspan, 8 Mp/l [N]", limit_load(0, 1), 8 * plastic / 8, 1e-9 * 200e3);
   book.near("equal loads, 6 Mp/(h + l/2) [N]", limit_load(1, 1), 6 * plastic / (4 + 8.0 / 2), 1e-9 * 150e3);
@@ -92,7 +98,8 @@ TEST(HingeStatics, HardeningIsThatOfTheMemberInDoubleCurvature) {
   VectorXd load = VectorXd::Zero(3);
   load[0] = 1;
   const double yields_at = plastic / length, more = 10e3;
-  const test::Pushed pushed = test::push(s, load, VectorXd::Constant(1, plastic), VectorXd::Constant(1, ratio), yields_at + more);
+  const test::Pushed pushed =
+      test::push(s, load, VectorXd::Constant(1, plastic), VectorXd::Constant(1, ratio), yields_at + more);
   ASSERT_EQ(pushed.events.size(), 1u);
   EXPECT_NEAR(pushed.events[0].factor, yields_at, 1e-11 * yields_at);
   const double bends = (yields_at + more) * length * length * length / (3 * ei);
@@ -108,14 +115,16 @@ TEST(HingeStatics, HardeningIsThatOfTheMemberInDoubleCurvature) {
     guided.add_hinge({.member = 0, .at = at, .yield_moment = plastic, .hardening = alpha});
   const Structure storey = made(guided);
   const double yields = 2 * plastic / length;
-  const test::Pushed both = test::push(storey, VectorXd::Ones(1), VectorXd::Constant(2, plastic), VectorXd::Constant(2, ratio), yields + more);
+  const test::Pushed both = test::push(storey, VectorXd::Ones(1), VectorXd::Constant(2, plastic),
+                                       VectorXd::Constant(2, ratio), yields + more);
   const double elastic = length * length * length / (12 * ei);
   EXPECT_NEAR(both.u[0], yields * elastic + more * elastic / alpha, 1e-11 * both.u[0]);
 }
 
 // The frame of three storeys whose periods were found elsewhere with springs between explicit rotations.
 Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
-  const Section column = without_shear_deformation(rectangle_section(0.4, 0.4)), beam = without_shear_deformation(rectangle_section(0.3, 0.5));
+  const Section column = without_shear_deformation(rectangle_section(0.4, 0.4)),
+                beam = without_shear_deformation(rectangle_section(0.3, 0.5));
   const double of_column = 10 * 6 * 30e9 * column.inertia_y / 3.2, of_beam = 10 * 6 * 30e9 * beam.inertia_y / 6;
   Frame frame(2);
   const auto hinged = [&](int joint, double stiffness) {
@@ -128,14 +137,20 @@ Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
     const double length = (frame.position(end) - frame.position(start)).norm();
     std::vector<int> parts;
     if (with_nodes) {
-      parts = {frame.add_member(at_start ? hinged(start, stiffness) : start, at_end ? hinged(end, stiffness) : end, section, concrete)};
+      parts = {frame.add_member(at_start ? hinged(start, stiffness) : start, at_end ? hinged(end, stiffness) : end,
+                                section, concrete)};
       return;
     }
     parts = add_member_in_parts(frame, std::string("m").append(std::to_string(frame.members())), start, end,
                                 {.section = section, .material = concrete, .parts = cut ? 2 : 1});
-    for (const auto& [is_there, number, at] : {std::tuple(at_start, parts.front(), MemberEnd::start), {at_end, parts.back(), MemberEnd::end}})
+    for (const auto& [is_there, number, at] :
+         {std::tuple(at_start, parts.front(), MemberEnd::start), {at_end, parts.back(), MemberEnd::end}})
       if (is_there)
-        frame.add_hinge({.member = number, .at = at, .yield_moment = plastic, .stiffness_factor = 10, .member_length = length,
+        frame.add_hinge({.member = number,
+                         .at = at,
+                         .yield_moment = plastic,
+                         .stiffness_factor = 10,
+                         .member_length = length,
                          .spring_hardening = 0.003});
   };
   std::vector<std::array<int, 2>> nodes;
@@ -155,8 +170,10 @@ Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
 MatrixXd condensed(const Structure& s) { return test::dense::condense(s.stiffness, s.mass).stiffness; }
 
 TEST(HingeStatics, SpringsInSeriesAreAsSoftAsSpringsBetweenNodes) {
-  test::Book book("Hinges of frames", "frame of three storeys with springs of 10 x 6EI/L between explicit rotations, numpy", "rounding");
-  const Structure by_nodes = made(three_storeys(true)), in_series = made(three_storeys(false)), cut = made(three_storeys(false, 1, true));
+  test::Book book("Hinges of frames",
+                  "frame of three storeys with springs of 10 x 6EI/L between explicit rotations, numpy", "rounding");
+  const Structure by_nodes = made(three_storeys(true)), in_series = made(three_storeys(false)),
+                  cut = made(three_storeys(false, 1, true));
   const MatrixXd expected = condensed(by_nodes);
   EXPECT_LT((condensed(in_series) - expected).norm(), 1e-11 * expected.norm());
   const VectorXd squares = test::dense::eigenvalues(condensed(in_series) / 20e3);
@@ -166,7 +183,8 @@ TEST(HingeStatics, SpringsInSeriesAreAsSoftAsSpringsBetweenNodes) {
   EXPECT_EQ(cut.yielding.size(), 8u);
 }
 
-// All springs keep 0.003 of their k: what the frame with softer springs says, and the forces -(1 - b) k d of the structure.
+// All springs keep 0.003 of their k: what the frame with softer springs says, and the forces -(1 - b) k d of the
+// structure.
 TEST(HingeStatics, YieldedSpringsAreAsSoftAsTheirHardening) {
   const Structure softer = made(three_storeys(true, 0.003)), yielding = made(three_storeys(false));
   const YieldingStatics statics(yielding);
@@ -175,15 +193,18 @@ TEST(HingeStatics, YieldedSpringsAreAsSoftAsTheirHardening) {
   const int count = static_cast<int>(statics.k.size());
   MatrixXd matrix = -statics.flexibility();
   for (int i = 0; i < count; ++i) matrix(i, i) += 1 / (0.997 * statics.k[i]);
-  const VectorXd forces = -test::dense::solve(matrix, statics.b.transpose() * statics.unknowns(same, VectorXd::Zero(count)));
+  const VectorXd forces =
+      -test::dense::solve(matrix, statics.b.transpose() * statics.unknowns(same, VectorXd::Zero(count)));
   const VectorXd u = statics.unknowns(same, forces), expected = test::dense::solve(softer.stiffness, load);
   for (int i = 0; i < 18; ++i) EXPECT_NEAR(u[i], expected[i], 1e-9 * expected.cwiseAbs().maxCoeff()) << i;
 }
 
 // Forces of 1, 2 and 3 on the floors; feet yield at 250 kN m, beams at 180 kN m.
 TEST(HingeStatics, AFrameIsPushedAsByAnEventToEventSolution) {
-  test::Book book("Hinges of frames", "frame of three storeys pushed by forces 1:2:3 with springs between explicit rotations, event to event, numpy",
-                  "rounding");
+  test::Book book(
+      "Hinges of frames",
+      "frame of three storeys pushed by forces 1:2:3 with springs between explicit rotations, event to event, numpy",
+      "rounding");
   const Structure s = made(three_storeys(false));
   VectorXd load = VectorXd::Zero(s.size()), yield = VectorXd::Constant(8, 180e3);
   for (int node = 0; node < 6; ++node) load[3 * node] = (node / 2 + 1) / 12.0;
@@ -216,10 +237,15 @@ TEST(HingeStatics, AMemberThatIsCutYieldsAlike) {
       frame.add_mass(1, 1e3), frame.add_mass(2, Dof::ux, 1e3);
       const Section section = rectangle_section(0.4, 0.4);  // it shears
       frame.add_member(1, 2, section, concrete);
-      const std::vector<int> column = add_member_in_parts(frame, "column", 0, 1, {.section = section, .material = concrete, .parts = parts});
+      const std::vector<int> column =
+          add_member_in_parts(frame, "column", 0, 1, {.section = section, .material = concrete, .parts = parts});
       const double length = frame.position(1).norm();
       for (const auto& [member, at] : {std::pair(column.front(), MemberEnd::start), {column.back(), MemberEnd::end}})
-        frame.add_hinge({.member = member, .at = at, .yield_moment = plastic, .hardening = 0.05, .stiffness_factor = rigid ? 0.0 : 10.0,
+        frame.add_hinge({.member = member,
+                         .at = at,
+                         .yield_moment = plastic,
+                         .hardening = 0.05,
+                         .stiffness_factor = rigid ? 0.0 : 10.0,
                          .member_length = length});
       const Structure s = made(frame);
       VectorXd load = VectorXd::Zero(s.size()), ratio(2);
@@ -241,17 +267,21 @@ TEST(HingeStatics, AMemberThatIsCutYieldsAlike) {
   }
 }
 
-// Rigid end zones, shear deformation, releases elsewhere, inclined members, both axes, springs and rigid-plastic hinges at once.
+// Rigid end zones, shear deformation, releases elsewhere, inclined members, both axes, springs and rigid-plastic hinges
+// at once.
 FrameModel space_frame() {
   FrameModel model{.frame = Frame(3)};
   Frame& frame = model.frame;
   const Section section = rectangle_section(0.4, 0.6);
-  frame.add_node({0, 0, 0}, "a"), frame.add_node({5, 0, 0}, "b"), frame.add_node({0.5, 0.2, 3}, "c"), frame.add_node({5, 0.4, 3.1}, "d");
+  frame.add_node({0, 0, 0}, "a"), frame.add_node({5, 0, 0}, "b"), frame.add_node({0.5, 0.2, 3}, "c"),
+      frame.add_node({5, 0.4, 3.1}, "d");
   frame.add_node({0.5, 4, 3}, "e"), frame.add_node({0.4, 4.2, 0}, "f");
   frame.fix(0), frame.fix(1, {Dof::ux, Dof::uy, Dof::uz}), frame.fix(5);
   frame.add_spring(1, Dof::ry, 3e7);
   for (const int node : {2, 3, 4}) frame.add_mass(node, 5e3);
-  const auto member = [&](int start, int end, const BeamOptions& options) { return frame.add_member(start, end, section, concrete, options); };
+  const auto member = [&](int start, int end, const BeamOptions& options) {
+    return frame.add_member(start, end, section, concrete, options);
+  };
   member(0, 2, {.end_offset = {0, 0, -0.3}});
   member(1, 3, {.reference = Vector3d(1, 1, 0), .start_offset = {0, 0, 0.2}});
   member(2, 3, {.start_offset = {0.2, 0, 0}, .end_offset = {-0.2, 0, 0}, .end_releases = {Dof::rz}});
@@ -289,14 +319,18 @@ TEST(HingeStatics, EndForcesOfYieldingMembersAreInEquilibrium) {
   EXPECT_NEAR(all[2 * 12 + 11], 0, 1e-6) << "released";
   EXPECT_NEAR(all[3 * 12 + 3], 0, 1e-6) << "released";
 
-  // On the members: forces and moments about the start, in global axes. On the joints: what the members take, and the springs.
+  // On the members: forces and moments about the start, in global axes. On the joints: what the members take, and the
+  // springs.
   for (int m = 0; m < 5; ++m) {
     const Beam& beam = model.frame.beam(m);
     const auto [start, end] = model.frame.ends(m);
     const VectorXd local = all.segment(12 * m, 12);
-    const Vector3d at_start = beam.axes().transpose() * local.segment<3>(0), at_end = beam.axes().transpose() * local.segment<3>(6);
-    const Vector3d start_moment = beam.axes().transpose() * local.segment<3>(3), end_moment = beam.axes().transpose() * local.segment<3>(9);
-    const Vector3d from = model.frame.position(start) + beam.options().start_offset, to = model.frame.position(end) + beam.options().end_offset;
+    const Vector3d at_start = beam.axes().transpose() * local.segment<3>(0),
+                   at_end = beam.axes().transpose() * local.segment<3>(6);
+    const Vector3d start_moment = beam.axes().transpose() * local.segment<3>(3),
+                   end_moment = beam.axes().transpose() * local.segment<3>(9);
+    const Vector3d from = model.frame.position(start) + beam.options().start_offset,
+                   to = model.frame.position(end) + beam.options().end_offset;
     EXPECT_LT((at_start + at_end).norm(), 1e-5) << m;
     EXPECT_LT((start_moment + end_moment + (to - from).cross(at_end)).norm(), 1e-5) << m;
   }

@@ -56,9 +56,12 @@ TEST(Hinges, RefuseWhatCannotBe) {
   refused(add({.yield_moment = yield, .hogging_moment = -1}), where + "the yield moments must be positive and finite");
   for (const double hardening : {-0.01, 1.0, std::nan("")})
     refused(add({.yield_moment = yield, .hardening = hardening}), where + "hardening must lie in [0, 1)");
-  refused(add({.yield_moment = yield, .ultimate_rotation = 0}), where + "ultimate_rotation must be positive and finite");
-  refused(add({.yield_moment = yield, .stiffness = -1}), where + "stiffness, stiffness_factor and member_length must be finite and not negative");
-  refused(add({.yield_moment = yield, .stiffness = 1e8, .stiffness_factor = 10}), where + "give stiffness or stiffness_factor, not both");
+  refused(add({.yield_moment = yield, .ultimate_rotation = 0}),
+          where + "ultimate_rotation must be positive and finite");
+  refused(add({.yield_moment = yield, .stiffness = -1}),
+          where + "stiffness, stiffness_factor and member_length must be finite and not negative");
+  refused(add({.yield_moment = yield, .stiffness = 1e8, .stiffness_factor = 10}),
+          where + "give stiffness or stiffness_factor, not both");
   refused(add({.about = BendingAxis::z, .yield_moment = yield}), where + "a plane frame bends about y only");
   refused(add({.yield_moment = yield}, 2, {.start_releases = {Dof::ry}}),
           where + "ry is released there, so no moment reaches it; leave out the release or the hinge");
@@ -66,33 +69,41 @@ TEST(Hinges, RefuseWhatCannotBe) {
           where + "rz is released there, so no moment reaches it; leave out the release or the hinge");
   refused(add({.law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}}}}),
           where + "a law acts in a spring; give its stiffness or stiffness_factor");
-  refused(add({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"stiffness", 1}}}}),
+  refused(add({.stiffness_factor = 10,
+               .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"stiffness", 1}}}}),
           where + "the stiffness of its law is that of the hinge; leave it out of the law");
-  refused([] {
-    Frame frame = held_beam();
-    frame.add_hinge({.yield_moment = yield});
-    frame.add_hinge({.yield_moment = yield});
-  }, where + "there is one already");
-  refused([] {
-    Frame frame = held_beam();
-    const int tie = frame.add_truss(0, 1, 1e-3, concrete);
-    frame.set_name(tie, "tie");
-    frame.add_hinge({.member = tie, .yield_moment = yield});
-  }, "member tie: the hinge at its start: a truss carries no moment that could yield");
+  refused(
+      [] {
+        Frame frame = held_beam();
+        frame.add_hinge({.yield_moment = yield});
+        frame.add_hinge({.yield_moment = yield});
+      },
+      where + "there is one already");
+  refused(
+      [] {
+        Frame frame = held_beam();
+        const int tie = frame.add_truss(0, 1, 1e-3, concrete);
+        frame.set_name(tie, "tie");
+        frame.add_hinge({.member = tie, .yield_moment = yield});
+      },
+      "member tie: the hinge at its start: a truss carries no moment that could yield");
 }
 
 TEST(Hinges, RefuseStructuresThatTheyCannotStandIn) {
   Frame frame = held_beam();
   frame.add_hinge({.yield_moment = yield});
   refused([&] { made(frame, FrameGeometry::corotational); },
-          "hinge left start: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave the hinges out");
+          "hinge left start: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave "
+          "the hinges out");
   FrameModel apart{.frame = frame};
   apart.supports = {{.name = "late", .nodes = {2}, .delay = 0.1}};
   refused([&] { make_structure(apart); },
-          "hinge left start: in a frame with hinges all supports move alike; leave out their delay and ground_motion, or the hinges");
+          "hinge left start: in a frame with hinges all supports move alike; leave out their delay and ground_motion, "
+          "or the hinges");
   const Structure alike = made(frame);
   refused([&] { alike.supports_along({1, 0, 0}); },
-          "a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all move alike; leave the wave or these out");
+          "a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all move "
+          "alike; leave the wave or these out");
 }
 
 TEST(Hinges, RefuseAContactBetweenTheEndsOfTheirMember) {
@@ -103,7 +114,9 @@ TEST(Hinges, RefuseAContactBetweenTheEndsOfTheirMember) {
   frame.set_name(frame.add_member(0, 1, square, concrete), "c");
   EXPECT_EQ(made(frame).surface->column(2, Side::plus_x, 0).member, 0);
   frame.add_hinge({.yield_moment = yield});
-  const auto hit = [&](double elevation) { return [&, elevation] { made(frame).surface->column(elevation, Side::plus_x, 0); }; };
+  const auto hit = [&](double elevation) {
+    return [&, elevation] { made(frame).surface->column(elevation, Side::plus_x, 0); };
+  };
   const std::string why = "member c has a hinge and is not hit between its ends; type members: {c: {parts: ";
   refused(hit(2), why + "2}}, so that a part without a hinge is hit");
   refused(hit(0.4), why + "8}}, so that a part without a hinge is hit");
@@ -117,12 +130,14 @@ TEST(Hinges, AreNotHitInTheNextPartEither) {
   frame.add_node({0, 0, 0}), frame.add_node({0, 0, 3});
   frame.fix(0);
   frame.add_mass(1, 1e3), frame.add_mass(1, Dof::ry, 10);
-  const std::vector<int> parts = add_member_in_parts(frame, "c", 0, 1, {.section = square, .material = concrete, .parts = 3});
+  const std::vector<int> parts =
+      add_member_in_parts(frame, "c", 0, 1, {.section = square, .material = concrete, .parts = 3});
   for (const int node : {2, 3}) frame.add_mass(node, 10), frame.add_mass(node, Dof::ry, 1);
   frame.add_hinge({.member = parts[2], .at = MemberEnd::end, .yield_moment = yield});
   EXPECT_EQ(made(frame).surface->column(1.5, Side::plus_x, 0).member, parts[1]);
   refused([&] { made(frame).surface->column(2.2, Side::plus_x, 0); },
-          "member c/3 has a hinge and is not hit between its ends; type members: {c: {parts: 4}}, so that a part without a hinge is hit");
+          "member c/3 has a hinge and is not hit between its ends; type members: {c: {parts: 4}}, so that a part "
+          "without a hinge is hit");
 }
 
 // The mass of 10 t at the middle: W L/8 = 73.55 kN m at the walls (hogging) and at the middle (sagging).
@@ -131,7 +146,8 @@ TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
   const auto with = [](double sagging, double hogging, double factor = 0) {
     Frame frame = held_beam();
     for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
-      frame.add_hinge({.member = 0, .at = at, .yield_moment = sagging, .hogging_moment = hogging, .stiffness_factor = factor});
+      frame.add_hinge(
+          {.member = 0, .at = at, .yield_moment = sagging, .hogging_moment = hogging, .stiffness_factor = factor});
     return frame;
   };
   const Structure s = made(with(yield, yield), FrameGeometry::linear, true);
@@ -139,7 +155,8 @@ TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
   EXPECT_EQ(s.yielding[0].name, "left start");
   EXPECT_EQ(s.yielding[0].law, "hinge");
   // The start hogs: a negative moment on it; the end sags: a negative one, too.
-  for (const YieldingPart& part : s.yielding) EXPECT_NEAR(part.spring->stiffness() * part.at_rest, -moment, 1e-9 * moment) << part.name;
+  for (const YieldingPart& part : s.yielding)
+    EXPECT_NEAR(part.spring->stiffness() * part.at_rest, -moment, 1e-9 * moment) << part.name;
   const Eigen::VectorXd forces = s.forces.rows * s.at_rest + s.forces.at_rest;
   EXPECT_NEAR(forces[2], -moment, 1e-9 * moment);
 
@@ -175,18 +192,23 @@ TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
   EXPECT_NEAR((s.forces.rows * s.at_rest + s.forces.at_rest)[2], -moment, 1e-9 * moment);
 }
 
-// Bouc and Wen's law bends from the start. The spring of 20 EI/m beside 4EI/L of the whole beam takes 20/(20 + 4/6) of 73.55 kN m before it
-// gives way, which tests/run/rest_test.cpp follows.
+// Bouc and Wen's law bends from the start. The spring of 20 EI/m beside 4EI/L of the whole beam takes 20/(20 + 4/6)
+// of 73.55 kN m before it gives way, which tests/run/rest_test.cpp follows.
 TEST(Hinges, ALawThatIsNeverStraightTakesGravityBelowItsYieldMoment) {
   Frame frame = held_beam();
-  frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
+  frame.add_hinge({.stiffness_factor = 10,
+                   .law = hysteresis::Settings{.law = "bouc_wen",
+                                               .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
   const Structure s = made(frame, FrameGeometry::linear, true);
   EXPECT_EQ(s.yielding[0].law, "bouc_wen");
   EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -71.18e3, 5);
   Frame weak = held_beam();
-  weak.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", 70e3}, {"spring_hardening", 0.02}}}});
+  weak.add_hinge(
+      {.stiffness_factor = 10,
+       .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", 70e3}, {"spring_hardening", 0.02}}}});
   refused([&] { made(weak, FrameGeometry::linear, true); },
-          "hinge left start: at rest, under gravity and loads alone, its moment is -71.18 kN m, and it yields at -70 kN m; give it a yield moment above "
+          "hinge left start: at rest, under gravity and loads alone, its moment is -71.18 kN m, and it yields at -70 "
+          "kN m; give it a yield moment above "
           "that, or lighten what it carries");
 }
 
@@ -197,7 +219,8 @@ TEST(Hinges, YieldAtTwoMoments) {
       if (dimension == 2 && about == BendingAxis::z) continue;
       Frame frame = held_beam(dimension);
       for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
-        frame.add_hinge({.member = 0, .at = at, .about = about, .yield_moment = 150e3, .hogging_moment = 250e3, .hardening = 0.02});
+        frame.add_hinge(
+            {.member = 0, .at = at, .about = about, .yield_moment = 150e3, .hogging_moment = 250e3, .hardening = 0.02});
       const Structure s = made(frame);
       const auto unknown = [&](const std::string& name) {
         return static_cast<int>(std::find(s.unknowns.begin(), s.unknowns.end(), "node 1 " + name) - s.unknowns.begin());
@@ -219,7 +242,8 @@ TEST(Hinges, YieldAtTwoMoments) {
 TEST(Hinges, AreNamedByMemberEndAndAxis) {
   Frame plane = held_beam(), space = held_beam(3);
   plane.add_hinge({.member = 1, .at = MemberEnd::end, .yield_moment = yield});
-  space.add_hinge({.member = 0, .about = BendingAxis::z, .yield_moment = yield, .stiffness_factor = 5, .member_length = 6});
+  space.add_hinge(
+      {.member = 0, .about = BendingAxis::z, .yield_moment = yield, .stiffness_factor = 5, .member_length = 6});
   EXPECT_EQ(plane.hinge_name(0), "right end");
   EXPECT_EQ(space.hinge_name(0), "left start z");
   EXPECT_DOUBLE_EQ(space.bending_stiffness(space.hinges()[0]), 6 * 30e9 * square.inertia_z / 6);
@@ -230,20 +254,28 @@ TEST(Hinges, AreNamedByMemberEndAndAxis) {
 
 // Such a law compares its numbers with the stiffness of the spring.
 TEST(Hinges, ALawIsCheckedWithItsStiffness) {
-  const hysteresis::Settings cracking{.law = "peak_oriented", .values = {{"yield_moment", yield}, {"cracking_moment", 0.5 * yield}, {"yield_rotation", 0.03}}};
+  const hysteresis::Settings cracking{
+      .law = "peak_oriented",
+      .values = {{"yield_moment", yield}, {"cracking_moment", 0.5 * yield}, {"yield_rotation", 0.03}}};
   Frame frame = held_beam();
   frame.add_hinge({.stiffness_factor = 10, .law = cracking});
   EXPECT_EQ(made(frame).yielding[0].law, "peak_oriented");
-  refused([&] { held_beam().add_hinge({.stiffness = yield / 0.04, .law = cracking}); },
-          "member left: the hinge at its start: yield_rotation is 0.03, but must be above yield_moment/stiffness, 0.04");
+  refused(
+      [&] { held_beam().add_hinge({.stiffness = yield / 0.04, .law = cracking}); },
+      "member left: the hinge at its start: yield_rotation is 0.03, but must be above yield_moment/stiffness, 0.04");
 }
 
 TEST(Hinges, LawsSpeakOfMoments) {
-  const auto add = [](const hysteresis::Settings& law) { return [=] { held_beam().add_hinge({.stiffness_factor = 10, .law = law}); }; };
+  const auto add = [](const hysteresis::Settings& law) {
+    return [=] { held_beam().add_hinge({.stiffness_factor = 10, .law = law}); };
+  };
   const std::string where = "member left: the hinge at its start: ";
-  refused(add({.law = "menegotto_pinto", .values = {{"yield_moment", -yield}}}), where + "yield_moment is -2e+05, but must be finite and positive");
-  refused(add({.law = "bouc_wen", .values = {{"hardening", 0.1}}}), where + "bouc_wen needs yield_moment (yield force Fy)");
-  refused(add({.law = "bilinear", .values = {{"yield_force", yield}}}), where + "a hinge has a yield_moment instead of a yield_force");
+  refused(add({.law = "menegotto_pinto", .values = {{"yield_moment", -yield}}}),
+          where + "yield_moment is -2e+05, but must be finite and positive");
+  refused(add({.law = "bouc_wen", .values = {{"hardening", 0.1}}}),
+          where + "bouc_wen needs yield_moment (yield force Fy)");
+  refused(add({.law = "bilinear", .values = {{"yield_force", yield}}}),
+          where + "a hinge has a yield_moment instead of a yield_force");
 }
 
 // Stiffness far beyond the yield over that at the beginning.
@@ -252,7 +284,8 @@ double kept(const YieldingPart& part) {
   return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
 }
 
-// A spring k and a member end K = 6EI/L in double curvature have the stiffness K k/(K + k), and after the yield K b k/(K + b k).
+// A spring k and a member end K = 6EI/L in double curvature have the stiffness K k/(K + k), and after the yield K b
+// k/(K + b k).
 TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
   constexpr double a = 0.02, of_member = 6 * 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12 / 3;
   for (const double factor : {0.5, 10.0, 300.0}) {
@@ -260,7 +293,8 @@ TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
     EXPECT_NEAR((of_member * b * k / (of_member + b * k)) / (of_member * k / (of_member + k)), a, 1e-15);
     std::vector<Hinge> forms{{.yield_moment = yield, .hardening = a, .stiffness_factor = factor}};
     for (const char* law : {"bilinear", "menegotto_pinto", "bouc_wen", "peak_oriented"})
-      forms.push_back({.stiffness_factor = factor, .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"hardening", a}}}});
+      forms.push_back({.stiffness_factor = factor,
+                       .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"hardening", a}}}});
     for (const Hinge& form : forms) {
       Frame frame = held_beam();
       frame.add_hinge(form);
@@ -269,7 +303,8 @@ TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
       EXPECT_NEAR(kept(hinge), b, 1e-6 * b) << hinge.law;
       EXPECT_NEAR(hinge.parameter("spring_hardening"), b, 1e-15) << hinge.law;
       EXPECT_NEAR(hinge.parameter("end_stiffness"), of_member * k / (of_member + k), 1e-6 * of_member) << hinge.law;
-      EXPECT_NEAR(hinge.parameter("end_tangent"), a * hinge.parameter("end_stiffness"), 1e-6 * a * of_member) << hinge.law;
+      EXPECT_NEAR(hinge.parameter("end_tangent"), a * hinge.parameter("end_stiffness"), 1e-6 * a * of_member)
+          << hinge.law;
     }
   }
   Frame rigid = held_beam();
@@ -281,14 +316,17 @@ TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
 TEST(Hinges, SpringHardeningIsThatOfTheBareSpring) {
   for (const char* law : {"bilinear", "menegotto_pinto", "bouc_wen", "peak_oriented"}) {
     Frame frame = held_beam();
-    frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
+    frame.add_hinge(
+        {.stiffness_factor = 10,
+         .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
     const Structure s = made(frame);
     EXPECT_NEAR(kept(s.yielding[0]), 0.02, 1e-8) << law;
     EXPECT_NEAR(s.yielding[0].parameter("hardening"), 0.02 * 11 / 1.2, 1e-12) << law;
   }
 }
 
-// Ductility is the rotation of the member end over its yield rotation My L/4EI: with the plastic rotation p it is 1 + 4EI p/(My L) without hardening.
+// Ductility is the rotation of the member end over its yield rotation My L/4EI: with the plastic rotation p it is 1 +
+// 4EI p/(My L) without hardening.
 TEST(Hinges, DuctilityHasOneDefinition) {
   constexpr double of_end = 4 * 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12 / 3, plastic = 0.01;
   for (const double factor : {0.0, 0.5, 10.0, 1e6}) {
@@ -297,14 +335,16 @@ TEST(Hinges, DuctilityHasOneDefinition) {
     const Structure s = made(frame);
     const YieldingPart& hinge = s.yielding[0];
     const double at_yield = hinge.spring->yield_deformation();
-    EXPECT_NEAR(hinge.limits.ductility({0, at_yield + plastic}, {0, yield}), 1 + plastic / (yield / of_end), 1e-9) << factor;
+    EXPECT_NEAR(hinge.limits.ductility({0, at_yield + plastic}, {0, yield}), 1 + plastic / (yield / of_end), 1e-9)
+        << factor;
     EXPECT_NEAR(hinge.limits.ductility({-0.5 * at_yield, 0}, {-0.5 * yield, 0}), 0.5, 1e-12) << factor;
   }
   // The other end of the left member is released: 3EI/L.
   Frame released = held_beam(2, {.end_releases = {Dof::ry}});
   released.add_hinge({.yield_moment = yield, .stiffness_factor = 10, .member_length = 3});
   const Structure s = made(released);
-  EXPECT_NEAR(s.yielding[0].limits.ductility({0, s.yielding[0].spring->yield_deformation() + plastic}, {0, yield}), 1 + plastic / (yield / (0.75 * of_end)), 1e-9);
+  EXPECT_NEAR(s.yielding[0].limits.ductility({0, s.yielding[0].spring->yield_deformation() + plastic}, {0, yield}),
+              1 + plastic / (yield / (0.75 * of_end)), 1e-9);
 }
 
 TEST(Hinges, RefuseTwoMeaningsOfHardening) {
@@ -315,9 +355,12 @@ TEST(Hinges, RefuseTwoMeaningsOfHardening) {
   refused(add({.yield_moment = yield, .hardening = 0.1, .stiffness_factor = 10, .spring_hardening = 0.02}),
           where + "give hardening, the ratio of the member end, or spring_hardening, not both");
   for (const double value : {-0.01, 1.0, std::nan("")}) {
-    refused(add({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"hardening", value}}}}),
+    refused(add({.stiffness_factor = 10,
+                 .law = hysteresis::Settings{.law = "bouc_wen",
+                                             .values = {{"yield_moment", yield}, {"hardening", value}}}}),
             where + "hardening must lie in [0, 1)");
-    refused(add({.yield_moment = yield, .stiffness_factor = 10, .spring_hardening = value}), where + "spring_hardening must lie in [0, 1)");
+    refused(add({.yield_moment = yield, .stiffness_factor = 10, .spring_hardening = value}),
+            where + "spring_hardening must lie in [0, 1)");
   }
 }
 
@@ -325,7 +368,8 @@ TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
   Frame frame = held_beam();
   const Structure without = made(frame);
   for (const int member : {0, 1})
-    for (const MemberEnd at : {MemberEnd::start, MemberEnd::end}) frame.add_hinge({.member = member, .at = at, .yield_moment = yield, .hardening = 0.03});
+    for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
+      frame.add_hinge({.member = member, .at = at, .yield_moment = yield, .hardening = 0.03});
   EXPECT_EQ((made(frame).stiffness - without.stiffness).norm(), 0);
 }
 
@@ -339,20 +383,23 @@ TEST(Hinges, KeepAJointInPlaceWhoseEndsAllYield) {
               right = frame.add_member(3, 2, square, concrete);
     for (const int member : {left, beam, right})
       for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
-        if (!holds || member != beam || at == MemberEnd::start) frame.add_hinge({.member = member, .at = at, .yield_moment = yield});
+        if (!holds || member != beam || at == MemberEnd::start)
+          frame.add_hinge({.member = member, .at = at, .yield_moment = yield});
     const Structure portal = made(frame);
     for (int i = 0; i < static_cast<int>(portal.yielding.size()); ++i) {
       const Hinge& hinge = frame.hinges()[i];
       const auto [start, end] = frame.ends(hinge.member);
       const int node = hinge.at == MemberEnd::start ? start : end;
-      EXPECT_NEAR(kept(portal.yielding[i]), node == 1 || (node == 2 && !holds) ? 1e-8 : 0, 1e-15) << frame.hinge_name(i) << holds;
+      EXPECT_NEAR(kept(portal.yielding[i]), node == 1 || (node == 2 && !holds) ? 1e-8 : 0, 1e-15)
+          << frame.hinge_name(i) << holds;
     }
   }
 }
 
 TEST(Hinges, KeepTheirHardeningAtSuchAJoint) {
   Frame frame = held_beam();
-  frame.add_hinge({.member = 0, .at = MemberEnd::end, .yield_moment = yield, .stiffness_factor = 10, .spring_hardening = 0.02});
+  frame.add_hinge(
+      {.member = 0, .at = MemberEnd::end, .yield_moment = yield, .stiffness_factor = 10, .spring_hardening = 0.02});
   frame.add_hinge({.member = 1, .at = MemberEnd::start, .yield_moment = yield, .stiffness_factor = 10});
   const Structure beam = made(frame);
   EXPECT_NEAR(kept(beam.yielding[0]), 0.02, 1e-15);

@@ -17,7 +17,8 @@ namespace isolator_test {
 
 const IsolatorOptions slider{.law = {.law = "friction_pendulum", .values = {{"radius", 2}, {"friction", 0.06}}}};
 const IsolatorOptions lead_rubber{
-    .law = {.law = "lead_rubber", .values = {{"strength", 100e3}, {"post_yield_stiffness", 1e6}, {"yield_displacement", 0.01}}}};
+    .law = {.law = "lead_rubber",
+            .values = {{"strength", 100e3}, {"post_yield_stiffness", 1e6}, {"yield_displacement", 0.01}}}};
 
 // Two storeys and two bays with a slab of 40 t at each foot, on isolators.
 FrameModel frame(const IsolatorOptions& isolator, bool has_slab = true) {
@@ -66,7 +67,8 @@ TEST(FrameIsolators, CarryTheLoadAtRestOfTheirFoot) {
     const double weight = parameter(s.yielding[i], "weight");
     sum += weight;
     const int row = first_reaction + 3 * i + 1;  // x, z, ry of each foot
-    EXPECT_NEAR(weight, (s.forces.rows * s.at_rest)[row] + s.forces.at_rest[row], 1e-9 * weight) << "the reaction that is reported";
+    EXPECT_NEAR(weight, (s.forces.rows * s.at_rest)[row] + s.forces.at_rest[row], 1e-9 * weight)
+        << "the reaction that is reported";
   }
   EXPECT_NEAR(sum, (2 * 60e3 + 3 * 40e3) * 9.80665, 1e-9 * sum);
   EXPECT_NEAR(parameter(s.yielding[0], "weight"), parameter(s.yielding[2], "weight"), 1e-9 * sum);
@@ -84,7 +86,8 @@ TEST(FrameIsolators, AreSpringsOfTheFrameAndTheirReactions) {
   ASSERT_EQ(s.forces.by_yielding.cols(), 3);
   EXPECT_EQ(Eigen::MatrixXd(s.forces.by_yielding).cwiseAbs().sum(), 3);
   const int first_reaction = static_cast<int>(s.forces.members.size() * s.forces.components.size());
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(s.forces.by_yielding.coeff(first_reaction + 3 * i, i), -1) << "the ground pushes back";
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(s.forces.by_yielding.coeff(first_reaction + 3 * i, i), -1) << "the ground pushes back";
   // All of them stand under one slab.
   EXPECT_EQ(Eigen::VectorXd(s.yielding[0].deformation), Eigen::VectorXd(s.yielding[2].deformation));
 }
@@ -106,11 +109,13 @@ TEST(FrameIsolators, RefuseWhatCannotBe) {
   FrameModel model = frame(slider);
   model.gravity = false;
   EXPECT_EQ(refusal_of(model),
-            "isolator 0.0: the weight on it is the load at rest, and no gravity acts; type gravity: true, or weight: 500 kN in its law");
+            "isolator 0.0: the weight on it is the load at rest, and no gravity acts; type gravity: true, or weight: "
+            "500 kN in its law");
   model = frame(slider);
   model.geometry = FrameGeometry::corotational;
   EXPECT_EQ(refusal_of(model),
-            "isolator 0.0: with geometry: corotational nothing in a frame yields; type geometry: p_delta, or leave the isolators out");
+            "isolator 0.0: with geometry: corotational nothing in a frame yields; type geometry: p_delta, or leave the "
+            "isolators out");
   model = frame(slider);
   model.frame.fix(model.isolators[1].node, {Dof::ux});
   EXPECT_NE(refusal_of(model).find("0.1"), std::string::npos) << refusal_of(model);
@@ -132,8 +137,9 @@ TEST(FrameIsolators, NeedMassAtTheirFeet) {
     model.frame.fix(foot, {Dof::uz, Dof::ry});
     model.isolators.push_back({foot, Dof::ux, lead_rubber});
   }
-  EXPECT_EQ(refusal_of(model),
-            "isolator 0.0: its foot has no mass; type masses: {\"0.0\": 40 t} for the part of the slab that stands on it");
+  EXPECT_EQ(
+      refusal_of(model),
+      "isolator 0.0: its foot has no mass; type masses: {\"0.0\": 40 t} for the part of the slab that stands on it");
 }
 
 TEST(FrameIsolators, RefuseToSlideAtRest) {
@@ -141,7 +147,9 @@ TEST(FrameIsolators, RefuseToSlideAtRest) {
   model.frame.add_load(model.isolators[0].node, Dof::ux, 1e6);
   const std::string text = refusal_of(model);
   EXPECT_EQ(text.substr(0, 64), "isolator 0.0: at rest, under gravity and loads alone, it carries") << text;
-  EXPECT_NE(text.find("let a slab hold the feet together: ties: [{master: 0.0, nodes: [...], dofs: [ux]}]"), std::string::npos) << text;
+  EXPECT_NE(text.find("let a slab hold the feet together: ties: [{master: 0.0, nodes: [...], dofs: [ux]}]"),
+            std::string::npos)
+      << text;
 }
 
 }  // namespace isolator_test

@@ -87,12 +87,12 @@ TEST(Sections, AnISectionIsThreeRectangles) {
   book.near("area of IPE 300 with fillets [m^2]", s.area + fillets, 53.81e-4, 0.005e-4);
   // Two flanges by Steiner, and the web.
   const double flange = 0.15 * std::pow(0.0107, 3) / 12 + 0.15 * 0.0107 * std::pow(0.14465, 2);
-  book.near("inertia_y of IPE 300 without fillets [m^4]",
-            s.inertia_y, 2 * flange + 0.0071 * std::pow(0.2786, 3) / 12, 1e-15);
-  book.near("inertia_z of IPE 300 without fillets [m^4]",
-            s.inertia_z, 2 * 0.0107 * std::pow(0.15, 3) / 12 + 0.2786 * std::pow(0.0071, 3) / 12, 1e-15);
-  book.near("torsion of three thin rectangles [m^4]",
-            s.torsion, (2 * 0.15 * std::pow(0.0107, 3) + 0.2893 * std::pow(0.0071, 3)) / 3, 1e-18);
+  book.near("inertia_y of IPE 300 without fillets [m^4]", s.inertia_y, 2 * flange + 0.0071 * std::pow(0.2786, 3) / 12,
+            1e-15);
+  book.near("inertia_z of IPE 300 without fillets [m^4]", s.inertia_z,
+            2 * 0.0107 * std::pow(0.15, 3) / 12 + 0.2786 * std::pow(0.0071, 3) / 12, 1e-15);
+  book.near("torsion of three thin rectangles [m^4]", s.torsion,
+            (2 * 0.15 * std::pow(0.0107, 3) + 0.2893 * std::pow(0.0071, 3)) / 3, 1e-18);
   book.near("shear area of the flanges, 5/6 [m^2]", s.shear_area_y, 2 * 0.15 * 0.0107 * 5 / 6, 1e-15);
   // Cowper's factor lies near the web alone.
   book.near("shear area, of the web [m^2]", s.shear_area_z, 0.2893 * 0.0071, 0.08 * 0.2893 * 0.0071);

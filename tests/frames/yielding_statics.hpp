@@ -21,7 +21,8 @@ struct YieldingStatics {
   MatrixXd stiffness, b, relief;
   VectorXd k, at_rest;
 
-  explicit YieldingStatics(const Structure& s) : stiffness(s.stiffness), b(MatrixXd::Zero(s.size(), s.yielding.size())) {
+  explicit YieldingStatics(const Structure& s)
+      : stiffness(s.stiffness), b(MatrixXd::Zero(s.size(), s.yielding.size())) {
     relief = s.yielding_flexibility.size() > 0 ? MatrixXd(s.yielding_flexibility) : MatrixXd::Zero(b.cols(), b.cols());
     k = at_rest = VectorXd::Zero(b.cols());
     for (int i = 0; i < b.cols(); ++i) {
@@ -31,10 +32,16 @@ struct YieldingStatics {
     }
   }
 
-  VectorXd unknowns(const VectorXd& load, const VectorXd& forces) const { return dense::solve(stiffness, load - b * forces); }
-  VectorXd deformations(const VectorXd& u, const VectorXd& forces) const { return b.transpose() * u - relief * forces + at_rest; }
+  VectorXd unknowns(const VectorXd& load, const VectorXd& forces) const {
+    return dense::solve(stiffness, load - b * forces);
+  }
+  VectorXd deformations(const VectorXd& u, const VectorXd& forces) const {
+    return b.transpose() * u - relief * forces + at_rest;
+  }
   /// k d + F.
-  VectorXd moments(const VectorXd& u, const VectorXd& forces) const { return k.cwiseProduct(deformations(u, forces)) + forces; }
+  VectorXd moments(const VectorXd& u, const VectorXd& forces) const {
+    return k.cwiseProduct(deformations(u, forces)) + forces;
+  }
   /// Deformations per unit force with the load held.
   MatrixXd flexibility() const { return b.transpose() * dense::solve_columns(stiffness, b) + relief; }
 };
@@ -46,12 +53,14 @@ struct Pushed {
     int part;
   };
   std::vector<Event> events;
-  VectorXd u, forces;       ///< at the end
+  VectorXd u, forces;         ///< at the end
   bool is_mechanism = false;  ///< the last event left no stiffness: its factor is the limit load
 };
 
-/// Event to event up to this factor, for parts that yield at +- `yield` in moment and keep `ratio` of their k. Parts do not unload.
-inline Pushed push(const Structure& s, const VectorXd& load, const VectorXd& yield, const VectorXd& ratio, double last) {
+/// Event to event up to this factor, for parts that yield at +- `yield` in moment and keep `ratio` of their k. Parts do
+/// not unload.
+inline Pushed push(const Structure& s, const VectorXd& load, const VectorXd& yield, const VectorXd& ratio,
+                   double last) {
   const YieldingStatics statics(s);
   const MatrixXd h = statics.flexibility();
   const int count = static_cast<int>(statics.k.size());

@@ -1,5 +1,5 @@
-// The C interface. A line is a word: law, formula, then NAME VALUE, each a value of the law; behind an empty line numbers, which are
-// the penetrations and rates of one state after the other.
+// The C interface. A line is a word: law, formula, then NAME VALUE, each a value of the law; behind an empty line
+// numbers, which are the penetrations and rates of one state after the other.
 
 #include <cstdlib>
 #include <string>
@@ -17,7 +17,8 @@ void require_status(int status) {
   if (status == PND_OK) return;
   require(status == PND_BAD_ARGUMENT || status == PND_FAILED, "a status is one of those of the interface");
   const std::string_view text = pnd_error_text();
-  require(!text.empty() && text.size() < 512 && text == pounding::laws::message_text(text), "an error has a text that can be printed", text);
+  require(!text.empty() && text.size() < 512 && text == pounding::laws::message_text(text),
+          "an error has a text that can be printed", text);
 }
 
 void describe(const char* name) {

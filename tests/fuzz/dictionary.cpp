@@ -10,7 +10,8 @@
 
 int main() {
   using namespace pounding;
-  std::set<std::string> all = {": ", "- ", "{", "}", "[", "]", "&a ", "*a", "\\x0a  ", "---", "#", "|", ">", "1e308", "1e-308", "-1", "nan"};
+  std::set<std::string> all = {": ",  "- ", "{", "}", "[",     "]",      "&a ", "*a", "\\x0a  ",
+                               "---", "#",  "|", ">", "1e308", "1e-308", "-1",  "nan"};
   const auto add = [&](std::string_view text) {
     std::string word;
     for (const char c : text) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Shared by the fuzz targets. A target is a file with one function that libFuzzer calls, LLVMFuzzerTestOneInput: it gives bytes to a
-/// reader and lets pass the errors that the reader documents. Everything else ends the program: another exception, a sanitizer, a
-/// promise that was not kept.
+/// Shared by the fuzz targets. A target is a file with one function that libFuzzer calls, LLVMFuzzerTestOneInput: it
+/// gives bytes to a reader and lets pass the errors that the reader documents. Everything else ends the program:
+/// another exception, a sanitizer, a promise that was not kept.
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,8 @@ inline void require(bool kept, std::string_view promise, std::string_view read =
 /// A message can be printed as it is.
 inline void require_printable(const std::exception& error) {
   const std::string_view text = error.what();
-  require(!text.empty() && text == laws::message_text(text), "messages are short, and UTF-8 without control characters", text);
+  require(!text.empty() && text == laws::message_text(text), "messages are short, and UTF-8 without control characters",
+          text);
 }
 
 /// Calls a reader that may refuse what it reads.

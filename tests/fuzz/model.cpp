@@ -1,4 +1,5 @@
-// A model file: text to a model, or an InputError. What `check` and a run make of the model before its first step follows.
+// A model file: text to a model, or an InputError. What `check` and a run make of the model before its first step
+// follows.
 
 #include <stdexcept>
 
@@ -11,7 +12,8 @@ namespace {
 // The eigenvalues of a large structure take longer than everything that is sought here.
 constexpr int most_unknowns = 60;
 
-pounding::Eigenmodes modes_of_small(const pounding::SparseMatrix& mass, const pounding::SparseMatrix& stiffness, int count) {
+pounding::Eigenmodes modes_of_small(const pounding::SparseMatrix& mass, const pounding::SparseMatrix& stiffness,
+                                    int count) {
   if (mass.rows() > most_unknowns) throw std::invalid_argument("the modes of so many unknowns are not sought here");
   return pounding::dense_modes(mass, stiffness, count);
 }

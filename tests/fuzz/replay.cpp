@@ -1,4 +1,5 @@
-// A main for the compilers that have no libFuzzer: gives every file of the folders and files that are named to the target, once.
+// A main for the compilers that have no libFuzzer: gives every file of the folders and files that are named to the
+// target, once.
 
 #include <algorithm>
 #include <filesystem>
@@ -12,7 +13,8 @@ namespace fs = std::filesystem;
 int main(int count, char** words) {
   std::vector<fs::path> files;
   for (int i = 1; i < count; ++i) {
-    if (!fs::is_directory(words[i])) files.emplace_back(words[i]);
+    if (!fs::is_directory(words[i]))
+      files.emplace_back(words[i]);
     else
       for (const auto& entry : fs::directory_iterator(words[i])) files.push_back(entry.path());
   }

@@ -1,5 +1,5 @@
-// Damage to a results file: each four bytes of the input are a place, of three bytes, and the byte that stands there. The file of an
-// interrupted run is refused, or read as it was written.
+// Damage to a results file: each four bytes of the input are a place, of three bytes, and the byte that stands there.
+// The file of an interrupted run is refused, or read as it was written.
 
 #include <unistd.h>
 
@@ -31,12 +31,14 @@ Results interrupted() {
   run.structures = {body};
   run.energy.time = run.energy.input = run.energy.kinetic = run.energy.strain = run.energy.damping = {0, 0, 0};
   run.energy.hysteretic = run.energy.impact = run.energy.error = {0, 0, 0};
-  run.checkpoint = Checkpoint{"/models/row.yaml", {"-pounding_ts_rtol 1e-6"}, "", std::vector<std::byte>(500, std::byte{7})};
+  run.checkpoint =
+      Checkpoint{"/models/row.yaml", {"-pounding_ts_rtol 1e-6"}, "", std::vector<std::byte>(500, std::byte{7})};
   return run;
 }
 
 const std::string& path() {
-  static const std::string name = std::filesystem::temp_directory_path() / ("pounding_fuzz_" + std::to_string(getpid()) + ".h5");
+  static const std::string name =
+      std::filesystem::temp_directory_path() / ("pounding_fuzz_" + std::to_string(getpid()) + ".h5");
   return name;
 }
 

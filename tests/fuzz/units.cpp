@@ -10,8 +10,9 @@ namespace {
 using namespace pounding;
 
 constexpr Dimension dimensions[] = {
-    dimension::none,     dimension::mass,  dimension::length,  dimension::time,      dimension::frequency,       dimension::acceleration,
-    dimension::velocity, dimension::force, dimension::damping, dimension::stiffness, dimension::hertz_stiffness, dimension::density};
+    dimension::none,      dimension::mass,         dimension::length,          dimension::time,
+    dimension::frequency, dimension::acceleration, dimension::velocity,        dimension::force,
+    dimension::damping,   dimension::stiffness,    dimension::hertz_stiffness, dimension::density};
 
 void read_as(const Dimension& expected, std::string_view text) {
   fuzz::refusing([&] {
@@ -28,6 +29,7 @@ void read_as(const Dimension& expected, std::string_view text) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   read_as(dimensions[size % std::size(dimensions)], text);
-  fuzz::refusing([&] { fuzz::require(!quantity_name(parse_unit(text).dimension).empty(), "a dimension has a name", text); });
+  fuzz::refusing(
+      [&] { fuzz::require(!quantity_name(parse_unit(text).dimension).empty(), "a dimension has a name", text); });
   return 0;
 }

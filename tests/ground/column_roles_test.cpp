@@ -1,4 +1,5 @@
-// Columns that count rows, lines that state the number of values and the step, padding, and warnings of implausible records.
+// Columns that count rows, lines that state the number of values and the step, padding, and warnings of implausible
+// records.
 
 #include <pounding/ground/record.hpp>
 
@@ -28,8 +29,8 @@ double value(int i) { return 0.3 * std::sin(0.31 * i) * std::exp(-1e-4 * (i - 10
 std::string rows(const char* format, int count = 200, double step = 0.005, int first = 0, double factor = 1) {
   std::string text;
   for (int i = 0; i < count; ++i)
-    text +=
-        fmt::format(fmt::runtime(format), fmt::arg("i", i + first), fmt::arg("t", i * step), fmt::arg("a", factor * value(i)));
+    text += fmt::format(fmt::runtime(format), fmt::arg("i", i + first), fmt::arg("t", i * step),
+                        fmt::arg("a", factor * value(i)));
   return text;
 }
 
@@ -52,14 +53,16 @@ TEST(Counters, StandInFrontOfTheTimes) {
 TEST(Counters, StandAnywhere) {
   expect_motion(read("Time(s),No.,Acc(g)\n" + rows("{t:.3f},{i},{a:.7e}\n")));
   expect_motion(read("Time(s),Acc(g),Sample\n" + rows("{t:.3f},{a:.7e},{i}\n")));
-  EXPECT_EQ(read("1 0 0.1\n2 0.01 0.3\n3 0.05 -0.2\n4 0.06 0.1\n", {.units = "g"}).samples.times, (Values{0, 0.01, 0.05, 0.06}));
+  EXPECT_EQ(read("1 0 0.1\n2 0.01 0.3\n3 0.05 -0.2\n4 0.06 0.1\n", {.units = "g"}).samples.times,
+            (Values{0, 0.01, 0.05, 0.06}));
   expect_motion(read("Acc(g),Time(s)\n" + rows("{a:.7e},{t:.3f}\n")));
 }
 
 TEST(Counters, LeaveTheNumbersOfChannelsToTheValues) {
   const std::string text = "No.,Time(s),NS(g),EW(g)\n" + rows("{i},{t:.3f},{a:.7e},1\n");
-  EXPECT_EQ(error_of(text),
-            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: NS, column 3; 2: EW, column 4");
+  EXPECT_EQ(
+      error_of(text),
+      "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: NS, column 3; 2: EW, column 4");
   expect_motion(read(text, {.channel = "1"}));
 }
 
@@ -78,14 +81,16 @@ TEST(Counters, GiveWayToTheStep) {
 }
 
 TEST(Counters, AreNoTimesWithoutAWarning) {
-  EXPECT_EQ(error_of("No.,Acc(g)\n" + rows("{i},{a:.7e}\n")),
-            "r.txt:2: the first column, \"No.\", counts the rows, and no column holds times; values at a fixed step need "
-            "\"step:\", such as step: 0.01 s");
+  EXPECT_EQ(
+      error_of("No.,Acc(g)\n" + rows("{i},{a:.7e}\n")),
+      "r.txt:2: the first column, \"No.\", counts the rows, and no column holds times; values at a fixed step need "
+      "\"step:\", such as step: 0.01 s");
   for (const char* const header : {"t,a (g)\n", "# units: g\n", "time (s), acc (g)\n"}) {
     const Texts warnings = read(header + rows("{i},{a:.7e}\n")).warnings;
     ASSERT_EQ(warnings.size(), 1u) << header;
     EXPECT_EQ(warnings[0],
-              "the times count 0, 1, 2, ... and were read in s; if they are an index of the samples, type the step, as in step: "
+              "the times count 0, 1, 2, ... and were read in s; if they are an index of the samples, type the step, as "
+              "in step: "
               "0.01 s");
   }
   expect_motion(read("t (ms), a (g)\n" + rows("{i},{a:.7e}\n")), 0.001);
@@ -131,27 +136,33 @@ TEST(LinesOfCounts, AreNoSamples) {
   std::string eight;
   for (int i = 0; i < 200; ++i) eight += fmt::format(" {:.6f}{}", value(i), i % 8 == 7 ? "\n" : "");
   expect_motion(read("200 0.005\n" + eight, at_step));
-  EXPECT_EQ(read("200\n0.005\n" + rows("{a:.7e}\n"), at_step).remark, "lines 1 and 2 state 200 values and a step of 0.005 s");
+  EXPECT_EQ(read("200\n0.005\n" + rows("{a:.7e}\n"), at_step).remark,
+            "lines 1 and 2 state 200 values and a step of 0.005 s");
 }
 
 TEST(LinesOfCounts, AreNamedWhereTheyDoNotFit) {
   const std::string values = rows("{a:.7e}\n");
   EXPECT_EQ(error_of("200\n0.005\n" + values, {.units = "g"}),
             "r.txt:1: lines 1 and 2 state 200 values and a step of 0.005 s; type step: 0.005 s");
-  EXPECT_EQ(error_of("200\n0.005\n" + values, {.units = "g", .step = 0.01}),
-            "r.txt:1: lines 1 and 2 state 200 values and a step of 0.005 s, but \"step\" says 0.01 s; type step: 0.005 s, or "
-            "delete what is no sample");
+  EXPECT_EQ(
+      error_of("200\n0.005\n" + values, {.units = "g", .step = 0.01}),
+      "r.txt:1: lines 1 and 2 state 200 values and a step of 0.005 s, but \"step\" says 0.01 s; type step: 0.005 s, or "
+      "delete what is no sample");
   const RecordOptions at_step{.units = "cm/s^2", .step = 0.005};
-  EXPECT_EQ(error_of("250\n0.005\n" + values, at_step),
-            "r.txt:1: line 1 holds integers alone, as a header such as the number of values does, and all values below have "
-            "decimals; delete it, or begin it with #");
+  EXPECT_EQ(
+      error_of("250\n0.005\n" + values, at_step),
+      "r.txt:1: line 1 holds integers alone, as a header such as the number of values does, and all values below have "
+      "decimals; delete it, or begin it with #");
   EXPECT_EQ(error_of("1940 5 18 4 36\n 12 7 3 2 1\n" + rows("{a:.5f} {a:.5f} {a:.5f} {a:.5f} {a:.5f}\n"), at_step),
-            "r.txt:1: lines 1 to 2 hold integers alone, as a header such as the number of values does, and all values below have "
+            "r.txt:1: lines 1 to 2 hold integers alone, as a header such as the number of values does, and all values "
+            "below have "
             "decimals; delete them, or begin "
             "each with #");
-  EXPECT_EQ(read("32.795\n-115.55\n" + rows("{a:.5f}\n", 200, 0, 0, 100), at_step).warnings,
-            Texts{"the largest value, -115.55, is number 2 of 202; if a line above the values states their number or the step, "
-                  "delete it"});
+  EXPECT_EQ(
+      read("32.795\n-115.55\n" + rows("{a:.5f}\n", 200, 0, 0, 100), at_step).warnings,
+      Texts{
+          "the largest value, -115.55, is number 2 of 202; if a line above the values states their number or the step, "
+          "delete it"});
   EXPECT_EQ(read("0.005\n" + rows("{a:.7e}\n"), {.units = "g", .step = 0.005}).warnings,
             Texts{"the first value, 0.005, equals the step; if line 1 states the step, delete it"});
 }
@@ -173,8 +184,8 @@ TEST(Padding, OfOldFilesIsIgnored) {
                     columns = "time,acc (g)\n0,0\n0.01,.1\n0.02,.2\n0.03,-.1\n";
   for (const std::string& text : {at2, columns}) {
     const Values values = read(text).samples.accelerations;
-    for (const std::string& end : {std::string("\x1A"), std::string("\x1A\n"), std::string(512, '\0'), std::string("\f"),
-                                   "\n\f\n\x1A" + std::string(7, '\0')}) {
+    for (const std::string& end : {std::string("\x1A"), std::string("\x1A\n"), std::string(512, '\0'),
+                                   std::string("\f"), "\n\f\n\x1A" + std::string(7, '\0')}) {
       EXPECT_EQ(read(text + end).samples.accelerations, values);
       EXPECT_EQ(read(text.substr(0, text.size() - 1) + end).samples.accelerations, values);
     }
@@ -184,7 +195,9 @@ TEST(Padding, OfOldFilesIsIgnored) {
 }
 
 TEST(PeerDt, MayBeInMilliseconds) {
-  const auto step = [](const std::string& line) { return read("a\nb\nIN UNITS OF G\n" + line + "\n 0 .1 -.2\n").step(); };
+  const auto step = [](const std::string& line) {
+    return read("a\nb\nIN UNITS OF G\n" + line + "\n 0 .1 -.2\n").step();
+  };
   for (const char* const line : {"NPTS=    3, DT=   5.0 MSEC,", "NPTS= 3, DT= 5.0MSEC", "NPTS= 3, DT= 5 ms",
                                  "DT= 0.005 SEC, NPTS= 3", "NPTS= 3, DT= .0050 SEC", "NPTS= 3, DT=.5000E-02",
                                  "NPTS= 3, DT= .005 SECONDS", "3 0.005 NPTS, DT", "NPTS= 3 DT= .005 UNITS= G"})
@@ -194,20 +207,25 @@ TEST(PeerDt, MayBeInMilliseconds) {
 }
 
 TEST(ImplausibleRecords, NameTheLikelyUnit) {
-  const auto warnings = [](const std::string& text, const RecordOptions& options) { return read(text, options).warnings; };
+  const auto warnings = [](const std::string& text, const RecordOptions& options) {
+    return read(text, options).warnings;
+  };
   const std::string text = "t (s), a\n" + rows("{t:.3f},{a:.7e}\n", 200, 0.01, 0, 1000);
   const Texts in_g = warnings(text, {.units = "g"});
   ASSERT_EQ(in_g.size(), 1u);
   EXPECT_TRUE(in_g[0].starts_with("the peak acceleration is 29")) << in_g[0];
-  EXPECT_TRUE(in_g[0].ends_with(" g, outside 0.005 g to 3 g; in cm/s^2 it would be a usual one: look at the unit, g was read"))
+  EXPECT_TRUE(
+      in_g[0].ends_with(" g, outside 0.005 g to 3 g; in cm/s^2 it would be a usual one: look at the unit, g was read"))
       << in_g[0];
   EXPECT_EQ(warnings(text, {.units = "cm/s^2"}), Texts{});
   const Texts weak = warnings("t (s), a\n" + rows("{t:.3f},{a:.7e}\n"), {.units = "cm/s^2"});
   ASSERT_EQ(weak.size(), 1u);
   EXPECT_NE(weak[0].find("in g it would be a usual one"), std::string::npos) << weak[0];
-  const Texts moved = warnings("t (s), d\n" + rows("{t:.3f},{a:.7e}\n", 200, 0.01, 0, 100), {.units = "m", .displacement = true});
+  const Texts moved =
+      warnings("t (s), d\n" + rows("{t:.3f},{a:.7e}\n", 200, 0.01, 0, 100), {.units = "m", .displacement = true});
   ASSERT_EQ(moved.size(), 2u);
-  EXPECT_TRUE(moved[1].ends_with(" m, above 5 m; in cm it would be a usual one: look at the unit, m was read")) << moved[1];
+  EXPECT_TRUE(moved[1].ends_with(" m, above 5 m; in cm it would be a usual one: look at the unit, m was read"))
+      << moved[1];
 }
 
 TEST(ImplausibleRecords, HaveLongSteps) {

@@ -1,4 +1,5 @@
-/// Columns of numbers: with times or at a step, one or several a line, with headers, units and decimal commas as people write them.
+/// Columns of numbers: with times or at a step, one or several a line, with headers, units and decimal commas as people
+/// write them.
 
 #include <pounding/ground/record.hpp>
 
@@ -23,8 +24,9 @@ const RecordOptions in_si{.units = "m/s^2"};
 const RecordOptions at_step{.units = "m/s^2", .step = 0.02};
 
 TEST(ValuesAtAStep, AreReadInOrderHoweverManyStandInALine) {
-  for (const char* const text : {"0\n1.5\n-2\n0.25\n3\n", "0 1.5 -2\n0.25 3\n", "0,1.5,-2,0.25\n3", "# no times\n0;1.5\n-2;0.25\n3\n",
-                                 "El Centro\nvalues follow\n0\t1.5\t-2\t0.25\t3\n"}) {
+  for (const char* const text :
+       {"0\n1.5\n-2\n0.25\n3\n", "0 1.5 -2\n0.25 3\n", "0,1.5,-2,0.25\n3", "# no times\n0;1.5\n-2;0.25\n3\n",
+        "El Centro\nvalues follow\n0\t1.5\t-2\t0.25\t3\n"}) {
     const Record record = read(text, at_step);
     EXPECT_EQ(record.samples.accelerations, (Values{0, 1.5, -2, 0.25, 3})) << text;
     EXPECT_EQ(record.samples.times, (Values{0, 0.02, 2 * 0.02, 3 * 0.02, 4 * 0.02})) << text;
@@ -35,10 +37,12 @@ TEST(ValuesAtAStep, AreReadInOrderHoweverManyStandInALine) {
 }
 
 TEST(ValuesAtAStep, ErrorsSayWhatToType) {
-  EXPECT_EQ(error_of("0\n1\n2\n", in_si), "r.txt:1: one column; time and acceleration are two, and values at a fixed step need "
-                                          "\"step:\", such as step: 0.01 s");
-  EXPECT_EQ(error_of("1 -2 3 4\n0.5 1 1 1\n", in_si), "r.txt:2: time 0.5 does not come after the one before it; values at a fixed step "
-                                                      "need \"step:\", such as step: 0.01 s");
+  EXPECT_EQ(error_of("0\n1\n2\n", in_si),
+            "r.txt:1: one column; time and acceleration are two, and values at a fixed step need "
+            "\"step:\", such as step: 0.01 s");
+  EXPECT_EQ(error_of("1 -2 3 4\n0.5 1 1 1\n", in_si),
+            "r.txt:2: time 0.5 does not come after the one before it; values at a fixed step "
+            "need \"step:\", such as step: 0.01 s");
   EXPECT_EQ(error_of("0 1\n0.02 2\n0.04 -1\n", {.units = "g", .step = 0.02}),
             "r.txt:1: the first column holds times, every 0.02 s; remove \"step\"");
   EXPECT_EQ(error_of("0 1 2 3\n0.0049 2 1 2\n0.0100 -1 0 0\n", {.units = "g", .step = 0.005}),
@@ -54,10 +58,12 @@ TEST(ValuesAtAStep, StandInColumnsWhereAChannelIsNamed) {
   const std::string text = "# ns [m/s^2]; ew [m/s^2]\n0;5\n1;4\n0;3\n";
   EXPECT_EQ(read(text, {.channel = "ew", .step = 0.01}).samples.accelerations, (Values{5, 4, 3}));
   EXPECT_EQ(read(text, {.channel = "1", .step = 0.01}).channel, "1: ns, column 1");
-  EXPECT_EQ(error_of(text, {.step = 0.01}),
-            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: ns, column 1; 2: ew, column 2");
-  EXPECT_EQ(error_of("ns;ew\n0;5\n1;4\n0;3\n", at_step),
-            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: ns, column 1; 2: ew, column 2");
+  EXPECT_EQ(
+      error_of(text, {.step = 0.01}),
+      "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: ns, column 1; 2: ew, column 2");
+  EXPECT_EQ(
+      error_of("ns;ew\n0;5\n1;4\n0;3\n", at_step),
+      "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: ns, column 1; 2: ew, column 2");
   EXPECT_EQ(read("0;5\n1;4\n0;3\n", {.units = "g", .channel = "2", .step = 0.01}).channel, "2, column 2");
   EXPECT_EQ(read("El Centro\n0 5\n1 4\n", at_step).points(), 4u);
   EXPECT_EQ(error_of("0\n1\n", {.units = "g", .channel = "1", .step = 0.01}),
@@ -84,12 +90,15 @@ TEST(SeveralColumns, AreChannelsByNumberOrName) {
 }
 
 TEST(SeveralColumns, AreListedWhereNoneIsChosen) {
-  EXPECT_EQ(error_of(three), "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: NS, column 2; 2: EW, column 3");
+  EXPECT_EQ(
+      error_of(three),
+      "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: NS, column 2; 2: EW, column 3");
   EXPECT_EQ(error_of("0 0 0\n0.1 1 1\n", {.units = "g"}),
             "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1, column 2; 2, column 3");
   EXPECT_EQ(error_of(three, {.channel = "Up"}),
             "r.txt: no channel has the number or the component \"Up\"; the file has: 1: NS, column 2; 2: EW, column 3");
-  EXPECT_EQ(error_of(three, {.units = "g", .channel = "1"}), "r.txt:1: the file states cm/s^2, but \"units\" says g; remove \"units\"");
+  EXPECT_EQ(error_of(three, {.units = "g", .channel = "1"}),
+            "r.txt:1: the file states cm/s^2, but \"units\" says g; remove \"units\"");
 }
 
 TEST(SeveralColumns, OfOtherQuantitiesAreNoChannels) {
@@ -104,8 +113,9 @@ TEST(SeveralColumns, OfOtherQuantitiesAreNoChannels) {
 }
 
 TEST(Cells, MayStandInQuotesAndBeEmptyBelowTheValues) {
-  for (const char* const text : {"\"t\",\"a (m/s^2)\"\n\"0\",\"0.5\"\n\"0.02\",\"-1.25\"\n", "t,a (m/s^2)\n0,0.5\n0.02,-1.25\n,,\n,\n",
-                                 "t;a (m/s^2)\n\"0,00\";\"0,5\"\n\"0,02\";\"-1,25\"\n;;\n"}) {
+  for (const char* const text :
+       {"\"t\",\"a (m/s^2)\"\n\"0\",\"0.5\"\n\"0.02\",\"-1.25\"\n", "t,a (m/s^2)\n0,0.5\n0.02,-1.25\n,,\n,\n",
+        "t;a (m/s^2)\n\"0,00\";\"0,5\"\n\"0,02\";\"-1,25\"\n;;\n"}) {
     const Record record = read(text, {});
     EXPECT_EQ(record.samples.times, (Values{0, 0.02})) << text;
     EXPECT_EQ(record.samples.accelerations, (Values{0.5, -1.25})) << text;
@@ -113,8 +123,9 @@ TEST(Cells, MayStandInQuotesAndBeEmptyBelowTheValues) {
 }
 
 TEST(DecimalCommas, AreReadWhereSemicolonsOrBlanksPartTheColumns) {
-  for (const char* const text : {"0,00;0,5\n0,02;-1,25\n", "0;0,5\n0,02;-1,25\n", "0,00 0,5\n0,02 -1,25\n", "0,00\t0,5\r\n0,02\t-1,25\r\n",
-                                 "Zeit [s];a [m/s^2]\n0,00;0,5\n0,02;-1,25\n", "# a, b\n0 0,5\n0,02 -1,25\n"}) {
+  for (const char* const text :
+       {"0,00;0,5\n0,02;-1,25\n", "0;0,5\n0,02;-1,25\n", "0,00 0,5\n0,02 -1,25\n", "0,00\t0,5\r\n0,02\t-1,25\r\n",
+        "Zeit [s];a [m/s^2]\n0,00;0,5\n0,02;-1,25\n", "# a, b\n0 0,5\n0,02 -1,25\n"}) {
     const Record record = read(text, in_si);
     EXPECT_EQ(record.samples.times, (Values{0, 0.02})) << text;
     EXPECT_EQ(record.samples.accelerations, (Values{0.5, -1.25})) << text;
@@ -123,11 +134,13 @@ TEST(DecimalCommas, AreReadWhereSemicolonsOrBlanksPartTheColumns) {
 }
 
 TEST(DecimalCommas, AreNotGuessed) {
-  EXPECT_EQ(error_of("0,5\n1,25\n", at_step), "r.txt:1: \"0,5\" may be one value with a decimal comma or two values; write decimal "
-                                              "points, or part the values by semicolons");
+  EXPECT_EQ(error_of("0,5\n1,25\n", at_step),
+            "r.txt:1: \"0,5\" may be one value with a decimal comma or two values; write decimal "
+            "points, or part the values by semicolons");
   EXPECT_EQ(error_of("0;1.234,5\n1;2\n", in_si), "r.txt:1: \"1.234,5\" is not a finite number");
-  EXPECT_EQ(error_of("0,000,0,000\n0,010,0,099\n", in_si), "r.txt:2: time 0 does not come after the one before it; where commas are decimal ones, part the columns by "
-                                                          "semicolons or blanks");
+  EXPECT_EQ(error_of("0,000,0,000\n0,010,0,099\n", in_si),
+            "r.txt:2: time 0 does not come after the one before it; where commas are decimal ones, part the columns by "
+            "semicolons or blanks");
   // Commas of a CSV file beside blanks stay separators.
   EXPECT_EQ(read("0, 1\n1, 2\n", in_si).samples.accelerations, (Values{1, 2}));
   EXPECT_EQ(read("0,1\n1,2\n", in_si).samples.accelerations, (Values{1, 2}));
@@ -135,8 +148,9 @@ TEST(DecimalCommas, AreNotGuessed) {
 
 TEST(Headers, StateUnitsInManyWays) {
   for (const char* const header :
-       {"# acceleration[cm/s^2]\n", "time acceleration[cm/s^2]\n", "% Units are (gal)\n", "units: cm/s/s\n", "El Centro 1940\n# Units = CM/SEC/SEC\n",
-        "Acceleration data in units of cm/s2.\n", "# acc (cm/sec^2), PGA = 0.35 g\n", "Accelerations in gal, 3 points\n",
+       {"# acceleration[cm/s^2]\n", "time acceleration[cm/s^2]\n", "% Units are (gal)\n", "units: cm/s/s\n",
+        "El Centro 1940\n# Units = CM/SEC/SEC\n", "Acceleration data in units of cm/s2.\n",
+        "# acc (cm/sec^2), PGA = 0.35 g\n", "Accelerations in gal, 3 points\n",
         "1940 Imperial Valley, component (N)\n\nacc (cm/s\xC2\xB2)\n"}) {
     EXPECT_EQ(read(std::string(header) + "0 0\n0.1 250\n").samples.accelerations, (Values{0, 2.5})) << header;
     EXPECT_EQ(read(std::string(header) + "0\n250\n", {.step = 0.1}).samples.accelerations, (Values{0, 2.5})) << header;
@@ -147,8 +161,9 @@ TEST(Headers, StateUnitsInManyWays) {
 }
 
 TEST(Headers, AValueWithAUnitIsNoStatement) {
-  EXPECT_EQ(error_of("# PGA = 341.7 cm/s^2 at 2 s\n0 0\n0.1 1\n"),
-            "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(
+      error_of("# PGA = 341.7 cm/s^2 at 2 s\n0 0\n0.1 1\n"),
+      "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(read("# PGA = 341.7 cm/s^2 at 2 s\n0 0\n0.1 1\n", in_si).samples.accelerations, (Values{0, 1}));
 }
 
@@ -189,7 +204,8 @@ TEST(EndOfData, OtherTextIsRefused) {
 TEST(Displacements, GiveTheirAccelerationsByASpline) {
   // d = 1 - cos would need many samples; a cubic is met exactly: d = 3 t^2 - t^3 has d(0) = v(0) = 0 and a(1) = 0.
   std::string text = "t (s), d (mm)\n";
-  for (const double t : {0.0, 0.25, 0.5, 0.625, 1.0}) text += std::to_string(t) + ", " + std::to_string(1e3 * (3 * t * t - t * t * t)) + "\n";
+  for (const double t : {0.0, 0.25, 0.5, 0.625, 1.0})
+    text += std::to_string(t) + ", " + std::to_string(1e3 * (3 * t * t - t * t * t)) + "\n";
   const Record record = read(text, {.displacement = true});
   for (std::size_t i = 0; i < record.points(); ++i)
     EXPECT_NEAR(record.samples.accelerations[i], 6 - 6 * record.samples.times[i], 1e-9);
@@ -217,8 +233,10 @@ TEST(Displacements, MayBeginWithAVelocityAndAwayFromZero) {
 TEST(Displacements, AreReadFromPeerAndRefusedElsewhere) {
   const std::string peer = "PEER\nnowhere\nDISPLACEMENT TIME SERIES IN UNITS OF CM\nNPTS= 3, DT= .01 SEC\n 0 .01 .05\n";
   EXPECT_DOUBLE_EQ(scaled(read(peer, {.displacement = true}), 1).displacement(0.02), 5e-4);
-  EXPECT_EQ(error_of(peer), "r.txt:3: \"CM\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements "
-                            "type displacement: {record: FILE}");
+  EXPECT_EQ(
+      error_of(peer),
+      "r.txt:3: \"CM\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements "
+      "type displacement: {record: FILE}");
   EXPECT_EQ(error_of("time,acc (g)\n0,0\n0.1,1\n", {.displacement = true}),
             "r.txt:1: \"g\" is not the unit of a displacement; allowed are m, cm, mm or in");
   EXPECT_EQ(error_of("0 0\n0.1 1\n", {.displacement = true}),

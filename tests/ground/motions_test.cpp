@@ -25,14 +25,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Phase, ShiftsTheSineAndMakesItJumpAtItsStart) {
   const GroundMotion motion(Harmonic{.amplitude = 3, .period = 0.6, .duration = 2, .start = 0.5, .phase = pi / 2});
-  for (const double t : {0.5, 0.6, 1.234, 2.4}) EXPECT_NEAR(motion.acceleration(t), 3 * std::cos(2 * pi * (t - 0.5) / 0.6), 1e-13);
+  for (const double t : {0.5, 0.6, 1.234, 2.4})
+    EXPECT_NEAR(motion.acceleration(t), 3 * std::cos(2 * pi * (t - 0.5) / 0.6), 1e-13);
   EXPECT_EQ(motion.acceleration_before(0.5), 0);
   EXPECT_DOUBLE_EQ(motion.acceleration(0.5), 3);
   EXPECT_EQ(motion.source(), "harmonic, 3 m/s^2 at 0.6 s and 90 deg for 2 s");
 }
 
 TEST(Phase, DecidesThePeakOfAShortMotion) {
-  const auto peak = [](double phase, double duration) { return GroundMotion(Harmonic{-2, 1, duration, 0, phase}).peak(); };
+  const auto peak = [](double phase, double duration) {
+    return GroundMotion(Harmonic{-2, 1, duration, 0, phase}).peak();
+  };
   EXPECT_DOUBLE_EQ(peak(pi / 6, 1.0 / 12), 2 * std::sin(pi / 3));
   EXPECT_DOUBLE_EQ(peak(pi / 6, 0.2), 2);
   EXPECT_DOUBLE_EQ(peak(pi * 0.75, 0.1), 2 * std::sin(pi * 0.75));
@@ -61,14 +64,16 @@ TEST(Sum, IsThatOfItsHarmonics) {
   EXPECT_EQ(sum.next_break(0.2), 3.2);
   EXPECT_EQ(sum.next_break(3.2), infinity);
   EXPECT_EQ(sum.shortest_period(), 0.11);
-  EXPECT_EQ(sum.source(), "sum of harmonics, 1.5 m/s^2 at 0.7 s and 17.1887 deg, -0.4 m/s^2 at 0.11 s and -68.7549 deg, "
-                          "2 m/s^2 at 1.9 s, for 3 s");
+  EXPECT_EQ(sum.source(),
+            "sum of harmonics, 1.5 m/s^2 at 0.7 s and 17.1887 deg, -0.4 m/s^2 at 0.11 s and -68.7549 deg, "
+            "2 m/s^2 at 1.9 s, for 3 s");
 }
 
 TEST(Sum, HasThePeakOfAllItsParts) {
   // sin x + sin 3x / 3 is largest at x = pi/4: sqrt(8)/3. Cut off at x = 0.5, it is largest there.
   EXPECT_NEAR(GroundMotion(HarmonicSum{{{1, 1}, {1.0 / 3, 1.0 / 3}}, 5}).peak(), std::sqrt(8) / 3, 1e-5);
-  EXPECT_NEAR(GroundMotion(HarmonicSum{{{1, 1}, {1.0 / 3, 1.0 / 3}}, 0.25 / pi}).peak(), std::sin(0.5) + std::sin(1.5) / 3, 1e-12);
+  EXPECT_NEAR(GroundMotion(HarmonicSum{{{1, 1}, {1.0 / 3, 1.0 / 3}}, 0.25 / pi}).peak(),
+              std::sin(0.5) + std::sin(1.5) / 3, 1e-12);
   EXPECT_EQ(GroundMotion(HarmonicSum{{{1, 1}, {-0.5, 0.3}}, 1e6}).peak(), 1.5);
   EXPECT_EQ(GroundMotion(HarmonicSum{{{1, 1}, {-1, 1}}, 5}).peak(), 0);
 }
@@ -82,7 +87,8 @@ TEST(Sum, OfOneHarmonicHasItsSpectrum) {
 
 TEST(InitialVelocity, KeepsAHarmonicAccelerationFromDrifting) {
   const double a = 3, period = 0.6, phase = 0.4, w = 2 * pi / period;
-  const GroundMotion motion = GroundMotion(Harmonic{a, period, 60, 0, phase}).with_initial_motion(-a / w * std::cos(phase));
+  const GroundMotion motion =
+      GroundMotion(Harmonic{a, period, 60, 0, phase}).with_initial_motion(-a / w * std::cos(phase));
   for (const double t : {0.0, 0.1, 7.3, 59.9}) {
     EXPECT_NEAR(motion.velocity(t), -a / w * std::cos(w * t + phase), 1e-13) << t;
     EXPECT_NEAR(motion.displacement(t), -a / (w * w) * (std::sin(w * t + phase) - std::sin(phase)), 1e-13) << t;
@@ -91,7 +97,8 @@ TEST(InitialVelocity, KeepsAHarmonicAccelerationFromDrifting) {
 }
 
 TEST(InitialVelocity, IsAddedToEveryMotion) {
-  for (const GroundMotion& rest : {GroundMotion(Pulse{Pulse::Shape::half_sine, 2, 0.7, 0.1}), GroundMotion(Samples{{0.1, 0.2, 0.5}, {1, -2, 3}})}) {
+  for (const GroundMotion& rest : {GroundMotion(Pulse{Pulse::Shape::half_sine, 2, 0.7, 0.1}),
+                                   GroundMotion(Samples{{0.1, 0.2, 0.5}, {1, -2, 3}})}) {
     const GroundMotion moved = rest.with_initial_motion(0.3, -0.05);
     for (const double t : {0.0, 0.05, 0.15, 0.4, 2.0}) {
       EXPECT_DOUBLE_EQ(moved.velocity(t), rest.velocity(t) + 0.3);
@@ -122,7 +129,8 @@ TEST(Displacement, OfSamplesIsMetAtEachAndSmoothBetween) {
     displacements.push_back(0.1 * (1 - std::cos(1.3 * times.back())) * std::exp(-0.05 * times.back()));
   }
   const GroundMotion motion = motion_of_displacement(times, displacements);
-  for (std::size_t i = 0; i < times.size(); i += 7) EXPECT_NEAR(motion.displacement(times[i]), displacements[i], 1e-13) << i;
+  for (std::size_t i = 0; i < times.size(); i += 7)
+    EXPECT_NEAR(motion.displacement(times[i]), displacements[i], 1e-13) << i;
   EXPECT_EQ(motion.velocity(0), 0);
   EXPECT_NEAR(motion.acceleration_before(40), 0, 1e-15);
   EXPECT_EQ(motion.sample_step(), 0.01);
@@ -140,7 +148,8 @@ TEST(Displacement, MovesSupportsByWhatIsGiven) {
     motion.displacement(t, [&](std::size_t, int, double amount) { d += amount; });
     motion.velocity(t, [&](std::size_t, int, double amount) { v += amount; });
     EXPECT_NEAR(d, 0.03 * std::sin(2 * pi * t / 0.7 + 0.2) - 0.02 * std::cos(4 * pi * t), 1e-14);
-    EXPECT_NEAR(v, 0.03 * 2 * pi / 0.7 * std::cos(2 * pi * t / 0.7 + 0.2) + 0.02 * 4 * pi * std::sin(4 * pi * t), 1e-13);
+    EXPECT_NEAR(v, 0.03 * 2 * pi / 0.7 * std::cos(2 * pi * t / 0.7 + 0.2) + 0.02 * 4 * pi * std::sin(4 * pi * t),
+                1e-13);
   }
 }
 
@@ -150,29 +159,35 @@ TEST(Delayed, WaitsWhereItStands) {
   EXPECT_EQ(cosine.initial_velocity(), 0);
   EXPECT_DOUBLE_EQ(later.displacement(0.2), 0.02);
   EXPECT_NEAR(later.displacement(0.7), cosine.displacement(0.4), 1e-15);
-  const GroundMotion sum = motion_of_displacement(HarmonicSum{{{0.02, 0.5, pi / 2}, {0.1, 0.3, 1.5 * pi}}, 10}).delayed(0.3);
+  const GroundMotion sum =
+      motion_of_displacement(HarmonicSum{{{0.02, 0.5, pi / 2}, {0.1, 0.3, 1.5 * pi}}, 10}).delayed(0.3);
   EXPECT_NEAR(sum.displacement(0.7), 0.02 * std::cos(1.6 * pi) - 0.1 * std::cos(pi * 0.8 / 0.3), 1e-14);
 }
 
 TEST(NewMotions, WrongValuesAreRefused) {
   const double nan = std::nan("");
   EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, 1, 0, nan}); }), "ground motion: phase is not finite");
-  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{}, 1}); }), "ground motion: a sum of no harmonics; give one or more");
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{}, 1}); }),
+            "ground motion: a sum of no harmonics; give one or more");
   EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1}, {1, -1}}, 1}); }),
             "ground motion: period is -1; it must be finite and > 0");
-  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1, infinity}}, 1}); }), "ground motion: phase is not finite");
-  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1}}, 0}); }), "ground motion: duration is 0; it must be finite and > 0");
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1, infinity}}, 1}); }),
+            "ground motion: phase is not finite");
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1}}, 0}); }),
+            "ground motion: duration is 0; it must be finite and > 0");
   EXPECT_EQ(refusal([&] { return GroundMotion().with_initial_motion(1); }),
             "ground motion: a ground at rest has no initial velocity or displacement");
   EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, 1}).with_initial_motion(nan); }),
             "ground motion: initial velocity is not finite");
   EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, 1}).with_initial_motion(0.3).delayed(1); }),
             "ground motion: begins with a velocity of 0.3 m/s, which it cannot take up at once after a delay");
-  EXPECT_EQ(refusal([&] { return motion_of_displacement(Harmonic{1, 0, 1}); }), "ground motion: period is 0; it must be finite and > 0");
+  EXPECT_EQ(refusal([&] { return motion_of_displacement(Harmonic{1, 0, 1}); }),
+            "ground motion: period is 0; it must be finite and > 0");
   EXPECT_EQ(refusal([&] { return motion_of_displacement(Harmonic{1, 1, 1, 0.5}); }),
             "ground motion: a displacement by harmonics starts at 0");
   EXPECT_EQ(refusal([&] { return motion_of_displacement({0, 1}, {0}); }),
-            "ground motion: 2 times and 1 displacements; two or more of each, and as many of one as of the other, are needed");
+            "ground motion: 2 times and 1 displacements; two or more of each, and as many of one as of the other, are "
+            "needed");
   EXPECT_EQ(refusal([&] { return motion_of_displacement({0, 1, 1}, {0, 1, 2}); }),
             "ground motion: the time of sample 2 does not increase");
 }

@@ -1,5 +1,5 @@
-// Small files of national networks: GeoNet (GNS Accelerogram Data Files, Standard Format, 2008), USC (EERL 73-03), BHRC, AFAD (TR-NSMN) and
-// UNAM, laid out as published files of each network are. Stations and values are invented.
+// Small files of national networks: GeoNet (GNS Accelerogram Data Files, Standard Format, 2008), USC (EERL 73-03),
+// BHRC, AFAD (TR-NSMN) and UNAM, laid out as published files of each network are. Stations and values are invented.
 
 #include <pounding/ground/record.hpp>
 
@@ -28,7 +28,8 @@ using test::table;
 void expect_samples(const Record& record, double dt, double unit, const Values& expected) {
   ASSERT_EQ(record.points(), expected.size());
   EXPECT_NEAR(record.step(), dt, 1e-15);
-  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(record.samples.accelerations[i], unit * expected[i], 1e-12) << i;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(record.samples.accelerations[i], unit * expected[i], 1e-12) << i;
 }
 
 // GeoNet. The first number fills its columns.
@@ -46,7 +47,8 @@ std::string geonet(const std::string& component, bool raw = true, const std::str
       "Site ABCD      42 37 10S  173 03 13E     Cusp file:  20010203_040508_ABCD\n"
       "Nowhere Farm\nInstrument Cusp_10462\nResolution: 18-bit   Instr Period: 0.0050 s   Damping: 0.700\n"
       "Accelerogram 20010203_040506_ABCD_20                 Processed 2001 December 09\n5 km south-west of Nowhere\n"
-      "2001 February 3          04:05:06 UT\nEpicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km Mw 7.82\n"
+      "2001 February 3          04:05:06 UT\nEpicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km "
+      "Mw 7.82\n"
       "Number of points  {}     Duration 0.06  s\n{}\n{}\nComponent {}\n"
       "Acceleration:  Peak -11026.2 mm/s/s at  44.87 s     RMS   516.57 mm/s/s\n{}\n{}\n",
       raw ? "Uncorrected" : "Corrected", count,
@@ -54,7 +56,8 @@ std::string geonet(const std::string& component, bool raw = true, const std::str
           : "Instrument corrected data at 0.020 sec intervals",
       raw ? "Data is unfiltered" : "Band-pass filter transition bands are .10-.25 Hz and 24.50-25.50 Hz", component,
       raw ? "Velocity record unevaluated" : "Velocity:      peak -1016.55 mm/s   at  46.58 sec     rms    96.10 mm/s",
-      raw ? "Displacement record unevaluated" : "Displacement:  peak  234.852 mm     at  46.36 sec     rms   38.013 mm");
+      raw ? "Displacement record unevaluated"
+          : "Displacement:  peak  234.852 mm     at  46.36 sec     rms   38.013 mm");
   text += table(integers, 10, "{:8d}") + table(reals, 10, "{:8.4f}") + table(values, 10, "{:8.1f}");
   if (!raw) text += table(values, 10, "{:8.2f}") + table(values, 10, "{:8.3f}");
   return text;
@@ -68,16 +71,18 @@ TEST(GeonetRecord, V1AIsReadAsUncorrected) {
   EXPECT_EQ(record.title, "2001 February 3 04:05:06 UT, 5 km south-west of Nowhere");
   expect_samples(read(geonet("Up", true, "0.50")), 0.005, 0.5e-3, twelve);
   EXPECT_NO_THROW(read(geonet("Up"), {.units = "mm/s^2", .step = 0.005}));
-  EXPECT_EQ(error_of(geonet("Up"), {.units = "g"}), "r.txt:14: the file states mm/s/s, but \"units\" says g; remove \"units\"");
+  EXPECT_EQ(error_of(geonet("Up"), {.units = "g"}),
+            "r.txt:14: the file states mm/s/s, but \"units\" says g; remove \"units\"");
 }
 
 TEST(GeonetRecord, V2AHoldsVelocitiesAndDisplacementsBehindItsAccelerations) {
   const std::string text = geonet("N28W  Longitudinal Accelerometer Axis", false) +
-                           geonet("S62W  Transverse Accelerometer Axis", false, "", {1, 2, 3}) + geonet("Up  Vertical", false);
-  EXPECT_EQ(
-      error_of(text),
-      "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: N28W, Longitudinal Accelerometer Axis; "
-      "2: S62W, Transverse Accelerometer Axis; 3: Up, Vertical");
+                           geonet("S62W  Transverse Accelerometer Axis", false, "", {1, 2, 3}) +
+                           geonet("Up  Vertical", false);
+  EXPECT_EQ(error_of(text),
+            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: N28W, Longitudinal "
+            "Accelerometer Axis; "
+            "2: S62W, Transverse Accelerometer Axis; 3: Up, Vertical");
   const Record record = read(text, {.channel = "s62w"});
   expect_samples(record, 0.02, 1e-3, {1, 2, 3});
   EXPECT_EQ(record.format, "GeoNet V2A");
@@ -146,7 +151,8 @@ TEST(UscRecord, V1HoldsUnevenPairs) {
     const Values tenths = {0.046, 0.022, -0.003, -12.345, 0.009, 0.011};
     for (std::size_t i = 0; i < 6; ++i) EXPECT_DOUBLE_EQ(record.samples.accelerations[i], g / 10 * tenths[i]);
     EXPECT_EQ(record.summary(),
-              "r.txt, USC V1 in G/10, 0017 1 NOWHERE AVE., LOS ANGELES, CA, channel S05W, 6 points unevenly spaced, uncorrected");
+              "r.txt, USC V1 in G/10, 0017 1 NOWHERE AVE., LOS ANGELES, CA, channel S05W, 6 points unevenly spaced, "
+              "uncorrected");
     EXPECT_EQ(record.title, "NOWHERE EARTHQUAKE FEB 03, 2001 -1230 GMT");
   }
 }
@@ -155,7 +161,8 @@ const Values ten = {-1.133, -1152.5, -.596, .494, .888, -.019, -1.193, -.564, 2.
 
 std::string usc_v2(const std::string& component) {
   const std::string numbers = table(ten, 8, "{:10.3f}");
-  return "CORRECTED ACCELEROGRAM  IIBB127  94.610.0 COMP N08W   FILE   0  CORRESPONDING T \n" + usc_text(component, "8820") +
+  return "CORRECTED ACCELEROGRAM  IIBB127  94.610.0 COMP N08W   FILE   0  CORRESPONDING T \n" +
+         usc_text(component, "8820") +
          "ACCELEROGRAM IS BAND-PASS FILTERED BETWEEN  .225- .325 AND 25.00-27.00 HZ.      \n" + std::string(10, '\n') +
          table(std::vector<int>(100, 0), 16, "{:5d}") + table(Values(100, 0), 8, "{:10.3f}") +
          "  10 POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC\n" + numbers +
@@ -192,15 +199,18 @@ std::string bhrc(const std::string& component, const std::string& points = "12")
   Values reals(50, 0);
   reals[8] = 200;  // the first on the second line
   return fmt::format(
-             "* VOL1DS FILE:  1234/01\nInst Type = SSA-2\nOrigin Time : 2001/02/03   04:05:06\n\n{}\n                    \nCOMP "
+             "* VOL1DS FILE:  1234/01\nInst Type = SSA-2\nOrigin Time : 2001/02/03   04:05:06\n\n{}\n                  "
+             "  \nCOMP "
              "{}1         \n"
              "Nowhere                   Station   37.485 N 45.891 E   Altitude 1333m   Azimuth L 324   T 54 \n"
              "Epicenter 38.520 N 46.860 E   FD 12 Km mb      Ms      Mw6.1   M        ML   (BHRC   )\n"
-             "INSTR PERIOD =  .019 SEC   DAMPING =  .640                            \nNO. OF POINTS =   {}      DURATION =    "
+             "INSTR PERIOD =  .019 SEC   DAMPING =  .640                            \nNO. OF POINTS =   {}      "
+             "DURATION =    "
              ".060        \n"
              "UNITS ARE SECONDS AND G/10\n                    \n",
              component, component, points) +
-         table(std::vector<int>(88, 0), 14, "{:5d}") + table(reals, 8, "{:14.6E}") + table(twelve, 10, "{:13.5E}") + "/&\n";
+         table(std::vector<int>(88, 0), 14, "{:5d}") + table(reals, 8, "{:14.6E}") + table(twelve, 10, "{:13.5E}") +
+         "/&\n";
 }
 
 TEST(BhrcRecord, IsReadWithItsHeader) {
@@ -212,8 +222,9 @@ TEST(BhrcRecord, IsReadWithItsHeader) {
 
 TEST(BhrcRecord, ComponentsAreChosenByName) {
   const std::string text = bhrc("L") + bhrc("V") + bhrc("T");
-  EXPECT_EQ(error_of(text),
-            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: L, 324 deg; 2: V; 3: T, 54 deg");
+  EXPECT_EQ(
+      error_of(text),
+      "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: L, 324 deg; 2: V; 3: T, 54 deg");
   expect_samples(read(text, {.channel = "T"}), 0.005, g / 10, twelve);
 }
 
@@ -222,7 +233,8 @@ TEST(BhrcRecord, ErrorsSayWhere) {
             "r.txt:22: states 200 samples a second, which do not fit 12 points in 0.6 s on line 11");
   EXPECT_EQ(error_of(bhrc("L", "13")), "r.txt:29: the values end here, after 12; line 11 states 13");
   EXPECT_EQ(error_of(replaced(bhrc("L"), "* VOL1DS", "* VOL2DS")),
-            "r.txt:1: is no file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in ...\"; take "
+            "r.txt:1: is no file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in "
+            "...\"; take "
             "the V1 file");
 }
 
@@ -232,15 +244,20 @@ std::string nsmn() {
   return "STRONG GROUND MOTION RECORDS OF TURKIYE\n"
          "PLACE                   : NOWHERE METEOROLOJI M\xC3\x9C"
          "D\xC3\x9CRLU\xC4\x9E\xC3\x9C\n"
-         "EARTHQUAKE DATE         : 2001/02/03 04:05:06 (GMT)\nEPICENTER COORDINATES   : 36.91980N-27.44350E\nEARTHQUAKE DEPTH "
+         "EARTHQUAKE DATE         : 2001/02/03 04:05:06 (GMT)\nEPICENTER COORDINATES   : "
+         "36.91980N-27.44350E\nEARTHQUAKE DEPTH "
          "(km)   : 19.44\n"
          "EARTHQUAKE MAGNITUDE    : 6.5 Mw\nSTATION ID              : 4304\nSTATION COORDINATES     : "
          "38.99478N-29.40040E\nSTATION ALTITUDE (m)    : 735\n"
-         "RECORDER TYPE           : Guralp cmg5td\nRECORDER SERIAL NO      : 5B02\nRECORD TIME             : 03/02/2001 "
+         "RECORDER TYPE           : Guralp cmg5td\nRECORDER SERIAL NO      : 5B02\nRECORD TIME             : "
+         "03/02/2001 "
          "04:05:10.000000 (GMT)\n"
-         "NUMBER OF DATA          : 3\nSAMPLING INTERVAL (sec) : 0.01\nRAW PGA VALUES (gal)    : (N-S) 1.25 (E-W) 8.5 (U-D) 0.5\n"
-         "Copyright EARTHQUAKE DEPARTMENT\nDISASTER AND EMERGENCY MANAGEMENT PRESIDENCY\n       N-S          E-W          U-D\n"
-         "   -0.250000      0.000010     0.000207\n    1.250000     -8.500000     0.500000\n   -0.000194      0.000015    "
+         "NUMBER OF DATA          : 3\nSAMPLING INTERVAL (sec) : 0.01\nRAW PGA VALUES (gal)    : (N-S) 1.25 (E-W) 8.5 "
+         "(U-D) 0.5\n"
+         "Copyright EARTHQUAKE DEPARTMENT\nDISASTER AND EMERGENCY MANAGEMENT PRESIDENCY\n       N-S          E-W       "
+         "   U-D\n"
+         "   -0.250000      0.000010     0.000207\n    1.250000     -8.500000     0.500000\n   -0.000194      0.000015 "
+         "   "
          "-0.125000\n";
 }
 
@@ -261,7 +278,8 @@ TEST(NsmnRecord, ErrorsSayWhere) {
   EXPECT_EQ(error_of(replaced(nsmn(), "DATA          : 3", "DATA          : 4"), {.channel = "1"}),
             "r.txt:21: the values end here, after 9; NUMBER OF DATA, in 3 columns, states 12");
   EXPECT_EQ(error_of(replaced(nsmn(), "(gal) ", "(cm) "), {.channel = "1"}),
-            "r.txt:15: \"cm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements type "
+            "r.txt:15: \"cm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for "
+            "displacements type "
             "displacement: {record: FILE}");
   EXPECT_EQ(error_of(replaced(nsmn(), "E-W          U-D", "E-W"), {.channel = "1"}),
             "r.txt:18: names 2 components; the lines below have 3 values");
@@ -278,10 +296,12 @@ std::string unam() {
          "================================================================================\nDATOS DE LA ESTACION:\n"
          "NOMBRE DE LA ESTACION                  : NINGUNA PARTE\nCLAVE DE LA ESTACION                   : NADA\n"
          "LOCALIZACION DE LA ESTACION            : AV. COSTERA\n                                       : \n"
-         "NUMERO DE CANALES                      : 3\nORIENTACION C1-C6 (rumbo;orientacion)  : /V;+/N00E;+/N90E;+\nORIENTACION "
+         "NUMERO DE CANALES                      : 3\nORIENTACION C1-C6 (rumbo;orientacion)  : "
+         "/V;+/N00E;+/N90E;+\nORIENTACION "
          "C7-C12 (rumbo;orientacion) : \n"
          "INTERVALO DE MUESTREO, C1-C6 (s)       : /0.005/0.005/0.01\nINTERVALO DE MUESTREO, C7-C12 (s)      : \n"
-         "FECHA DEL SISMO [GMT]                  : 2001/02/03\nHORA EPICENTRO (GMT)                   : 18:14:40\nMAGNITUD(ES)   "
+         "FECHA DEL SISMO [GMT]                  : 2001/02/03\nHORA EPICENTRO (GMT)                   : "
+         "18:14:40\nMAGNITUD(ES)   "
          "                        : /M=7.1\n"
          "DURACION DEL REGISTRO (s), C1-C6       : /0.02/0.02/0.02\nDURACION DEL REGISTRO (s), C7-C12      : \n"
          "NUM. TOTAL DE MUESTRAS, C1-C6          : /4/4/2\nNUM. TOTAL DE MUESTRAS, C7-C12         : \n"
@@ -340,7 +360,8 @@ TEST(NetworkRecords, LineEndsPaddingAndTruncationChangeNoNumber) {
     for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
     EXPECT_EQ(read(windows, options).samples.accelerations, record.samples.accelerations);
     EXPECT_EQ(read(text + "\x1A", options).samples.accelerations, record.samples.accelerations);
-    EXPECT_EQ(read(text + "\f\n\x1A" + std::string(100, '\0'), options).samples.accelerations, record.samples.accelerations);
+    EXPECT_EQ(read(text + "\f\n\x1A" + std::string(100, '\0'), options).samples.accelerations,
+              record.samples.accelerations);
     // Velocities and displacements behind the accelerations are not needed.
     const std::size_t last = std::min(text.find("  10 POINTS OF VEL"), text.find_last_of("0123456789"));
     for (std::size_t length = 60; length < last; length += 37)

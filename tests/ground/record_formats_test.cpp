@@ -1,6 +1,7 @@
-// Small files of each format: K-NET (NIED knetform_en.html), ESM's DYNA 1.2, COSMOS Strong Motion Data Format 1.20 (2001),
-// CSMIP OSMS 85-03 (1985), USGS smcfmt. K-NET is laid out as its description says, the others as headers of published files
-// and independent readers (gmprocess, pystrata, D. Boore's smcwrite) have them. Stations and values are invented.
+// Small files of each format: K-NET (NIED knetform_en.html), ESM's DYNA 1.2, COSMOS Strong Motion Data Format 1.20
+// (2001), CSMIP OSMS 85-03 (1985), USGS smcfmt. K-NET is laid out as its description says, the others as headers of
+// published files and independent readers (gmprocess, pystrata, D. Boore's smcwrite) have them. Stations and values are
+// invented.
 
 #include <pounding/ground/record.hpp>
 
@@ -32,7 +33,8 @@ void expect_samples(const Record& record, double dt, double unit, const Values& 
   ASSERT_EQ(record.points(), expected.size());
   EXPECT_TRUE(record.samples.uniform);
   EXPECT_NEAR(record.step(), dt, 1e-15);
-  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_DOUBLE_EQ(record.samples.accelerations[i], unit * expected[i]) << i;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_DOUBLE_EQ(record.samples.accelerations[i], unit * expected[i]) << i;
 }
 
 // K-NET and KiK-net.
@@ -52,12 +54,15 @@ std::string knet(int mean, int amplitude, const std::string& direction = "N-S", 
       "Record Time       2001/02/03 04:05:43\n"
       "Sampling Freq(Hz) 20Hz\n"
       "Duration Time(s)  1\n"
-      "Dir.              " + direction + "\n"
+      "Dir.              " +
+      direction +
+      "\n"
       "Scale Factor      3920(gal)/6182761\n"
       "Max. Acc. (gal)   4.954\n"
       "Last Correction   2001/02/03 04:05:43\n"
       "Memo.             \n";
-  for (int i = 0; i < count; ++i) text += fmt::format("{:8d}{}", mean + (i % 2 ? -amplitude : amplitude), i % 8 == 7 ? " \n" : " ");
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("{:8d}{}", mean + (i % 2 ? -amplitude : amplitude), i % 8 == 7 ? " \n" : " ");
   return text + "\n";
 }
 
@@ -102,12 +107,23 @@ TEST(KnetRecord, ErrorsSayWhere) {
 // ESM.
 
 std::string esm(const std::string& type = "ACCELERATION", const std::string& units = "cm/s^2") {
-  const std::vector<std::string> known = {
-      "EVENT_NAME: NOWHERE", "EVENT_ID: XX-2001-0001", "EVENT_DATE_YYYYMMDD: 20010203", "EVENT_TIME_HHMMSS: 040500",
-      "NETWORK: XX", "STATION_CODE: ABC", "STATION_NAME: NO_WHERE", "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20010203_040510.000",
-      "SAMPLING_INTERVAL_S: 0.005000", "NDATA: 9", "DURATION_S: 0.045", "STREAM: HNE", "UNITS: " + units,
-      "BASELINE_CORRECTION: BASELINE REMOVED", "HEADER_FORMAT: DYNA 1.2", "DATA_TYPE: " + type,
-      "PROCESSING: manual (Paolucci et al., 2011)"};
+  const std::vector<std::string> known = {"EVENT_NAME: NOWHERE",
+                                          "EVENT_ID: XX-2001-0001",
+                                          "EVENT_DATE_YYYYMMDD: 20010203",
+                                          "EVENT_TIME_HHMMSS: 040500",
+                                          "NETWORK: XX",
+                                          "STATION_CODE: ABC",
+                                          "STATION_NAME: NO_WHERE",
+                                          "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20010203_040510.000",
+                                          "SAMPLING_INTERVAL_S: 0.005000",
+                                          "NDATA: 9",
+                                          "DURATION_S: 0.045",
+                                          "STREAM: HNE",
+                                          "UNITS: " + units,
+                                          "BASELINE_CORRECTION: BASELINE REMOVED",
+                                          "HEADER_FORMAT: DYNA 1.2",
+                                          "DATA_TYPE: " + type,
+                                          "PROCESSING: manual (Paolucci et al., 2011)"};
   std::string text;
   for (const std::string& line : known) text += line + "\n";
   for (std::size_t i = known.size(); i < 64; ++i) text += fmt::format("USER{}: \n", i);
@@ -136,7 +152,8 @@ TEST(EsmRecord, ErrorsSayWhere) {
   EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s")),
             "r.txt:13: \"cm/s\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(error_of(esm() + "1.0\n"), "r.txt:74: more values than the 9 that NDATA states");
-  EXPECT_EQ(error_of(replaced(esm(), "NDATA: 9", "NDATA: 10")), "r.txt:73: the values end here, after 9; NDATA states 10");
+  EXPECT_EQ(error_of(replaced(esm(), "NDATA: 9", "NDATA: 10")),
+            "r.txt:73: the values end here, after 9; NDATA states 10");
   EXPECT_EQ(error_of(replaced(esm(), "STREAM:", "STRAM:")), "r.txt:64: the header of 64 lines has no \"STREAM\"");
   EXPECT_EQ(error_of(replaced(esm(), "0.005000", "0")), "r.txt:9: SAMPLING_INTERVAL_S is 0; it must be a time > 0");
   EXPECT_EQ(error_of(esm().substr(0, esm().find("USER20"))),
@@ -153,7 +170,8 @@ std::string smc(const std::string& kind = "2 CORRECTED ACCELEROGRAM") {
   reals[1] = 200;
   // In 8E10.4E1 a negative number fills its columns.
   return kind +
-         "\n*\n0482G\n     2001  02  03    0405 NOWHERE, XX, EARTHQUAKE\nMoment Mag=      5.9 Ms=      5.7 Ml=      6.1\n"
+         "\n*\n0482G\n     2001  02  03    0405 NOWHERE, XX, EARTHQUAKE\nMoment Mag=      5.9 Ms=      5.7 Ml=      "
+         "6.1\n"
          "station = XX:Nowhere;12th Fl             component= 90\nepicentral dist =      7.0       pk acc =   -1500.\n"
          "inst type=SMA-1      data source = USGS\n*\n*\n*\n" +
          table(integers, 8, "{:10d}") + table(reals, 5, "{:15.7E}") + "|\n| a comment 1 2 3\n" +
@@ -175,7 +193,8 @@ TEST(SmcRecord, BothKindsOfAccelerogramAreRead) {
 
 TEST(SmcRecord, MoreDigitsAreReadWhereTheHeaderSaysSo) {
   std::string text = smc();
-  const std::size_t at = text.find("|\n") - 10 * 76 - 20;  // integer 47: before integer 48, its line end, and ten lines of reals
+  const std::size_t at =
+      text.find("|\n") - 10 * 76 - 20;  // integer 47: before integer 48, its line end, and ten lines of reals
   ASSERT_EQ(text.substr(at - 1, 10), "    -32768");
   text.replace(at, 9, "        8");
   const std::size_t values = text.find(" 0.0000E+0");
@@ -186,7 +205,8 @@ TEST(SmcRecord, MoreDigitsAreReadWhereTheHeaderSaysSo) {
 TEST(SmcRecord, ErrorsSayWhere) {
   EXPECT_EQ(error_of(smc("3 VELOCITY")), "r.txt:1: holds \"3 VELOCITY\"; take the file of accelerations");
   EXPECT_EQ(error_of(smc("4 DISPLACEMENT")), "r.txt:1: holds \"4 DISPLACEMENT\"; take the file of accelerations");
-  EXPECT_EQ(error_of(smc("5 RESPONSE SPECTRA")), "r.txt:1: holds \"5 RESPONSE SPECTRA\"; take the file of accelerations");
+  EXPECT_EQ(error_of(smc("5 RESPONSE SPECTRA")),
+            "r.txt:1: holds \"5 RESPONSE SPECTRA\"; take the file of accelerations");
   EXPECT_EQ(error_of(replaced(smc(), "\n-8.0000E+0", "")),
             "r.txt:30: the values end here, after 8; integer 17 of its header states 9");
   EXPECT_EQ(error_of(smc() + "\n"), "no error");
@@ -231,16 +251,19 @@ std::string csmip_v1(int channel, const std::string& component) {
 }
 const Values nine_of_v1 = {1e-5, -.765432, .5, -.25, .125, 1e-6, -1e-6, 0, -1.25};
 
-std::string csmip_v2(int channel, const std::string& component,
-                     const std::string& stated = "  9 points of accel data equally spaced at  .005 sec, in cm/sec2. (8f10.3)") {
+std::string csmip_v2(
+    int channel, const std::string& component,
+    const std::string& stated = "  9 points of accel data equally spaced at  .005 sec, in cm/sec2. (8f10.3)") {
   const std::string numbers = table(nine, 8, "{:10.3f}");
   return "Corrected accelerogram   12345-L2500-12044.02       Chan  1: 360 Deg     from   \n" +
-         csmip_text(channel, component, std::string("Record length = 60.000 sec.\nUncor Max  =   .079 g\nRMS accel =  .\n")) +
+         csmip_text(channel, component,
+                    std::string("Record length = 60.000 sec.\nUncor Max  =   .079 g\nRMS accel =  .\n")) +
          "Accelerogram bandpass filtered with 3 dB pts at   .30 and 40.00 cyc/sec         \n"
          "     9 points of instrument- and baseline-corrected accel, veloc and displ data \n"
          "At equally-spaced intervals of    .005  sec.                                    \n" +
-         std::string(8, '\n') + table(std::vector<int>(100, 13200), 16, "{:5d}") + table(Values(100, 0), 8, "{:10.3f}") + stated +
-         "\n" + numbers + "     9 points of veloc data equally spaced at  .005 sec, in cm/sec. (8f10.3)\n" + numbers +
+         std::string(8, '\n') + table(std::vector<int>(100, 13200), 16, "{:5d}") +
+         table(Values(100, 0), 8, "{:10.3f}") + stated + "\n" + numbers +
+         "     9 points of veloc data equally spaced at  .005 sec, in cm/sec. (8f10.3)\n" + numbers +
          "     9 points of displ data equally spaced at  .005 sec, in cm. (8f10.3)\n" + numbers +
          fmt::format("/&  ----------  End of data for channel {:2d}  ----------\n", channel);
 }
@@ -257,7 +280,8 @@ TEST(CsmipRecord, V2IsReadWithItsHeader) {
 }
 
 TEST(CsmipRecord, V2OfTheEightiesStatesItsUnitInBrackets) {
-  const Record record = read(csmip_v2(1, "UP", "    9 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)"));
+  const Record record =
+      read(csmip_v2(1, "UP", "    9 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)"));
   expect_samples(record, 0.02, 0.01);
   EXPECT_EQ(record.unit, "CM/SEC/SEC");
 }
@@ -269,19 +293,21 @@ TEST(CsmipRecord, V1IsReadAsUncorrected) {
   EXPECT_EQ(record.unit, "g");
   EXPECT_EQ(record.channel, "2: Up, Roof - Center");
   EXPECT_EQ(record.remark, "uncorrected");
-  EXPECT_EQ(record.summary(),
-            "r.txt, CSMIP V1 in g, 12345 Nowhere - Hall, channel 2: Up, Roof - Center, 9 points every 0.005 s, uncorrected");
+  EXPECT_EQ(
+      record.summary(),
+      "r.txt, CSMIP V1 in g, 12345 Nowhere - Hall, channel 2: Up, Roof - Center, 9 points every 0.005 s, uncorrected");
 }
 
 TEST(CsmipRecord, V1OfSsa1RecordersStatesItsPointsAsV2Does) {
-  const std::string text = csmip_text(1, "90 DEG",
-                                      "NO. OF POINTS =      9  RECORD LENGTH = 60.000 SEC   AT 200 SAMPLES/SEC         \n"
-                                      "UNITS OF UNCOR ACCEL IS G.                 MAX  =   .058 G, AT   9.425 SEC.     \n"
-                                      "RMS ACCEL OF COMPLETE RECORD =  .008 G.                                         \n") +
-                           table(std::vector<int>(100, 0), 16, "{:5d}") + table(Values(50, 0), 8, "{:10.3f}") +
-                           "    9 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)\n"
-                           "  .000010 -.765432  .500000 -.250000  .125000  .000001 -.000001  .000000\n-1.250000\n"
-                           "/&  ----------  END OF DATA FOR CHANNEL  1  ----------\n";
+  const std::string text =
+      csmip_text(1, "90 DEG",
+                 "NO. OF POINTS =      9  RECORD LENGTH = 60.000 SEC   AT 200 SAMPLES/SEC         \n"
+                 "UNITS OF UNCOR ACCEL IS G.                 MAX  =   .058 G, AT   9.425 SEC.     \n"
+                 "RMS ACCEL OF COMPLETE RECORD =  .008 G.                                         \n") +
+      table(std::vector<int>(100, 0), 16, "{:5d}") + table(Values(50, 0), 8, "{:10.3f}") +
+      "    9 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)\n"
+      "  .000010 -.765432  .500000 -.250000  .125000  .000001 -.000001  .000000\n-1.250000\n"
+      "/&  ----------  END OF DATA FOR CHANNEL  1  ----------\n";
   const Record record = read(text);
   expect_samples(record, 0.005, g, nine_of_v1);
   EXPECT_EQ(record.format, "CSMIP V1");
@@ -308,16 +334,18 @@ TEST(CsmipRecord, V1OfFilmHoldsUnevenPairsInTenthsOfG) {
 }
 
 TEST(CsmipRecord, ChannelIsChosenByNumberOrComponent) {
-  const std::string text = csmip_v2(1, "90 Deg") +
-                           replaced(csmip_v2(2, "Up"), "     2.500", "     2.750") + csmip_v2(5, "360 Deg   Location: Roof");
-  EXPECT_EQ(error_of(text), "r.txt: 3 channels; add \"channel:\" with the number or the component of one: "
-                            "1: 90 Deg; 2: Up; 5: 360 Deg, Roof");
+  const std::string text = csmip_v2(1, "90 Deg") + replaced(csmip_v2(2, "Up"), "     2.500", "     2.750") +
+                           csmip_v2(5, "360 Deg   Location: Roof");
+  EXPECT_EQ(error_of(text),
+            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: "
+            "1: 90 Deg; 2: Up; 5: 360 Deg, Roof");
   EXPECT_EQ(read(text, {.channel = "2"}).samples.accelerations[2], 0.0275);
   EXPECT_EQ(read(text, {.channel = "up"}).samples.accelerations[2], 0.0275);
   EXPECT_EQ(read(text, {.channel = "90 deg"}).samples.accelerations[2], 0.025);
   EXPECT_EQ(read(text, {.channel = "5"}).channel, "5: 360 Deg, Roof");
-  EXPECT_EQ(error_of(text, {.channel = "3"}), "r.txt: no channel has the number or the component \"3\"; the file has: "
-                                              "1: 90 Deg; 2: Up; 5: 360 Deg, Roof");
+  EXPECT_EQ(error_of(text, {.channel = "3"}),
+            "r.txt: no channel has the number or the component \"3\"; the file has: "
+            "1: 90 Deg; 2: Up; 5: 360 Deg, Roof");
   EXPECT_EQ(error_of(csmip_v2(1, "Up") + csmip_v2(2, "Up"), {.channel = "Up"}),
             "r.txt: 2 channels are \"Up\"; type the number of one: 1: Up; 2: Up");
   EXPECT_EQ(error_of(csmip_v2(1, "Up") + csmip_v2(1, "90 Deg")),
@@ -339,12 +367,16 @@ TEST(CsmipRecord, ErrorsSayWhere) {
             "r.txt:47: goes on after 7 numbers of 10 characters, which line 46 allows");
   EXPECT_EQ(error_of(replaced(v2, "in cm/sec2", "in cm/sec")),
             "r.txt:46: \"cm/sec\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(error_of(replaced(v2, ".005 sec, in", ".000 sec, in")), "r.txt:46: the spacing is 0; it must be a time > 0");
-  EXPECT_EQ(error_of(replaced(v2, "points of accel data", "points of veloc data")),
-            "r.txt:1: the channel that begins here has no line \"points of accel data equally spaced at ... sec, in ...\"");
-  EXPECT_EQ(error_of(v2 + "what is this\n"),
-            "r.txt:56: a channel begins here, but not with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
-  EXPECT_EQ(error_of(replaced(csmip_pairs(), "   .011", "   .005")), "r.txt:28: time 0.005 does not come after the one before it");
+  EXPECT_EQ(error_of(replaced(v2, ".005 sec, in", ".000 sec, in")),
+            "r.txt:46: the spacing is 0; it must be a time > 0");
+  EXPECT_EQ(
+      error_of(replaced(v2, "points of accel data", "points of veloc data")),
+      "r.txt:1: the channel that begins here has no line \"points of accel data equally spaced at ... sec, in ...\"");
+  EXPECT_EQ(
+      error_of(v2 + "what is this\n"),
+      "r.txt:56: a channel begins here, but not with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
+  EXPECT_EQ(error_of(replaced(csmip_pairs(), "   .011", "   .005")),
+            "r.txt:28: time 0.005 does not come after the one before it");
   EXPECT_EQ(error_of(replaced(csmip_pairs(), "\n100.010  -.030", "\n100.010")),
             "r.txt:29: the values end here, after 11; line 11, two for a point, states 12");
   EXPECT_EQ(error_of("Response and Fourier Amplitude Spectra\nCorrected accelerogram\nUncorrected Accelerogram Data\n"),
@@ -374,11 +406,13 @@ std::string cosmos(int channel, const std::string& component, const std::string&
   reals[33] = 0.01;   // of the raw record
   reals[61] = 5;      // [ms]
   reals[62] = 0.045;  // [s]
-  return text + " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" + table(std::vector<int>(100, 12345678), 10, "{:8d}") +
+  return text + " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" +
+         table(std::vector<int>(100, 12345678), 10, "{:8d}") +
          " 100 Real-header values follow on  17 lines, Format= (6F13.6)\n" + table(reals, 6, "{:13.6f}") +
-         "   2 Comment line(s) follow, each starting with a \"|\":\n|<SCNL>12345.HNN.XX.--\n|   9 acceleration pts, units=no\n" +
-         "       9 " + quantity + " pts, approx    0 secs, units=" + unit + "Format=(8F9.3)\n" + table(nine, 8, "{:9.3f}") +
-         fmt::format("End-of-data for Chan {:2d} {}\n", channel, quantity);
+         "   2 Comment line(s) follow, each starting with a \"|\":\n|<SCNL>12345.HNN.XX.--\n|   9 acceleration pts, "
+         "units=no\n" +
+         "       9 " + quantity + " pts, approx    0 secs, units=" + unit + "Format=(8F9.3)\n" +
+         table(nine, 8, "{:9.3f}") + fmt::format("End-of-data for Chan {:2d} {}\n", channel, quantity);
 }
 
 TEST(CosmosRecord, V2IsReadWithItsHeader) {
@@ -405,19 +439,22 @@ TEST(CosmosRecord, V1IsReadAsUncorrectedInItsUnit) {
 TEST(CosmosRecord, OtherColumnsAndHeaderLengthsAreRead) {
   std::string text = replaced(cosmos(1, "Up"), "with 13 text lines", "with 14 text lines");
   text = replaced(text, " 100 Integer", "one more line of text\n 100 Integer");
-  text = replaced(text, "Format=(8F9.3)\n" + table(nine, 8, "{:9.3f}"), "Format=(1E15.6)\n" + table(nine, 1, "{:15.6e}"));
+  text =
+      replaced(text, "Format=(8F9.3)\n" + table(nine, 8, "{:9.3f}"), "Format=(1E15.6)\n" + table(nine, 1, "{:15.6e}"));
   expect_samples(read(text), 0.005, 0.01);
 }
 
 TEST(CosmosRecord, OnlyAccelerationsAreChannels) {
   const std::string text = cosmos(1, "90 deg") + cosmos(1, "90 deg", "velocity", "cm/sec(05),") +
                            cosmos(1, "90 deg", "displacement", "cm(06),") +
-                           replaced(cosmos(2, "Up"), "    2.500", "    2.750") + cosmos(2, "Up", "velocity", "cm/sec(05),");
+                           replaced(cosmos(2, "Up"), "    2.500", "    2.750") +
+                           cosmos(2, "Up", "velocity", "cm/sec(05),");
   EXPECT_EQ(error_of(text),
             "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: 90 deg; 2: Up");
   EXPECT_EQ(read(text, {.channel = "1"}).samples.accelerations[2], 0.025);
   EXPECT_EQ(read(text, {.channel = "Up"}).samples.accelerations[2], 0.0275);
-  EXPECT_EQ(error_of(cosmos(1, "90 deg", "velocity", "cm/sec(05),")), "r.txt:46: holds velocity; take the file of accelerations");
+  EXPECT_EQ(error_of(cosmos(1, "90 deg", "velocity", "cm/sec(05),")),
+            "r.txt:46: holds velocity; take the file of accelerations");
 }
 
 TEST(CosmosRecord, ChannelsWithoutNumbersAreCounted) {
@@ -459,7 +496,8 @@ TEST(CosmosRecord, ErrorsSayWhere) {
 
 TEST(RecordFormats, AnUnknownFormatListsTheKnownOnes) {
   EXPECT_EQ(error_of("Response spectra of a site\nSite NBLC\nand so on\n"),
-            "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USC V1 and V2, "
+            "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USC "
+            "V1 and V2, "
             "GeoNet V1A and V2A, BHRC, AFAD (TR-NSMN), UNAM, USGS SMC, PEER AT2, columns of numbers");
 }
 
@@ -480,16 +518,19 @@ TEST(RecordFormats, LineEndsOfWindowsAreRead) {
 }
 
 TEST(RecordFormats, ALineMayEndTheData) {
-  const std::string at2 = "a\nb\nIN UNITS OF G\nNPTS= 3, DT= .01\n0 1 2\n", columns = "time (s), acc (g)\n0, 0\n0.01, 1\n0.02, 2\n";
+  const std::string at2 = "a\nb\nIN UNITS OF G\nNPTS= 3, DT= .01\n0 1 2\n",
+                    columns = "time (s), acc (g)\n0, 0\n0.01, 1\n0.02, 2\n";
   const std::vector<double> values = read(at2).samples.accelerations;
   for (const char* end : {"*** End Data ***\n", "END OF DATA\n\n", "-end-of-file-", "End"}) {
     EXPECT_EQ(read(at2 + end).samples.accelerations, values) << end;
     EXPECT_EQ(read(columns + end).samples.accelerations, values) << end;
   }
   EXPECT_EQ(read(knet(5, 3) + "*** End Data ***\n").samples.accelerations, read(knet(5, 3)).samples.accelerations);
-  EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 4, DT= .01\n0 1 2\n*** End Data ***\n"), "r.txt:5: the values end here, after 3; NPTS states 4");
+  EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 4, DT= .01\n0 1 2\n*** End Data ***\n"),
+            "r.txt:5: the values end here, after 3; NPTS states 4");
   EXPECT_EQ(error_of(at2 + "*** End Data ***\n3\n"), "r.txt:7: more values than the 3 that NPTS states");
-  EXPECT_EQ(error_of(columns + "*** End Data ***\n0.03, 3\n"), "r.txt:6: values go on after line 5, which ends them; keep one record in a file");
+  EXPECT_EQ(error_of(columns + "*** End Data ***\n0.03, 3\n"),
+            "r.txt:6: values go on after line 5, which ends them; keep one record in a file");
   EXPECT_EQ(error_of(at2 + "*** Data ***\n"), "r.txt:6: more values than the 3 that NPTS states");
 }
 

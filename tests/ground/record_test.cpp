@@ -18,7 +18,9 @@ namespace record_test {
 constexpr double g = 9.80665;
 constexpr double pi = std::numbers::pi;
 
-Record read(const std::string& text, const std::string& units = {}) { return read_record_text(text, "r.txt", {.units = units}); }
+Record read(const std::string& text, const std::string& units = {}) {
+  return read_record_text(text, "r.txt", {.units = units});
+}
 
 std::string error_of(const std::string& text, const std::string& units = {}) {
   try {
@@ -100,19 +102,23 @@ TEST(PeerRecord, BrokenHeaderIsAnErrorWithItsLine) {
 TEST(PeerRecord, VelocityFileIsRefused) {
   std::string text = new_header + values;
   text.replace(text.find("ACCELERATION TIME SERIES IN UNITS OF G"), 38, "VELOCITY TIME SERIES IN UNITS OF CM/S");
-  EXPECT_EQ(error_of(text), "r.txt:3: \"CM/S\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(error_of(text),
+            "r.txt:3: \"CM/S\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
 }
 
 TEST(PeerRecord, UnitIsNeverGuessed) {
   const std::string text = "title\nNPTS= 2, DT= .01\n0 1\n";
-  EXPECT_EQ(error_of(text),
-            "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(
+      error_of(text),
+      "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
   EXPECT_DOUBLE_EQ(read(text, "g").measures.pga, g);
 }
 
 TEST(TwoColumns, EverySeparatorIsRead) {
   for (const char* text : {"0,0\n0.02,1.5\n0.04,-2\n", "0;0\n0.02; 1.5\n0.04 ;-2\n", "0 0\n  0.02\t1.5  \n0.04   -2",
-                           "0, 0\r\n0.02, 1.5\r\n0.04, -2\r\n", "\xEF\xBB\xBF" "0,0\n0.02,1.5\n0.04,-2\n"}) {
+                           "0, 0\r\n0.02, 1.5\r\n0.04, -2\r\n",
+                           "\xEF\xBB\xBF"
+                           "0,0\n0.02,1.5\n0.04,-2\n"}) {
     const Record record = read(text, "m/s^2");
     EXPECT_EQ(record.format, "two columns");
     EXPECT_EQ(record.samples.times, (std::vector<double>{0, 0.02, 0.04})) << text;
@@ -155,18 +161,22 @@ TEST(TwoColumns, ErrorsSayWhere) {
   EXPECT_EQ(error_of("-0.1 0\n0.1 1\n", "g"), "r.txt:1: time -0.1 is before 0, where every run begins");
   EXPECT_EQ(error_of("0 0\nt,a\n", "g"), "r.txt:2: \"t\" is not a finite number");
   EXPECT_EQ(error_of("0 0\n0.1 -0.2\n-0.3 0.1\n", "g"), "r.txt:3: time -0.3 is before 0, where every run begins");
-  EXPECT_EQ(error_of("0.1 0.2\n0.05 0.1\n", "g"), "r.txt:2: time 0.05 does not come after the one before it; values at a fixed step "
-                                                 "need \"step:\", such as step: 0.01 s");
-  EXPECT_EQ(error_of("time,acc (g)\n0,0\n"), "r.txt: 1 sample; a record has two or more lines of time and acceleration");
+  EXPECT_EQ(error_of("0.1 0.2\n0.05 0.1\n", "g"),
+            "r.txt:2: time 0.05 does not come after the one before it; values at a fixed step "
+            "need \"step:\", such as step: 0.01 s");
+  EXPECT_EQ(error_of("time,acc (g)\n0,0\n"),
+            "r.txt: 1 sample; a record has two or more lines of time and acceleration");
   EXPECT_EQ(error_of(""), "r.txt: 0 samples; a record has two or more lines of time and acceleration");
 }
 
 TEST(TwoColumns, UnitErrorsSayWhatToDo) {
-  EXPECT_EQ(error_of("0 0\n0.1 1\n"),
-            "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(error_of("time,acc (mm)\n0,0\n0.1,1\n"),
-            "r.txt:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements type "
-            "displacement: {record: FILE}");
+  EXPECT_EQ(
+      error_of("0 0\n0.1 1\n"),
+      "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(
+      error_of("time,acc (mm)\n0,0\n0.1,1\n"),
+      "r.txt:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements type "
+      "displacement: {record: FILE}");
   EXPECT_EQ(error_of("time,acc (g)\n0,0\n0.1,1\n", "m/s^2"),
             "r.txt:1: the file states g, but \"units\" says m/s^2; remove \"units\"");
   EXPECT_NO_THROW(read("time,acc (cm/s^2)\n0,0\n0.1,1\n", "gal"));

@@ -12,7 +12,9 @@
 
 namespace pounding::test {
 
-inline Record read(const std::string& text, const RecordOptions& options = {}) { return read_record_text(text, "r.txt", options); }
+inline Record read(const std::string& text, const RecordOptions& options = {}) {
+  return read_record_text(text, "r.txt", options);
+}
 
 /// The message that refuses a text; "no error" where none does.
 inline std::string error_of(const std::string& text, const RecordOptions& options = {}) {

@@ -57,8 +57,8 @@ TEST(OscillatorStep, FreeVibrationFollowsTheClosedForm) {
     s = step.advance(s, 0, 0);
     const double t = i * h, e = std::exp(-zeta * w * t);
     const double b = (s0.velocity + zeta * w * s0.displacement) / wd;
-    book.near("displacement in free vibration [m]",
-              s.displacement, e * (s0.displacement * std::cos(wd * t) + b * std::sin(wd * t)), 1e-14);
+    book.near("displacement in free vibration [m]", s.displacement,
+              e * (s0.displacement * std::cos(wd * t) + b * std::sin(wd * t)), 1e-14);
   }
 }
 
@@ -69,8 +69,8 @@ TEST(OscillatorStep, ConstantGroundAccelerationFollowsTheClosedForm) {
   OscillatorState s;
   for (int i = 1; i <= 50; ++i) {
     s = step.advance(s, a, a);
-    book.near("displacement under a constant acceleration [m]",
-              s.displacement, -a / (w * w) * (1 - std::cos(w * i * h)), 1e-14);
+    book.near("displacement under a constant acceleration [m]", s.displacement,
+              -a / (w * w) * (1 - std::cos(w * i * h)), 1e-14);
     book.near("velocity under a constant acceleration [m/s]", s.velocity, -a / w * std::sin(w * i * h), 1e-14);
   }
 }
@@ -100,7 +100,8 @@ TEST(OscillatorStep, TwoHalfStepsAreOneStepAtAnyDamping) {
 }
 
 TEST(Spectrum, ResonanceOfAnUndampedOscillatorFollowsTheClosedForm) {
-  test::Book book("Response spectra", "resonance without damping: peak n pi A/(2 w^2)", "motion straight between its samples, peak of a cubic");
+  test::Book book("Response spectra", "resonance without damping: peak n pi A/(2 w^2)",
+                  "motion straight between its samples, peak of a cubic");
   // u'' + w^2 u = -A sin w t:  u = -A/(2 w^2) (sin w t - w t cos w t), whose peak at w t = n pi is n pi A/(2 w^2).
   const double period = 0.6, w = 2 * pi / period, amplitude = 3;
   const GroundMotion motion(Harmonic{amplitude, period, 10 * period});
@@ -109,15 +110,15 @@ TEST(Spectrum, ResonanceOfAnUndampedOscillatorFollowsTheClosedForm) {
 }
 
 TEST(Spectrum, DampedResonanceApproachesOneOverTwiceTheDamping) {
-  test::Book book("Response spectra", "resonance with damping: 1/(2 zeta)", "motion straight between its samples, peak of a cubic");
+  test::Book book("Response spectra", "resonance with damping: 1/(2 zeta)",
+                  "motion straight between its samples, peak of a cubic");
   const double period = 0.5, w = 2 * pi / period, zeta = 0.05;
   const GroundMotion motion(Harmonic{1, period, 60 * period});
   book.near("amplification times twice the damping [-]", sd(motion, period, zeta) * w * w * 2 * zeta, 1, 2e-5);
 }
 
 TEST(Spectrum, RectangleDoublesTheStaticDisplacement) {
-  test::Book book("Response spectra",
-                  "rectangular pulse: 2, or 2 sin(pi d/T) when it is short",
+  test::Book book("Response spectra", "rectangular pulse: 2, or 2 sin(pi d/T) when it is short",
                   "motion straight between its samples, peak of a cubic");
   // Lasts longer than half a period, no damping: the peak is twice the static one. Shorter: 2 sin(pi d/T).
   const GroundMotion motion(Pulse{Pulse::Shape::rectangle, 2, 0.3, 0.1});
@@ -126,7 +127,8 @@ TEST(Spectrum, RectangleDoublesTheStaticDisplacement) {
     book.near("amplification of a long rectangle [-]", sd(motion, period, 0) * w * w / 2, 2, 1e-5);
   }
   const double w = 2 * pi / 1.5;  // here the peak comes after the end of the motion
-  book.near("amplification of a short rectangle [-]", sd(motion, 1.5, 0) * w * w / 2, 2 * std::sin(pi * 0.3 / 1.5), 1e-5);
+  book.near("amplification of a short rectangle [-]", sd(motion, 1.5, 0) * w * w / 2, 2 * std::sin(pi * 0.3 / 1.5),
+            1e-5);
 }
 
 TEST(Spectrum, HalfSineFollowsTheClosedFormAfterItsEnd) {
@@ -137,13 +139,12 @@ TEST(Spectrum, HalfSineFollowsTheClosedFormAfterItsEnd) {
   // Structures, 4.8).
   const double d = 0.2, period = 0.9, b = period / (2 * d), w = 2 * pi / period;
   const GroundMotion motion(Pulse{Pulse::Shape::half_sine, 4, d, 0});
-  book.near("amplification of a short half sine [-]",
-            sd(motion, period, 0) * w * w / 4, 2 * b * std::cos(pi / (2 * b)) / (b * b - 1), 2e-5);
+  book.near("amplification of a short half sine [-]", sd(motion, period, 0) * w * w / 4,
+            2 * b * std::cos(pi / (2 * b)) / (b * b - 1), 2e-5);
 }
 
 TEST(Spectrum, AgreesWithFineRungeKuttaOnIrregularSamples) {
-  test::Book book("Response spectra",
-                  "classical Runge-Kutta method of fourth order with fine steps",
+  test::Book book("Response spectra", "classical Runge-Kutta method of fourth order with fine steps",
                   "peak between the steps of the reference");
   Samples samples;
   for (int i = 0; i <= 300; ++i) {

@@ -57,7 +57,9 @@ std::vector<double> random_path(std::mt19937& random, double dy, int most_turns 
   double last = 0;
   for (double& d : path) {
     const int k = kind(random);
-    d = k < 5 ? dy * near(random) : k < 8 ? dy * far(random) : last + dy * std::copysign(std::pow(10, decades(random)), near(random));
+    d = k < 5   ? dy * near(random)
+        : k < 8 ? dy * far(random)
+                : last + dy * std::copysign(std::pow(10, decades(random)), near(random));
     last = d;
   }
   return path;
@@ -80,7 +82,8 @@ TYPED_TEST(HysteresisContract, StandingStillChangesNothing) {
     EXPECT_EQ(this->law.work(kept, kept.deformation), 0);
     EXPECT_EQ(lost(this->law, kept, kept.deformation), 0);
     EXPECT_FALSE(this->law.corner(kept, kept.deformation));
-    for (const double d : random_path(random, this->dy)) EXPECT_EQ(this->law.respond(still, d).force, this->law.respond(kept, d).force);
+    for (const double d : random_path(random, this->dy))
+      EXPECT_EQ(this->law.respond(still, d).force, this->law.respond(kept, d).force);
   }
 }
 
@@ -101,7 +104,8 @@ TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
     };
     // The difference is of the fourth order: what is left is rounding, 1e-16 fy over the step.
     const double slope = (4 * difference(h / 2) - difference(h)) / 3;
-    EXPECT_NEAR(this->law.respond(kept, d).slope, slope, 2e-8 * this->law.stiffness()) << "from " << kept.deformation << " to " << d;
+    EXPECT_NEAR(this->law.respond(kept, d).slope, slope, 2e-8 * this->law.stiffness())
+        << "from " << kept.deformation << " to " << d;
     ++used;
   }
   EXPECT_GT(used, 1500);
@@ -122,13 +126,15 @@ TYPED_TEST(HysteresisContract, ItDoesNotMatterWhereAWayIsCut) {
       cut = this->law.advance(cut, d);
       whole = this->law.advance(whole, d);
     }
-    for (const double d : {whole.deformation, this->dy * probe(random), this->dy * probe(random), this->dy * probe(random)}) {
+    for (const double d :
+         {whole.deformation, this->dy * probe(random), this->dy * probe(random), this->dy * probe(random)}) {
       const double expected = this->law.respond(whole, d).force;
       ASSERT_NEAR(this->law.respond(cut, d).force, expected, 1e-12 * this->fy) << "path " << i << ", then to " << d;
     }
     ASSERT_NEAR(this->law.stored(cut), this->law.stored(whole), 1e-11 * this->fy * this->dy) << "path " << i;
     for (const StateValue<TypeParam>& value : TypeParam::state)
-      ASSERT_NEAR(value.get(cut), value.get(whole), 1e-12 * std::max(1.0, std::abs(value.get(whole)))) << value.info.name << " of path " << i;
+      ASSERT_NEAR(value.get(cut), value.get(whole), 1e-12 * std::max(1.0, std::abs(value.get(whole))))
+          << value.info.name << " of path " << i;
   }
 }
 
@@ -143,8 +149,9 @@ TYPED_TEST(HysteresisContract, NothingButTheDeformationChangesInTheElasticRange)
       const double force = excess(this->law, kept, 0.5 * (range.low + range.high)).force;
       auto moved = kept;
       for (int j = 0; j < 8; ++j) {
-        const double d = j == 0 ? std::nextafter(range.low, range.high) : j == 1 ? std::nextafter(range.high, range.low)
-                                : range.low + part(random) * (range.high - range.low);
+        const double d = j == 0   ? std::nextafter(range.low, range.high)
+                         : j == 1 ? std::nextafter(range.high, range.low)
+                                  : range.low + part(random) * (range.high - range.low);
         const Answer answer = excess(this->law, moved, d);
         ASSERT_EQ(answer.force, force) << "path " << i << ", at " << d;
         ASSERT_EQ(answer.slope, 0);
@@ -155,10 +162,12 @@ TYPED_TEST(HysteresisContract, NothingButTheDeformationChangesInTheElasticRange)
         auto expected = moved;
         expected.deformation = d;
         moved = this->law.advance(moved, d);
-        for (const StateValue<TypeParam>& value : TypeParam::state) ASSERT_EQ(value.get(moved), value.get(expected)) << value.info.name;
+        for (const StateValue<TypeParam>& value : TypeParam::state)
+          ASSERT_EQ(value.get(moved), value.get(expected)) << value.info.name;
         ASSERT_EQ(moved.deformation, d);
       }
-      ASSERT_NEAR(excess(this->law, kept, range.high + 1e-3 * this->dy).slope, -(1 - this->law.hardening) * this->law.stiffness(), 1e-9 * this->law.stiffness());
+      ASSERT_NEAR(excess(this->law, kept, range.high + 1e-3 * this->dy).slope,
+                  -(1 - this->law.hardening) * this->law.stiffness(), 1e-9 * this->law.stiffness());
     }
   } else {
     GTEST_SKIP() << "it has no such range";
@@ -189,12 +198,15 @@ TYPED_TEST(HysteresisContract, WorkIsTheIntegralOfTheForce) {
     double sum = 0;  // by Simpson's rule, with corners somewhere between its points
     for (int j = 0; j < n; ++j) {
       const double x = kept.deformation + j * h;
-      sum += h / 6 * (this->law.respond(kept, x).force + 4 * this->law.respond(kept, x + h / 2).force + this->law.respond(kept, x + h).force);
+      sum += h / 6 *
+             (this->law.respond(kept, x).force + 4 * this->law.respond(kept, x + h / 2).force +
+              this->law.respond(kept, x + h).force);
     }
     EXPECT_NEAR(this->law.work(kept, d), sum, 1e-6 * this->fy * this->dy) << "from " << kept.deformation << " to " << d;
     // On parts of the way it is the same work.
     const double middle = kept.deformation + 0.37 * (d - kept.deformation);
-    EXPECT_NEAR(this->law.work(kept, middle) + this->law.work(this->law.advance(kept, middle), d), this->law.work(kept, d), 1e-11 * this->fy * this->dy);
+    EXPECT_NEAR(this->law.work(kept, middle) + this->law.work(this->law.advance(kept, middle), d),
+                this->law.work(kept, d), 1e-11 * this->fy * this->dy);
   }
 }
 
@@ -277,7 +289,8 @@ TYPED_TEST(HysteresisContract, SlopesJumpAtCornersAndNowhereElse) {
     const double end = corner ? *corner - h : d;
     if (!is_strictly_between(end - 2 * h, kept.deformation, d)) continue;
     for (int j = 0; j < 20; ++j) {
-      double from = kept.deformation + h + j / 20.0 * (end - h - kept.deformation), to = from + (end - h - kept.deformation) / 20;
+      double from = kept.deformation + h + j / 20.0 * (end - h - kept.deformation),
+             to = from + (end - h - kept.deformation) / 20;
       for (int half = 0; half < 26; ++half) {
         const double middle = 0.5 * (from + to);
         (std::abs(slope(middle) - slope(from)) > std::abs(slope(to) - slope(middle)) ? to : from) = middle;
@@ -312,7 +325,8 @@ TYPED_TEST(HysteresisContract, AStateIsItsBytes) {
     std::memcpy(bytes.data(), &kept, sizeof kept);
     typename TypeParam::State copy;
     std::memcpy(static_cast<void*>(&copy), bytes.data(), sizeof copy);
-    for (const double d : random_path(random, this->dy)) EXPECT_EQ(this->law.respond(copy, d).force, this->law.respond(kept, d).force);
+    for (const double d : random_path(random, this->dy))
+      EXPECT_EQ(this->law.respond(copy, d).force, this->law.respond(kept, d).force);
   }
 }
 

@@ -34,30 +34,33 @@ void expect_loop(const L& law, const Forces& forces, int parts = 3) {
   }
 }
 
-// Numbers by a program in Python that shares nothing with this one: modes with guards, crossed by bisection to the last digit.
+// Numbers by a program in Python that shares nothing with this one: modes with guards, crossed by bisection to the last
+// digit.
 TEST(PublishedLoops, BilinearFollowsTheIndependentProgram) {
   expect_loop(Bilinear{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05},
               {1.075, -1.01, 0.59, -1.13, -0.63, -0.93, 1, 0.2, 1.175, -0.975, 0.225, -1.25, 0.95});
 }
 
 TEST(PublishedLoops, MenegottoPintoWithTheMemoryOfSteel02FollowsTheIndependentProgram) {
-  expect_loop(MenegottoPinto{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05, .memory = MenegottoPinto::Memory::last},
-              {1.07499999947773, -0.93273176551411, 0.44619113907322, -1.12999756917766, -0.640755869315557, -0.940754209587081,
-               0.89340885120892, 0.127498682996302, 1.17358493603992, -0.829075088243166, 0.229036858308608, -1.24157108510793,
-               0.823540208103033});
+  expect_loop(
+      MenegottoPinto{
+          .initial_stiffness = 1, .yield_force = 1, .hardening = 0.05, .memory = MenegottoPinto::Memory::last},
+      {1.07499999947773, -0.93273176551411, 0.44619113907322, -1.12999756917766, -0.640755869315557, -0.940754209587081,
+       0.89340885120892, 0.127498682996302, 1.17358493603992, -0.829075088243166, 0.229036858308608, -1.24157108510793,
+       0.823540208103033});
 }
 
 TEST(PublishedLoops, MenegottoPintoWithMemoryFollowsTheIndependentProgram) {
   expect_loop(MenegottoPinto{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05},
-              {1.07499999947773, -0.93273176551411, 0.44619113907322, -1.11313391620431, -0.624146504884993, -0.924145884853595,
-               0.871844925906343, 0.107203456418876, 1.13399707045541, -0.836700652471436, 0.222780843725099, -1.21429953025512,
-               0.828121878931848});
+              {1.07499999947773, -0.93273176551411, 0.44619113907322, -1.11313391620431, -0.624146504884993,
+               -0.924145884853595, 0.871844925906343, 0.107203456418876, 1.13399707045541, -0.836700652471436,
+               0.222780843725099, -1.21429953025512, 0.828121878931848});
 }
 
 TEST(PublishedLoops, PeakOrientedFollowsTheIndependentProgram) {
   expect_loop(PeakOriented{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05},
-              {1.075, -1.01, 0.204588362746378, -1.13, -0.866476861652635, -1.02459074466105, 0.667388805349724, 0.161424379722783, 1.175,
-               -0.505295209607356, 0.0701492282652341, -1.25, 0.464136592131771});
+              {1.075, -1.01, 0.204588362746378, -1.13, -0.866476861652635, -1.02459074466105, 0.667388805349724,
+               0.161424379722783, 1.175, -0.505295209607356, 0.0701492282652341, -1.25, 0.464136592131771});
 }
 
 // By an integration of dz/dd of order eight with tolerances of 1e-13.
@@ -65,21 +68,26 @@ TEST(PublishedLoops, BoucWenFollowsItsDifferentialEquation) {
   const auto law = [](double n, double g) {
     return BoucWen{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05, .exponent = n, .gamma_share = g};
   };
-  expect_loop(law(1, 0.5), {0.997019251307293, -0.951186172667756, 0.479927816918784, -1.10176403475323, -0.601764034753228,
-                            -0.747193627642839, 0.9785862289041, 0.178586228904099, 1.16439734113394, -0.957793257874549,
-                            0.221166659653561, -1.24857748434889, 0.943608528013414});
-  expect_loop(law(2, 0.5), {1.06228358324387, -1.00168176468078, 0.536088306354532, -1.12811275690688, -0.628112756906883,
-                            -0.82485495779861, 0.998863841285005, 0.198863841285005, 1.17476624647294, -0.974363148127,
-                            0.223118515174379, -1.24999572236121, 0.949913744826206});
-  expect_loop(law(2, 0.3), {1.06228358324387, -1.00324559093904, 0.602174447571269, -1.12795010305666, -0.533331918828087,
-                            -0.756981142476492, 0.999070243157821, 0.0965192218283347, 1.17470864010797, -0.974487141732601,
-                            0.319303437991664, -1.24999479875652, 0.949930546095788});
-  expect_loop(law(1, 0.2), {0.997019251307293, -0.961201867085191, 0.563581221455424, -1.10154391442797, -0.427325372379312,
-                            -0.617966288164896, 0.982332954017364, -0.0165306666973227, 1.16174787909452, -0.961111516346941,
-                            0.364429591904146, -1.24839762106428, 0.944851286712025});
-  expect_loop(law(3.5, 0.4), {1.07403850342482, -1.00958590725513, 0.602341025513651, -1.12995755063124, -0.593207351524573,
-                              -0.844834212146006, 0.999985506858667, 0.161953140318419, 1.17499899022844, -0.974995608903909,
-                              0.262707039527781, -1.2499999990804, 0.949999867399233});
+  expect_loop(law(1, 0.5),
+              {0.997019251307293, -0.951186172667756, 0.479927816918784, -1.10176403475323, -0.601764034753228,
+               -0.747193627642839, 0.9785862289041, 0.178586228904099, 1.16439734113394, -0.957793257874549,
+               0.221166659653561, -1.24857748434889, 0.943608528013414});
+  expect_loop(law(2, 0.5),
+              {1.06228358324387, -1.00168176468078, 0.536088306354532, -1.12811275690688, -0.628112756906883,
+               -0.82485495779861, 0.998863841285005, 0.198863841285005, 1.17476624647294, -0.974363148127,
+               0.223118515174379, -1.24999572236121, 0.949913744826206});
+  expect_loop(law(2, 0.3),
+              {1.06228358324387, -1.00324559093904, 0.602174447571269, -1.12795010305666, -0.533331918828087,
+               -0.756981142476492, 0.999070243157821, 0.0965192218283347, 1.17470864010797, -0.974487141732601,
+               0.319303437991664, -1.24999479875652, 0.949930546095788});
+  expect_loop(law(1, 0.2),
+              {0.997019251307293, -0.961201867085191, 0.563581221455424, -1.10154391442797, -0.427325372379312,
+               -0.617966288164896, 0.982332954017364, -0.0165306666973227, 1.16174787909452, -0.961111516346941,
+               0.364429591904146, -1.24839762106428, 0.944851286712025});
+  expect_loop(law(3.5, 0.4),
+              {1.07403850342482, -1.00958590725513, 0.602341025513651, -1.12995755063124, -0.593207351524573,
+               -0.844834212146006, 0.999985506858667, 0.161953140318419, 1.17499899022844, -0.974995608903909,
+               0.262707039527781, -1.2499999990804, 0.949999867399233});
 }
 
 TEST(ClosedForms, TheSteadyLoopOfTheBilinearLawHasItsArea) {
@@ -104,7 +112,8 @@ TEST(ClosedForms, TheYieldForcesOfTheTwoDirectionsMayDiffer) {
 }
 
 TEST(ClosedForms, BoucWenIsATangentOfAHyperbolaOrAnExponentialOnFirstLoading) {
-  const BoucWen square{.initial_stiffness = 2e6, .yield_force = 2e4}, linear{.initial_stiffness = 2e6, .yield_force = 2e4, .exponent = 1};
+  const BoucWen square{.initial_stiffness = 2e6, .yield_force = 2e4},
+      linear{.initial_stiffness = 2e6, .yield_force = 2e4, .exponent = 1};
   for (const double d : {1e-6, 1e-3, 0.01, 0.03, 0.3}) {
     EXPECT_NEAR(square.respond({}, d).force, 2e4 * std::tanh(d / 0.01), 1e-11);
     EXPECT_NEAR(linear.respond({}, d).force, 2e4 * (1 - std::exp(-d / 0.01)), 1e-11);
@@ -150,7 +159,8 @@ TEST(ClosedForms, BoucWenDriftsUnderASteadyForce) {
   }
 }
 
-// Stress over that of the same path without the turn: another program, in steps of 0.001 dy. It interpolates linearly between them.
+// Stress over that of the same path without the turn: another program, in steps of 0.001 dy. It interpolates linearly
+// between them.
 TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
   const double at[] = {-1, 0, 2}, without[] = {0.6469689626087252, 0.7780149802262432, 0.9048491046378144};
   const double lifted[3][3] = {{0.22285351233738027, 0.1939113763178223, 0.10170073798729562},
@@ -167,8 +177,10 @@ TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
       const MenegottoPinto::State turned = law.advance(kept, -1.5 - back[i]);
       for (int j = 0; j < 3; ++j) {
         const double force = law.respond(turned, at[j]).force;
-        if (memory == MenegottoPinto::Memory::last) EXPECT_NEAR(force - without[j], lifted[i][j], 1e-9) << back[i] << " back, at " << at[j];
-        else EXPECT_NEAR(force, without[j], 2e-13) << back[i] << " back, at " << at[j];
+        if (memory == MenegottoPinto::Memory::last)
+          EXPECT_NEAR(force - without[j], lifted[i][j], 1e-9) << back[i] << " back, at " << at[j];
+        else
+          EXPECT_NEAR(force, without[j], 2e-13) << back[i] << " back, at " << at[j];
       }
     }
   }
@@ -199,7 +211,8 @@ TEST(PublishedLoops, MoreTurnsThanAreRememberedForgetTheSmallestOnes) {
     ASSERT_LE(kept.up.count, MenegottoPinto::most_branches);
     ASSERT_LE(kept.down.count, MenegottoPinto::most_branches);
   }
-  for (const double d : {-1.0, 0.0, 2.0, 3.9}) EXPECT_NEAR(law.respond(kept, d).force, law.respond(before, d).force, 2e-13);
+  for (const double d : {-1.0, 0.0, 2.0, 3.9})
+    EXPECT_NEAR(law.respond(kept, d).force, law.respond(before, d).force, 2e-13);
 }
 
 TEST(ClosedForms, WorkOfMenegottoPintoIsTheIntegralOfItsForce) {
@@ -239,11 +252,17 @@ TEST(ClosedForms, TheHyperbolaHasItsSecantsAndKeepsWhatIsPressedIn) {
   EXPECT_NEAR(*law.corner(pressed, 0), 0.1 + law.pressed_in(pressed), 1e-15);
   // Its energy: K/c [x - log(1 + c x)/c], c = K Rf/Fu.
   const double c = 2.5e8 * 0.75 / 6e6;
-  EXPECT_NEAR(law.work({}, 0.1 + ultimate), 2.5e8 / c * (ultimate - std::log1p(c * ultimate) / c), 1e-9 * 6e6 * ultimate);
+  EXPECT_NEAR(law.work({}, 0.1 + ultimate), 2.5e8 / c * (ultimate - std::log1p(c * ultimate) / c),
+              1e-9 * 6e6 * ultimate);
 }
 
 TEST(ClosedForms, ATrilinearBackboneGoesThroughItsBreaks) {
-  const PeakOriented law{.initial_stiffness = 1e7, .yield_force = 1.5e5, .hardening = 0.02, .unloading = 0.5, .cracking_force = 5e4, .deformation_at_yield = 0.03};
+  const PeakOriented law{.initial_stiffness = 1e7,
+                         .yield_force = 1.5e5,
+                         .hardening = 0.02,
+                         .unloading = 0.5,
+                         .cracking_force = 5e4,
+                         .deformation_at_yield = 0.03};
   law.check();
   const double forces[] = {2.5e4, 5e4, 1e5, 1.5e5, 1.5e5 + 2e5 * 0.01}, at[] = {0.0025, 0.005, 0.0175, 0.03, 0.04};
   for (int i = 0; i < 5; ++i)
@@ -272,33 +291,43 @@ TEST(ClosedForms, IsolatorsAreLoopsByTheirOwnWords) {
   EXPECT_NEAR(slider.respond({}, 0.2).force, 5e6 * 0.2 / 2 + 0.06 * 5e6, 1e-6);
   EXPECT_NEAR(slider.respond(slider.advance({}, 0.2), 0).force, -0.06 * 5e6, 1e-6);
   const Settings by_modulus{.law = "lead_rubber",
-                            .values = {{"strength", 3.75e5}, {"yield_displacement", 0.012}, {"shear_modulus", 4e5}, {"area", 1.75},
+                            .values = {{"strength", 3.75e5},
+                                       {"yield_displacement", 0.012},
+                                       {"shear_modulus", 4e5},
+                                       {"area", 1.75},
                                        {"rubber_thickness", 0.2}}};
   const LeadRubber bearing = std::get<LeadRubber>(make_law(by_modulus));
   EXPECT_NEAR(bearing.respond({}, 0.1).force, 3.75e5 + 3.5e6 * 0.1, 1e-6);
   EXPECT_NEAR(bearing.respond(bearing.advance({}, 0.1), 0).force, -3.75e5, 1e-6);
   const Elastomeric rubber = std::get<Elastomeric>(make_law(typical_settings(find_law("elastomeric"))));
   EXPECT_NEAR(rubber.respond({}, 0.01).force, 3.5e6 * 0.01 + 3.75e5 * std::tanh(0.01 / 0.012), 1e-6);
-  const std::string needs = "lead_rubber needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead";
+  const std::string needs =
+      "lead_rubber needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead";
   EXPECT_EQ(refusal({.law = "lead_rubber", .values = {{"strength", 1}, {"yield_displacement", 1}}}), needs);
-  EXPECT_EQ(refusal({.law = "lead_rubber", .values = {{"strength", 1}, {"yield_displacement", 1}, {"post_yield_stiffness", 1}, {"area", 1}}}), needs);
+  EXPECT_EQ(refusal({.law = "lead_rubber",
+                     .values = {{"strength", 1}, {"yield_displacement", 1}, {"post_yield_stiffness", 1}, {"area", 1}}}),
+            needs);
 }
 
 TEST(ByName, EveryLawOfTheDesignIsThere) {
   std::string names;
   for (const Entry& entry : catalogue()) names += std::string(entry.name) + " ";
-  EXPECT_EQ(names, "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill ");
+  EXPECT_EQ(names,
+            "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill ");
 }
 
 TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {
   EXPECT_EQ(refusal({.law = "bouc_wenn"}), "unknown law of yielding \"bouc_wenn\". Did you mean \"bouc_wen\"?");
-  EXPECT_EQ(refusal({.law = "bilinear", .values = {{"stiffness", 1}}}), "bilinear needs yield_force (force at the first yield Fy)");
-  EXPECT_EQ(refusal({.law = "bilinear", .values = {{"hardenning", 1}}}), "bilinear has no parameter \"hardenning\". Did you mean \"hardening\"?");
+  EXPECT_EQ(refusal({.law = "bilinear", .values = {{"stiffness", 1}}}),
+            "bilinear needs yield_force (force at the first yield Fy)");
+  EXPECT_EQ(refusal({.law = "bilinear", .values = {{"hardenning", 1}}}),
+            "bilinear has no parameter \"hardenning\". Did you mean \"hardening\"?");
   const std::map<std::string, double, std::less<>> steel{{"stiffness", 1}, {"yield_force", 1}};
   EXPECT_EQ(refusal({.law = "menegotto_pinto", .values = steel, .words = {{"memory", "nested"}}}), "taken");
   EXPECT_EQ(refusal({.law = "menegotto_pinto", .values = steel, .words = {{"memory", "lasst"}}}),
             "memory of menegotto_pinto cannot be \"lasst\". Did you mean \"last\"?");
-  EXPECT_EQ(refusal({.law = "bilinear", .values = steel, .words = {{"memory", "last"}}}), "bilinear has no parameter \"memory\" that takes a word.");
+  EXPECT_EQ(refusal({.law = "bilinear", .values = steel, .words = {{"memory", "last"}}}),
+            "bilinear has no parameter \"memory\" that takes a word.");
   EXPECT_EQ(refusal({.law = "bouc_wen", .values = {{"stiffness", 1}, {"yield_force", 1}, {"gamma_share", 0.6}}}),
             "gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy");
   EXPECT_EQ(refusal({.law = "menegotto_pinto", .values = {{"stiffness", 1}, {"yield_force", 1}, {"R0", 10}}}),

@@ -12,13 +12,15 @@ namespace device_input_test {
 
 std::string inside(const std::string& device) {
   return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
-         "structures: {a: {shear_building: {storeys: 3, mass: 100 t, stiffness: 90 MN/m, damping: 5 %, devices: {brace: " +
+         "structures: {a: {shear_building: {storeys: 3, mass: 100 t, stiffness: 90 MN/m, damping: 5 %, devices: "
+         "{brace: " +
          device + "}}}}\n";
 }
 
 std::string in_frame(const std::string& device) {
   return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
-         "structures: {a: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 4 m, "
+         "structures: {a: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 2, bays: 1, storey_height: 3 "
+         "m, bay_width: 4 m, "
          "columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 40 t}, devices: {brace: " +
          device + "}}}}\n";
 }
@@ -40,7 +42,8 @@ std::string refusal(const std::string& yaml) {
 }
 
 TEST(DeviceInput, BecomesAPartThatYields) {
-  const Model model = test::model_of(inside("{between: [1, 3], bouc_wen: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}"));
+  const Model model =
+      test::model_of(inside("{between: [1, 3], bouc_wen: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}"));
   const Structure& s = model.structures[0];
   ASSERT_EQ(s.yielding.size(), 1u);
   const YieldingPart& part = s.yielding[0];
@@ -50,7 +53,9 @@ TEST(DeviceInput, BecomesAPartThatYields) {
   EXPECT_DOUBLE_EQ(part.spring->first_slope(), 80e6);
   EXPECT_DOUBLE_EQ(part.spring->yield_deformation(), 600e3 / 80e6);
   EXPECT_EQ(s.members_that_yield(), 0u);
-  EXPECT_NE(describe(model).find("     device brace: bouc_wen 80 MN/m, yields at 600 kN, between floor 1 and floor 3\n"), std::string::npos)
+  EXPECT_NE(
+      describe(model).find("     device brace: bouc_wen 80 MN/m, yields at 600 kN, between floor 1 and floor 3\n"),
+      std::string::npos)
       << describe(model);
   // It carries the shear of the two storeys that it passes.
   EXPECT_EQ(s.floors[0].storey_shear_by_yielding[0].sum(), 0);
@@ -67,29 +72,38 @@ TEST(DeviceInput, IsNotStifferThanItsForceHasDigits) {
   };
   const std::string maxwell = "leave stiffness out, which means a rigid one, or type at most";
   for (const char* stiffness : {"4.0e19", "1e300", "1e16 MN/m"}) {
-    expect(between(std::string("damper: {coefficient: 2e6, exponent: 0.5, stiffness: ") + stiffness + "}"), "tie.damper", maxwell);
-    expect(inside(std::string("{storey: 2, damper: {coefficient: 2e6, exponent: 0.5, stiffness: ") + stiffness + "}}"), "brace.damper", maxwell);
-    expect(in_frame(std::string("{between: [\"0.0\", \"1.1\"], damper: {coefficient: 2e6, stiffness: ") + stiffness + "}}"), "brace.damper", maxwell);
+    expect(between(std::string("damper: {coefficient: 2e6, exponent: 0.5, stiffness: ") + stiffness + "}"),
+           "tie.damper", maxwell);
+    expect(inside(std::string("{storey: 2, damper: {coefficient: 2e6, exponent: 0.5, stiffness: ") + stiffness + "}}"),
+           "brace.damper", maxwell);
+    expect(in_frame(std::string("{between: [\"0.0\", \"1.1\"], damper: {coefficient: 2e6, stiffness: ") + stiffness +
+                    "}}"),
+           "brace.damper", maxwell);
   }
-  expect(between("bar: {stiffness: 1e25}"), "tie.bar", "the bar is far too stiff: 1e+25 N/m, and the structures at its ends have 1.58e+07 N/m");
+  expect(between("bar: {stiffness: 1e25}"), "tie.bar",
+         "the bar is far too stiff: 1e+25 N/m, and the structures at its ends have 1.58e+07 N/m");
   expect(inside("{between: [1, 3], bar: {stiffness: 1e20}}"), "brace.bar", "the bar is far too stiff");
   expect(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1e25}}"), "brace.bar", "the bar is far too stiff");
   expect(between("damper: {coefficient: 1e19, exponent: 0.3}"), "tie.damper", "the damper is far too stiff");
   expect(inside("{storey: 1, damper: {coefficient: 1e25}}"), "brace.damper", "the damper is far too stiff");
   expect(between("bilinear: {stiffness: 1e20, yield_force: 600 kN}"), "tie.bilinear", "the device is far too stiff");
-  for (const char* device : {"bar: {stiffness: 1e12}", "bar: {stiffness: 1e17}", "damper: {coefficient: 1e12}", "damper: {coefficient: 1e12, exponent: 0.3}",
-                             "damper: {coefficient: 2e6, exponent: 0.5, stiffness: 4e12}", "bilinear: {stiffness: 1e12, yield_force: 600 kN}"})
+  for (const char* device :
+       {"bar: {stiffness: 1e12}", "bar: {stiffness: 1e17}", "damper: {coefficient: 1e12}",
+        "damper: {coefficient: 1e12, exponent: 0.3}", "damper: {coefficient: 2e6, exponent: 0.5, stiffness: 4e12}",
+        "bilinear: {stiffness: 1e12, yield_force: 600 kN}"})
     EXPECT_EQ(refusal(between(device)), "was read") << device;
 }
 
 TEST(DeviceInput, OfAFrameIsNoHinge) {
-  const std::string resolved = resolved_yaml(test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1 MN/m}}")));
+  const std::string resolved =
+      resolved_yaml(test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1 MN/m}}")));
   EXPECT_NE(resolved.find("devices:"), std::string::npos) << resolved;
   EXPECT_EQ(resolved.find("hinges:"), std::string::npos) << resolved;
 }
 
 TEST(DeviceInput, ActsAlongTheLineOfItsNodesOrAnAxis) {
-  const Model along = test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 80 MN/m, yield_force: 600 kN}}"));
+  const Model along =
+      test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 80 MN/m, yield_force: 600 kN}}"));
   const Structure& s = along.structures[0];
   // The line rises 3 m on 4 m.
   const auto along_x = [](const Structure& of) {
@@ -99,7 +113,8 @@ TEST(DeviceInput, ActsAlongTheLineOfItsNodesOrAnAxis) {
   EXPECT_NEAR(along_x(s), 0.8, 1e-12);
   EXPECT_NEAR(s.floors[0].storey_shear_by_yielding[0].coeff(0), 0.8, 1e-12);
   EXPECT_EQ(s.floors[1].storey_shear_by_yielding[0].sum(), 0);
-  const Model level = test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], axis: x, damper: {coefficient: 200 kN s/m}}"));
+  const Model level =
+      test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], axis: x, damper: {coefficient: 200 kN s/m}}"));
   EXPECT_NEAR(along_x(level.structures[0]), 1, 1e-12);
   const Model grounded = test::model_of(in_frame("{between: [\"1.1\", ground], bar: {stiffness: 1 MN/m}}"));
   EXPECT_NEAR(along_x(grounded.structures[0]), -1, 1e-12) << "it gets shorter where the node moves away along x";
@@ -109,29 +124,38 @@ TEST(DeviceInput, IsRefusedWhereItStands) {
   const auto expect = [](const std::string& yaml, const std::string& text) {
     EXPECT_NE(refusal(yaml).find(text), std::string::npos) << refusal(yaml) << "\nwas expected to contain\n" << text;
   };
-  expect(inside("{storey: 1}"), "brace: is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}");
+  expect(inside("{storey: 1}"),
+         "brace: is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}");
   expect(inside("{bar: {stiffness: 1 MN/m}}"), "type storey: 1, or between: [ground, 2]");
   expect(inside("{storey: 4, bar: {stiffness: 1 MN/m}}"), "storey: a has floors 1 to 3; 4 was given");
   expect(inside("{storey: 1, between: [1, 2], bar: {stiffness: 1 MN/m}}"), "keep one of storey and between");
-  expect(inside("{between: [2, 2], bar: {stiffness: 1 MN/m}}"), "floor 2 and floor 2 of a do not move against each other along x");
+  expect(inside("{between: [2, 2], bar: {stiffness: 1 MN/m}}"),
+         "floor 2 and floor 2 of a do not move against each other along x");
   expect(inside("{storey: 1, axis: y, bar: {stiffness: 1 MN/m}}"), "do not move against each other along y");
-  expect(inside("{storey: 1, axis: along, bar: {stiffness: 1 MN/m}}"), "along is the line between two nodes; name two, or type axis: x");
-  expect(inside("{storey: 1, bilinear: {yield_force: 600 kN}}"), "brace.bilinear: key \"stiffness\" is missing; type \"stiffness: 10 MN/m\"");
-  expect(inside("{storey: 1, bilinear: {stiffness: 1 MN/m, yield_force: 0 kN}}"), "brace.bilinear.yield_force: yield_force is 0, but must be finite and positive");
+  expect(inside("{storey: 1, axis: along, bar: {stiffness: 1 MN/m}}"),
+         "along is the line between two nodes; name two, or type axis: x");
+  expect(inside("{storey: 1, bilinear: {yield_force: 600 kN}}"),
+         "brace.bilinear: key \"stiffness\" is missing; type \"stiffness: 10 MN/m\"");
+  expect(inside("{storey: 1, bilinear: {stiffness: 1 MN/m, yield_force: 0 kN}}"),
+         "brace.bilinear.yield_force: yield_force is 0, but must be finite and positive");
   expect(inside("{storey: 1, bouc_wen: {stiffness: 1 MN/m, yield_force: 1 kN, gamma_share: 2}}"), "bouc_wen");
   expect(inside("{storey: 1, bar: {stiffness: 1 MN/m}, bilinear: {stiffness: 1 MN/m, yield_force: 1 kN}}"),
          "a device has a bar or a law of yielding, and a bar is given too");
-  expect(inside("{storey: 1, bouc_wen: {stiffness: 1 MN/m, yield_force: 1 kN}, bilinear: {stiffness: 1 MN/m, yield_force: 1 kN}}"),
+  expect(inside("{storey: 1, bouc_wen: {stiffness: 1 MN/m, yield_force: 1 kN}, bilinear: {stiffness: 1 MN/m, "
+                "yield_force: 1 kN}}"),
          "a device follows one law");
   expect(inside("{storey: 1, damper: {coefficient: 2e5, exponent: 1.5, stiffness: 40 MN/m}}"),
          "the exponent of a damper with a stiffness lies in [0.2, 1]; 1.5 was given");
-  expect(inside("{storey: 1, damper: {coefficient: 2e5, exponent: 0.5, stiffness: 40 MN/m, rounding_velocity: 1 mm/s}}"),
-         "damper.rounding_velocity: rounds a damper without a stiffness; keep one of the two");
+  expect(
+      inside("{storey: 1, damper: {coefficient: 2e5, exponent: 0.5, stiffness: 40 MN/m, rounding_velocity: 1 mm/s}}"),
+      "damper.rounding_velocity: rounds a damper without a stiffness; keep one of the two");
   expect(inside("{storey: 1, damper: {coefficient: 2e5, stiffness: 0}}"), "stiffness");
   expect(in_frame("{storey: 1, bar: {stiffness: 1 MN/m}}"), "in a frame name two nodes");
   expect(in_frame("{between: [\"0.0\", \"9.9\"], bar: {stiffness: 1 MN/m}}"), "9.9");
-  expect(in_frame("{between: [\"0.0\", \"0.1\"], bar: {stiffness: 1 MN/m}}"), "node 0.0 and node 0.1 of a do not move against each other along x");
-  expect(between("bilinear: {stiffness: 1 MN/m}"), "devices.tie.bilinear: key \"yield_force\" is missing; type \"yield_force: 150 kN\"");
+  expect(in_frame("{between: [\"0.0\", \"0.1\"], bar: {stiffness: 1 MN/m}}"),
+         "node 0.0 and node 0.1 of a do not move against each other along x");
+  expect(between("bilinear: {stiffness: 1 MN/m}"),
+         "devices.tie.bilinear: key \"yield_force\" is missing; type \"yield_force: 150 kN\"");
   expect(between("bilinear: {stiffness: 1 MN/m, yield_force: 1 kN, hardening: 1.2}"), "hardening");
 }
 

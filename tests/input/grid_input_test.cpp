@@ -16,8 +16,10 @@ namespace grid_input_test {
 // Lines 1 to 3; `columns` and `beams` are names or more, `rest` are further keys of the frame.
 std::string frame(const std::string& columns, const std::string& beams, const std::string& rest = "") {
   return "material: {E: 30 GPa, density: 2500}\n"
-         "sections: {C60: {rectangle: [0.6, 0.6]}, C50: {rectangle: [0.5, 0.5]}, B60: {rectangle: [0.3, 0.6]}, B50: {rectangle: [0.3, 0.5]}}\n"
-         "grid: {storeys: 3, bays: 2, storey_height: 3 m, bay_width: 6 m, floor_mass: 20 t, beams: " + beams + ", columns: " + columns + "}\n" + rest;
+         "sections: {C60: {rectangle: [0.6, 0.6]}, C50: {rectangle: [0.5, 0.5]}, B60: {rectangle: [0.3, 0.6]}, B50: "
+         "{rectangle: [0.3, 0.5]}}\n"
+         "grid: {storeys: 3, bays: 2, storey_height: 3 m, bay_width: 6 m, floor_mass: 20 t, beams: " +
+         beams + ", columns: " + columns + "}\n" + rest;
 }
 
 FrameModel read(const std::string& yaml) { return read_frame(Input::read_text(yaml, "test.yaml")).model; }
@@ -40,7 +42,8 @@ void refused(const std::string& yaml, const std::string& message) {
 }
 
 TEST(GridInput, SectionsChangeWithTheStorey) {
-  for (const std::string columns : {"[C60, C60, C50]", "{1-2: C60, 3: C50}", "{3: {rectangle: [0.5, 0.5]}, 1-2: C60}"}) {
+  for (const std::string columns :
+       {"[C60, C60, C50]", "{1-2: C60, 3: C50}", "{3: {rectangle: [0.5, 0.5]}, 1-2: C60}"}) {
     const FrameModel m = read(frame(columns, "B60"));
     EXPECT_NEAR(depth(m, "column 1.0"), 0.6, 1e-12) << columns;
     EXPECT_NEAR(depth(m, "column 2.2"), 0.6, 1e-12) << columns;
@@ -60,29 +63,37 @@ TEST(GridInput, SectionsChangeWithTheLine) {
 
 TEST(GridInput, RefusesStoreysThatAreMissingOrTwice) {
   refused(frame("{1-2: C60}", "B60"),
-          "3:104: grid.columns: storey 3 is missing; the keys name every storey from 1 to 3 once, as in {1-3: C60, 4-5: C50}");
+          "3:104: grid.columns: storey 3 is missing; the keys name every storey from 1 to 3 once, as in {1-3: C60, "
+          "4-5: C50}");
   refused(frame("{1-2: C60, 2-3: C50}", "B60"), "3:115: grid.columns.2-3: storey 2 is given twice; keep it once");
-  refused(frame("{1-4: C60}", "B60"), "3:105: grid.columns.1-4: \"1-4\" is outside: the storeys go from 1 at the ground to 3");
-  refused(frame("{1-2: C60, 3x: C50}", "B60"), "3:115: grid.columns.3x: \"3x\" is no storey; type one such as 4, or several such as 1-3");
-  refused(frame("[C60, C50]", "B60"), "3:104: grid.columns: takes one section or a list of 3 from the ground up; a list of 2 was read");
+  refused(frame("{1-4: C60}", "B60"),
+          "3:105: grid.columns.1-4: \"1-4\" is outside: the storeys go from 1 at the ground to 3");
+  refused(frame("{1-2: C60, 3x: C50}", "B60"),
+          "3:115: grid.columns.3x: \"3x\" is no storey; type one such as 4, or several such as 1-3");
+  refused(frame("[C60, C50]", "B60"),
+          "3:104: grid.columns: takes one section or a list of 3 from the ground up; a list of 2 was read");
   refused(frame("[[C60, C50], C60, C60]", "B60"),
           "3:105: grid.columns[0]: takes one section for the storey, or a list of 3 by line; a list of 2 was read");
   refused(frame("{1-2: C60, 3: C55}", "B60"), "3:118: grid.columns.3: unknown section \"C55\". Did you mean \"C50\"?");
 }
 
 TEST(GridInput, MembersOfTheGridMayDiffer) {
-  const FrameModel m = read(frame("C50", "B60", "members: {column 1.1: {section: C60}, brace: {between: [0.0, 1.1], truss: 20 cm^2}}\n"));
+  const FrameModel m = read(
+      frame("C50", "B60", "members: {column 1.1: {section: C60}, brace: {between: [0.0, 1.1], truss: 20 cm^2}}\n"));
   EXPECT_NEAR(depth(m, "column 1.1"), 0.6, 1e-12);
   EXPECT_NEAR(depth(m, "column 1.0"), 0.5, 1e-12);
   EXPECT_EQ(m.frame.member_name(m.frame.members() - 1), "brace");
   refused(frame("C50", "B60", "members: {column 4.1: {section: C60}}\n"),
           "4:11: members.column 4.1: unknown member \"column 4.1\". Did you mean \"column 1.1\"?");
   refused(frame("C50", "B60", "members: {column 1.1: {between: [0.1, 1.1], section: C60}}\n"),
-          "4:24: members.column 1.1.between: belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
+          "4:24: members.column 1.1.between: belongs to a member of its own; one of the grid keeps its nodes and stays "
+          "a beam");
 }
 
 TEST(GridInput, GroupsOfMembersMayDiffer) {
-  const FrameModel m = read(frame("C50", "B60", "members: {columns: {section: C60}, columns 2: {section: B60, parts: 2}, column 3.2: {parts: 4}, beams: {section: B50}}\n"));
+  const FrameModel m = read(frame("C50", "B60",
+                                  "members: {columns: {section: C60}, columns 2: {section: B60, parts: 2}, column 3.2: "
+                                  "{parts: 4}, beams: {section: B50}}\n"));
   EXPECT_NEAR(depth(m, "column 1.0"), 0.6, 1e-12);
   EXPECT_NEAR(depth(m, "column 2.2/2"), depth(read(frame("C50", "B60")), "beam x 1.0"), 1e-12);
   EXPECT_NEAR(depth(m, "column 3.2/4"), 0.5, 1e-12);
@@ -92,7 +103,9 @@ TEST(GridInput, GroupsOfMembersMayDiffer) {
 }
 
 TEST(GridInput, MembersMayBeCut) {
-  const std::string cut = "members: {column 2.0: {parts: 3}, post: {between: [0.1, a], section: C50, parts: 2, load: [0, -1 kN/m]}}\nnodes: {a: [7 m, 0]}\n";
+  const std::string cut =
+      "members: {column 2.0: {parts: 3}, post: {between: [0.1, a], section: C50, parts: 2, load: [0, -1 "
+      "kN/m]}}\nnodes: {a: [7 m, 0]}\n";
   const FrameModel whole = read(frame("C50", "B60")), m = read(frame("C50", "B60", cut));
   EXPECT_EQ(m.frame.nodes(), whole.frame.nodes() + 2 + 1 + 1);
   EXPECT_EQ(m.frame.members(), whole.frame.members() + 2 + 2);

@@ -53,20 +53,23 @@ using Names = std::vector<std::string>;
 TEST(HingeInput, GroupsAndNamesChooseTheEnds) {
   EXPECT_EQ(names(grid + "hinges: {beams: {at: both, yield_moment: 210 kN m}}"),
             (Names{"beam x 1.0 start", "beam x 1.0 end", "beam x 2.0 start", "beam x 2.0 end"}));
-  EXPECT_EQ(names(grid + "hinges: {columns: {at: feet, yield_moment: 210 kN m}}"), (Names{"column 1.0 start", "column 1.1 start"}));
+  EXPECT_EQ(names(grid + "hinges: {columns: {at: feet, yield_moment: 210 kN m}}"),
+            (Names{"column 1.0 start", "column 1.1 start"}));
   EXPECT_EQ(names(grid + "hinges: {column 2.0: {at: end, yield_moment: 210 kN m}}"), Names{"column 2.0 end"});
   EXPECT_EQ(names(grid + "members: {column 1.0: {parts: 3}}\nhinges: {columns: {at: both, yield_moment: 210 kN m}}"),
-            (Names{"column 1.0/1 start", "column 1.0/3 end", "column 1.1 start", "column 1.1 end", "column 2.0 start", "column 2.0 end",
-                   "column 2.1 start", "column 2.1 end"}));
-  EXPECT_EQ(names(space + "hinges: {beam y 1.0.0: {at: start, axis: both, yield_moment: 210 kN m}, columns: {at: feet, axis: z, yield_moment: 1 MN m}}"),
-            (Names{"column 1.0.0 start z", "beam y 1.0.0 start y", "beam y 1.0.0 start z", "column 1.1.0 start z", "column 1.0.1 start z",
-                   "column 1.1.1 start z"}));
+            (Names{"column 1.0/1 start", "column 1.0/3 end", "column 1.1 start", "column 1.1 end", "column 2.0 start",
+                   "column 2.0 end", "column 2.1 start", "column 2.1 end"}));
+  EXPECT_EQ(names(space + "hinges: {beam y 1.0.0: {at: start, axis: both, yield_moment: 210 kN m}, columns: {at: feet, "
+                          "axis: z, yield_moment: 1 MN m}}"),
+            (Names{"column 1.0.0 start z", "beam y 1.0.0 start y", "beam y 1.0.0 start z", "column 1.1.0 start z",
+                   "column 1.0.1 start z", "column 1.1.1 start z"}));
 }
 
 TEST(HingeInput, AMemberByItsNameCountsBeforeItsGroup) {
-  const FrameModel model = read(grid +
-                                "hinges:\n  beam x 2.0: {at: end, yield_moment: [100 kN m, -150 kN m], hardening: 1 %}\n"
-                                "  beams: {at: both, yield_moment: 210 kN m, hardening: 3 %, ultimate_rotation: 0.04}\n");
+  const FrameModel model =
+      read(grid +
+           "hinges:\n  beam x 2.0: {at: end, yield_moment: [100 kN m, -150 kN m], hardening: 1 %}\n"
+           "  beams: {at: both, yield_moment: 210 kN m, hardening: 3 %, ultimate_rotation: 0.04}\n");
   const std::vector<Hinge>& hinges = model.frame.hinges();
   ASSERT_EQ(hinges.size(), 4u);
   for (int i = 0; i < 3; ++i) {
@@ -84,10 +87,12 @@ TEST(HingeInput, AMemberByItsNameCountsBeforeItsGroup) {
 TEST(HingeInput, SpringsFollowLawsByName) {
   const Structure s = structure(grid +
                                 "hinges:\n  columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}\n"
-                                "  beam x 1.0: {at: both, menegotto_pinto: {yield_moment: 180 kN m, hardening: 0.01, stiffness: 90 MN m, memory: last}}\n"
+                                "  beam x 1.0: {at: both, menegotto_pinto: {yield_moment: 180 kN m, hardening: 0.01, "
+                                "stiffness: 90 MN m, memory: last}}\n"
                                 "  beam x 2.0: {at: start, bouc_wen: {yield_moment: 180 kN m, stiffness_factor: 5}}\n");
   const auto part = [&](const std::string& name) -> const YieldingPart& {
-    return *std::find_if(s.yielding.begin(), s.yielding.end(), [&](const YieldingPart& each) { return each.name == name; });
+    return *std::find_if(s.yielding.begin(), s.yielding.end(),
+                         [&](const YieldingPart& each) { return each.name == name; });
   };
   const double of_column = 6 * 30e9 * std::pow(0.4, 4) / 12 / 3, of_beam = 6 * 30e9 * 0.3 * 0.125 / 12 / 6;
   EXPECT_EQ(part("column 1.0 start").law, "bilinear");
@@ -100,9 +105,12 @@ TEST(HingeInput, SpringsFollowLawsByName) {
 
 TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
   const auto warnings = [](const std::string& hinges) {
-    const Model model = test::model_of("structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, storey_height: 3 m, "
-                                       "bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n      hinges: " +
-                                       hinges + "\n    damping: 5 %\nanalysis: {duration: 1}\n");
+    const Model model = test::model_of(
+        "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, storey_height: "
+        "3 m, "
+        "bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n      "
+        "hinges: " +
+        hinges + "\n    damping: 5 %\nanalysis: {duration: 1}\n");
     std::string all;
     for (const std::string& text : implausible(model)) all += text;
     return all;
@@ -111,95 +119,126 @@ TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
   const Structure s = structure(grid + "hinges: " + by_member + "\n");
   EXPECT_NEAR(s.yielding[0].parameter("spring_hardening"), 0.03 / (1 + 10 * 0.97), 1e-15);
   EXPECT_NEAR(s.yielding[0].parameter("end_tangent") / s.yielding[0].parameter("end_stiffness"), 0.03, 1e-12);
-  const Structure bare = structure(grid + "hinges: {columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}\n");
+  const Structure bare =
+      structure(grid + "hinges: {columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}\n");
   EXPECT_EQ(bare.yielding[0].parameter("spring_hardening"), 0.03);
   const std::string warning = warnings(by_member);
-  EXPECT_NE(warning.find("hinges.columns.bouc_wen.hardening: is the ratio of the member end; version 0.2.0 took 3 % as that of the bare spring, which is now "
+  EXPECT_NE(warning.find("hinges.columns.bouc_wen.hardening: is the ratio of the member end; version 0.2.0 took 3 % as "
+                         "that of the bare spring, which is now "
                          "spring_hardening: 3 % (where it is meant: accept: [hardening])"),
             std::string::npos)
       << warning;
-  EXPECT_EQ(warnings("{columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}").find("hardening"), std::string::npos);
-  EXPECT_EQ(warnings("{columns: {at: feet, yield_moment: 250 kN m, hardening: 3 %}}").find("hardening"), std::string::npos);
+  EXPECT_EQ(
+      warnings("{columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}").find("hardening"),
+      std::string::npos);
+  EXPECT_EQ(warnings("{columns: {at: feet, yield_moment: 250 kN m, hardening: 3 %}}").find("hardening"),
+            std::string::npos);
 }
 
 TEST(HingeInput, APartHasTheLengthOfItsMember) {
-  const FrameModel model = read(grid + "members: {beam x 1.0: {parts: 4}}\nhinges: {beam x 1.0: {at: both, yield_moment: 210 kN m}}");
+  const FrameModel model =
+      read(grid + "members: {beam x 1.0: {parts: 4}}\nhinges: {beam x 1.0: {at: both, yield_moment: 210 kN m}}");
   for (const Hinge& hinge : model.frame.hinges()) EXPECT_DOUBLE_EQ(hinge.member_length, 6);
 }
 
 TEST(HingeInput, RefusesTwoMeaningsOfHardening) {
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, hardening: 0.1, spring_hardening: 0.1}}}",
-          "72: hinges.beams.bouc_wen.spring_hardening: give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+          "72: hinges.beams.bouc_wen.spring_hardening: give hardening, the ratio of the member end, or "
+          "spring_hardening, that of the bare spring, not both");
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, spring_hardening: 1}}}",
           R"(74: hinges.beams.bouc_wen.spring_hardening: takes a number in [0, 1) such as "5 %"; "1" is outside)");
 }
 
 TEST(HingeInput, RefusesWhatIsWrong) {
-  refused("{beam x 1.1: {at: both, yield_moment: 1}}", R"(10: hinges.beam x 1.1: unknown member "beam x 1.1". Did you mean "beam x 1.0"?)");
+  refused("{beam x 1.1: {at: both, yield_moment: 1}}",
+          R"(10: hinges.beam x 1.1: unknown member "beam x 1.1". Did you mean "beam x 1.0"?)");
   refused("{beams: {yield_moment: 1}}", R"(17: hinges.beams: key "at" is missing; type "at: both")");
   refused("{beams: {at: middle, yield_moment: 1}}",
           R"(22: hinges.beams.at: unknown end of a member "middle". Allowed: start, end, both, feet.)");
   refused("{beams: {at: both}}", "17: hinges.beams: the yield moment is missing; type yield_moment: 210 kN m");
-  refused("{beams: {at: both, yield_moment: 0}}", R"(42: hinges.beams.yield_moment: takes an energy or moment > 0 such as "12 kN m"; "0" is outside)");
-  refused("{beams: {at: both, yield_moment: 210 kN}}", R"(42: hinges.beams.yield_moment: takes an energy or moment such as "12 kN m"; "210 kN" is a force)");
+  refused("{beams: {at: both, yield_moment: 0}}",
+          R"(42: hinges.beams.yield_moment: takes an energy or moment > 0 such as "12 kN m"; "0" is outside)");
+  refused("{beams: {at: both, yield_moment: 210 kN}}",
+          R"(42: hinges.beams.yield_moment: takes an energy or moment such as "12 kN m"; "210 kN" is a force)");
   refused("{beams: {at: both, yield_moment: [1 kN m, 2 kN m]}}",
-          "51: hinges.beams.yield_moment[1]: the second moment is that of hogging, and negative; type [210 kN m, -260 kN m]");
+          "51: hinges.beams.yield_moment[1]: the second moment is that of hogging, and negative; type [210 kN m, -260 "
+          "kN m]");
   refused("{beams: {at: both, yield_moment: [1, -2, 3]}}",
-          "42: hinges.beams.yield_moment: takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of 3 was read");
+          "42: hinges.beams.yield_moment: takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 "
+          "kN m]; a list of 3 was read");
   refused("{beams: {at: both, yield_moment: 1, hardening: 100 %}}",
           R"(56: hinges.beams.hardening: takes a number in [0, 1) such as "5 %"; "100 %" is outside)");
-  refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}", R"(45: hinges.beams: unknown key "hardning". Did you mean "hardening"?)");
+  refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}",
+          R"(45: hinges.beams: unknown key "hardning". Did you mean "hardening"?)");
   for (const char* law : {"bouc_wen", "{bouc_wen: {yield_moment: 1}}"})
     refused("{beams: {at: both, law: " + std::string(law) + "}}",
             R"(28: hinges.beams: unknown key "law". Type "bouc_wen: {yield_moment: 210 kN m}" in its place.)");
-  refused("{beams: {at: both, bouc_wen: 210 kN m}}",
-          "38: hinges.beams.bouc_wen: takes keys with values such as {yield_moment: 210 kN m}; a single value was read");
-  refused("{beams: {at: feet, yield_moment: 1}}", "22: hinges.beams.at: no end stands on a node that the ground holds; type at: start, at: end or at: both");
-  refused("{beams: {at: both, axis: z, yield_moment: 1}}", "34: hinges.beams.axis: a plane frame bends about y only; leave the axis out");
+  refused(
+      "{beams: {at: both, bouc_wen: 210 kN m}}",
+      "38: hinges.beams.bouc_wen: takes keys with values such as {yield_moment: 210 kN m}; a single value was read");
+  refused("{beams: {at: feet, yield_moment: 1}}",
+          "22: hinges.beams.at: no end stands on a node that the ground holds; type at: start, at: end or at: both");
+  refused("{beams: {at: both, axis: z, yield_moment: 1}}",
+          "34: hinges.beams.axis: a plane frame bends about y only; leave the axis out");
   refused("{beams: {at: both, yield_moment: 1}}",
-          "17: hinges.beams: the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both", space);
-  refused("{beams: 210 kN m}", "17: hinges.beams: takes a map; type {at: both, yield_moment: 210 kN m, hardening: 3 %}");
+          "17: hinges.beams: the axis is missing, and a member in space bends about two; type axis: y, axis: z or "
+          "axis: both",
+          space);
+  refused("{beams: 210 kN m}",
+          "17: hinges.beams: takes a map; type {at: both, yield_moment: 210 kN m, hardening: 3 %}");
   refused("{beams: {at: both, yield_moment: 1, bilinear: {yield_moment: 1}}}",
-          "28: hinges.beams.yield_moment: belongs to a rigid-plastic hinge, and bilinear is given too; write it inside bilinear, or leave bilinear out");
+          "28: hinges.beams.yield_moment: belongs to a rigid-plastic hinge, and bilinear is given too; write it inside "
+          "bilinear, or leave bilinear out");
   refused("{beams: {at: both, bilinear: {yield_moment: 1}, bouc_wen: {yield_moment: 1}}}",
           "57: hinges.beams.bouc_wen: a hinge follows one law, and bilinear is given too; keep one of the two");
   refused("{beams: {at: both, bouc_wen: {yield_moment: [1, -2]}}}",
           "53: hinges.beams.bouc_wen.yield_moment: bouc_wen yields at the same moment both ways; give one");
   refused("{beams: {at: both, bilinear: {yield_moment: 1, stiffness: 1, stiffness_factor: 2}}}",
           "70: hinges.beams.bilinear.stiffness_factor: give stiffness or stiffness_factor, not both");
-  refused("{beams: {at: both, bilinear: {yield_moment: 1, sharpness: 1}}}",
-          R"(56: hinges.beams.bilinear: unknown key "sharpness". Allowed: yield_moment, stiffness, stiffness_factor, hardening, spring_hardening.)");
+  refused(
+      "{beams: {at: both, bilinear: {yield_moment: 1, sharpness: 1}}}",
+      R"(56: hinges.beams.bilinear: unknown key "sharpness". Allowed: yield_moment, stiffness, stiffness_factor, hardening, spring_hardening.)");
 }
 
 TEST(HingeInput, RefusesEndsThatCannotYield) {
-  const std::string released = grid.substr(0, grid.find("grid:")) + "members: {beam x 1.0: {releases: {end: [ry]}}}\n" + grid.substr(grid.find("grid:"));
+  const std::string released = grid.substr(0, grid.find("grid:")) + "members: {beam x 1.0: {releases: {end: [ry]}}}\n" +
+                               grid.substr(grid.find("grid:"));
   try {
     structure(released + "hinges: {beams: {at: both, yield_moment: 210 kN m}}");
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "test.yaml:5:17: hinges.beams: member beam x 1.0: the hinge at its end: ry is released there, so no moment reaches it; "
-                               "leave out the release or the hinge");
+    EXPECT_STREQ(error.what(),
+                 "test.yaml:5:17: hinges.beams: member beam x 1.0: the hinge at its end: ry is released there, so no "
+                 "moment reaches it; "
+                 "leave out the release or the hinge");
   }
   // 10 t at each node, 98 kN, on a cantilever of 1 m.
   const std::string bracket =
       "material: {E: 30 GPa}\nnodes: {a: [0, 0], b: [1 m, 0]}\n"
       "members: {arm: {between: [a, b], section: {rectangle: [0.4, 0.4]}}}\n";
   refused("{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true",
-          "15: hinges.arm: hinge arm start: at rest, under gravity and loads alone, its moment is -98.07 kN m, and it yields at -90 kN m; "
-          "give it a yield moment above that, or lighten what it carries", bracket);
-  refused("{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true\ngeometry: corotational",
-          "15: hinges.arm: hinge arm start: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave the hinges out",
+          "15: hinges.arm: hinge arm start: at rest, under gravity and loads alone, its moment is -98.07 kN m, and it "
+          "yields at -90 kN m; "
+          "give it a yield moment above that, or lighten what it carries",
           bracket);
+  refused(
+      "{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true\ngeometry: "
+      "corotational",
+      "15: hinges.arm: hinge arm start: with geometry: corotational no end of a member yields; type geometry: p_delta, "
+      "or leave the hinges out",
+      bracket);
 }
 
 // The weaker sense is 100 kN m, the other one 400 kN m: 10 mm to one side yield, to the other side they do not.
 TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
   const auto displaced = [](const std::string& by) {
     return "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m]}\n"
-           "      members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: {a: fixed}\n"
-           "      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: [400 kN m, -100 kN m]}}\n"
-           "    damping: 5 %\n    initial_displacement: " + by +
-           "\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
+           "      members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: {a: "
+           "fixed}\n"
+           "      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: [400 kN "
+           "m, -100 kN m]}}\n"
+           "    damping: 5 %\n    initial_displacement: " +
+           by + "\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
   };
   int refusals = 0;
   for (const std::string by : {"10 mm", "-10 mm"}) {
@@ -219,9 +258,11 @@ TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
 TEST(HingeInput, AreShownAsTheyWereResolved) {
   const Model model = test::model_of(
       "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n"
-      "      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n"
+      "      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: "
+      "{rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n"
       "      hinges: {columns: {at: feet, yield_moment: 250 kN m, hardening: 2 %, ultimate_rotation: 0.04}}\n"
-      "    damping: 5 %\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n");
+      "    damping: 5 %\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: "
+      "1}\n");
   const YAML::Node hinge = YAML::Load(resolved_yaml(model))["structures"]["a"]["hinges"]["column 1.1 start"];
   EXPECT_EQ(hinge["law"].as<std::string>(), "hinge");
   EXPECT_EQ(hinge["yield_moment"].as<double>(), 250e3);
@@ -229,7 +270,8 @@ TEST(HingeInput, AreShownAsTheyWereResolved) {
   EXPECT_EQ(hinge["ultimate_rotation"].as<double>(), 0.04);
   const double k = hinge["member_stiffness"].as<double>();
   EXPECT_NEAR(hinge["yield_rotation"].as<double>(), 250e3 / k, 1e-15);
-  EXPECT_NE(describe(model).find("     2 hinges: yield moment 250 kN m, yield rotation "), std::string::npos) << describe(model);
+  EXPECT_NE(describe(model).find("     2 hinges: yield moment 250 kN m, yield rotation "), std::string::npos)
+      << describe(model);
 }
 
 }  // namespace hinge_input_test

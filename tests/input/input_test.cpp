@@ -35,22 +35,24 @@ constexpr words::Word quantity(std::string_view key, const Dimension& dimension,
 constexpr words::Word integer(std::string_view key, const Bounds& allowed = bounds::any) {
   return {.key = key, .takes = words::Takes::integer, .bounds = allowed};
 }
-constexpr words::Word quantities[] = {quantity("gap", dimension::length),
-                                      quantity("ratio", dimension::none),
-                                      quantity("stiffness", dimension::stiffness),
-                                      quantity("hertz", dimension::hertz_stiffness),
-                                      quantity("period", dimension::time),
-                                      quantity("v", dimension::velocity),
-                                      {.key = "mass", .takes = words::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
-                                      {.key = "start", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
-                                      {.key = "end", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
+constexpr words::Word quantities[] = {
+    quantity("gap", dimension::length),
+    quantity("ratio", dimension::none),
+    quantity("stiffness", dimension::stiffness),
+    quantity("hertz", dimension::hertz_stiffness),
+    quantity("period", dimension::time),
+    quantity("v", dimension::velocity),
+    {.key = "mass", .takes = words::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
+    {.key = "start", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
+    {.key = "end", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
 const words::Section test_section{.name = "test", .place = "", .meaning = "", .words = quantities};
 
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
 // That table, read by one word after the other.
 Input model(const std::string& text, std::span<const words::Word> table) {
   static std::vector<std::unique_ptr<words::Section>> sections;
-  sections.push_back(std::make_unique<words::Section>(words::Section{.name = "test", .place = "", .meaning = "", .words = table}));
+  sections.push_back(
+      std::make_unique<words::Section>(words::Section{.name = "test", .place = "", .meaning = "", .words = table}));
   return model(text).in(*sections.back());
 }
 
@@ -95,16 +97,20 @@ TEST(Input, ResultsAreNoModel) {
     Input::read_file(file.string());
     ADD_FAILURE() << "results were read as a model";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("results, and no model; type pounding run --resume"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("results, and no model; type pounding run --resume"), std::string::npos)
+        << error.what();
   }
   std::filesystem::remove(file);
 }
 
 TEST(Input, BadYamlIsReportedWithLineAndColumn) {
-  EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"), "model.yaml:3:1: this is not YAML: end of sequence flow not found; a \"[\" lacks its \"]\"");
-  EXPECT_EQ(error_in("a: {b: 1\nc: 2\n"), "model.yaml:2:2: this is not YAML: end of map flow not found; a \"{\" lacks its \"}\"");
+  EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"),
+            "model.yaml:3:1: this is not YAML: end of sequence flow not found; a \"[\" lacks its \"]\"");
+  EXPECT_EQ(error_in("a: {b: 1\nc: 2\n"),
+            "model.yaml:2:2: this is not YAML: end of map flow not found; a \"{\" lacks its \"}\"");
   EXPECT_EQ(error_in("title: Case 2: soft soil\n"),
-            "model.yaml:1:14: this is not YAML: illegal map value; put a text with a colon in quotes, as in title: \"Case 2: soft soil\"");
+            "model.yaml:1:14: this is not YAML: illegal map value; put a text with a colon in quotes, as in title: "
+            "\"Case 2: soft soil\"");
   EXPECT_EQ(error_in("a: 1\n\tb: 2\n").substr(0, 31), "model.yaml:2:1: a tab indents t");
 }
 
@@ -169,7 +175,10 @@ TEST(Input, NothingIsReadBesideTheCatalogue) {
 TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
   constexpr words::Word table[] = {
       {.key = "pair", .takes = words::Takes::quantity, .form = words::Form::list, .dimension = dimension::length},
-      {.key = "masses", .takes = words::Takes::quantity, .form = words::Form::named, .inside = &test_section,
+      {.key = "masses",
+       .takes = words::Takes::quantity,
+       .form = words::Form::named,
+       .inside = &test_section,
        .dimension = dimension::mass}};
   const Input input = model("{pair: [1 mm, 2 mm], masses: {gap: 3 t, b: {mass: 4 t}}}", table);
   EXPECT_DOUBLE_EQ(input.at("pair").items()[1].as_quantity(), 0.002);
@@ -179,8 +188,10 @@ TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
 }
 
 TEST(Input, WrongQuantityNamesPlaceKeyValueAndExample) {
-  const Input link =
-      model("links:\n  - {law: hertz, gap: 20 kN, mass: [1], stiffness: , v: nan}\n").at("links").items()[0].in(test_section);
+  const Input link = model("links:\n  - {law: hertz, gap: 20 kN, mass: [1], stiffness: , v: nan}\n")
+                         .at("links")
+                         .items()[0]
+                         .in(test_section);
   EXPECT_EQ(error_of([&] { link.quantity("gap"); }),
             "model.yaml:2:23: links[0].gap: takes a length such as \"20 mm\"; \"20 kN\" is a force");
   EXPECT_EQ(error_of([&] { link.quantity("mass"); }),
@@ -218,13 +229,15 @@ TEST(Input, ValueOutsideItsBoundsIsRefused) {
 }
 
 TEST(Input, OneValueOrAListFromTheGroundUp) {
-  constexpr words::Word table[] = {quantity("one", dimension::mass), quantity("three", dimension::mass, bounds::positive),
+  constexpr words::Word table[] = {quantity("one", dimension::mass),
+                                   quantity("three", dimension::mass, bounds::positive),
                                    quantity("bad", dimension::mass)};
   const Input input = model("one: 250 t\nthree: [1 t, 2 t, 3]\nbad: [1 t, 2 mm, 3 t]\n", table);
   EXPECT_EQ(input.at("one").as_quantities(3), (std::vector<double>{250e3, 250e3, 250e3}));
   EXPECT_EQ(input.at("three").as_quantities(3), (std::vector<double>{1e3, 2e3, 3}));
   EXPECT_EQ(error_of([&] { input.at("three").as_quantities(4); }),
-            "model.yaml:2:8: three: takes a mass > 0 such as \"100 t\" or a list of 4 from the ground up; a list of 3 was read");
+            "model.yaml:2:8: three: takes a mass > 0 such as \"100 t\" or a list of 4 from the ground up; a list of 3 "
+            "was read");
   EXPECT_EQ(error_of([&] { input.at("one").as_quantities(3, {.high = 1e3}); }),
             "model.yaml:1:6: one: takes a mass <= 1000 such as \"100 t\"; \"250 t\" is outside");
   EXPECT_EQ(error_of([&] { input.at("bad").as_quantities(3); }),
@@ -232,8 +245,8 @@ TEST(Input, OneValueOrAListFromTheGroundUp) {
 }
 
 TEST(Input, IntegersAreWholeAndInRange) {
-  constexpr words::Word table[] = {integer("n"),   integer("real", {.low = 1}), integer("text"),
-                                   integer("low"), integer("list"),             integer("none")};
+  constexpr words::Word table[] = {
+      integer("n"), integer("real", {.low = 1}), integer("text"), integer("low"), integer("list"), integer("none")};
   const Input input = model("{n: 8, real: 8.0, text: eight, low: -1, list: [1], none: }", table);
   EXPECT_EQ(input.at("n").as_integer(), 8);
   EXPECT_EQ(input.at("low").as_integer(), -1);
@@ -259,8 +272,9 @@ TEST(Input, BooleansAreTrueOrFalse) {
 }
 
 TEST(Input, ChoiceOffersTheNearestName) {
-  constexpr words::Word table[] = {{.key = "law", .takes = words::Takes::choice, .choices = laws, .noun = "contact law"},
-                                   {.key = "other", .takes = words::Takes::choice, .choices = laws}};
+  constexpr words::Word table[] = {
+      {.key = "law", .takes = words::Takes::choice, .choices = laws, .noun = "contact law"},
+      {.key = "other", .takes = words::Takes::choice, .choices = laws}};
   const Input input = model("law: hertz_damp\nother: hertz_damp\n", table);
   EXPECT_EQ(error_of([&] { input.at("law").as_choice(); }),
             "model.yaml:1:6: law: unknown contact law \"hertz_damp\". Did you mean \"hertz_damped\"?");
@@ -300,9 +314,7 @@ TEST(Input, KeyErrorStandsAtTheKey) {
   EXPECT_EQ(error_of([&] { scale.fail("no"); }), "model.yaml:2:10: ground_motion.scale: no");
 }
 
-TEST(Input, KeyMustBeAName) {
-  EXPECT_EQ(error_in("? [a, b]\n: 1\n"), "model.yaml:1:3: a key must be a plain name");
-}
+TEST(Input, KeyMustBeAName) { EXPECT_EQ(error_in("? [a, b]\n: 1\n"), "model.yaml:1:3: a key must be a plain name"); }
 
 }  // namespace input_test
 }  // namespace pounding

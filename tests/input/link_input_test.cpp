@@ -11,9 +11,10 @@ namespace link_input_test {
 
 using test::refused;
 
-const std::string two_oscillators = "structures:\n"
-                                    "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
-                                    "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
+const std::string two_oscillators =
+    "structures:\n"
+    "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
+    "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
 const std::string analysis = "analysis: {duration: 1}\n";
 
 std::string whole(const std::string& rest) { return two_oscillators + rest + "\n"; }
@@ -41,18 +42,26 @@ TEST(LinkInput, SaysWhichOfItsKeysIsMissing) {
 }
 
 TEST(LinkInput, AsksForADesignSpeedWhereAClosedGapHasNone) {
-  const std::string closed = "between: [left, right], gap: 0, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.65";
-  refused(link(closed), "5:35: links[0].gap: bilinear_hertz takes its stiffness from the closing speed of each impact, and the bodies of left-right touch at "
-                        "rest from the start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
-                        "yield_penetration");
+  const std::string closed =
+      "between: [left, right], gap: 0, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.65";
+  refused(link(closed),
+          "5:35: links[0].gap: bilinear_hertz takes its stiffness from the closing speed of each impact, and the "
+          "bodies of left-right touch at "
+          "rest from the start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, "
+          "secondary_stiffness and "
+          "yield_penetration");
   EXPECT_EQ(test::model_of(link(closed + ", impact_velocity: 0.5 m/s")).links.size(), 1u);
-  EXPECT_EQ(test::model_of(link("between: [left, right], gap: 0, law: bilinear_hertz, initial_stiffness: 1200 MN/m, secondary_stiffness: 150 MN/m, "
-                                "yield_penetration: 0.9 mm")).links.size(), 1u);
+  EXPECT_EQ(test::model_of(link("between: [left, right], gap: 0, law: bilinear_hertz, initial_stiffness: 1200 MN/m, "
+                                "secondary_stiffness: 150 MN/m, "
+                                "yield_penetration: 0.9 mm"))
+                .links.size(),
+            1u);
 }
 
 TEST(LinkInput, NamesTwoStructuresThatExist) {
   refused(link("between: left, gap: 20 mm, law: hertz, stiffness: 2.75e9"),
-          "5:15: links[0].between: takes two structures, the left one first; type between: [left, right], or between: neighbours");
+          "5:15: links[0].between: takes two structures, the left one first; type between: [left, right], or between: "
+          "neighbours");
   refused(link("between: [left], gap: 20 mm, law: hertz, stiffness: 2.75e9"),
           "5:15: links[0].between: takes two structures, the left one first; type between: [left, right]");
   refused(link("between: [left, left], gap: 20 mm, law: hertz, stiffness: 2.75e9"),
@@ -92,15 +101,17 @@ TEST(LinkInput, TakesAllFloorsOnlyWhenTheyFaceEachOther) {
 
 TEST(LinkInput, TakesAGapThatIsALengthOfAtLeastZero) {
   refused(link("between: [left, right], gap: -5 mm, law: hertz, stiffness: 2.75e9"),
-          "5:35: links[0].gap: gap must be finite and not negative; with preload: true a negative one presses from the start");
+          "5:35: links[0].gap: gap must be finite and not negative; with preload: true a negative one presses from the "
+          "start");
   refused(link("between: [left, right], gap: .nan, law: hertz, stiffness: 2.75e9"),
           R"(5:35: links[0].gap: takes a length such as "20 mm"; ".nan" is not a finite number)");
   refused(link("between: [left, right], gap: 20 kN, law: hertz, stiffness: 2.75e9"),
           R"(5:35: links[0].gap: takes a length such as "20 mm"; "20 kN" is a force)");
   refused(link("between: [left, right], gap: 20 mn, law: hertz, stiffness: 2.75e9"),
           R"(5:35: links[0].gap: takes a length such as "20 mm"; unknown unit "mn". Did you mean "MN"?)");
-  refused(link(R"(between: [left, right], gap: "1,5 mm", law: hertz, stiffness: 2.75e9)"),
-          R"(5:35: links[0].gap: takes a length such as "20 mm"; "1,5 mm" needs a decimal point, not a comma; type 1.5 mm)");
+  refused(
+      link(R"(between: [left, right], gap: "1,5 mm", law: hertz, stiffness: 2.75e9)"),
+      R"(5:35: links[0].gap: takes a length such as "20 mm"; "1,5 mm" needs a decimal point, not a comma; type 1.5 mm)");
   refused(link("between: [left, right], gap: [1 mm, 2 mm], law: hertz, stiffness: 2.75e9"),
           R"(5:35: links[0].gap: takes a length such as "20 mm" or a list of 1 from the ground up; a list of )"
           "2 was read");
@@ -207,16 +218,20 @@ TEST(LawInput, TakesItsDampingOnceAndOnlyOnce) {
 }
 
 TEST(LawInput, TakesARestitutionAboveZeroAndUpToOne) {
-  refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0"),
-          "5:93: links[0].restitution: restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
-          "with stereomechanical and kelvin_voigt they stick at 0");
+  refused(
+      law("hertz_damped, stiffness: 2.75e9, restitution: 0"),
+      "5:93: links[0].restitution: restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
+      "with stereomechanical and kelvin_voigt they stick at 0");
   refused(law("stereomechanical, restitution: -0.1"),
-          "5:78: links[0].restitution: takes a number in [0, 1] such as 0.65, the speed after an impact over that before it; \"-0.1\" is outside");
-  refused(law("hertz_damped, stiffness: 2.75e9, restitution: 1.2"),
-          R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "1.2" would gain )"
-          "energy at each impact; 1 loses none");
-  refused(law("hertz_damped, stiffness: 2.75e9, restitution: -0.5"),
-          R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "-0.5" is outside)");
+          "5:78: links[0].restitution: takes a number in [0, 1] such as 0.65, the speed after an impact over that "
+          "before it; \"-0.1\" is outside");
+  refused(
+      law("hertz_damped, stiffness: 2.75e9, restitution: 1.2"),
+      R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "1.2" would gain )"
+      "energy at each impact; 1 loses none");
+  refused(
+      law("hertz_damped, stiffness: 2.75e9, restitution: -0.5"),
+      R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "-0.5" is outside)");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: .nan"),
           R"(5:93: links[0].restitution: takes a number such as "5 %"; ".nan" is not a finite number)");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0.5 m"),
@@ -233,12 +248,14 @@ TEST(LawInput, TakesOnlyWhatItUses) {
           "5:86: links[0].restitution: hertz takes no restitution: it loses no energy");
   refused(law("hertz, stiffness: 2.75e9, impact_velocity: 1 m/s"),
           "5:90: links[0].impact_velocity: hertz takes no impact_velocity: nothing in it depends on one");
-  refused(law("hertz, stiffness: 2.75e9, damping_ratio: 0.1"),
-          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, within, floors, level_within, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
-          "restitution, impact_velocity, reduced_mass, stiffness, exponent.");
-  refused(law("stereomechanical, restitution: 0.5, stiffness: 1e9"),
-          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, within, floors, level_within, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
-          "restitution, impact_velocity, reduced_mass.");
+  refused(
+      law("hertz, stiffness: 2.75e9, damping_ratio: 0.1"),
+      R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, within, floors, level_within, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
+      "restitution, impact_velocity, reduced_mass, stiffness, exponent.");
+  refused(
+      law("stereomechanical, restitution: 0.5, stiffness: 1e9"),
+      R"(5:83: links[0]: unknown key "stiffness". Allowed: between, within, floors, level_within, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
+      "restitution, impact_velocity, reduced_mass.");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0.65, damping_ratoi: 0.1"),
           R"(5:99: links[0]: unknown key "damping_ratoi". Did you mean "damping_factor"?)");
   refused(law("hertz_damped, stiffness: 2.75e9, damping_coefficient: 1, impact_velocity: 1 m/s"),
@@ -282,7 +299,8 @@ TEST(LinkInput, EstimatesTheStiffness) {
           "5:66: links[0].stiffness.radius: has no part in an estimate by penetration; keep one of the two");
   refused(law("hertz, stiffness: {velocity: 1 m/s}"),
           "5:66: links[0].stiffness.velocity: belongs to penetration; type penetration: 5 mm beside it");
-  refused(law("hertz, stiffness: {area: 3 m^2}"), "5:65: links[0].stiffness: key \"length\" is missing; type \"length: 9 m\"");
+  refused(law("hertz, stiffness: {area: 3 m^2}"),
+          "5:65: links[0].stiffness: key \"length\" is missing; type \"length: 9 m\"");
   refused(law("hertz, stiffness: {radius: [1 m, 2 m, 3 m]}"),
           "5:74: links[0].stiffness.radius: takes one value for both bodies, or two; a list of 3 was read");
   refused(law("hertz, stiffness: {young: 30 GPa}"),

@@ -30,21 +30,23 @@ inline std::string map_of(const Keys& keys) {
   return "{" + text + "}";
 }
 
-inline const std::string shaken = "ground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
+inline const std::string shaken =
+    "ground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
 inline const std::string pair =
     "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}\n"
     "  right: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n";
 inline const std::string rectangle = "{rectangle: [0.4 m, 0.6 m]}";
 
-inline const std::string others = "b1: {between: [b, c], section: " + rectangle + "}, c2: {between: [d, c], section: " + rectangle + "}";
+inline const std::string others =
+    "b1: {between: [b, c], section: " + rectangle + "}, c2: {between: [d, c], section: " + rectangle + "}";
 
 // A bent of two columns and a beam: nodes a and d on the ground, b and c above them.
 inline const Keys bent = {{"material", "{E: 30 GPa, density: 2500}"},
-                   {"nodes", "{a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], d: [6 m, 0]}"},
-                   {"members", "{c1: {between: [a, b], section: " + rectangle + "}, " + others + "}"},
-                   {"supports", "{a: fixed, d: fixed}"},
-                   {"masses", "{b: 10 t, c: 10 t}"},
-                   {"damping", "5 %"}};
+                          {"nodes", "{a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], d: [6 m, 0]}"},
+                          {"members", "{c1: {between: [a, b], section: " + rectangle + "}, " + others + "}"},
+                          {"supports", "{a: fixed, d: fixed}"},
+                          {"masses", "{b: 10 t, c: 10 t}"},
+                          {"damping", "5 %"}};
 
 inline std::string in_frame(const Keys& changed) {
   Keys frame = bent;
@@ -58,21 +60,27 @@ inline std::string in_space(Keys changed) {
   return in_frame(changed);
 }
 
-inline const std::string grid_of_space = "{storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle + ", floor_mass: 20 t}";
+inline const std::string grid_of_space =
+    "{storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle +
+    ", floor_mass: 20 t}";
 inline const std::string two_in_space =
     "analysis: {duration: 1}\nstructures:\n"
-    "  left: {frame: {material: {E: 30 GPa}, grid: " + grid_of_space + "}, damping: 5 %}\n" +
+    "  left: {frame: {material: {E: 30 GPa}, grid: " +
+    grid_of_space + "}, damping: 5 %}\n" +
     "  right: {frame: {origin: [6.02 m, 0 m], material: {E: 30 GPa}, grid: " + grid_of_space + "}, damping: 5 %}\n";
 
 // Four storeys whose columns can be hit, beside a wall.
 inline const std::string beside_wall =
     "analysis: {duration: 1}\nstructures:\n  right: {wall: {}}\n"
-    "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 4, bays: 1, storey_height: 3 m, "
-    "bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle + "}}, damping: 5 %}\n";
+    "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 4, bays: 1, "
+    "storey_height: 3 m, "
+    "bay_width: 6 m, columns: " +
+    rectangle + ", beams: " + rectangle + "}}, damping: 5 %}\n";
 
 /// Two storeys that yield by this spring.
 inline std::string yielding(const std::string& spring) {
-  return shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 10 MN/m, damping: 5 %, spring: " + spring + "}}";
+  return shaken + pair +
+         "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 10 MN/m, damping: 5 %, spring: " + spring + "}}";
 }
 
 /// The bent in space on one isolator.
@@ -86,7 +94,9 @@ inline std::string around(const Section& s) {
   with_floor["floors"] = "[{nodes: [b, c]}]";
   const std::map<const Section*, std::string> models = {
       {&words::model, "@"},
-      {&words::analysis, "structures: {left: {shear_building: {storeys: 1, mass: 100 t, stiffness: 60 MN/m, height: 3 m}, damping: 5 %}}\nanalysis: @"},
+      {&words::analysis,
+       "structures: {left: {shear_building: {storeys: 1, mass: 100 t, stiffness: 60 MN/m, height: 3 m}, damping: 5 "
+       "%}}\nanalysis: @"},
       {&words::reduction, pair + "analysis: {duration: 1, reduction: @}"},
       {&words::checkpoint, pair + "analysis: {duration: 1}\ncheckpoint: @"},
       {&words::ground_motion, two_in_space + "ground_motion: @"},
@@ -106,8 +116,10 @@ inline std::string around(const Section& s) {
       {&words::shear_building, shaken + pair + "  a: {shear_building: @}"},
       {&words::storey_spring, yielding("@")},
       {&words::wall, shaken + pair + "  a: {wall: @}"},
-      {&words::damping, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
-      {&words::rayleigh, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
+      {&words::damping,
+       shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
+      {&words::rayleigh,
+       shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
       {&words::modal, shaken + pair + "  a: {oscillator: {mass: 1 t, period: 1}, damping: {modal: @}}"},
       {&words::force, shaken + "structures: {tower: {frame: " + map_of(with_floor) + ", forces: [@]}}"},
       {&words::force_harmonic, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{harmonic: @}]}"},
@@ -120,15 +132,21 @@ inline std::string around(const Section& s) {
       {&words::i_section, in_frame({{"sections", "{one: {i_section: @}}"}})},
       {&words::tube, in_frame({{"sections", "{one: {tube: @}}"}})},
       {&words::grid, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, grid: @, damping: 5 %}}}"},
-      {&words::bay_width, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, bays: [1, 1], "
-                                   "storey_height: 3 m, columns: " + rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
+      {&words::bay_width,
+       shaken +
+           "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, bays: [1, 1], "
+           "storey_height: 3 m, columns: " +
+           rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
       {&words::member, in_frame({{"members", "{c1: @, " + others + "}"}})},
-      {&words::releases, in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", releases: @}, " + others + "}"}})},
-      {&words::offsets, in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", offsets: @}, " + others + "}"}})},
+      {&words::releases,
+       in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", releases: @}, " + others + "}"}})},
+      {&words::offsets,
+       in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", offsets: @}, " + others + "}"}})},
       {&words::support, in_frame({{"supports", "{a: @, d: fixed}"}})},
       {&words::support_springs, in_space({{"supports", "{a: {springs: @}, d: fixed}"}})},
-      {&words::support_dashpots, in_space({{"supports", "{a: {dashpots: @}, d: fixed}"},
-                                            {"masses", "{a: {rx: 1 t m^2, ry: 1 t m^2, rz: 1 t m^2}, b: 10 t, c: 10 t}"}})},
+      {&words::support_dashpots,
+       in_space({{"supports", "{a: {dashpots: @}, d: fixed}"},
+                 {"masses", "{a: {rx: 1 t m^2, ry: 1 t m^2, rz: 1 t m^2}, b: 10 t, c: 10 t}"}})},
       {&words::isolator, isolated("@")},
       {&words::floor, in_frame({{"floors", "[@]"}})},
       {&words::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
@@ -141,14 +159,17 @@ inline std::string around(const Section& s) {
       {&words::link, two_in_space + "links: [@]"},
       {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
       {&words::device, shaken + pair + "devices: {tie: @}"},
-      {&words::own_device, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, damping: 5 %, devices: {tie: @}}}"},
+      {&words::own_device,
+       shaken + pair +
+           "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, damping: 5 %, devices: {tie: @}}}"},
       {&words::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
       {&words::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
   for (const Section* law : words::laws_of_springs())
     if (law == &s) return yielding(fmt::format("{{{}: @}}", law->name));
   for (const Section* law : words::laws_of_devices())  // they are called device_LAW
-    if (law == &s) return shaken + pair + fmt::format("devices: {{tie: {{between: [left, right], {}: @}}}}", law->name.substr(7));
+    if (law == &s)
+      return shaken + pair + fmt::format("devices: {{tie: {{between: [left, right], {}: @}}}}", law->name.substr(7));
   for (const Section* law : words::laws_of_hinges())  // they are called hinge_LAW
     if (law == &s) return in_frame({{"hinges", fmt::format("{{b1: {{at: both, {}: @}}}}", law->name.substr(6))}});
   for (const Section* law : words::laws_of_isolators())  // they are called isolator_LAW
@@ -186,8 +207,10 @@ inline const std::map<std::string, Keys> beside_word = {
     {"reduction.modes", {{"links", ""}}},
     {"reduction.error", {{"links", ""}}},
     {"reduction.of", {{"links", ""}, {"error", "1e-4"}}},
-    {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
-    {"model.devices", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"model.links",
+     {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"model.devices",
+     {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
     {"hinges.bilinear", {{"yield_moment", ""}}},
     {"hinges.menegotto_pinto", {{"yield_moment", ""}}},
     {"hinges.bouc_wen", {{"yield_moment", ""}}},
@@ -266,7 +289,8 @@ inline const std::map<std::string, Keys> beside_word = {
     {"peak_oriented.yield_deformation", {{"cracking_force", "50 kN"}}},
     {"frame.initial_displacement", {{"floors", "[{nodes: [b, c]}]"}}},
     {"frame.grid", {{"nodes", ""}, {"members", ""}, {"supports", ""}, {"masses", ""}}},
-    {"frame.nodes", {{"members", "{c1: {between: [a, b], section: " + rectangle + "}}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
+    {"frame.nodes",
+     {{"members", "{c1: {between: [a, b], section: " + rectangle + "}}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
     {"frame.members", {{"nodes", "{a: [0, 0], b: [0, 3 m]}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
     {"sections.inertia_y", {{"area", "0.16 m^2"}, {"rectangle", ""}}},
     {"sections.inertia_z", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
@@ -295,13 +319,16 @@ inline Keys keys_around(const Section& s, const Word& word, const std::string& v
   for (const Need need : {Need::exactly_one, Need::at_least_one}) {
     const auto is_one = [need](const Word& each) { return each.need == need; };
     const auto first = std::ranges::find_if(s.words, is_one);
-    const bool has = std::ranges::any_of(s.words, [&](const Word& each) { return is_one(each) && keys.contains(std::string(each.key)); });
+    const bool has = std::ranges::any_of(
+        s.words, [&](const Word& each) { return is_one(each) && keys.contains(std::string(each.key)); });
     if (first != s.words.end() && !has) keys[std::string(first->key)] = first->example;
   }
   if (const auto more = beside_word.find(fmt::format("{}.{}", s.name, word.key)); more != beside_word.end())
     for (const auto& [key, text] : more->second) {
-      if (text.empty()) keys.erase(key);
-      else keys[key] = text;
+      if (text.empty())
+        keys.erase(key);
+      else
+        keys[key] = text;
     }
   return keys;
 }
@@ -328,9 +355,12 @@ inline std::string with_keys(const Section& s, const Keys& keys) {
 
 inline std::string with_word(const Section& s, const Word& word, const std::string& value) {
   if (s.name == "members" && word.key == "reference")
-    return in_space({{"members", "{c1: {between: [a, b], section: " + rectangle + ", reference: " + value + "}, " + others + "}"}}) + "\n";
+    return in_space({{"members", "{c1: {between: [a, b], section: " + rectangle + ", reference: " + value + "}, " +
+                                     others + "}"}}) +
+           "\n";
   if (s.name == "between" && word.key == "face") {
-    std::string text = two_in_space + "links: [{between: [{structure: left, face: " + value + "}, right], law: hertz, stiffness: 1e9}]\n";
+    std::string text = two_in_space + "links: [{between: [{structure: left, face: " + value +
+                       "}, right], law: hertz, stiffness: 1e9}]\n";
     return text.replace(text.find("6.02 m"), 6, "6.5 m");
   }
   return with_keys(s, keys_around(s, word, value));

@@ -1,4 +1,5 @@
-// Links between all structures that stand beside each other: which pairs, which floors, the same as named by hand, and mistakes.
+// Links between all structures that stand beside each other: which pairs, which floors, the same as named by hand, and
+// mistakes.
 
 #include <gtest/gtest.h>
 
@@ -18,20 +19,29 @@ using test::refused;
 
 // A house of 6 m by 6 m with its corner at `at`.
 std::string house(const std::string& name, const std::string& at, int storeys = 1, const std::string& height = "3 m") {
-  return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa, density: 2500}}, mass: consistent, grid: {{storeys: {}, bays: [1, 1], storey_height: {}, "
-                     "bay_width: 6 m, columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
-                     name, at, storeys, height);
+  return fmt::format(
+      "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa, density: 2500}}, mass: consistent, grid: {{storeys: {}, "
+      "bays: [1, 1], storey_height: {}, "
+      "bay_width: 6 m, columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
+      name, at, storeys, height);
 }
 
 std::string plane(const std::string& name, const std::string& at) {
-  return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, "
-                     "columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n", name, at);
+  return fmt::format(
+      "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: 1, storey_height: 3 m, "
+      "bay_width: 6 m, "
+      "columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
+      name, at);
 }
 
 std::string mast(const std::string& name, const std::string& at) {
-  return fmt::format("  {}: {{frame: {{dimension: 3, origin: [{}], material: {{E: 30 GPa}}, nodes: {{foot: [0, 0, 0], top: [0, 0, 3]}}, "
-                     "members: {{c: {{between: [foot, top], section: {{circle: 0.4}}}}}}, supports: {{foot: fixed}}, masses: {{top: 1 t}}, "
-                     "floors: [{{nodes: [top], rigid: false}}]}}, damping: 5 %}}\n", name, at);
+  return fmt::format(
+      "  {}: {{frame: {{dimension: 3, origin: [{}], material: {{E: 30 GPa}}, nodes: {{foot: [0, 0, 0], top: [0, 0, "
+      "3]}}, "
+      "members: {{c: {{between: [foot, top], section: {{circle: 0.4}}}}}}, supports: {{foot: fixed}}, masses: {{top: 1 "
+      "t}}, "
+      "floors: [{{nodes: [top], rigid: false}}]}}, damping: 5 %}}\n",
+      name, at);
 }
 
 const std::string law = ", law: hertz, stiffness: 2.75e9}\n";
@@ -49,7 +59,8 @@ std::vector<std::string> pairs(const std::string& structures, double within = us
   const Model read = test::model_of(model(structures));
   std::vector<std::string> names;
   for (const Neighbours& pair : neighbours(read, within))
-    names.push_back(fmt::format("{}-{} {:.6g} mm", read.structures[pair.left].name, read.structures[pair.right].name, 1e3 * pair.distance));
+    names.push_back(fmt::format("{}-{} {:.6g} mm", read.structures[pair.left].name, read.structures[pair.right].name,
+                                1e3 * pair.distance));
   return names;
 }
 
@@ -61,18 +72,21 @@ std::vector<std::string> names(const std::string& yaml) {
   return all;
 }
 
-// Two rows, shifted against each other, and a house diagonally behind c, which stands 3.05 m from e across the others' corner.
-const std::string block = house("e", "9.04, 6.05") + house("a", "0, 0") + house("b", "6.02, 0") + house("c", "12.07, 0") + house("d", "3, 6.05") +
-                          house("f", "18.09, 6.02");
+// Two rows, shifted against each other, and a house diagonally behind c, which stands 3.05 m from e across the others'
+// corner.
+const std::string block = house("e", "9.04, 6.05") + house("a", "0, 0") + house("b", "6.02, 0") +
+                          house("c", "12.07, 0") + house("d", "3, 6.05") + house("f", "18.09, 6.02");
 
 TEST(Neighbours, OfAPlanAreThoseFoundByHand) {
-  EXPECT_EQ(pairs(block), (Names{"b-e 50 mm", "c-e 50 mm", "d-e 40 mm", "a-b 20 mm", "a-d 50 mm", "b-c 50 mm", "b-d 50 mm"}));
+  EXPECT_EQ(pairs(block),
+            (Names{"b-e 50 mm", "c-e 50 mm", "d-e 40 mm", "a-b 20 mm", "a-d 50 mm", "b-c 50 mm", "b-d 50 mm"}));
 }
 
 TEST(Neighbours, StandNearEnough) {
   EXPECT_EQ(pairs(block, 0.045), (Names{"d-e 40 mm", "a-b 20 mm"}));
   // e faces f over 3.05 m; further pairs in line have another house between them.
-  EXPECT_EQ(pairs(block, 100), (Names{"b-e 50 mm", "c-e 50 mm", "d-e 40 mm", "e-f 3050 mm", "a-b 20 mm", "a-d 50 mm", "b-c 50 mm", "b-d 50 mm"}));
+  EXPECT_EQ(pairs(block, 100), (Names{"b-e 50 mm", "c-e 50 mm", "d-e 40 mm", "e-f 3050 mm", "a-b 20 mm", "a-d 50 mm",
+                                      "b-c 50 mm", "b-d 50 mm"}));
 }
 
 TEST(Neighbours, MayTouch) {
@@ -97,7 +111,8 @@ TEST(Neighbours, HaveNothingBetweenThem) {
   // A house that reaches only half way into their space is in the way, too.
   EXPECT_EQ(pairs(ends + house("b", "6.02, 3"), 10), (Names{"a-b 20 mm", "b-c 20 mm"}));
   EXPECT_EQ(pairs(ends + house("b", "6.02, 6.01"), 10), (Names{"a-c 6040 mm"}));
-  EXPECT_EQ(pairs(house("a", "0, 0") + house("c", "6.04, 0") + mast("b", "6.02, 3")), (Names{"a-b 20 mm", "b-c 20 mm"}));
+  EXPECT_EQ(pairs(house("a", "0, 0") + house("c", "6.04, 0") + mast("b", "6.02, 3")),
+            (Names{"a-b 20 mm", "b-c 20 mm"}));
   EXPECT_EQ(pairs(house("a", "0, 0") + house("c", "6.04, 0") + mast("b", "6.02, 7")), (Names{"a-c 40 mm"}));
 }
 
@@ -115,7 +130,8 @@ TEST(Neighbours, OfPlaneFramesStandInARow) {
 }
 
 TEST(Neighbours, OnlyStructuresWithAPlaceAre) {
-  EXPECT_EQ(pairs("  o: {oscillator: {mass: 1 t, period: 1}, damping: 5 %}\n" + house("a", "0, 0") + "  w: {wall: {}}\n" + house("b", "6.02, 0")),
+  EXPECT_EQ(pairs("  o: {oscillator: {mass: 1 t, period: 1}, damping: 5 %}\n" + house("a", "0, 0") +
+                  "  w: {wall: {}}\n" + house("b", "6.02, 0")),
             (Names{"a-b 20 mm"}));
 }
 
@@ -125,14 +141,19 @@ void expect_same_links(const std::string& found, const std::string& by_hand) {
   for (std::size_t i = 0; i < first.links.size(); ++i) {
     const Link &a = first.links[i], &b = second.links[i];
     EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(std::tie(a.gap, a.direction, a.reduced_mass, a.friction, a.stiffness_from), std::tie(b.gap, b.direction, b.reduced_mass, b.friction, b.stiffness_from)) << a.name;
+    EXPECT_EQ(std::tie(a.gap, a.direction, a.reduced_mass, a.friction, a.stiffness_from),
+              std::tie(b.gap, b.direction, b.reduced_mass, b.friction, b.stiffness_from))
+        << a.name;
     for (const auto& [own, other] : {std::pair(&a.left, &b.left), std::pair(&a.right, &b.right)}) {
       EXPECT_EQ(std::tie(own->structure, own->floor, own->label, own->point.position, own->point.mass),
-                std::tie(other->structure, other->floor, other->label, other->point.position, other->point.mass)) << a.name;
-      for (int axis = 0; axis < 3; ++axis) EXPECT_EQ((own->point.motion[axis] - other->point.motion[axis]).norm(), 0) << a.name;
+                std::tie(other->structure, other->floor, other->label, other->point.position, other->point.mass))
+          << a.name;
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_EQ((own->point.motion[axis] - other->point.motion[axis]).norm(), 0) << a.name;
     }
     ASSERT_EQ(a.parameters.size(), b.parameters.size());
-    for (std::size_t k = 0; k < a.parameters.size(); ++k) EXPECT_EQ(a.parameters[k].value, b.parameters[k].value) << a.name;
+    for (std::size_t k = 0; k < a.parameters.size(); ++k)
+      EXPECT_EQ(a.parameters[k].value, b.parameters[k].value) << a.name;
   }
 }
 
@@ -140,14 +161,18 @@ TEST(LinksOfNeighbours, AreThoseNamedByHand) {
   const std::string structures = house("a", "0, 0", 3) + house("b", "6.02, 0", 2) + house("c", "3, 6.05", 3);
   const std::string rest = ", points: 3, friction: 0.3, law: hertz_damped, stiffness: auto, restitution: 0.65}\n";
   expect_same_links(model(structures, "  - {between: neighbours" + rest),
-                    model(structures, "  - {between: [a, b], floors: all" + rest + "  - {between: [a, c], floors: all" + rest + "  - {between: [b, c], floors: all" + rest));
+                    model(structures, "  - {between: [a, b], floors: all" + rest + "  - {between: [a, c], floors: all" +
+                                          rest + "  - {between: [b, c], floors: all" + rest));
   EXPECT_EQ(names(linked(structures, "between: neighbours, points: 1")),
             (Names{"a.1-b.1", "a.2-b.2", "a.1-c.1", "a.2-c.2", "a.3-c.3", "b.1-c.1", "b.2-c.2"}));
 }
 
 TEST(LinksOfNeighbours, LeaveThosePairsThatAreLinkedAbove) {
   const std::string structures = house("a", "0, 0") + house("b", "6.02, 0") + house("c", "12.04, 0");
-  const Model read = test::model_of(model(structures, "  - {between: [b.1, c.1], points: 1, law: linear_spring, stiffness: 1e8}\n  - {between: neighbours, points: 1" + law));
+  const Model read = test::model_of(model(
+      structures,
+      "  - {between: [b.1, c.1], points: 1, law: linear_spring, stiffness: 1e8}\n  - {between: neighbours, points: 1" +
+          law));
   ASSERT_EQ(read.links.size(), 2u);
   EXPECT_EQ(read.links[0].name + " " + read.links[0].law, "b.1-c.1 linear_spring");
   EXPECT_EQ(read.links[1].name + " " + read.links[1].law, "a.1-b.1 hertz");
@@ -158,62 +183,85 @@ TEST(LinksOfNeighbours, LeaveThosePairsThatAreLinkedAbove) {
 TEST(LinksOfNeighbours, GoAsTheFloorsStand) {
   // 3 m and 6 m beside 2 m, 4 m and 6 m.
   const std::string structures = house("a", "0, 0", 2) + house("b", "6.02, 0", 3, "2 m");
-  refused(linked(structures), "5:15: links[0].between: floor 1 of a is 3 m up and faces no floor of b; type floors: any to let it hit the column "
-                              "there, or floors: level to link only those that face each other");
+  refused(linked(structures),
+          "5:15: links[0].between: floor 1 of a is 3 m up and faces no floor of b; type floors: any to let it hit the "
+          "column "
+          "there, or floors: level to link only those that face each other");
   EXPECT_EQ(names(linked(structures, "between: neighbours, floors: level, points: 1")), (Names{"a.2-b.3"}));
-  EXPECT_EQ(names(linked(structures, "between: neighbours, floors: any")), (Names{"a@2m-b.1", "a.1-b@3m", "a@4m-b.2", "a.2-b.3#1", "a.2-b.3#2"}));
-  refused(linked(house("a", "0, 0", 1) + house("b", "6.02, 0", 1, "2 m"), "between: neighbours, floors: level"),
-          "5:15: links[0].between: no floor of a is level with one of b; type floors: any to let floors hit the columns");
+  EXPECT_EQ(names(linked(structures, "between: neighbours, floors: any")),
+            (Names{"a@2m-b.1", "a.1-b@3m", "a@4m-b.2", "a.2-b.3#1", "a.2-b.3#2"}));
+  refused(
+      linked(house("a", "0, 0", 1) + house("b", "6.02, 0", 1, "2 m"), "between: neighbours, floors: level"),
+      "5:15: links[0].between: no floor of a is level with one of b; type floors: any to let floors hit the columns");
 }
 
 // A tower of 4 m on a podium of 8 m: its upper floor is set back by 4 m.
 const std::string podium =
-    "  a: {frame: {dimension: 3, material: {E: 30 GPa}, nodes: {a0: [0, 0, 0], b0: [4, 0, 0], c0: [8, 0, 0], a1: [0, 0, 3], b1: [4, 0, 3], c1: [8, 0, 3], a2: [0, 0, 6], b2: [4, 0, 6]},\n"
-    "    members: {m1: {between: [a0, a1], section: {circle: 0.4}}, m2: {between: [b0, b1], section: {circle: 0.4}}, m3: {between: [c0, c1], section: {circle: 0.4}}, "
+    "  a: {frame: {dimension: 3, material: {E: 30 GPa}, nodes: {a0: [0, 0, 0], b0: [4, 0, 0], c0: [8, 0, 0], a1: [0, "
+    "0, 3], b1: [4, 0, 3], c1: [8, 0, 3], a2: [0, 0, 6], b2: [4, 0, 6]},\n"
+    "    members: {m1: {between: [a0, a1], section: {circle: 0.4}}, m2: {between: [b0, b1], section: {circle: 0.4}}, "
+    "m3: {between: [c0, c1], section: {circle: 0.4}}, "
     "m4: {between: [a1, a2], section: {circle: 0.4}}, m5: {between: [b1, b2], section: {circle: 0.4}}},\n"
-    "    supports: {a0: fixed, b0: fixed, c0: fixed}, masses: {a1: 5 t, b1: 5 t, c1: 5 t, a2: 5 t, b2: 5 t}, floors: [{nodes: [a1, b1, c1]}, {nodes: [a2, b2]}]}, damping: 5 %}\n";
+    "    supports: {a0: fixed, b0: fixed, c0: fixed}, masses: {a1: 5 t, b1: 5 t, c1: 5 t, a2: 5 t, b2: 5 t}, floors: "
+    "[{nodes: [a1, b1, c1]}, {nodes: [a2, b2]}]}, damping: 5 %}\n";
 
 TEST(LinksOfNeighbours, LeaveFloorsThatAreSetBack) {
   EXPECT_EQ(names(linked(podium + house("b", "8.02, -3", 2))), (Names{"a.1-b.1"}));
-  EXPECT_EQ(names(linked(podium + house("b", "8.02, -3", 2), "between: neighbours, within: 5 m")), (Names{"a.1-b.1", "a.2-b.2"}));
+  EXPECT_EQ(names(linked(podium + house("b", "8.02, -3", 2), "between: neighbours, within: 5 m")),
+            (Names{"a.1-b.1", "a.2-b.2"}));
 }
 
 TEST(LinksOfNeighbours, TakeTheGapThatIsDrawn) {
-  const Model read = test::model_of(linked(house("a", "0, 0") + house("b", "6.02005, 0") + house("c", "0, 6.02"), "between: neighbours, points: 1, gap: 20 mm"));
+  const Model read = test::model_of(linked(house("a", "0, 0") + house("b", "6.02005, 0") + house("c", "0, 6.02"),
+                                           "between: neighbours, points: 1, gap: 20 mm"));
   for (const Link& link : read.links) EXPECT_EQ(link.gap, 0.02) << link.name;
   refused(linked(house("a", "0, 0") + house("b", "6.02, 0") + house("c", "0, 6.05"), "between: neighbours, gap: 20 mm"),
-          "6:32: links[0].gap: is 20 mm, but floor 1 of a (y = 6 m) and floor 1 of c (y = 6.05 m) are drawn 50 mm apart; leave the gap out to take this "
+          "6:32: links[0].gap: is 20 mm, but floor 1 of a (y = 6 m) and floor 1 of c (y = 6.05 m) are drawn 50 mm "
+          "apart; leave the gap out to take this "
           "distance, or move c by -30 mm along y with its origin");
   refused(linked(house("a", "0, 0") + house("b", "6.02, 0"), "between: neighbours, gap: [20 mm, 20 mm]"),
-          "5:32: links[0].gap: takes one gap for all neighbours; leave it out, and each pair has the distance that is drawn");
+          "5:32: links[0].gap: takes one gap for all neighbours; leave it out, and each pair has the distance that is "
+          "drawn");
 }
 
 TEST(LinksOfNeighbours, SayWhatIsWrong) {
   const std::string near = house("a", "0, 0") + house("b", "6.02, 0");
-  refused(linked(near, "between: neighbors"), "5:15: links[0].between: unknown word \"neighbors\". Did you mean \"neighbours\"?");
+  refused(linked(near, "between: neighbors"),
+          "5:15: links[0].between: unknown word \"neighbors\". Did you mean \"neighbours\"?");
   refused(linked(near, "between: all"),
-          "5:15: links[0].between: takes two structures, the left one first; type between: [left, right], or between: neighbours");
+          "5:15: links[0].between: takes two structures, the left one first; type between: [left, right], or between: "
+          "neighbours");
   refused(linked(near, "between: neighbours, name: walls"),
           "5:27: links[0].name: would be that of many pairs; leave it out, and each link has the name of its two ends");
-  refused(linked(near, "between: neighbours, within: 0"), "5:35: links[0].within: takes a length > 0 such as \"20 mm\"; \"0\" is outside");
-  refused(linked(near, "between: [a.1, b.1], within: 1 m"), "5:27: links[0].within: belongs to between: neighbours; leave it out");
+  refused(linked(near, "between: neighbours, within: 0"),
+          "5:35: links[0].within: takes a length > 0 such as \"20 mm\"; \"0\" is outside");
+  refused(linked(near, "between: [a.1, b.1], within: 1 m"),
+          "5:27: links[0].within: belongs to between: neighbours; leave it out");
   refused(linked(near, "between: neighbours, within: 10 mm"),
-          "5:15: links[0].between: no two frames are near enough; a and b are 20 mm apart: type within: 20 mm, or move one by its origin");
+          "5:15: links[0].between: no two frames are near enough; a and b are 20 mm apart: type within: 20 mm, or move "
+          "one by its origin");
   refused(linked(house("a", "0, 0") + house("b", "6.42, 0"), "between: neighbours, within: 10 mm"),
-          "5:15: links[0].between: no two frames are near enough; a and b are 420 mm apart: if they are drawn by the axes of their columns, type face: auto "
-          "in a and b, which leaves 20 mm between faces; if by their faces, type within: 420 mm, or move one by its origin");
-  refused(linked(house("a", "0, 0") + house("b", "9, 9")), "5:15: links[0].between: no two frames face each other in plan; move one by its origin");
+          "5:15: links[0].between: no two frames are near enough; a and b are 420 mm apart: if they are drawn by the "
+          "axes of their columns, type face: auto "
+          "in a and b, which leaves 20 mm between faces; if by their faces, type within: 420 mm, or move one by its "
+          "origin");
+  refused(linked(house("a", "0, 0") + house("b", "9, 9")),
+          "5:15: links[0].between: no two frames face each other in plan; move one by its origin");
   refused(linked(house("a", "0, 0") + "  w: {wall: {}}\n"),
-          "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is one alone; name the two structures, as in "
+          "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is one "
+          "alone; name the two structures, as in "
           "between: [left, right]");
   refused(linked("  w: {wall: {}}\n  o: {oscillator: {mass: 1 t, period: 1}, damping: 5 %}\n"),
-          "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is none; name the two structures, as in "
+          "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is none; "
+          "name the two structures, as in "
           "between: [left, right]");
   refused(linked(house("a", "0, 0") + house("b", "5, 3")),
-          "5:15: links[0].between: a and b stand on each other: a reaches from x = 0 m to 6 m and from y = 0 m to 6 m, b from x = 5 m to 11 m and from "
+          "5:15: links[0].between: a and b stand on each other: a reaches from x = 0 m to 6 m and from y = 0 m to 6 m, "
+          "b from x = 5 m to 11 m and from "
           "y = 3 m to 9 m; give one of them an origin, such as origin: [6.1 m, 0 m]");
   refused(linked(plane("a", "0") + plane("b", "5.9")),
-          "5:15: links[0].between: floor 1 of a (x = 6 m) and floor 1 of b (x = 5.9 m) overlap by 100 mm; move b by 100 mm along x with its origin, or farther");
+          "5:15: links[0].between: floor 1 of a (x = 6 m) and floor 1 of b (x = 5.9 m) overlap by 100 mm; move b by "
+          "100 mm along x with its origin, or farther");
 }
 
 }  // namespace neighbours_input_test

@@ -16,9 +16,10 @@ namespace read_model_test {
 
 using test::refused;
 
-const std::string two_oscillators = "structures:\n"
-                                    "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
-                                    "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
+const std::string two_oscillators =
+    "structures:\n"
+    "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
+    "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
 const std::string analysis = "analysis: {duration: 1}\n";
 
 std::string whole(const std::string& rest) { return two_oscillators + rest + "\n"; }
@@ -49,9 +50,11 @@ TEST(ModelInput, IsAMapWithStructures) {
   refused(file("structures: {}\nanalysis: {duration: 1}\n"),
           "1:13: structures: no structure that can move; add a body, an oscillator, a shear_building or a frame");
   refused(file("structures:\nanalysis: {duration: 1}\n"),
-          "1:1: structures: takes keys with values such as {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}; nothing was read");
+          "1:1: structures: takes keys with values such as {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 "
+          "%}}}; nothing was read");
   refused(file("structures: []\nanalysis: {duration: 1}\n"),
-          "1:13: structures: takes keys with values such as {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}; a list was read");
+          "1:13: structures: takes keys with values such as {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 "
+          "%}}}; a list was read");
   refused(file("structures: {a: {wall: {}}}\nanalysis: {duration: 1}\n"),
           "1:13: structures: no structure that can move; add a body, an oscillator, a shear_building or a frame");
   refused(file("structures:\n  a: {body: {mass: 1}}\n  a: {body: {mass: 1}}\nanalysis: {duration: 1}\n"),
@@ -107,8 +110,9 @@ TEST(StructureInput, OfABodyHasAMass) {
           R"(2:20: structures.a.body.mass: takes a mass such as "100 t"; "5 kN" is a force)");
   refused(structure("{body: {mass: .nan}}"),
           R"(2:20: structures.a.body.mass: takes a mass such as "100 t"; ".nan" is not a finite number)");
-  refused(structure("{body: {mass: 5 t, period: 1}}"),
-          R"(2:25: structures.a.body: unknown key "period". Allowed: mass, gravity, initial_velocity, initial_displacement.)");
+  refused(
+      structure("{body: {mass: 5 t, period: 1}}"),
+      R"(2:25: structures.a.body: unknown key "period". Allowed: mass, gravity, initial_velocity, initial_displacement.)");
   refused(structure("{body: {mass: 5 t}, damping: 5 %}"),
           "2:26: structures.a.damping: a body has no damping of its own; leave it out");
 }
@@ -226,7 +230,8 @@ TEST(InitialMotionInput, IsAVelocityOrADisplacementAFloor) {
 
 TEST(AnalysisInput, HasADurationUnlessTheGroundMotionHasOne) {
   refused(whole(""), "1:1: the duration is missing; type analysis: {duration: 10 s}");
-  refused(whole("analysis: {tolerance: 1e-5}"), "4:11: analysis: the duration is missing; type analysis: {duration: 10 s}");
+  refused(whole("analysis: {tolerance: 1e-5}"),
+          "4:11: analysis: the duration is missing; type analysis: {duration: 10 s}");
   refused(whole("analysis: {duration: 0}"),
           R"(4:22: analysis.duration: takes a time > 0 such as "0.5 s"; "0" is outside)");
   refused(whole("analysis: {duration: -1 s}"),
@@ -248,8 +253,9 @@ TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
           R"(4:37: analysis.integrator: unknown integrator "newmark". Allowed: generalized_alpha, esdirk4.)");
   refused(whole("analysis: {duration: 1, integrator: generalized_alpha, spectral_radius: 2}"),
           R"(4:73: analysis.spectral_radius: takes a number in [0, 1] such as "5 %"; "2" is outside)");
-  refused(whole("analysis: {duration: 1, spectral_radius: 0.8}"),
-          R"(4:42: analysis.spectral_radius: belongs to generalized_alpha; type integrator: generalized_alpha beside it)");
+  refused(
+      whole("analysis: {duration: 1, spectral_radius: 0.8}"),
+      R"(4:42: analysis.spectral_radius: belongs to generalized_alpha; type integrator: generalized_alpha beside it)");
   refused(whole("analysis: {duration: 1, integrator: esdirk4, spectral_radius: 0.8}"),
           R"(4:63: analysis.spectral_radius: belongs to generalized_alpha; leave it out with integrator: esdirk4)");
   refused(whole("analysis: {duration: 1, output_step: 0}"),
@@ -259,12 +265,14 @@ TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
   refused(whole("analysis: {duration: 1, max_step: 0}"),
           R"(4:35: analysis.max_step: takes a time > 0 such as "0.5 s"; "0" is outside)");
   refused(whole("analysis: {duraton: 1}"), R"(4:12: analysis: unknown key "duraton". Did you mean "duration"?)");
-  refused(whole("analysis: 5"), "4:11: analysis: takes keys with values such as {duration: 10 s}; a single value was read");
+  refused(whole("analysis: 5"),
+          "4:11: analysis: takes keys with values such as {duration: 10 s}; a single value was read");
 }
 
 TEST(GroundMotionInput, IsOneKindInItsUnits) {
   refused(ground("{}"),
-          "1:16: ground_motion: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
+          "1:16: ground_motion: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground "
+          "leave "
           R"("ground_motion" out)");
   refused(ground("{harmonc: {amplitude: 3}}"),
           R"(1:17: ground_motion: unknown key "harmonc". Did you mean "harmonic"?)");
@@ -286,13 +294,15 @@ TEST(GroundMotionInput, SaysThatARecordIsMissing) {
 TEST(GroundMotionInput, SaysWhereARecordIsBroken) {
   const std::string path = testing::TempDir() + "broken_record.csv";
   std::ofstream(path) << "0, 1\n0.1, abc\n0.2, 3\n";
-  refused(ground("{record: " + path + "}"), "1:25: ground_motion.record: " + path + ":2: \"abc\" is not a finite number");
+  refused(ground("{record: " + path + "}"),
+          "1:25: ground_motion.record: " + path + ":2: \"abc\" is not a finite number");
   std::remove(path.c_str());
 }
 
 TEST(ModelInput, IsTakenWhenNothingIsWrong) {
   EXPECT_NO_THROW(test::model_of(whole("title: good\nlinks: []\ncompare: no_pounding\n" + analysis)));
-  EXPECT_NO_THROW(test::model_of(structure("{shear_building: {storeys: 2, mass: 5 t, stiffness: 1 MN/m, damping: 5 %}}")));
+  EXPECT_NO_THROW(
+      test::model_of(structure("{shear_building: {storeys: 2, mass: 5 t, stiffness: 1 MN/m, damping: 5 %}}")));
 }
 
 TEST(ModelInput, IsReadAgainWithOtherValuesAndAnotherGround) {
@@ -309,7 +319,8 @@ TEST(ModelInput, IsReadAgainWithOtherValuesAndAnotherGround) {
     stiffness();
     ADD_FAILURE() << "a period of -1 s was taken";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("structures.left.oscillator.period: takes a time > 0"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("structures.left.oscillator.period: takes a time > 0"), std::string::npos)
+        << error.what();
   }
   EXPECT_THROW(input.at("structures").rewrite("1"), InputError);
 }

@@ -14,16 +14,19 @@ namespace reduction_input_test {
 
 using test::model_of;
 
-std::string pair(const std::string& reduction, const std::string& own = "", const std::string& law = "hertz, stiffness: 1e9",
-                 const std::string& damping = "5 %", const std::string& more = "") {
+std::string pair(const std::string& reduction, const std::string& own = "",
+                 const std::string& law = "hertz, stiffness: 1e9", const std::string& damping = "5 %",
+                 const std::string& more = "") {
   const auto frame = [&](const std::string& name, const std::string& origin, const std::string& beside) {
     return "  " + name + ": {frame: {origin: [" + origin +
-           "], material: {E: 30 GPa}, grid: {storeys: 3, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {circle: 0.5}, beams: {circle: "
+           "], material: {E: 30 GPa}, grid: {storeys: 3, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: "
+           "{circle: 0.5}, beams: {circle: "
            "0.5}, floor_mass: 20 t}" +
            more + "}, damping: " + damping + beside + "}\n";
   };
-  return "structures:\n" + frame("left", "0", own) + frame("right", "6.02", "") + "links: [{between: [left.3, right.3], gap: 20 mm, law: " + law +
-         "}]\nanalysis: {duration: 1" + reduction + "}\n";
+  return "structures:\n" + frame("left", "0", own) + frame("right", "6.02", "") +
+         "links: [{between: [left.3, right.3], gap: 20 mm, law: " + law + "}]\nanalysis: {duration: 1" + reduction +
+         "}\n";
 }
 
 void refused(const std::string& yaml, const std::string& message) {
@@ -61,14 +64,17 @@ TEST(ReductionInput, TakesWordsAndNumbers) {
 }
 
 TEST(ReductionInput, TakesACheckByItselfAndBesideNumbers) {
-  const auto text = [](const std::string& how) { return model_of(pair(", reduction: " + how)).analysis.reduction.text(); };
+  const auto text = [](const std::string& how) {
+    return model_of(pair(", reduction: " + how)).analysis.reduction.text();
+  };
   EXPECT_EQ(text("{check: true}"), "{check: true}");
   EXPECT_EQ(model_of(pair(", reduction: {check: true}")).analysis.reduction.kind, Reduction::Kind::automatic);
   EXPECT_EQ(text("{links: 3, ground: 7, check: true}"), "{links: 3, ground: 7, check: true}");
   EXPECT_EQ(text("{links: 3, ground: 7, check: false}"), "{links: 3, ground: 7}");
   EXPECT_EQ(text("{error: 1e-4, check: true}"), "{error: 0.0001, check: true}");
   EXPECT_EQ(text("{modes: 4, check: true}"), "{modes: 4, check: true}");
-  EXPECT_NE(resolved_yaml(model_of(pair(", reduction: {check: true}"))).find("left: \"{check: true}\""), std::string::npos);
+  EXPECT_NE(resolved_yaml(model_of(pair(", reduction: {check: true}"))).find("left: \"{check: true}\""),
+            std::string::npos);
   refused(pair(", reduction: {check: often}"), "analysis.reduction.check:");
   refused(pair(", reduction: {check: false}"), "type reduction: {links: 5, ground: 20}, or reduction: auto");
 }
@@ -77,7 +83,9 @@ TEST(ReductionInput, MayDifferForOneStructure) {
   const Model model = model_of(pair(", reduction: auto", ", reduction: {links: 3, ground: 7}"));
   EXPECT_EQ(reduction_of(model, 0).ground, 7);
   EXPECT_EQ(reduction_of(model, 1).kind, Reduction::Kind::automatic);
-  EXPECT_NE(resolved_yaml(model).find("reduction:\n    left: \"{links: 3, ground: 7}\"\n    right: auto"), std::string::npos) << resolved_yaml(model);
+  EXPECT_NE(resolved_yaml(model).find("reduction:\n    left: \"{links: 3, ground: 7}\"\n    right: auto"),
+            std::string::npos)
+      << resolved_yaml(model);
 }
 
 TEST(ReductionInput, RefusesWhatIsNoDepth) {
@@ -85,8 +93,10 @@ TEST(ReductionInput, RefusesWhatIsNoDepth) {
   refused(pair(", reduction: {}"), "type reduction: {links: 5, ground: 20}, or reduction: auto");
   refused(pair(", reduction: {links: 0}"), "analysis.reduction.links:");
   refused(pair(", reduction: {modes: 5, links: 3}"), "belongs to blocks, and modes is given too; keep one of the two");
-  refused(pair(", reduction: {of: [members]}"), "says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
-  refused(pair(", reduction: {error: 1e-4, ground: 3}"), "is a depth, and error finds the depth by itself; keep one of the two");
+  refused(pair(", reduction: {of: [members]}"),
+          "says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
+  refused(pair(", reduction: {error: 1e-4, ground: 3}"),
+          "is a depth, and error finds the depth by itself; keep one of the two");
   refused(pair(", reduction: {error: 1e-4, of: [shears]}"), "unknown response \"shears\"");
   refused(pair(", reduction: {shift: 3}"), "unknown key \"shift\"");
 }
@@ -94,7 +104,8 @@ TEST(ReductionInput, RefusesWhatIsNoDepth) {
 // A word that is kept where it can be is no error; numbers are.
 TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
   const std::string own = ", reduction: {links: 5, ground: 20}";
-  const auto both = [&](const std::string& law, const std::string& damping, const std::string& more, const std::string& message) {
+  const auto both = [&](const std::string& law, const std::string& damping, const std::string& more,
+                        const std::string& message) {
     refused(pair("", own, law, damping, more), "structures.left.reduction: \"left\" cannot be reduced: " + message);
     EXPECT_NE(why_not_reduced(model_of(pair(", reduction: auto", "", law, damping, more)), 0), "");
   };
@@ -103,12 +114,15 @@ TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
   EXPECT_EQ(why_not_reduced(model_of(pair("")), 0), "");
   EXPECT_NO_THROW(model_of(pair("", own)));
   EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9, friction: 0.3")));
-  EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9", "5 %", ", devices: {brace: {between: [\"0.0\", \"1.1\"], bar: {stiffness: 1e7}}}")));
-  EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9", "5 %", ", hinges: {columns: {at: both, yield_moment: 200 kN m}}")));
+  EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9", "5 %",
+                                ", devices: {brace: {between: [\"0.0\", \"1.1\"], bar: {stiffness: 1e7}}}")));
+  EXPECT_NO_THROW(model_of(
+      pair("", own, "hertz, stiffness: 1e9", "5 %", ", hinges: {columns: {at: both, yield_moment: 200 kN m}}")));
   EXPECT_NO_THROW(model_of(pair("", own) + "devices: {tie: {between: [left.2, right.2], bar: {stiffness: 1e7}}}\n"));
 }
 
-// Its matrix is full: of thousands of modes there shall be none where the modes of the reduced structure have the ratio.
+// Its matrix is full: of thousands of modes there shall be none where the modes of the reduced structure have the
+// ratio.
 TEST(ReductionInput, NeedsNoMatrixOfModalDamping) {
   const auto matrix_of = [](const std::string& reduction, const std::string& own = "") {
     const Model model = model_of(pair(reduction, own, "hertz, stiffness: 1e9", "{modal: {ratio: 5 %}}"));
@@ -124,9 +138,13 @@ TEST(ReductionInput, NeedsNoMatrixOfModalDamping) {
 
 TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
   const auto read = [](const std::string& place, const std::string& reduction) {
-    const std::string beside = place == "beside" ? ", damping: {modal: {ratio: 5 %}}" : "", inside = place == "inside" ? ", damping: {modal: {ratio: 5 %}}" : "";
-    const std::string yaml = "structures:\n  a: {frame: {material: {E: 30 GPa}, grid: {storeys: 40, bays: 20, storey_height: 3 m, bay_width: 6 m, columns: "
-                             "{circle: 0.5}, beams: {circle: 0.5}, floor_mass: 20 t}" + inside + "}" + beside + "}\nanalysis: {duration: 1" + reduction + "}\n";
+    const std::string beside = place == "beside" ? ", damping: {modal: {ratio: 5 %}}" : "",
+                      inside = place == "inside" ? ", damping: {modal: {ratio: 5 %}}" : "";
+    const std::string yaml =
+        "structures:\n  a: {frame: {material: {E: 30 GPa}, grid: {storeys: 40, bays: 20, storey_height: 3 m, "
+        "bay_width: 6 m, columns: "
+        "{circle: 0.5}, beams: {circle: 0.5}, floor_mass: 20 t}" +
+        inside + "}" + beside + "}\nanalysis: {duration: 1" + reduction + "}\n";
     const ModeSolver quick = [](const SparseMatrix& mass, const SparseMatrix&, int count) {
       return Eigenmodes{Eigen::VectorXd::Ones(count), Eigen::MatrixXd::Zero(mass.rows(), count)};
     };
@@ -137,8 +155,11 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
       ADD_FAILURE() << "a matrix of 1680 modes was formed, damping " << place;
     } catch (const InputError& error) {
       const std::string text = error.what();
-      EXPECT_NE(text.find("damping.modal: fills a matrix of 1680 x 1680 modes; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}, or analysis: "
-                          "{reduction: auto}, which needs no matrix"), std::string::npos) << text;
+      EXPECT_NE(text.find("damping.modal: fills a matrix of 1680 x 1680 modes; type damping: {rayleigh: {ratio: 5 %, "
+                          "modes: [1, 2]}}, or analysis: "
+                          "{reduction: auto}, which needs no matrix"),
+                std::string::npos)
+          << text;
     }
   EXPECT_EQ(read("beside", ", reduction: auto").structures[0].modal_damping.size(), 0);
   try {
@@ -146,15 +167,21 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
     ADD_FAILURE() << "equations of all unknowns with a matrix of 1680 modes were promised";
   } catch (const InputError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("analysis.reduction.check: the modal damping of \"a\" would fill a matrix of 1680 x 1680 modes in the equations of all its unknowns; type damping: "
-                        "5 %, or check: false"), std::string::npos) << text;
+    EXPECT_NE(text.find("analysis.reduction.check: the modal damping of \"a\" would fill a matrix of 1680 x 1680 modes "
+                        "in the equations of all its unknowns; type damping: "
+                        "5 %, or check: false"),
+              std::string::npos)
+        << text;
   }
 }
 
 TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {
-  const std::string pair = "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
-  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n", "nothing holds it to the ground");
-  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}}\n  b: {wall: {}, reduction: {links: 5}}\n", "a wall has no modes");
+  const std::string pair =
+      "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
+  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n",
+          "nothing holds it to the ground");
+  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}}\n  b: {wall: {}, reduction: {links: 5}}\n",
+          "a wall has no modes");
 }
 
 }  // namespace reduction_input_test

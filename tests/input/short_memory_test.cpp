@@ -19,12 +19,14 @@ constexpr const char* model =
     "structures:\n"
     "  building_on_isolators:\n"
     "    shear_building: {storeys: 2, mass: 123456.78901234567, stiffness: 300 MN/m,\n"
-    "      isolator: {lead_rubber: {strength: 375.12345678901234 kN, yield_displacement: 12 mm, post_yield_stiffness: 3.5 MN/m}, capacity: 300 mm}}\n"
+    "      isolator: {lead_rubber: {strength: 375.12345678901234 kN, yield_displacement: 12 mm, post_yield_stiffness: "
+    "3.5 MN/m}, capacity: 300 mm}}\n"
     "    damping: 2 %\n"
     "  building_that_yields:\n"
     "    shear_building: {storeys: 2, mass: 200 t, stiffness: 60 MN/m, yield_force: 0.9 MN, hardening: 0.05}\n"
     "    damping: 3 %\n"
-    "links: [{between: [building_on_isolators, building_that_yields], floors: all, gap: 20 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]\n"
+    "links: [{between: [building_on_isolators, building_that_yields], floors: all, gap: 20 mm, law: hertz_damped, "
+    "stiffness: 1e9, restitution: 0.65}]\n"
     "analysis: {duration: 1.2345678901234567}\n";
 
 TEST(ShortMemory, LeavesNoResolvedModelCut) {

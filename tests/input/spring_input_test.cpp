@@ -17,12 +17,14 @@ namespace pounding {
 namespace spring_input_test {
 
 std::string building(const std::string& more) {
-  return "analysis: {duration: 1}\nstructures:\n  a:\n    shear_building: {storeys: 2, mass: 100 t, stiffness: [50 MN/m, 40 MN/m], " + more +
-         "}\n    damping: 5 %\n    initial_velocity: 1 m/s\n";
+  return "analysis: {duration: 1}\nstructures:\n  a:\n    shear_building: {storeys: 2, mass: 100 t, stiffness: [50 "
+         "MN/m, 40 MN/m], " +
+         more + "}\n    damping: 5 %\n    initial_velocity: 1 m/s\n";
 }
 
 TEST(SpringInput, GivesEachStoreyItsLawWithItsStiffness) {
-  const Model model = test::model_of(building("spring: {bouc_wen: {yield_force: [600 kN, 400 kN], hardening: 5 %, exponent: 1.5}}"));
+  const Model model =
+      test::model_of(building("spring: {bouc_wen: {yield_force: [600 kN, 400 kN], hardening: 5 %, exponent: 1.5}}"));
   const std::vector<YieldingPart>& storeys = model.structures[0].yielding;
   ASSERT_EQ(storeys.size(), 2u);
   for (int i = 0; i < 2; ++i) {
@@ -39,16 +41,20 @@ TEST(SpringInput, GivesEachStoreyItsLawWithItsStiffness) {
 
 TEST(SpringInput, OfAnOscillatorGoesByItsPeriod) {
   const Model model = test::model_of(
-      "analysis: {duration: 1}\nstructures: {a: {oscillator: {mass: 100 t, period: 0.5 s, damping: 5 %, spring: {bilinear: {yield_force: 100 kN}}}, "
+      "analysis: {duration: 1}\nstructures: {a: {oscillator: {mass: 100 t, period: 0.5 s, damping: 5 %, spring: "
+      "{bilinear: {yield_force: 100 kN}}}, "
       "initial_velocity: 1}}\n");
   const double k = 1e5 * std::pow(4 * M_PI, 2);
   EXPECT_DOUBLE_EQ(model.structures[0].yielding.at(0).spring->stiffness(), k);
 }
 
 TEST(SpringInput, StandsInTheResolvedModelWithItsDefaults) {
-  const std::string text = resolved_yaml(test::model_of(building("spring: {menegotto_pinto: {yield_force: [600 kN, 400 kN], memory: last}}")));
-  EXPECT_NE(text.find("spring:\n      menegotto_pinto:\n        yield_force: [600000, 400000]\n        hardening: [0, 0]\n        R0: [20, 20]"),
-            text.npos) << text;
+  const std::string text = resolved_yaml(
+      test::model_of(building("spring: {menegotto_pinto: {yield_force: [600 kN, 400 kN], memory: last}}")));
+  EXPECT_NE(text.find("spring:\n      menegotto_pinto:\n        yield_force: [600000, 400000]\n        hardening: [0, "
+                      "0]\n        R0: [20, 20]"),
+            text.npos)
+      << text;
   EXPECT_NE(text.find("memory: last"), text.npos) << text;
 }
 
@@ -77,15 +83,17 @@ TEST(SpringInput, SaysWhereItIsWrongAndWhatToType) {
   refused("spring: {bouc_wen: {hardening: 5 %}}", "97: structures.a.shear_building.",
           "spring.bouc_wen: key \"yield_force\" is missing; type \"yield_force: 150 kN\"");
   refused("spring: {bouc_wen: {yield_force: [600 kN]}}", "111: structures.a.shear_building.",
-          "spring.bouc_wen.yield_force: takes a force such as \"200 kN\" or a list of 2 from the ground up; a list of 1 was read");
+          "spring.bouc_wen.yield_force: takes a force such as \"200 kN\" or a list of 2 from the ground up; a list of "
+          "1 was read");
   refused("spring: {bouc_wen: {yield_force: 600 kN, stiffness: 1 MN/m}}", "119: structures.a.shear_building.",
           "spring.bouc_wen: unknown key \"stiffness\". Allowed: yield_force, hardening, exponent, gamma_share.");
   refused("spring: {bouc_wen: {yield_force: 600 mm}}", "111: structures.a.shear_building.",
           "spring.bouc_wen.yield_force: takes a force such as \"200 kN\"; \"600 mm\" is a length");
   refused("spring: {bouc_wen: {yield_force: [600 kN, -1 kN]}}", "111: structures.a.shear_building.",
           "spring.bouc_wen.yield_force: storey 2: yield_force is -1000, but must be finite and positive");
-  refused("spring: {bouc_wen: {yield_force: 600 kN, gamma_share: 0.6}}", "132: structures.a.shear_building.",
-          "spring.bouc_wen.gamma_share: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy");
+  refused(
+      "spring: {bouc_wen: {yield_force: 600 kN, gamma_share: 0.6}}", "132: structures.a.shear_building.",
+      "spring.bouc_wen.gamma_share: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy");
   refused("spring: {bouc_wen: {yield_force: 600 kN, hardening: 1}}", "130: structures.a.shear_building.",
           "spring.bouc_wen.hardening: hardening is 1, but must be in [0, 1)");
   refused("spring: {menegotto_pinto: {yield_force: 600 kN, memory: all}}", "134: structures.a.shear_building.",

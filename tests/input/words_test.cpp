@@ -1,4 +1,5 @@
-// The catalogue of the input and the reader are the same: every example is read, every word is used, no other key is asked for.
+// The catalogue of the input and the reader are the same: every example is read, every word is used, no other key is
+// asked for.
 
 #include <gtest/gtest.h>
 
@@ -23,14 +24,14 @@
 namespace pounding {
 namespace words_test {
 
-using words::Need;
-using words::Section;
-using words::Word;
 using test::Keys;
 using test::keys_around;
 using test::map_of;
 using test::with_keys;
 using test::with_word;
+using words::Need;
+using words::Section;
+using words::Word;
 
 /// Models stand beside the records that the examples name.
 Model read(const std::string& text) { return read_model(Input::read_text(text, testing::TempDir() + "words.yaml")); }
@@ -85,7 +86,8 @@ TEST_F(Words, EachKeyThatIsReadHasAWord) {
         // Another error than InputError is one of the program.
         ASSERT_NO_THROW(message = refusal(with_keys(*s, keys))) << s->place << "." << key;
         if (s->find(key) || s == &words::link || s == &words::wall) continue;
-        EXPECT_TRUE(message.find("unknown key") != message.npos || message.find("unknown displacement") != message.npos ||
+        EXPECT_TRUE(message.find("unknown key") != message.npos ||
+                    message.find("unknown displacement") != message.npos ||
                     message.find("belongs to a record") != message.npos)
             << s->place << "." << key << ": " << message;
       }

@@ -3,8 +3,8 @@
 
     beside.py h5py mpi4py.MPI petsc4py.PETSc openseespy.opensees
 
-Every order that works without this package must work with it at each place, and run a model to the same peak force. POUNDING_EXAMPLES names the
-folder of the lessons.
+Every order that works without this package must work with it at each place, and run a model to the same peak force.
+POUNDING_EXAMPLES names the folder of the lessons.
 """
 
 import itertools
@@ -26,7 +26,13 @@ def outcome(order):
     """Code and last line of a process that imports in this order and uses all of them twice."""
     imports = "\n".join(f"import {name}" for name in order)
     uses = "\n".join(USES[name] for name in (*order, *reversed(order)))
-    done = subprocess.run([sys.executable, "-c", f"{imports}\n{uses}\n"], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+    done = subprocess.run(
+        [sys.executable, "-c", f"{imports}\n{uses}\n"],
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        timeout=120,
+    )
     forces = {line for line in done.stdout.splitlines() if line.startswith("force")}
     return done.returncode, " ".join(sorted(forces)) or (done.stderr.strip().splitlines() or [""])[-1][:100]
 

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Compiles the sources of a build folder once more by Clang, without making code of them: a warning or an error of Clang fails.
+"""Compiles the sources of a build folder once more by Clang, without making code of them: a warning or an error of
+Clang fails.
 
     clang.py BUILD CLANG
 
 Tests are left out: GoogleTest's typed tests need Clang 15.
 """
+
 import concurrent.futures
 import json
 import os
@@ -14,7 +16,14 @@ import sys
 from pathlib import Path
 
 #: Of GCC alone, or of the object that is not made.
-LEFT_OUT = ("-fno-semantic-interposition", "-fpch-preprocess", "--param=", "-Winvalid-pch", "-fno-fat-lto-objects", "-fmacro-prefix-map=")
+LEFT_OUT = (
+    "-fno-semantic-interposition",
+    "-fpch-preprocess",
+    "--param=",
+    "-Winvalid-pch",
+    "-fno-fat-lto-objects",
+    "-fmacro-prefix-map=",
+)
 
 
 def words_of(command, clang):
@@ -30,12 +39,17 @@ def words_of(command, clang):
 
 def message_of(entry, clang):
     """What Clang says of a source; nothing where it says nothing."""
-    return subprocess.run(words_of(entry["command"], clang), cwd=entry["directory"], capture_output=True, text=True).stderr
+    return subprocess.run(
+        words_of(entry["command"], clang), cwd=entry["directory"], capture_output=True, text=True
+    ).stderr
 
 
 def main(build, clang):
-    entries = [entry for entry in json.loads((Path(build) / "compile_commands.json").read_text())
-               if entry["file"].endswith((".cpp", ".cxx")) and " -o tests/" not in entry["command"]]
+    entries = [
+        entry
+        for entry in json.loads((Path(build) / "compile_commands.json").read_text())
+        if entry["file"].endswith((".cpp", ".cxx")) and " -o tests/" not in entry["command"]
+    ]
     if not entries:
         sys.exit(f"{build} tells of no sources")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -1,4 +1,5 @@
-"""Parts of the portable wheel that need neither its libraries nor a network: its command, its licences, what is refused."""
+"""Parts of the portable wheel that need neither its libraries nor a network: its command, its licences, what is
+refused."""
 
 import subprocess
 import sys
@@ -31,10 +32,15 @@ class Command(Folder):
         super().setUp()
         self.command = self.script("env/bin/pounding", portable_wheel.COMMAND.replace("@VERSION@", "3.12"))
         self.python = self.script("env/bin/python3", '#!/bin/sh\necho "python $*"\n')
-        self.program = self.script("env/lib/python3.12/site-packages/pounding/bin/pounding", '#!/bin/sh\necho "program $* by $POUNDING_PYTHON"\n')
+        self.program = self.script(
+            "env/lib/python3.12/site-packages/pounding/bin/pounding",
+            '#!/bin/sh\necho "program $* by $POUNDING_PYTHON"\n',
+        )
 
     def says(self, *words, command=None):
-        return subprocess.run([command or self.command, *words], capture_output=True, text=True, check=True, env={"PATH": "/usr/bin:/bin"}).stdout.strip()
+        return subprocess.run(
+            [command or self.command, *words], capture_output=True, text=True, check=True, env={"PATH": "/usr/bin:/bin"}
+        ).stdout.strip()
 
     def test_is_the_program_with_the_python_of_its_environment(self):
         self.assertEqual(self.says("run", "a model.yaml"), f"program run a model.yaml by {self.python}")
@@ -66,12 +72,22 @@ class Licences(Folder):
     def add(self, *libraries, package="zlib1g"):
         """The folder of the licences of a wheel with these libraries, all others but ours from one Debian package."""
         info = Path(tempfile.mkdtemp(dir=self.folder))
-        with mock.patch.object(portable_wheel, "debian_package", return_value=(package, "1.0")), mock.patch("shutil.copy", copied):
+        with (
+            mock.patch.object(portable_wheel, "debian_package", return_value=(package, "1.0")),
+            mock.patch("shutil.copy", copied),
+        ):
             portable_wheel.add_licences(info, libraries, self.folder, self.folder)
         return info / "licenses/bundled"
 
     def test_are_there_for_everything_in_the_list(self):
-        libraries = ("libpetsc-0a.so.3.26.1", "libslepc-0a.so.3.26.1", "libhdf5-0a.so.103.3.0", "libcholmod-0a.so.3", "libz-0a.so.1", "libklu-0a.so.1")
+        libraries = (
+            "libpetsc-0a.so.3.26.1",
+            "libslepc-0a.so.3.26.1",
+            "libhdf5-0a.so.103.3.0",
+            "libcholmod-0a.so.3",
+            "libz-0a.so.1",
+            "libklu-0a.so.1",
+        )
         folder = self.add(*libraries)
         listed = (folder / "LIST").read_text()
         for library in libraries:
@@ -81,7 +97,10 @@ class Licences(Folder):
                 self.assertTrue((folder / line.rsplit(": ", 1)[1]).is_file(), line)
 
     def test_refuse_what_must_not_be_passed_on(self):
-        for package, library in (("libcholmod3", "libothername-0a.so.3"), ("libopenblas0-pthread", "libopenblas-0a.so.0")):
+        for package, library in (
+            ("libcholmod3", "libothername-0a.so.3"),
+            ("libopenblas0-pthread", "libopenblas-0a.so.0"),
+        ):
             with self.assertRaisesRegex(SystemExit, f"{library} of {package} must not be in the wheel"):
                 self.add(library, package=package)
 

@@ -1,4 +1,5 @@
-"""The archives that `make release` gathers: archives of the version in CMakeLists.txt, their checksums, notes from the changelog."""
+"""The archives that `make release` gathers: archives of the version in CMakeLists.txt, their checksums, notes from the
+changelog."""
 
 import contextlib
 import io

@@ -31,7 +31,9 @@ class Wheel(unittest.TestCase):
 
 class Command(unittest.TestCase):
     def pounding(self, *words, folder=None):
-        done = subprocess.run([Path(sys.executable).with_name("pounding"), *words], cwd=folder, capture_output=True, text=True)
+        done = subprocess.run(
+            [Path(sys.executable).with_name("pounding"), *words], cwd=folder, capture_output=True, text=True
+        )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
 
@@ -42,7 +44,10 @@ class Command(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             printed = self.pounding("run", MODEL, "--plot", folder=folder)
             self.assertTrue(printed.endswith("\nresults      model.h5\npicture      model.png\n"), printed)
-            self.assertEqual(self.pounding("export", "model.h5", folder=folder), "export       model.xdmf\nexport       model.data.h5\n")
+            self.assertEqual(
+                self.pounding("export", "model.h5", folder=folder),
+                "export       model.xdmf\nexport       model.data.h5\n",
+            )
             self.assertEqual(len(pounding.read(Path(folder) / "model.h5").impacts), 5)
 
 

@@ -17,7 +17,11 @@ namespace pounding::laws {
 namespace by_name_test {
 
 Settings hertz_damped() {
-  return {.law = "hertz_damped", .formula = {}, .restitution = 0.65, .reduced_mass = 6e4, .values = {{"stiffness", 2.75e9}}};
+  return {.law = "hertz_damped",
+          .formula = {},
+          .restitution = 0.65,
+          .reduced_mass = 6e4,
+          .values = {{"stiffness", 2.75e9}}};
 }
 
 std::string refusal(const Settings& s) {
@@ -37,10 +41,23 @@ double described(const AnyLaw& law, std::string_view name, double speed = 1) {
 }
 
 TEST(LawsByName, EveryLawOfTheDesignIsThere) {
-  const std::set<std::string_view> expected{
-      "linear_spring", "kelvin_voigt", "kelvin_voigt_no_tension", "komodromos", "modified_linear_viscoelastic", "modified_kelvin",
-      "hertz", "hertz_damped", "jankowski", "bilinear_hertz", "viscous_hertz", "kuwabara_kono", "adams_impact", "limited_damper",
-      "stereomechanical", "elastoplastic", "backfill"};
+  const std::set<std::string_view> expected{"linear_spring",
+                                            "kelvin_voigt",
+                                            "kelvin_voigt_no_tension",
+                                            "komodromos",
+                                            "modified_linear_viscoelastic",
+                                            "modified_kelvin",
+                                            "hertz",
+                                            "hertz_damped",
+                                            "jankowski",
+                                            "bilinear_hertz",
+                                            "viscous_hertz",
+                                            "kuwabara_kono",
+                                            "adams_impact",
+                                            "limited_damper",
+                                            "stereomechanical",
+                                            "elastoplastic",
+                                            "backfill"};
   std::set<std::string_view> found;
   for (const Entry& entry : catalogue()) found.insert(entry.name);
   EXPECT_EQ(found, expected);
@@ -107,8 +124,10 @@ TEST(LawsByName, WrongNamesAreRefusedWithTheNearestOne) {
   s.law = "ImpactMaterial";
   EXPECT_EQ(refusal(s), R"(unknown law "ImpactMaterial". Did you mean "bilinear_hertz"?)");
   s.law = "antypov_elliott";
-  EXPECT_EQ(refusal(s), "unknown law \"antypov_elliott\". \"antypov_elliott\" is a formula for the damping of a law; type law: viscous_hertz, "
-                        "formula: antypov_elliott.");
+  EXPECT_EQ(refusal(s),
+            "unknown law \"antypov_elliott\". \"antypov_elliott\" is a formula for the damping of a law; type law: "
+            "viscous_hertz, "
+            "formula: antypov_elliott.");
   s = hertz_damped();
   s.formula = "ye2009";
   EXPECT_EQ(refusal(s), R"(hertz_damped has no formula "ye2009". Did you mean "ye_2009"?)");
@@ -117,13 +136,15 @@ TEST(LawsByName, WrongNamesAreRefusedWithTheNearestOne) {
   EXPECT_EQ(refusal(s), R"(hertz_damped has no parameter "stifness". Did you mean "stiffness"?)");
   s = hertz_damped();
   s.values["colour"] = 1;
-  EXPECT_EQ(refusal(s),
-            R"(hertz_damped has no parameter "colour". Allowed: stiffness, exponent, damping_factor, damping_coefficient.)");
+  EXPECT_EQ(
+      refusal(s),
+      R"(hertz_damped has no parameter "colour". Allowed: stiffness, exponent, damping_factor, damping_coefficient.)");
   EXPECT_THROW(find_law("hertzz_"), std::invalid_argument);
   s = hertz_damped();
   s.formula = "Ye-2009";
   EXPECT_EQ(refusal(s), R"(hertz_damped has no formula "Ye-2009". Did you mean "ye_2009"?)");
-  for (const auto& [read, meant] : {std::pair("HERTZ", "hertz"), {"Hertz Damped", "hertz_damped"}, {"jankwoski", "jankowski"}}) {
+  for (const auto& [read, meant] :
+       {std::pair("HERTZ", "hertz"), {"Hertz Damped", "hertz_damped"}, {"jankwoski", "jankowski"}}) {
     s.law = read;
     EXPECT_EQ(refusal(s), std::string("unknown law \"") + read + "\". Did you mean \"" + meant + "\"?");
   }
@@ -138,7 +159,8 @@ TEST(LawsByName, StiffnessHasNoDefault) {
 TEST(LawsByName, DampingIsGivenExactlyOnce) {
   Settings s = hertz_damped();
   s.values["damping_factor"] = 0.5;
-  EXPECT_EQ(refusal(s), "hertz_damped takes its damping once, but restitution and damping_factor are given; keep one of them");
+  EXPECT_EQ(refusal(s),
+            "hertz_damped takes its damping once, but restitution and damping_factor are given; keep one of them");
   s = hertz_damped();
   s.restitution.reset();
   EXPECT_EQ(refusal(s), "hertz_damped needs its damping: give restitution or damping_factor or damping_coefficient");
@@ -194,12 +216,14 @@ TEST(LawsByName, ZeroRestitutionIsForLawsWithWhichTheBodiesStick) {
     if (!entry.takes_restitution) continue;
     Settings s = typical_settings(entry);
     s.restitution = 0;
-    EXPECT_EQ(refusal(s), entry.sticks_at_zero ? "accepted"
-                                               : "restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
-                                                 "with stereomechanical and kelvin_voigt they stick at 0")
+    EXPECT_EQ(refusal(s), entry.sticks_at_zero
+                              ? "accepted"
+                              : "restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
+                                "with stereomechanical and kelvin_voigt they stick at 0")
         << entry.name;
     s.restitution = 1e-320;
-    EXPECT_EQ(refusal(s).find("restitution is 1e-320, but must be in (0, 1]: no damping") == 0, !entry.sticks_at_zero) << entry.name;
+    EXPECT_EQ(refusal(s).find("restitution is 1e-320, but must be in (0, 1]: no damping") == 0, !entry.sticks_at_zero)
+        << entry.name;
     // The least number with all its digits is calibrated, or refused by the law.
     s.restitution = std::numeric_limits<double>::min();
     EXPECT_TRUE(refusal(s) == "accepted" || refusal(s).find("restitution") == 0) << entry.name << ": " << refusal(s);
@@ -235,15 +259,18 @@ TEST(LawsByName, ParametersThatGoTogetherAreAllThatIsGiven) {
   EXPECT_EQ(refusal(s), "stiffness has no effect beside initial_stiffness; leave one of them out");
   s = bilinear();
   s.restitution = 0.5;
-  EXPECT_EQ(refusal(s), "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without restitution, "
-                        "which would have no effect");
+  EXPECT_EQ(refusal(s),
+            "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without restitution, "
+            "which would have no effect");
   s = bilinear();
   s.formula = "exact";
   EXPECT_EQ(refusal(s), R"(formula "exact" needs a restitution to find the damping of bilinear_hertz)");
   s = bilinear();
   s.impact_velocity = 0.5;
-  EXPECT_EQ(refusal(s), "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without impact_velocity, "
-                        "which would have no effect");
+  EXPECT_EQ(
+      refusal(s),
+      "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without impact_velocity, "
+      "which would have no effect");
   s = bilinear();
   s.values["secondary_stiffness"] = 5e8;
   EXPECT_EQ(refusal(s), "secondary_stiffness is 5e+08, but must be at most the initial_stiffness, 4e+08");
@@ -263,7 +290,9 @@ TEST(LawsByName, DashpotCoefficientNeedsNoMass) {
     s.reduced_mass = 4e4;
     EXPECT_DOUBLE_EQ(described(make_law(s), "damping_ratio"), 2e5 / (2 * std::sqrt(1e8 * 4e4))) << name;
     s.restitution = 0.5;
-    EXPECT_EQ(refusal(s), std::string(name) + " takes its damping once, but restitution and damping_coefficient are given; keep one of them");
+    EXPECT_EQ(refusal(s),
+              std::string(name) +
+                  " takes its damping once, but restitution and damping_coefficient are given; keep one of them");
   }
 }
 
@@ -287,14 +316,16 @@ TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
   for (const Entry& entry : catalogue()) {
     Settings s = typical_settings(entry);
     s.reduced_mass = 0;
-    EXPECT_EQ(refusal(s), entry.takes_reduced_mass ? "reduced_mass is 0, but must be finite and positive" : "accepted") << entry.name;
+    EXPECT_EQ(refusal(s), entry.takes_reduced_mass ? "reduced_mass is 0, but must be finite and positive" : "accepted")
+        << entry.name;
   }
 }
 
 TEST(LawsByName, TraitsAreThoseOfTheLaws) {
   for (const Entry& entry : catalogue()) {
     EXPECT_EQ(entry.may_pull, entry.name == "kelvin_voigt");
-    EXPECT_EQ(entry.leaves_indentation, entry.name == "komodromos" || entry.name == "elastoplastic" || entry.name == "backfill");
+    EXPECT_EQ(entry.leaves_indentation,
+              entry.name == "komodromos" || entry.name == "elastoplastic" || entry.name == "backfill");
     EXPECT_EQ(entry.sticks_at_zero, entry.name == "stereomechanical" || entry.name == "kelvin_voigt");
     EXPECT_EQ(entry.instantaneous, entry.name == "stereomechanical");
   }

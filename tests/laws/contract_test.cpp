@@ -62,7 +62,8 @@ bool near_corner(const L& law, const Impact& impact, State s, double hd, double 
   return false;
 }
 
-/// A slope is right when the error of its central difference falls by four as the step halves, or is nothing from the start.
+/// A slope is right when the error of its central difference falls by four as the step halves, or is nothing from the
+/// start.
 void expect_derivative(double slope, double coarse, double fine, double size) {
   const double error = std::abs(coarse - slope), half_error = std::abs(fine - slope);
   if (error <= 1e-9 * size) return;
@@ -77,8 +78,12 @@ TYPED_TEST(LawContract, SlopesAreDerivatives) {
     const double hd = 1e-2 * s.penetration, hv = 1e-2 * std::abs(s.rate);
     if (near_corner(this->law, this->impact, s, hd, hv)) continue;
     const auto force = [&](double d, double v) { return this->law.contact(d, v, this->impact).force; };
-    const auto by_d = [&](double h) { return (force(s.penetration + h, s.rate) - force(s.penetration - h, s.rate)) / (2 * h); };
-    const auto by_v = [&](double h) { return (force(s.penetration, s.rate + h) - force(s.penetration, s.rate - h)) / (2 * h); };
+    const auto by_d = [&](double h) {
+      return (force(s.penetration + h, s.rate) - force(s.penetration - h, s.rate)) / (2 * h);
+    };
+    const auto by_v = [&](double h) {
+      return (force(s.penetration, s.rate + h) - force(s.penetration, s.rate - h)) / (2 * h);
+    };
     const Response r = this->law.contact(s.penetration, s.rate, this->impact);
     EXPECT_EQ(r.force, force(s.penetration, s.rate));
     const double reach = std::abs(force(s.penetration, std::abs(s.rate)));
@@ -155,13 +160,16 @@ TYPED_TEST(LawContract, CrushedSurfacesAreRemembered) {
     const double crushed = this->law.crushed(this->impact), indentation = this->law.indentation(this->impact);
     EXPECT_EQ(crushed, 2e-3);
     EXPECT_GT(indentation, 0);
-    EXPECT_NEAR(this->law.respond(indentation, 0, this->impact).force, 0, 1e-12 * this->law.respond(2e-3, 0, this->impact).force);
+    EXPECT_NEAR(this->law.respond(indentation, 0, this->impact).force, 0,
+                1e-12 * this->law.respond(2e-3, 0, this->impact).force);
     Impact later = touch(this->law, 0.3, crushed);
     EXPECT_EQ(this->law.crushed(later), crushed);
     EXPECT_EQ(this->law.indentation(later), 0);
     const double core = crushed - indentation;
     for (const double part : {0.1, 0.5, 0.999})
-      EXPECT_NEAR(this->law.respond(part * core, 0.1, later).force / this->law.respond(indentation + part * core, 0.1, this->impact).force, 1, 1e-12);
+      EXPECT_NEAR(this->law.respond(part * core, 0.1, later).force /
+                      this->law.respond(indentation + part * core, 0.1, this->impact).force,
+                  1, 1e-12);
     keep(this->law, 0.5 * core, 0.1, later);
     EXPECT_EQ(this->law.indentation(later), 0) << "no deeper than before";
     keep(this->law, 2 * core, 0.1, later);
@@ -186,8 +194,10 @@ TYPED_TEST(LawContract, StoredEnergyIsTheWorkOfSlowUnloading) {
         given += this->law.respond(d, 0, unloading).force * left * deep / steps;
         keep(this->law, d, -1e-9, unloading);
       }
-      // Where a force ends before the penetration does, midpoints miss up to an eighth of its slope times the square of their distance.
-      const double way = left * deep / steps, corner = this->law.respond(left * deep, 0, impact).by_penetration * way * way / 8;
+      // Where a force ends before the penetration does, midpoints miss up to an eighth of its slope times the square of
+      // their distance.
+      const double way = left * deep / steps,
+                   corner = this->law.respond(left * deep, 0, impact).by_penetration * way * way / 8;
       EXPECT_NEAR(stored_energy(this->law, left * deep, impact), given, 1e-6 * given + corner) << deep << ' ' << left;
     }
   }
@@ -260,7 +270,8 @@ TYPED_TEST(LawContract, TableIsComplete) {
     EXPECT_FALSE(p.meaning.empty());
     EXPECT_GT(p.typical, 0) << p.name;
   }
-  for (const Formula& f : entry.formulas) EXPECT_FALSE(f.name.empty() || f.equation.empty() || f.source.empty() || f.note.empty());
+  for (const Formula& f : entry.formulas)
+    EXPECT_FALSE(f.name.empty() || f.equation.empty() || f.source.empty() || f.note.empty());
   EXPECT_EQ(entry.formulas.empty(), !has_damping<TypeParam>);
   if (!entry.formulas.empty()) {
     EXPECT_EQ(entry.formulas.front().name, "exact");

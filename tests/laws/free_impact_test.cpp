@@ -61,8 +61,8 @@ TEST(FreeImpact, EnergyAndImpulseFollowFromTheRestitution) {
   for_every_law(0.5, [&book](const Entry&, const AnyLaw& law) {
     const double v = 0.8;
     const FreeImpact r = integrated_free_impact(law, mass, v);
-    book.near("energy lost over m v^2/2 [-]",
-              r.energy_lost / (0.5 * mass * v * v), 1 - r.restitution * r.restitution, 1e-11);
+    book.near("energy lost over m v^2/2 [-]", r.energy_lost / (0.5 * mass * v * v), 1 - r.restitution * r.restitution,
+              1e-11);
     book.near("impulse over m v [-]", r.impulse / (mass * v), 1 + r.restitution, 1e-11);
   });
 }
@@ -102,17 +102,17 @@ TEST(FreeImpact, SpotValuesOfTheClosedForms) {
                   "half a unit of the last digit printed, or rounding");
   book.near("restitution for a damping factor 0.5 [-]", restitution_of_factor(0.5), 0.7484349316, 0.51e-10);
   book.near("restitution for a damping factor 1 [-]", restitution_of_factor(1.0), 0.5936242600, 0.51e-10);
-  book.near("restitution of critical damping, until F = 0: exp(-2) [-]",
-            restitution_to_zero_force(1.0), std::exp(-2), 1e-15);
-  book.near("restitution of critical damping in the approach: exp(-1) [-]",
-            restitution_of_approach(1.0), std::exp(-1), 1e-15);
+  book.near("restitution of critical damping, until F = 0: exp(-2) [-]", restitution_to_zero_force(1.0), std::exp(-2),
+            1e-15);
+  book.near("restitution of critical damping in the approach: exp(-1) [-]", restitution_of_approach(1.0), std::exp(-1),
+            1e-15);
   EXPECT_EQ(restitution_to_zero_penetration(1.0), 0);
   const double e = 0.65;
   book.near("exact damping factor for e = 0.65 [-]", exact_factor({.restitution = e}), 0.793101, 0.51e-6);
   book.near("Anagnostopoulos' ratio for e = 0.65 [-]", anagnostopoulos({.restitution = e}), 0.135851, 0.51e-6);
   book.near("exact ratio until F = 0 for e = 0.65 [-]", exact_cut_ratio({.restitution = e}), 0.149939, 0.51e-6);
-  book.near("exact ratio of approach damping for e = 0.65 [-]",
-            exact_approach_ratio({.restitution = e}), 0.329294, 0.51e-6);
+  book.near("exact ratio of approach damping for e = 0.65 [-]", exact_approach_ratio({.restitution = e}), 0.329294,
+            0.51e-6);
   book.near("exact xi of Jankowski for e = 0.65 [-]", exact_jankowski({.restitution = e}), 0.368162, 0.51e-6);
 }
 
@@ -125,8 +125,7 @@ TEST(FreeImpact, AngleRatioIsSmoothAcrossCriticalDamping) {
 
 TEST(FreeImpact, ExactFactorHasTheRightAsymptotes) {
   test::Book book("Free impacts: restitution, identities, limits",
-                  "limits: a -> 3(1-e)/2 as e -> 1, a -> 1/e as e -> 0",
-                  "the next order of the limit");
+                  "limits: a -> 3(1-e)/2 as e -> 1, a -> 1/e as e -> 0", "the next order of the limit");
   book.near("a over 3(1-e)/2, 1 - e = 1e-6 [-]", exact_factor({.restitution = 1 - 1e-6}) / 1.5e-6, 1, 1e-5);
   book.near("a e, e = 0.03 [-]", exact_factor({.restitution = 0.03}) * 0.03, 1, 1e-12);
   EXPECT_LT(exact_factor({.restitution = 0.1}) * 0.1, 1);
@@ -134,8 +133,7 @@ TEST(FreeImpact, ExactFactorHasTheRightAsymptotes) {
 
 TEST(FreeImpact, PublishedFormulasOfFirstOrderMeetTheExactOneNearOne) {
   test::Book book("Free impacts: restitution, identities, limits",
-                  "limits of the published formulas over the exact one as e -> 1",
-                  "ten times 1 - e = 1e-5");
+                  "limits of the published formulas over the exact one as e -> 1", "ten times 1 - e = 1e-5");
   const CalibrationTarget q{.restitution = 1 - 1e-5};
   for (const DampingFormula f : {hunt_crossley, herbert_mcwhannell, lankarani_nikravesh, zhiying_qishao, hu_guo})
     book.near("Hunt-Crossley and others of first order over exact [-]", f(q) / exact_factor(q), 1, 1e-4);
@@ -146,28 +144,30 @@ TEST(FreeImpact, PublishedFormulasOfFirstOrderMeetTheExactOneNearOne) {
 
 TEST(FreeImpact, RestitutionOfProportionalDampingIgnoresStiffnessMassExponentAndSpeed) {
   test::Book book("Free impacts: restitution, identities, limits",
-                  "root of a(1+e) = ln[(1+a)/(1-a e)] for a = 1: 0.59362426",
-                  "a unit of the last digit");
+                  "root of a(1+e) = ln[(1+a)/(1-a e)] for a = 1: 0.59362426", "a unit of the last digit");
   for (const double n : {1.0, 1.5, 2.2})
     for (const double k : {1.0, 2.75e9})
       for (const double v : {0.01, 10.0})
         book.near("restitution for any k, m, n, v [-]",
-                  integrated_free_impact(HertzDamped{.stiffness = k, .exponent = n, .damping_factor = 1.0}, 5 * k, v).restitution,
-                    0.59362426, 1e-8);
+                  integrated_free_impact(HertzDamped{.stiffness = k, .exponent = n, .damping_factor = 1.0}, 5 * k, v)
+                      .restitution,
+                  0.59362426, 1e-8);
 }
 
 TEST(FreeImpact, JankowskiWithBothPhasesWouldBeViscousHertz) {
   // xi and alpha = 2 xi give the same dashpot in the approach: same largest penetration.
   const Jankowski approach{.stiffness = 2.75e9, .damping_ratio = 0.3, .reduced_mass = mass};
   const ViscousHertz both{.stiffness = 2.75e9, .damping_ratio = 0.6, .reduced_mass = mass};
-  EXPECT_NEAR(integrated_free_impact(approach, mass, 1).peak_penetration / integrated_free_impact(both, mass, 1).peak_penetration, 1,
-              1e-12);
+  EXPECT_NEAR(integrated_free_impact(approach, mass, 1).peak_penetration /
+                  integrated_free_impact(both, mass, 1).peak_penetration,
+              1, 1e-12);
 }
 
 TEST(FreeImpact, LinearAndHertzFirstFormulasGiveTheSameRestitution) {
   // sqrt(5)/2 between the first forms for the linear and the Hertz spring cancels exactly.
   for (const double e : {0.2, 0.5, 0.8}) {
-    const ModifiedLinearViscoelastic linear{.stiffness = 1e8, .restitution = e, .reduced_mass = mass, .formula = simple_approach};
+    const ModifiedLinearViscoelastic linear{
+        .stiffness = 1e8, .restitution = e, .reduced_mass = mass, .formula = simple_approach};
     const Jankowski hertz{.stiffness = 1e9, .restitution = e, .reduced_mass = mass, .formula = jankowski_2005};
     EXPECT_NEAR(free_impact(linear, mass, 1).restitution, free_impact(hertz, mass, 1).restitution, 1e-14);
   }
@@ -180,8 +180,9 @@ TEST(FreeImpact, GivenCoefficientsMakeTheRestitutionFallWithSpeed) {
   EXPECT_LT(free_impact(impact, mass, 0.1).restitution, free_impact(impact, mass, 1.0).restitution - 0.02);
 }
 
-// Small damping loses the work of the dashpot along the elastic motion: for F = k d^1.5 + (3/2) A k d^0.5 d' in units of
-// k = m = v = 1 this is 1 - e = (3/2) A integral of d^0.5 sqrt(1 - (d/d_m)^2.5) dd over one way and back, all over one.
+// Small damping loses the work of the dashpot along the elastic motion: for F = k d^1.5 + (3/2) A k d^0.5 d' in units
+// of k = m = v = 1 this is 1 - e = (3/2) A integral of d^0.5 sqrt(1 - (d/d_m)^2.5) dd over one way and back, all over
+// one.
 TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
   test::Book book("Free impacts: restitution, identities, limits",
                   "first order of small damping: work of the dashpot along the elastic motion, by quadrature",
@@ -192,7 +193,8 @@ TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
   for (int i = 0; i < points; ++i) {
     const double angle = (i + 0.5) / points * std::numbers::pi / 2;  // d = d_m sin^2(angle)
     const double s = std::sin(angle) * std::sin(angle), d = dm * s;
-    integral += std::sqrt(d) * std::sqrt(1 - std::pow(s, 2.5)) * dm * std::sin(2 * angle) * std::numbers::pi / 2 / points;
+    integral +=
+        std::sqrt(d) * std::sqrt(1 - std::pow(s, 2.5)) * dm * std::sin(2 * angle) * std::numbers::pi / 2 / points;
   }
   const KuwabaraKono law{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
   book.near("loss of Kuwabara-Kono over that of first order [-]",
@@ -228,14 +230,17 @@ TEST(FreeImpact, BilinearLawSaysWhichRestitutionItCannotReach) {
     law.check();
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("restitution 0.3 cannot be reached by bilinear_hertz"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("restitution 0.3 cannot be reached by bilinear_hertz"), std::string::npos)
+        << error.what();
   }
 }
 
-// Loading stores k d_m^2/2, unloading with k2 = k/e^2 gives back F_m^2/(2 k2): Walton & Braun's spring, by its own two stiffnesses.
+// Loading stores k d_m^2/2, unloading with k2 = k/e^2 gives back F_m^2/(2 k2): Walton & Braun's spring, by its own two
+// stiffnesses.
 TEST(FreeImpact, ElastoplasticLawWithALinearSpringIsThatOfWaltonAndBraun) {
   test::Book book("Elastoplastic contact: crushing, memory",
-                  "Walton & Braun 1986: k1 loads, k2 unloads, e = sqrt(k1/k2), duration pi/2 (sqrt(m/k1) + sqrt(m/k2)), residual d_m (1 - k1/k2)",
+                  "Walton & Braun 1986: k1 loads, k2 unloads, e = sqrt(k1/k2), duration pi/2 (sqrt(m/k1) + "
+                  "sqrt(m/k2)), residual d_m (1 - k1/k2)",
                   "what the integration promises");
   const double k1 = 3e7, k2 = 7.5e7, m = 4e4, v = 0.6, deepest = v * std::sqrt(m / k1);
   const Elastoplastic law{.stiffness = k1, .exponent = 1, .restitution = std::sqrt(k1 / k2)};
@@ -243,17 +248,21 @@ TEST(FreeImpact, ElastoplasticLawWithALinearSpringIsThatOfWaltonAndBraun) {
     book.near("elastoplastic, n = 1: restitution [-]", r.restitution, std::sqrt(k1 / k2), 1e-11);
     book.near("elastoplastic, n = 1: largest penetration [m]", r.peak_penetration, deepest, 1e-11 * deepest);
     book.near("elastoplastic, n = 1: peak force [N]", r.peak_force, v * std::sqrt(k1 * m), 1e-4);
-    book.near("elastoplastic, n = 1: duration [s]", r.duration, std::numbers::pi / 2 * (std::sqrt(m / k1) + std::sqrt(m / k2)), 1e-11);
+    book.near("elastoplastic, n = 1: duration [s]", r.duration,
+              std::numbers::pi / 2 * (std::sqrt(m / k1) + std::sqrt(m / k2)), 1e-11);
   }
   Impact impact = touch(law, v);
   keep(law, deepest, 0, impact);
-  book.near("elastoplastic, n = 1: slope of unloading [N/m]", law.contact(0.9 * deepest, -1, impact).by_penetration, k2, 1e-6);
+  book.near("elastoplastic, n = 1: slope of unloading [N/m]", law.contact(0.9 * deepest, -1, impact).by_penetration, k2,
+            1e-6);
   book.near("elastoplastic, n = 1: indentation [m]", law.indentation(impact), deepest * (1 - k1 / k2), 1e-16);
 }
 
-// Loading takes K/c [x - log(1 + c x)/c] with c = K Rf/Fu, unloading gives back F^2/(2 K_ur): both in closed form, the depth by bisection.
+// Loading takes K/c [x - log(1 + c x)/c] with c = K Rf/Fu, unloading gives back F^2/(2 K_ur): both in closed form, the
+// depth by bisection.
 TEST(FreeImpact, BackfillLosesWhatItsHyperbolaTakes) {
-  test::Book book("Wall with backfill", "closed form of the area below the hyperbola less F^2/(2 K_ur)", "what the integration promises");
+  test::Book book("Wall with backfill", "closed form of the area below the hyperbola less F^2/(2 K_ur)",
+                  "what the integration promises");
   const Backfill law{.stiffness = 250e6, .unloading = 500e6, .failure_ratio = 0.75, .strength = 6e6};
   const double m = 250e3, c = 250e6 * 0.75 / 6e6;
   for (const double v : {0.05, 0.5, 1.5}) {
@@ -306,7 +315,8 @@ TEST(FreeImpact, CrushedSurfacesUnloadAndReloadAlongTheSameCurve) {
   const double h = 1e-7;
   const auto force = [&](double d) { return law.contact(d, 0, impact).force; };
   EXPECT_NEAR(law.contact(5.5e-3, 0, impact).by_penetration, (force(5.5e-3 + h) - force(5.5e-3 - h)) / (2 * h), 1e2);
-  EXPECT_NEAR(law.contact(5.9e-3, 0, impact).by_penetration / (1.5 * 2e9 * std::sqrt(6e-3)), 1 / 0.36, 0.2) << "steeper by 1/e^2 at the top";
+  EXPECT_NEAR(law.contact(5.9e-3, 0, impact).by_penetration / (1.5 * 2e9 * std::sqrt(6e-3)), 1 / 0.36, 0.2)
+      << "steeper by 1/e^2 at the top";
   EXPECT_LT(force(0.64 * 6e-3 - h), 0) << "the formula goes on below the end of the force";
 }
 
@@ -330,18 +340,18 @@ struct Cubic {
   Response respond(double d, double v, const Impact& i) const noexcept { return pressed(*this, d, v, i); }
 };
 
-// A strong damper releases the force just before the depth where it begins to weaken, and the force comes back behind it.
-// Restitutions by Runge-Kutta of fourth order with fixed steps of 1e-5 and 2.5e-6, which agree to 5e-12.
+// A strong damper releases the force just before the depth where it begins to weaken, and the force comes back behind
+// it. Restitutions by Runge-Kutta of fourth order with fixed steps of 1e-5 and 2.5e-6, which agree to 5e-12.
 TEST(FreeImpact, ReleaseShortlyBeforeACornerIsFound) {
-  AdamsImpact law{.stiffness = 1, .exponent = 1, .depth = 0.15, .damping_coefficient = 0.20135496083667953, .reduced_mass = 1};
+  AdamsImpact law{
+      .stiffness = 1, .exponent = 1, .depth = 0.15, .damping_coefficient = 0.20135496083667953, .reduced_mass = 1};
   EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0.754775780971, 1e-10);
   law.damping_coefficient = 0.209;
   EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0.747180132586, 1e-10);
 }
 
 TEST(FreeImpact, UserLawsAreIntegrated) {
-  test::Book book("Free impacts: restitution, identities, limits",
-                  "F = d^3, m = 2, v = 3: d_max^4 = 36, no loss",
+  test::Book book("Free impacts: restitution, identities, limits", "F = d^3, m = 2, v = 3: d_max^4 = 36, no loss",
                   "what the integration promises");
   const FreeImpact r = free_impact(Cubic{}, 2, 3);
   book.near("restitution of a user's law [-]", r.restitution, 1, 1e-11);
@@ -357,11 +367,12 @@ TEST(FreeImpact, RefusesNoMassAndNoSpeed) {
 }
 
 TEST(Extrapolation, ErrorFallsWithTheThirteenthPowerOfTheStep) {
-  test::Book book("Free impacts: restitution, identities, limits",
-                  "order of the extrapolation method",
+  test::Book book("Free impacts: restitution, identities, limits", "order of the extrapolation method",
                   "the next order of the error");
   const auto f = [](double x, const std::array<double, 1>& y) { return std::array<double, 1>{y[0] * std::cos(x)}; };
-  const auto error = [&](double h) { return std::abs(extrapolated_step<1>(f, 0, {1}, h, 1).state[0] - std::exp(std::sin(h))); };
+  const auto error = [&](double h) {
+    return std::abs(extrapolated_step<1>(f, 0, {1}, h, 1).state[0] - std::exp(std::sin(h)));
+  };
   book.near("observed order of the extrapolation [-]", std::log2(error(2.0) / error(1.0)), 13, 1.5);
 }
 

@@ -1,5 +1,5 @@
-/// Damping values and the restitution they give, against reference tables. The time integration meets the same tables in
-/// tests/verification.
+/// Damping values and the restitution they give, against reference tables. The time integration meets the same tables
+/// in tests/verification.
 
 #include <cmath>
 #include <string>
@@ -20,7 +20,8 @@ using reference::asked;
 using reference::half_unit;
 
 constexpr const char* subject = "Published damping formulas: the damping and the restitution they give";
-constexpr const char* source = "tables of an independent script: closed forms, confirmed by an 8th-order Runge-Kutta integration to 1e-11";
+constexpr const char* source =
+    "tables of an independent script: closed forms, confirmed by an 8th-order Runge-Kutta integration to 1e-11";
 constexpr const char* reason = "half a unit of the last digit printed there";
 
 struct ExactRow {
@@ -30,15 +31,24 @@ struct ExactRow {
 
 // Table of exact damping (six digits).
 const std::vector<ExactRow> exact_damping{
-    {"hertz_damped", "exact", {9.998159, 4.919167, 3.087082, 2.082498, 1.432751, 0.974872, 0.634828, 0.373146, 0.166482}},
-    {"modified_kelvin", "exact", {9.998159, 4.919167, 3.087082, 2.082498, 1.432751, 0.974872, 0.634828, 0.373146, 0.166482}},
-    {"kelvin_voigt", "exact", {0.591155, 0.455950, 0.357857, 0.279998, 0.215454, 0.160493, 0.112808, 0.070850, 0.033518}},
-    {"kelvin_voigt", "anagnostopoulos",
+    {"hertz_damped",
+     "exact",
+     {9.998159, 4.919167, 3.087082, 2.082498, 1.432751, 0.974872, 0.634828, 0.373146, 0.166482}},
+    {"modified_kelvin",
+     "exact",
+     {9.998159, 4.919167, 3.087082, 2.082498, 1.432751, 0.974872, 0.634828, 0.373146, 0.166482}},
+    {"kelvin_voigt",
+     "exact",
      {0.591155, 0.455950, 0.357857, 0.279998, 0.215454, 0.160493, 0.112808, 0.070850, 0.033518}},
-    {"kelvin_voigt_no_tension", "exact",
+    {"kelvin_voigt",
+     "anagnostopoulos",
+     {0.591155, 0.455950, 0.357857, 0.279998, 0.215454, 0.160493, 0.112808, 0.070850, 0.033518}},
+    {"kelvin_voigt_no_tension",
+     "exact",
      {1.243188, 0.731247, 0.497239, 0.354508, 0.255276, 0.180858, 0.122215, 0.074355, 0.034265}},
     {"komodromos", "exact", {1.243188, 0.731247, 0.497239, 0.354508, 0.255276, 0.180858, 0.122215, 0.074355, 0.034265}},
-    {"modified_linear_viscoelastic", "exact",
+    {"modified_linear_viscoelastic",
+     "exact",
      {4.806942, 2.223955, 1.336027, 0.879039, 0.597342, 0.404744, 0.263878, 0.155848, 0.070035}},
     {"jankowski", "exact", {5.374324, 2.486457, 1.493724, 0.982795, 0.667849, 0.452518, 0.295025, 0.174243, 0.078302}}};
 
@@ -125,12 +135,11 @@ TEST(PublishedValues, Eq38GivesTheSameRatioToBothLawsThatOfferIt) {
 // Between two rows of the paper's Table 2 both exponents are straight lines.
 TEST(PublishedValues, NaderpourFormulaIsLinearBetweenTheRowsOfItsTable) {
   test::Book book("Published damping formulas: the damping and the restitution they give",
-                  "Naderpour, Barros & Khatami 2015, Eqs. 15-17, between two rows of its Table 2",
-                  "rounding");
+                  "Naderpour, Barros & Khatami 2015, Eqs. 15-17, between two rows of its Table 2", "rounding");
   const double e = 0.65, N = 0.5 * (0.9973 + 0.9775), M = 0.5 * (0.9754 + 0.9668);
   const HertzDamped law{.stiffness = 3e7, .restitution = e, .formula = naderpour_2015};
-  book.near("hertz_damped: damping factor for e = 0.65 [-]",
-            law.damping_number(10), std::pow(3000, N - 1) * (1 - e * e) / std::pow(e, M), 1e-13);
+  book.near("hertz_damped: damping factor for e = 0.65 [-]", law.damping_number(10),
+            std::pow(3000, N - 1) * (1 - e * e) / std::pow(e, M), 1e-13);
 }
 
 TEST(PublishedValues, NaderpourFormulaIsRefusedOutsideItsTable) {
@@ -146,7 +155,10 @@ TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
   using namespace reference::bilinear;
   for (const reference::BilinearRow& row : rows) {
     SCOPED_TRACE(row.asked);
-    const BilinearHertz law{.stiffness = 1, .restitution = row.asked, .impact_velocity = design_speed, .reduced_mass = mass,
+    const BilinearHertz law{.stiffness = 1,
+                            .restitution = row.asked,
+                            .impact_velocity = design_speed,
+                            .reduced_mass = mass,
                             .formula = muthukumar_desroches};
     const double reaching = reaching_speed(row);
     const auto curve = law.curve(touch(law, reaching));
@@ -176,7 +188,8 @@ TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) 
                                             {"secondary_stiffness", row.stiffness_2},
                                             {"yield_penetration", row.yield}}});
     // K1 and K2 of the table are rounded to six decimals; the energy under the curve amplifies that by less than ten.
-    for (const FreeImpact& r : {free_impact(law, mass, reaching_speed(row)), integrated_free_impact(law, mass, reaching_speed(row))}) {
+    for (const FreeImpact& r :
+         {free_impact(law, mass, reaching_speed(row)), integrated_free_impact(law, mass, reaching_speed(row))}) {
       book.near("bilinear_hertz by K1, K2, d_y: largest penetration [m]", r.peak_penetration, 1, 10 * half_unit(6));
       book.near("bilinear_hertz by K1, K2, d_y: largest force [N]", r.peak_force, row.stiffness, 10 * half_unit(6));
       book.near("bilinear_hertz by K1, K2, d_y: energy lost [J]", r.energy_lost, row.loss, 10 * half_unit(6));

@@ -23,8 +23,11 @@ TEST(SingleImpact, ExampleOfSection51GivesTheReferenceHistory) {
   using namespace reference::section_5_1;
   for (const reference::Section51Row& row : rows) {
     SCOPED_TRACE(std::string(row.law) + ' ' + std::string(row.formula) + ' ' + std::to_string(row.asked));
-    const AnyLaw law = make_law({.law = std::string(row.law), .formula = std::string(row.formula), .restitution = row.asked,
-                                 .reduced_mass = mass, .values = {{"stiffness", stiffness}}});
+    const AnyLaw law = make_law({.law = std::string(row.law),
+                                 .formula = std::string(row.formula),
+                                 .restitution = row.asked,
+                                 .reduced_mass = mass,
+                                 .values = {{"stiffness", stiffness}}});
     book.near(std::string(row.law) + ": damping number [-]", damping_number(law, speed), row.damping, half_unit(5));
     for (const FreeImpact& r : {free_impact(law, mass, speed), integrated_free_impact(law, mass, speed)}) {
       book.near(std::string(row.law) + ": restitution [-]", r.restitution, row.restitution, half_unit(5));
@@ -45,7 +48,8 @@ TEST(SingleImpact, HertzSpringGivesTheReferenceHistory) {
     book.near("hertz: largest penetration [m]", r.peak_penetration, elastic_penetration, half_unit(6));
     book.near("hertz: peak force [kN]", r.peak_force / kilonewton, elastic_force, half_unit(3));
     book.near("hertz: duration [s]", r.duration, elastic_duration, half_unit(6));
-    book.near("hertz: closing energy [kJ]", r.impulse * speed / 4 / kilonewton, energy, half_unit(3));  // 2 m v, where the energy is m v^2/2
+    book.near("hertz: closing energy [kJ]", r.impulse * speed / 4 / kilonewton, energy,
+              half_unit(3));  // 2 m v, where the energy is m v^2/2
   }
   // m = k = v = 1.
   const FreeImpact unit = free_impact(Hertz{.stiffness = 1}, 1, 1);
@@ -87,7 +91,9 @@ TEST(SingleImpact, ExampleOfSection5GivesTheReferenceValues) {
   using namespace reference::section_5;
   for (const reference::Section5Row& row : rows) {
     SCOPED_TRACE(row.formula);
-    const AnyLaw law = make_law({.law = "hertz_damped", .formula = std::string(row.formula), .restitution = asked,
+    const AnyLaw law = make_law({.law = "hertz_damped",
+                                 .formula = std::string(row.formula),
+                                 .restitution = asked,
                                  .values = {{"stiffness", stiffness}}});
     book.near("hertz_damped: damping factor [-]", damping_number(law, speed), row.factor, half_unit(6));
     book.near("hertz_damped: damping coefficient [kN s/m^2.5]",

@@ -21,8 +21,12 @@ TEST_P(AllModes, AreNormalAndThoseOfTheSmallSolver) {
   const Eigenpairs found = petsc::all_modes(mass, stiffness), small = eigenpairs(mass, stiffness);
   const double largest = small.values[n - 1];
   for (int i = 0; i < n; ++i) EXPECT_NEAR(found.values[i], small.values[i], 1e-12 * largest) << i;
-  EXPECT_LT((found.vectors.transpose() * mass * found.vectors - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff(), 1e-11);
-  EXPECT_LT((found.vectors.transpose() * stiffness * found.vectors - Eigen::MatrixXd(found.values.asDiagonal())).cwiseAbs().maxCoeff(), 1e-11 * largest);
+  EXPECT_LT((found.vectors.transpose() * mass * found.vectors - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff(),
+            1e-11);
+  EXPECT_LT((found.vectors.transpose() * stiffness * found.vectors - Eigen::MatrixXd(found.values.asDiagonal()))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-11 * largest);
 }
 
 INSTANTIATE_TEST_SUITE_P(LumpedOrNot, AllModes, testing::Bool());

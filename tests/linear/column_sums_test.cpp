@@ -50,8 +50,9 @@ TEST(ColumnSums, HaveTheSameBitsForAnyNumberOfVectorsAtATime) {
       for (const int together : {1, 2, 3, 4, 5, 16}) {
         Eigen::MatrixXd y = begin;
         for (int c = 0; c < 16; c += together)
-          add_products({a.data(), rows, columns, a.rows()}, {x.data() + c * x.rows(), columns, std::min(together, 16 - c), x.rows()}, y.data() + c * y.rows(),
-                       y.rows());
+          add_products({a.data(), rows, columns, a.rows()},
+                       {x.data() + c * x.rows(), columns, std::min(together, 16 - c), x.rows()},
+                       y.data() + c * y.rows(), y.rows());
         EXPECT_EQ(y, loop) << rows << " x " << columns << ", " << together << " vectors";
       }
     }

@@ -38,7 +38,8 @@ struct Chain {
     const std::complex<double> by_k(1, w * damping.by_stiffness), by_m(-w * w, w * damping.by_mass);
     MatrixXcd a = by_k * k.cast<std::complex<double>>();
     if (damping.modal > 0)
-      a += std::complex<double>(0, 2 * damping.modal * w) * Eigen::SelfAdjointEigenSolver<MatrixXd>(k).operatorSqrt().cast<std::complex<double>>();
+      a += std::complex<double>(0, 2 * damping.modal * w) *
+           Eigen::SelfAdjointEigenSolver<MatrixXd>(k).operatorSqrt().cast<std::complex<double>>();
     a.diagonal().array() += by_m;
     return b.transpose() * a.fullPivLu().solve(b.cast<std::complex<double>>());
   }
@@ -56,20 +57,23 @@ struct Case {
     vectors.leftCols(2) = chain.stiffness.inverse() * chain.links;
     for (int j = 2; j < Chain::size; ++j) vectors.col(j) = chain.stiffness.inverse() * vectors.col(j - 2);
     const MatrixXd all = vectors.householderQr().householderQ();
-    const auto ritz = [&](const MatrixXd& basis) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(basis.transpose() * chain.stiffness * basis); };
+    const auto ritz = [&](const MatrixXd& basis) {
+      return Eigen::SelfAdjointEigenSolver<MatrixXd>(basis.transpose() * chain.stiffness * basis);
+    };
     const auto of_run = ritz(all.leftCols(count)), of_less = ritz(all.leftCols(count - 2));
     run = all.leftCols(count) * of_run.eigenvectors();
     less = all.leftCols(count - 2) * of_less.eigenvectors();
     rest = all.rightCols(Chain::size - count);
-    further = {of_run.eigenvalues(), run.transpose() * chain.links, run.transpose() * chain.stiffness * rest, rest.transpose() * chain.stiffness * rest,
-               rest.transpose() * chain.links};
+    further = {of_run.eigenvalues(), run.transpose() * chain.links, run.transpose() * chain.stiffness * rest,
+               rest.transpose() * chain.stiffness * rest, rest.transpose() * chain.links};
     shadow = {run.transpose() * less, of_less.eigenvalues()};
   }
 };
 
 TEST(FlexibilityErrors, AreThoseOfDenseMatricesWhereTheDirectionsAreAllThatIsLeft) {
   const double contact = 12;
-  for (const ClassicalDamping damping : {ClassicalDamping{0.3, 0.02}, ClassicalDamping{0, 1e-3}, ClassicalDamping{0, 0, 0.1}, ClassicalDamping{0.1, 0.01, 0.05}}) {
+  for (const ClassicalDamping damping : {ClassicalDamping{0.3, 0.02}, ClassicalDamping{0, 1e-3},
+                                         ClassicalDamping{0, 0, 0.1}, ClassicalDamping{0.1, 0.01, 0.05}}) {
     const Case of(4);
     double run = 0, shadow = 0;
     for (int k = 0; k < 15; ++k) {

@@ -1,4 +1,5 @@
-// Modes on the disk: found with the same bits for the same origin, and for no other one; files that are damaged, cut or in the way.
+// Modes on the disk: found with the same bits for the same origin, and for no other one; files that are damaged, cut or
+// in the way.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -42,8 +43,11 @@ ModesOrigin origin() {
 }
 
 ReducedGroup group() {
-  ReducedGroup made{.modes = std::make_shared<const GroupModes>(GroupModes{Eigen::MatrixXd::Random(3, 2), Eigen::VectorXd::Random(2)}),
-                    .shadow = std::make_shared<const ShadowModes>(ShadowModes{Eigen::MatrixXd::Random(2, 1), Eigen::VectorXd::Random(1)})};
+  ReducedGroup made{
+      .modes =
+          std::make_shared<const GroupModes>(GroupModes{Eigen::MatrixXd::Random(3, 2), Eigen::VectorXd::Random(2)}),
+      .shadow =
+          std::make_shared<const ShadowModes>(ShadowModes{Eigen::MatrixXd::Random(2, 1), Eigen::VectorXd::Random(1)})};
   made.made.flexibility_error = 0.5;
   made.made.shadow_flexibility_error = 0.25;
   return made;
@@ -64,7 +68,9 @@ class Kept : public testing::Test {
   }
   void write(const std::string& bytes) const { std::ofstream(files().at(0), std::ios::binary) << bytes; }
 
-  const std::string folder = fs::temp_directory_path() / fmt::format("kept_{}_{}", getpid(), testing::UnitTest::GetInstance()->current_test_info()->name()) / "modes";
+  const std::string folder =
+      fs::temp_directory_path() /
+      fmt::format("kept_{}_{}", getpid(), testing::UnitTest::GetInstance()->current_test_info()->name()) / "modes";
 };
 
 void expect_equal(const ReducedGroup& one, const ReducedGroup& other) {

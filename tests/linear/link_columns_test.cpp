@@ -22,8 +22,10 @@ struct Links {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     const auto add = [&](int first, int size, std::vector<int> links) {
-      Eigen::MatrixXd own = Eigen::MatrixXd::NullaryExpr(size, static_cast<int>(links.size()), [&] { return normal(random); });
-      for (std::size_t i = 0; i < links.size(); ++i) b.col(links[i]).segment(first, size) = own.col(static_cast<int>(i));
+      Eigen::MatrixXd own =
+          Eigen::MatrixXd::NullaryExpr(size, static_cast<int>(links.size()), [&] { return normal(random); });
+      for (std::size_t i = 0; i < links.size(); ++i)
+        b.col(links[i]).segment(first, size) = own.col(static_cast<int>(i));
       columns.add_block(first, std::move(links), std::move(own));
     };
     add(0, 7, {0, 1, 2, 3, 4});
@@ -144,7 +146,9 @@ TEST(LinkColumns, AddForcesAndAnswersFromACoordinateOn) {
   const Eigen::VectorXd few = f(chosen);
   links.columns.add_response(2, few, links.d, answer);
   EXPECT_LT((answer - 2 * links.d.asDiagonal() * links.b(Eigen::all, chosen) * few).norm(), 1e-13 * answer.norm());
-  const LinkColumns::Solve solve = [&](int first, Eigen::VectorXd& column) { column.array() *= links.d.segment(first, column.size()).array(); };
+  const LinkColumns::Solve solve = [&](int first, Eigen::VectorXd& column) {
+    column.array() *= links.d.segment(first, column.size()).array();
+  };
   links.columns.add_response(2, few, solve, solved);
   EXPECT_LT((answer - solved).norm(), 1e-13 * answer.norm());
   Eigen::MatrixXd g, by_solves;
@@ -158,7 +162,8 @@ TEST(LinkColumns, GatherSmallBlocksWithTheSameBits) {
   for (const bool has_fixed_link : {false, true}) {
     const int count = has_fixed_link ? 3 : 2;
     LinkColumns columns(count);
-    const Eigen::MatrixXd left = Eigen::MatrixXd::Random(2, 2), right = Eigen::MatrixXd::Random(3, 2), x = Eigen::MatrixXd::Random(5, 4);
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Random(2, 2), right = Eigen::MatrixXd::Random(3, 2),
+                          x = Eigen::MatrixXd::Random(5, 4);
     columns.add_block(0, {0, 1}, left);
     columns.add_block(2, {0, 1}, right);
     Eigen::MatrixXd relative = Eigen::MatrixXd::Constant(count, 4, 7.0);

@@ -71,7 +71,8 @@ void expect_modes(const Eigenmodes& modes, const SparseMatrix& mass, const Spars
   }
 }
 
-// Shapes may turn into each other only where frequencies are equal: each must lie in the span of those of its frequency.
+// Shapes may turn into each other only where frequencies are equal: each must lie in the span of those of its
+// frequency.
 void expect_same(const Eigenmodes& modes, const Eigenmodes& expected, const SparseMatrix& mass, double tolerance) {
   ASSERT_EQ(modes.frequencies.size(), expected.frequencies.size());
   const int count = static_cast<int>(modes.frequencies.size());
@@ -81,8 +82,10 @@ void expect_same(const Eigenmodes& modes, const Eigenmodes& expected, const Spar
   for (int j = 0; j < count; ++j) {
     Eigen::VectorXd rest = modes.shapes.col(j);
     for (int i = 0; i < count; ++i)
-      if (std::abs(expected.frequencies[i] / expected.frequencies[j] - 1) < 1e-5) rest -= overlap(i, j) * expected.shapes.col(i);
-    EXPECT_LT(rest.lpNorm<Eigen::Infinity>(), tolerance * modes.shapes.col(j).lpNorm<Eigen::Infinity>()) << "mode " << j + 1;
+      if (std::abs(expected.frequencies[i] / expected.frequencies[j] - 1) < 1e-5)
+        rest -= overlap(i, j) * expected.shapes.col(i);
+    EXPECT_LT(rest.lpNorm<Eigen::Infinity>(), tolerance * modes.shapes.col(j).lpNorm<Eigen::Infinity>())
+        << "mode " << j + 1;
   }
 }
 
@@ -124,7 +127,8 @@ TEST(SparseModes, AreAllOfThemWhenAllAreAskedFor) {
   const int all = static_cast<int>(split_by_mass(frame.mass).dynamic.size());
   ASSERT_EQ(all, 24);
   for (const int count : {1, all - 1, all})
-    expect_same(sparse_modes(frame.mass, frame.stiffness, count), dense_modes(frame.mass, frame.stiffness, count), frame.mass, 1e-9);
+    expect_same(sparse_modes(frame.mass, frame.stiffness, count), dense_modes(frame.mass, frame.stiffness, count),
+                frame.mass, 1e-9);
 }
 
 // A column of n elements with consistent mass, in bending and axially; elements stiff in shear.
@@ -144,8 +148,8 @@ constexpr double of_cantilever[] = {1.87510406871196, 4.69409113297418, 7.854757
 constexpr double of_free_beam[] = {4.73004074486270, 7.85320462409584, 10.9956078380017};
 constexpr int elements = 110;
 
-// Frequencies of cubic elements with consistent mass are too high by (b h)^4 / 1440 of itself (Hughes, The Finite Element Method, 7.3),
-// 7e-8 at most here.
+// Frequencies of cubic elements with consistent mass are too high by (b h)^4 / 1440 of itself (Hughes, The Finite
+// Element Method, 7.3), 7e-8 at most here.
 double bending(double root) {
   const double exact = std::pow(root / 10, 2) * std::sqrt(2e11 * 1e-5 / (7800 * 0.01));
   return exact * (1 + std::pow(root / elements, 4) / 1440);
@@ -164,8 +168,8 @@ TEST(LowestModes, AreThoseOfACantilever) {
   for (const auto& solve : {dense_modes, lowest_modes}) {
     const Eigenmodes modes = solve(frame.mass, frame.stiffness, 3);
     for (int k = 0; k < 3; ++k)
-      book.near("frequency of a cantilever over closed form [-]",
-                modes.frequencies[k] / bending(of_cantilever[k]), 1, beam_tolerance);
+      book.near("frequency of a cantilever over closed form [-]", modes.frequencies[k] / bending(of_cantilever[k]), 1,
+                beam_tolerance);
   }
 }
 
@@ -182,8 +186,8 @@ TEST(LowestModes, OfAFreeBeamStartWithItsMotionsAtRest) {
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     for (int k = 0; k < 3; ++k) {
       EXPECT_EQ(modes.frequencies[k], 0);
-      book.near("frequency of a free beam over closed form [-]",
-                modes.frequencies[k + 3] / bending(of_free_beam[k]), 1, beam_tolerance);
+      book.near("frequency of a free beam over closed form [-]", modes.frequencies[k + 3] / bending(of_free_beam[k]), 1,
+                beam_tolerance);
     }
     expect_modes(modes, frame.mass, frame.stiffness, 1e-12);
     // No more than the motions at rest.
@@ -198,7 +202,8 @@ AssembledFrame free_frame(double mass_of_first) {
   const auto node = [](int i, int j, int k) { return i + 4 * (j + 4 * k); };
   for (int k = 0; k < 8; ++k)
     for (int j = 0; j < 4; ++j)
-      for (int i = 0; i < 4; ++i) frame.add_mass(frame.add_node({6.0 * i, 5.0 * j, 3.2 * k}), i + j + k ? 2e4 : mass_of_first);
+      for (int i = 0; i < 4; ++i)
+        frame.add_mass(frame.add_node({6.0 * i, 5.0 * j, 3.2 * k}), i + j + k ? 2e4 : mass_of_first);
   for (int k = 0; k < 8; ++k)
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 4; ++i) {
@@ -209,8 +214,8 @@ AssembledFrame free_frame(double mass_of_first) {
   return frame.assemble();
 }
 
-// A light node makes the highest frequency far higher and leaves the lowest as they are. (At a gram the shapes of the dense
-// solver err by 2e-8.)
+// A light node makes the highest frequency far higher and leaves the lowest as they are. (At a gram the shapes of the
+// dense solver err by 2e-8.)
 TEST(LowestModes, OfAFreeFrameHaveSixMotionsAtRest) {
   for (const double mass_of_first : {2e4, 1.0}) {
     const AssembledFrame frame = free_frame(mass_of_first);
@@ -224,12 +229,15 @@ TEST(LowestModes, OfAFreeFrameHaveSixMotionsAtRest) {
     EXPECT_EQ(dense.frequencies.head(6).norm(), 0);
     EXPECT_GT(modes.frequencies[6], 1);
     expect_modes(modes, frame.mass, frame.stiffness, 1e-12);
-    const auto elastic = [](const Eigenmodes& all) { return Eigenmodes{all.frequencies.tail(6), all.shapes.rightCols(6)}; };
+    const auto elastic = [](const Eigenmodes& all) {
+      return Eigenmodes{all.frequencies.tail(6), all.shapes.rightCols(6)};
+    };
     expect_same(elastic(modes), elastic(dense), frame.mass, 1e-9);
   }
 }
 
-// Equal columns side by side: each frequency as often as there are columns, but one starting vector spans one shape of each.
+// Equal columns side by side: each frequency as often as there are columns, but one starting vector spans one shape of
+// each.
 TEST(EqualFrequencies, AreFoundAsOftenAsTheyAre) {
   constexpr int copies = 7;
   const AssembledFrame one = column(20);
@@ -237,7 +245,8 @@ TEST(EqualFrequencies, AreFoundAsOftenAsTheyAre) {
   std::vector<Eigen::Triplet<double>> mass, stiffness;
   for (int copy = 0; copy < copies; ++copy)
     for (int j = 0; j < n; ++j) {
-      for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it) mass.emplace_back(copy * n + it.row(), copy * n + j, it.value());
+      for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it)
+        mass.emplace_back(copy * n + it.row(), copy * n + j, it.value());
       for (SparseMatrix::InnerIterator it(one.stiffness, j); it; ++it)
         stiffness.emplace_back(copy * n + it.row(), copy * n + j, it.value());
     }
@@ -312,14 +321,16 @@ TEST(Modes, RefuseWhatHasNone) {
         it.valueRef() = 0;
         loose.coeffRef(i, it.row()) = 0;
       }
-    for (const auto& [i, j, value] : {std::tuple(2, 2, 1e8), {5, 5, 1e8}, {2, 5, -1e8}, {5, 2, -1e8}}) loose.coeffRef(i, j) = value;
+    for (const auto& [i, j, value] : {std::tuple(2, 2, 1e8), {5, 5, 1e8}, {2, 5, -1e8}, {5, 2, -1e8}})
+      loose.coeffRef(i, j) = value;
     const std::string text = text_of<std::invalid_argument>(solve, frame.mass, loose, 3);
     EXPECT_NE(text.find("without mass is singular"), std::string::npos) << text;
     EXPECT_TRUE(text.ends_with("unknown 2 meets nothing") || text.ends_with("unknown 5 meets nothing")) << text;
 
     SparseMatrix negative = frame.mass;
     negative.coeffRef(0, 0) *= -1;
-    EXPECT_EQ(text_of<std::invalid_argument>(solve, negative, frame.stiffness, 3), "the mass matrix is not positive definite");
+    EXPECT_EQ(text_of<std::invalid_argument>(solve, negative, frame.stiffness, 3),
+              "the mass matrix is not positive definite");
 
     const double first = std::pow(solve(frame.mass, frame.stiffness, 1).frequencies[0], 2);
     for (const double part : {1.001, 2.0, 100.0}) {
@@ -332,7 +343,9 @@ TEST(Modes, RefuseWhatHasNone) {
 
 class Option {
  public:
-  Option(std::string name, const char* value) : name_(std::move(name)) { petsc::check(PetscOptionsSetValue(nullptr, name_.c_str(), value)); }
+  Option(std::string name, const char* value) : name_(std::move(name)) {
+    petsc::check(PetscOptionsSetValue(nullptr, name_.c_str(), value));
+  }
   ~Option() { PetscOptionsClearValue(nullptr, name_.c_str()); }
 
  private:
@@ -368,7 +381,8 @@ TEST(SparseModes, ThatNoPivotCountsAreAnError) {
 TEST(SparseModes, ReadTheirOptions) {
   const AssembledFrame frame = plane_frame(20, 9);
   const Eigenmodes expected = sparse_modes(frame.mass, frame.stiffness, 6);
-  const Option tolerance("-pounding_modes_eps_tol", "1e-11"), factor("-pounding_modes_pc_factor_mat_solver_type", "mumps"),
+  const Option tolerance("-pounding_modes_eps_tol", "1e-11"),
+      factor("-pounding_modes_pc_factor_mat_solver_type", "mumps"),
       count("-pounding_modes_count_mat_mumps_icntl_14", "50");
   EXPECT_EQ(petsc::Environment::unread_options().size(), 3u);
   expect_same(sparse_modes(frame.mass, frame.stiffness, 6), expected, frame.mass, 1e-9);
@@ -380,9 +394,11 @@ TEST(SparseModes, TellWhatToChangeWhenTooFewAreFound) {
   const AssembledFrame frame = plane_frame(20, 9);
   const Option once("-pounding_modes_eps_max_it", "1"), small("-pounding_modes_eps_ncv", "13");
   const std::string text = text_of<SolverError>(sparse_modes, frame.mass, frame.stiffness, 12);
-  EXPECT_NE(text.find(" of 12 modes found in 1 iterations; allow more by -pounding_modes_eps_max_it 100, or a larger subspace "
-                      "by -pounding_modes_eps_ncv 78"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(
+          " of 12 modes found in 1 iterations; allow more by -pounding_modes_eps_max_it 100, or a larger subspace "
+          "by -pounding_modes_eps_ncv 78"),
+      std::string::npos)
       << text;
 }
 

@@ -25,13 +25,14 @@
 namespace pounding {
 namespace reduce_test {
 
-using petsc::ReducedGroups;
 using petsc::reduced_groups;
+using petsc::ReducedGroups;
 using petsc::ReductionPlan;
 using petsc::SolverKind;
 using Kind = Reduction::Kind;
 
-// Two plane frames of twenty storeys, hit at three floors. Each has 160 unknowns with mass, and as many rotations without.
+// Two plane frames of twenty storeys, hit at three floors. Each has 160 unknowns with mass, and as many rotations
+// without.
 struct Pair {
   Model model;
   System system;
@@ -43,15 +44,21 @@ struct Pair {
 
   static std::string text(int storeys, int bays) {
     const auto frame = [&](const std::string& name, double origin, double mass) {
-      return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, bay_width: 6, columns: "
-                         "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
-                         name, origin, storeys, bays, mass);
+      return fmt::format(
+          "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, "
+          "bay_width: 6, columns: "
+          "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
+          name, origin, storeys, bays, mass);
     };
     std::string links = "links:\n";
     for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
-      links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\n", floor);
-    return "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n" + frame("left", 0, 40.0 * bays) +
-           frame("right", 6.0 * bays + 0.02, 20.0 * bays) + links + "analysis: {duration: 4}\n";
+      links += fmt::format(
+          "  - {{between: [left.{0}, right.{0}], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: "
+          "0.65}}\n",
+          floor);
+    return "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n" +
+           frame("left", 0, 40.0 * bays) + frame("right", 6.0 * bays + 0.02, 20.0 * bays) + links +
+           "analysis: {duration: 4}\n";
   }
 
   ReductionPlan plan(const Reduction& left, const Reduction& right, double tolerance = 1e-5) const {
@@ -60,16 +67,17 @@ struct Pair {
 };
 
 struct Seen {
-  double peak = 0;        // of all forces [N]
+  double peak = 0;  // of all forces [N]
   std::size_t impacts = 0;
-  Eigen::MatrixXd floors; // displacements of all floors at 40 times
+  Eigen::MatrixXd floors;  // displacements of all floors at 40 times
   std::string description;
   Energies energies;
 };
 
 Seen follow(const Reduction& left, const Reduction& right) {
   Pair pair;
-  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(pair.system, SolverKind::automatic, pair.plan(left, right), PETSC_COMM_SELF);
+  const std::unique_ptr<StructureSolver> solver =
+      petsc::make_solver(pair.system, SolverKind::automatic, pair.plan(left, right), PETSC_COMM_SELF);
   Stepper stepper(pair.system, *solver, {.tolerance = 1e-5, .max_step = 0.01});
   stepper.start(0, pair.u, pair.v);
   StepController controller(stepper);
@@ -115,7 +123,8 @@ TEST_F(ReducedPair, HitsAsHardAsAllModes) {
   EXPECT_LT(floor_error(reduced), 1e-4);
   EXPECT_NE(exact().peak, reduced.peak) << "all modes were taken";
   EXPECT_NE(reduced.description.find("left: "), std::string::npos) << reduced.description;
-  EXPECT_NE(reduced.description.find("of 240 (links 5 x 3, ground 20 x 1, one at "), std::string::npos) << reduced.description;
+  EXPECT_NE(reduced.description.find("of 240 (links 5 x 3, ground 20 x 1, one at "), std::string::npos)
+      << reduced.description;
 }
 
 TEST_F(ReducedPair, KeepsItsEnergyInBalance) {
@@ -165,15 +174,19 @@ TEST(ReducedGroups, LeaveTheSystemToFactorsWhereALargeOneIsNotReduced) {
   const Reduction automatic{.kind = Kind::automatic};
   EXPECT_FALSE(reduced_groups(pair.system, pair.plan(automatic, {})));
   EXPECT_TRUE(reduced_groups(pair.system, pair.plan(blocks, {.kind = Kind::all_modes})));
-  EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, pair.plan(automatic, {}), PETSC_COMM_SELF)->description().find("factored"),
+  EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, pair.plan(automatic, {}), PETSC_COMM_SELF)
+                ->description()
+                .find("factored"),
             std::string::npos);
 }
 
 // Blocks without end, as light damping asks for them: 600 modes a structure cost less than factors.
 TEST(ModalDamping, HasTheSameMatrixWhoeverFormsIt) {
   const Model model = test::model_of(
-      "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 %}}}\n"
-      "  b: {shear_building: {storeys: 3, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 3 %}}}\nanalysis: {duration: 1}\n");
+      "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 "
+      "%}}}\n"
+      "  b: {shear_building: {storeys: 3, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 3 "
+      "%}}}\nanalysis: {duration: 1}\n");
   const System formed = assemble(model);
   System bare = formed;
   bare.modal_damping = {};
@@ -189,7 +202,8 @@ TEST(ModalDamping, HasTheSameMatrixWhoeverFormsIt) {
 
 TEST(ModalDamping, IsTheSameInAllModesByItsMatrixAndByItsRatio) {
   const Model model = test::model_of(
-      "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 %}}}\nanalysis: {duration: 1}\n");
+      "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 "
+      "%}}}\nanalysis: {duration: 1}\n");
   const System formed = assemble(model);
   System bare = formed;
   bare.modal_damping = {};
@@ -220,8 +234,10 @@ TEST(ModalDamping, OfALargeStructureThatIsNotReducedIsRefused) {
     petsc::make_solver(system, SolverKind::automatic, plan, PETSC_COMM_SELF);
     ADD_FAILURE() << "not refused";
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()), "\"large\" is not reduced, and its modal damping would fill a matrix of 1501 x 1501 modes; type damping: 5 % for it, or "
-                                         "let all large structures be reduced");
+    EXPECT_EQ(std::string(error.what()),
+              "\"large\" is not reduced, and its modal damping would fill a matrix of 1501 x 1501 modes; type damping: "
+              "5 % for it, or "
+              "let all large structures be reduced");
   }
 }
 
@@ -234,7 +250,10 @@ TEST(ReducedGroups, AreAllModesWhereAnAutomaticBasisWouldBeTooLarge) {
   ASSERT_TRUE(made);
   EXPECT_FALSE(made->at(0));
   EXPECT_FALSE(made->at(1));
-  EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, plan, PETSC_COMM_SELF)->description().find("all 1200 modes"), std::string::npos);
+  EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, plan, PETSC_COMM_SELF)
+                ->description()
+                .find("all 1200 modes"),
+            std::string::npos);
 }
 
 // Five towers in a row, the fourth of which is heavier. Those at the ends are hit on one side, each on another one.
@@ -244,17 +263,26 @@ struct Row {
   Eigen::VectorXd u, v;
 
   // `heavier`: the floors of the fourth one [t].
-  explicit Row(double heavier = 70) : model(test::model_of(text(heavier))), system(assemble(model)) { std::tie(u, v) = initial_state(model); }
+  explicit Row(double heavier = 70) : model(test::model_of(text(heavier))), system(assemble(model)) {
+    std::tie(u, v) = initial_state(model);
+  }
 
   static std::string text(double heavier) {
-    std::string structures = "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n", links = "links:\n";
+    std::string structures = "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n",
+                links = "links:\n";
     for (int i = 0; i < 5; ++i) {
-      structures += fmt::format("  t{}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 20, bays: 3, storey_height: 3.2, bay_width: 6, "
-                                "columns: {{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
-                                i, 18.02 * i, i == 3 ? heavier : 60);
+      structures += fmt::format(
+          "  t{}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 20, bays: 3, storey_height: 3.2, "
+          "bay_width: 6, "
+          "columns: {{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 "
+          "%}}\n",
+          i, 18.02 * i, i == 3 ? heavier : 60);
       if (i > 0)
         for (const int floor : {20, 15, 10})
-          links += fmt::format("  - {{between: [t{0}.{2}, t{1}.{2}], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\n", i - 1, i, floor);
+          links += fmt::format(
+              "  - {{between: [t{0}.{2}, t{1}.{2}], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: "
+              "0.65}}\n",
+              i - 1, i, floor);
     }
     return structures + links + "analysis: {duration: 4}\n";
   }
@@ -305,7 +333,8 @@ TEST(KeptModes, AreThoseThatAreMade) {
   for (const auto& file : fs::directory_iterator(folder)) fs::last_write_time(file.path(), long_ago), ++files;
   EXPECT_EQ(files, 4) << "two of five are alike";
   const ReducedGroups found = groups(folder);
-  for (const auto& file : fs::directory_iterator(folder)) EXPECT_GT(fs::last_write_time(file.path()), long_ago + std::chrono::minutes(1));
+  for (const auto& file : fs::directory_iterator(folder))
+    EXPECT_GT(fs::last_write_time(file.path()), long_ago + std::chrono::minutes(1));
   fs::remove_all(folder);
   for (const ReducedGroups* other : {&kept, &found})
     for (std::size_t k = 0; k < 5; ++k) {
@@ -322,7 +351,8 @@ TEST(KeptModes, AreThoseThatAreMade) {
 }
 
 TEST(EqualStructures, DoNotShareWhatTheyWereNotAsked) {
-  const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6}, deeper{.kind = Kind::blocks, .links = 3, .ground = 6};
+  const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6},
+      deeper{.kind = Kind::blocks, .links = 3, .ground = 6};
   const ReducedGroups made = Row().groups({blocks, blocks, deeper, blocks, blocks});
   EXPECT_NE(made[1]->modes, made[2]->modes);
   EXPECT_GT(made[2]->made.coordinates, made[1]->made.coordinates);
@@ -348,7 +378,8 @@ TEST(EqualStructures, MoveAsTheyDoByThemselves) {
     solver.physical(x, u);
     alone.physical(x, expected);
     EXPECT_EQ(u, expected) << k;
-    EXPECT_EQ(solver.coordinates(u).segment(own.first, own.count), alone.coordinates(u).segment(own.first, own.count)) << k;
+    EXPECT_EQ(solver.coordinates(u).segment(own.first, own.count), alone.coordinates(u).segment(own.first, own.count))
+        << k;
     EXPECT_EQ(solver.load().middleRows(own.first, own.count), alone.load().middleRows(own.first, own.count)) << k;
     Eigen::MatrixXd closings, of_alone;
     solver.gather(x, closings);
@@ -365,7 +396,8 @@ TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {
     ADD_FAILURE() << "this was taken";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "reduction {links: 100, ground: 20} of \"right\" would have up to 325 coordinates for 600 unknowns with mass, more than half of "
+              "reduction {links: 100, ground: 20} of \"right\" would have up to 325 coordinates for 600 unknowns with "
+              "mass, more than half of "
               "them; take fewer blocks or leave it whole");
   }
 }

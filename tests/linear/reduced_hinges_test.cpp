@@ -1,4 +1,5 @@
-// Reduced frames with hinges at rotations without mass: how far the hinges give way, against a frame that is put together and solved here in full.
+// Reduced frames with hinges at rotations without mass: how far the hinges give way, against a frame that is put
+// together and solved here in full.
 
 #include <gtest/gtest.h>
 
@@ -25,9 +26,11 @@ struct Reduced {
 
   explicit Reduced(const petsc::ReducedDepth& depth, const GroundMotion& ground = {}) : frame({.storeys = 12}, ground) {
     const System& system = frame.system;
-    const petsc::ReducedInputs inputs{.links = {}, .parts = Eigen::MatrixXd(system.gap_jacobian), .ground = system.load, .starts = {}};
+    const petsc::ReducedInputs inputs{
+        .links = {}, .parts = Eigen::MatrixXd(system.gap_jacobian), .ground = system.load, .starts = {}};
     const GroupModes modes = petsc::ReducedModes(system.mass, system.stiffness, inputs).modes(depth);
-    solver = std::make_unique<ModalSolver>(system, std::vector{std::optional(ReducedGroup{.modes = std::make_shared<const GroupModes>(modes)})});
+    solver = std::make_unique<ModalSolver>(
+        system, std::vector{std::optional(ReducedGroup{.modes = std::make_shared<const GroupModes>(modes)})});
   }
 
   // B^T (K + s M)^-1 B of all hinges, with everything that the solver knows of them.
@@ -41,7 +44,8 @@ struct Reduced {
   }
   // This compliance of the frame as it was put together.
   Eigen::MatrixXd exact(double s) const {
-    const Eigen::MatrixXd a = Eigen::MatrixXd(frame.system.stiffness) + s * Eigen::MatrixXd(frame.system.mass), b = Eigen::MatrixXd(frame.system.gap_jacobian);
+    const Eigen::MatrixXd a = Eigen::MatrixXd(frame.system.stiffness) + s * Eigen::MatrixXd(frame.system.mass),
+                          b = Eigen::MatrixXd(frame.system.gap_jacobian);
     return b.transpose() * test::dense::solve_columns(a, b);
   }
 };
@@ -64,7 +68,8 @@ TEST(ReducedHinges, AreNeverSofterThanInTheWholeFrame) {
     double last = 1;
     for (const int ground : {1, 6}) {
       Reduced reduced({.links = 0, .ground = ground, .shifted = false, .parts = 1});
-      const Eigen::MatrixXd exact = reduced.exact(square(frequency)), missing = exact - reduced.compliance(square(frequency));
+      const Eigen::MatrixXd exact = reduced.exact(square(frequency)),
+                            missing = exact - reduced.compliance(square(frequency));
       EXPECT_GT(test::dense::eigenvalues(missing)[0], -1e-9 * exact.norm()) << frequency;
       const double error = missing.cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
       EXPECT_LE(error, last * (1 + 1e-9)) << frequency;
@@ -73,27 +78,33 @@ TEST(ReducedHinges, AreNeverSofterThanInTheWholeFrame) {
     EXPECT_LT(last, 0.05) << frequency;
     Reduced deeper({.links = 0, .ground = 4, .shifted = false, .parts = 2});
     const Eigen::MatrixXd exact = deeper.exact(square(frequency));
-    EXPECT_LT((deeper.compliance(square(frequency)) - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff()) << "all modes at " << frequency;
+    EXPECT_LT((deeper.compliance(square(frequency)) - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff())
+        << "all modes at " << frequency;
   }
 }
 
-// While hinges yield, the rotations without mass are in equilibrium with them, and each hinge turns as far as its two sides do.
+// While hinges yield, the rotations without mass are in equilibrium with them, and each hinge turns as far as its two
+// sides do.
 TEST(ReducedHinges, StayInEquilibriumWhileTheyYield) {
-  Reduced reduced({.links = 0, .ground = 4, .shifted = false, .parts = 1}, GroundMotion(Harmonic{.amplitude = 4, .period = 1.2, .duration = 2}));
+  Reduced reduced({.links = 0, .ground = 4, .shifted = false, .parts = 1},
+                  GroundMotion(Harmonic{.amplitude = 4, .period = 1.2, .duration = 2}));
   const System& system = reduced.frame.system;
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(system.size());
   double largest_way = 0, unbalanced = 0, apart = 0, turned = 0;
   const StepperOptions options{.tolerance = 1e-4, .max_step = 0.01};
-  const test::HingeFrameRun run = test::run_hinge_frame(reduced.frame, *reduced.solver, options, 2, 0, [&](StepController& controller) {
-    const State& state = controller.stepper().state();
-    loads = system.stiffness * state.u + system.gap_jacobian * state.force;
-    const Eigen::VectorXd turns = system.gap_jacobian.transpose() * state.u;
-    for (int i = 0; i < system.size(); ++i)
-      if (system.mass.coeff(i, i) == 0) unbalanced = std::max(unbalanced, std::abs(loads[i]));
-    for (int i = 0; i < reduced.frame.hinges(); ++i) apart = std::max(apart, std::abs(controller.stepper().link_motion(i).penetration - turns[i]));
-    turned = std::max(turned, turns.cwiseAbs().maxCoeff());
-    largest_way = std::max(largest_way, (reduced.solver->relief().flexibility() * state.force).cwiseAbs().maxCoeff());
-  });
+  const test::HingeFrameRun run =
+      test::run_hinge_frame(reduced.frame, *reduced.solver, options, 2, 0, [&](StepController& controller) {
+        const State& state = controller.stepper().state();
+        loads = system.stiffness * state.u + system.gap_jacobian * state.force;
+        const Eigen::VectorXd turns = system.gap_jacobian.transpose() * state.u;
+        for (int i = 0; i < system.size(); ++i)
+          if (system.mass.coeff(i, i) == 0) unbalanced = std::max(unbalanced, std::abs(loads[i]));
+        for (int i = 0; i < reduced.frame.hinges(); ++i)
+          apart = std::max(apart, std::abs(controller.stepper().link_motion(i).penetration - turns[i]));
+        turned = std::max(turned, turns.cwiseAbs().maxCoeff());
+        largest_way =
+            std::max(largest_way, (reduced.solver->relief().flexibility() * state.force).cwiseAbs().maxCoeff());
+      });
   EXPECT_GT(*std::ranges::max_element(run.ductility), 2);
   EXPECT_GT(largest_way, 0.1 * turned) << "S would not be missed";
   EXPECT_LT(apart, 1e-10 * turned);

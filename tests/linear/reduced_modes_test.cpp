@@ -24,7 +24,8 @@ using petsc::ReducedDepth;
 using petsc::ReducedInputs;
 using petsc::ReducedModes;
 
-// A plane frame of eight storeys and two bays, hit at the ends of its floors. Rotations have no mass unless it is consistent.
+// A plane frame of eight storeys and two bays, hit at the ends of its floors. Rotations have no mass unless it is
+// consistent.
 struct Tower {
   SparseMatrix mass, stiffness;
   ReducedInputs inputs;
@@ -81,7 +82,8 @@ TEST_P(ReducedTower, HasTheNaturalModesWhereAllBlocksAreTaken) {
   const GroupModes all = by_all_unknowns.modes({.links = 2, .ground = 1});
   ASSERT_EQ(all.squares.size(), count);
   for (int i = 0; i < count; ++i)
-    EXPECT_NEAR(all.squares[i], std::pow(natural.frequencies[i], 2), 1e-9 * std::pow(natural.frequencies[count - 1], 2)) << i;
+    EXPECT_NEAR(all.squares[i], std::pow(natural.frequencies[i], 2), 1e-9 * std::pow(natural.frequencies[count - 1], 2))
+        << i;
   EXPECT_NEAR(std::sqrt(all.squares[0]), natural.frequencies[0], 1e-6 * natural.frequencies[0]);
 }
 
@@ -89,13 +91,16 @@ TEST_P(ReducedTower, IsNormalByTheMassAndFollowsWhereNoneIs) {
   const GroupModes modes = tower.reduced().modes({});
   const Eigen::Index m = modes.squares.size();
   ASSERT_GT(m, 20);
-  EXPECT_LT((modes.shapes.transpose() * tower.mass * modes.shapes - Eigen::MatrixXd::Identity(m, m)).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_LT(
+      (modes.shapes.transpose() * tower.mass * modes.shapes - Eigen::MatrixXd::Identity(m, m)).cwiseAbs().maxCoeff(),
+      1e-11);
   const Eigen::MatrixXd k = modes.shapes.transpose() * tower.stiffness * modes.shapes;
   EXPECT_LT((k - Eigen::MatrixXd(modes.squares.asDiagonal())).cwiseAbs().maxCoeff(), 1e-11 * modes.squares.maxCoeff());
   const Eigen::MatrixXd forces = tower.stiffness * modes.shapes;
   const std::vector<int> massless = split_by_mass(tower.mass).massless;
   EXPECT_EQ(massless.empty(), GetParam());
-  for (const int i : massless) EXPECT_LT(forces.row(i).cwiseAbs().maxCoeff(), 1e-10 * forces.cwiseAbs().maxCoeff()) << i;
+  for (const int i : massless)
+    EXPECT_LT(forces.row(i).cwiseAbs().maxCoeff(), 1e-10 * forces.cwiseAbs().maxCoeff()) << i;
 }
 
 // Directions of one block more make the modes of that depth of those that are there.
@@ -109,12 +114,15 @@ TEST_P(ReducedTower, FindsTheDirectionsOfOneBlockMore) {
   EXPECT_EQ(of.squares, modes.squares);
   Eigen::MatrixXd both(m + more, m + more);
   both << Eigen::MatrixXd(of.squares.asDiagonal()), of.coupling, of.coupling.transpose(), of.own;
-  // A direction of which 1e-9 is left beside the others is rounded to 1e-7, in another way where they are joined in another order.
+  // A direction of which 1e-9 is left beside the others is rounded to 1e-7, in another way where they are joined in
+  // another order.
   EXPECT_LT((test::dense::eigenvalues(both) - deeper.squares).cwiseAbs().maxCoeff(), 1e-6 * deeper.squares.maxCoeff());
   Eigen::MatrixXd links(m + more, 2);
   links << of.links, of.further_links;
-  EXPECT_LT((links.transpose() * test::dense::solve_columns(both, links) - tower.flexibility(0)).cwiseAbs().maxCoeff(), 1e-9 * tower.flexibility(0).maxCoeff());
-  EXPECT_LT((of.links - modes.shapes.transpose() * tower.inputs.links).cwiseAbs().maxCoeff(), 1e-10 * of.links.cwiseAbs().maxCoeff());
+  EXPECT_LT((links.transpose() * test::dense::solve_columns(both, links) - tower.flexibility(0)).cwiseAbs().maxCoeff(),
+            1e-9 * tower.flexibility(0).maxCoeff());
+  EXPECT_LT((of.links - modes.shapes.transpose() * tower.inputs.links).cwiseAbs().maxCoeff(),
+            1e-10 * of.links.cwiseAbs().maxCoeff());
 }
 
 TEST_P(ReducedTower, AnswersStaticForcesOfLinksAndGroundExactly) {
@@ -123,7 +131,8 @@ TEST_P(ReducedTower, AnswersStaticForcesOfLinksAndGroundExactly) {
   Eigen::MatrixXd loads(tower.size(), 3);
   loads << tower.inputs.links, tower.inputs.ground;
   const Eigen::MatrixXd exact = test::dense::solve_columns(tower.stiffness, loads);
-  const Eigen::MatrixXd found = modes.shapes * modes.squares.cwiseInverse().asDiagonal() * (modes.shapes.transpose() * loads);
+  const Eigen::MatrixXd found =
+      modes.shapes * modes.squares.cwiseInverse().asDiagonal() * (modes.shapes.transpose() * loads);
   const std::vector<int> dynamic = split_by_mass(tower.mass).dynamic;
   EXPECT_LT((found - exact)(dynamic, Eigen::all).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
 }
@@ -155,7 +164,8 @@ TEST_P(ReducedTower, IsNeverSofterAtItsLinksThanTheStructure) {
 TEST_P(ReducedTower, HoldsWhereItStarts) {
   tower.inputs.starts = Eigen::MatrixXd::Zero(tower.size(), 2);
   const std::vector<int> dynamic = split_by_mass(tower.mass).dynamic;
-  for (std::size_t i = 0; i < dynamic.size(); ++i) tower.inputs.starts(dynamic[i], 0) = std::sin(1.3 * static_cast<double>(i));
+  for (std::size_t i = 0; i < dynamic.size(); ++i)
+    tower.inputs.starts(dynamic[i], 0) = std::sin(1.3 * static_cast<double>(i));
   const GroupModes modes = tower.reduced().modes({});
   const Eigen::VectorXd start = tower.inputs.starts.col(0);
   const Eigen::VectorXd again = modes.shapes * (modes.shapes.transpose() * (tower.mass * start));
@@ -174,8 +184,8 @@ TEST_P(ReducedTower, HasTheSameBitsTwiceAndWhereItIsMadeDeeper) {
   EXPECT_EQ(twice.modes({.links = 2, .ground = 3}).shapes, shallow.shapes);
 }
 
-// The shadow is a sum of modes of the run, and yet what its own blocks give. (Chains so deep that they hold nearly the same directions differ by more: what one has
-// beside the other is near its rounding.)
+// The shadow is a sum of modes of the run, and yet what its own blocks give. (Chains so deep that they hold nearly the
+// same directions differ by more: what one has beside the other is near its rounding.)
 TEST_P(ReducedTower, HoldsTheModesOfItsShadow) {
   tower.inputs.starts = Eigen::VectorXd::LinSpaced(tower.size(), 0, 1);
   const ReducedDepth depth{.links = 3, .ground = 3}, less{.links = 2, .ground = 1};
@@ -186,11 +196,15 @@ TEST_P(ReducedTower, HoldsTheModesOfItsShadow) {
   EXPECT_EQ(reduced.count(depth, less), count);
   ASSERT_EQ(shadow.squares.size(), count);
   ASSERT_LT(count, whole.squares.size());
-  EXPECT_LT((shadow.in_modes.transpose() * shadow.in_modes - Eigen::MatrixXd::Identity(count, count)).cwiseAbs().maxCoeff(), 1e-12);
-  for (Eigen::Index i = 0; i < count; ++i) EXPECT_NEAR(shadow.squares[i], alone.squares[i], 1e-9 * alone.squares[i]) << i;
+  EXPECT_LT(
+      (shadow.in_modes.transpose() * shadow.in_modes - Eigen::MatrixXd::Identity(count, count)).cwiseAbs().maxCoeff(),
+      1e-12);
+  for (Eigen::Index i = 0; i < count; ++i)
+    EXPECT_NEAR(shadow.squares[i], alone.squares[i], 1e-9 * alone.squares[i]) << i;
   for (const double frequency : {0.0, 2.0, 20.0}) {
     const double s = std::pow(2 * std::numbers::pi * frequency, 2);
-    const Eigen::MatrixXd exact = tower.flexibility(alone, s), found = tower.flexibility({whole.shapes * shadow.in_modes, shadow.squares}, s);
+    const Eigen::MatrixXd exact = tower.flexibility(alone, s),
+                          found = tower.flexibility({whole.shapes * shadow.in_modes, shadow.squares}, s);
     EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff()) << frequency;
   }
 }
@@ -216,9 +230,11 @@ TEST_P(ReducedTower, HasTheBitsOfANewOneWhereItIsDrivenOtherwise) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Frames, ReducedTower, testing::Bool(), [](const auto& test) { return test.param ? "consistent" : "lumped"; });
+INSTANTIATE_TEST_SUITE_P(Frames, ReducedTower, testing::Bool(),
+                         [](const auto& test) { return test.param ? "consistent" : "lumped"; });
 
-// A couple on a rotation without mass turns it at once, which is S of a spring there; the modes hold what it does to the others.
+// A couple on a rotation without mass turns it at once, which is S of a spring there; the modes hold what it does to
+// the others.
 TEST(ReducedModes, FollowAForceAtAnUnknownWithoutMass) {
   Tower tower(false);
   tower.inputs.links.conservativeResize(Eigen::NoChange, 3);
@@ -254,9 +270,9 @@ TEST(ReducedModes, OfAStructureThatNothingMovesAreThereStill) {
   EXPECT_GT(tower.reduced().modes({}).squares.size(), 0);
 }
 
-// A rod of forty equal masses m between forty springs k, its foot held, flies with 1 m/s at a wall that touches its end by a spring k
-// as well. While it presses, the rod is a chain held at both ends, with the shapes sin(j r pi / 41) and the frequencies
-// 2 sqrt(k/m) sin(r pi / 82).
+// A rod of forty equal masses m between forty springs k, its foot held, flies with 1 m/s at a wall that touches its end
+// by a spring k as well. While it presses, the rod is a chain held at both ends, with the shapes sin(j r pi / 41) and
+// the frequencies 2 sqrt(k/m) sin(r pi / 82).
 class Rod {
  public:
   static constexpr int masses = 40;
@@ -286,7 +302,8 @@ class Rod {
       double part = 0;
       for (int j = 1; j <= masses; ++j) part += std::sin(j * r * std::numbers::pi / (masses + 1));
       const double w = 2 * std::sqrt(k / m) * std::sin(r * std::numbers::pi / (2 * (masses + 1)));
-      displacement += 2.0 / (masses + 1) * part * std::sin(w * time) / w * std::sin(masses * r * std::numbers::pi / (masses + 1));
+      displacement +=
+          2.0 / (masses + 1) * part * std::sin(w * time) / w * std::sin(masses * r * std::numbers::pi / (masses + 1));
     }
     return k * displacement;
   }
@@ -297,7 +314,8 @@ class Rod {
     inputs.links = Eigen::MatrixXd(system.gap_jacobian);
     inputs.starts = Eigen::VectorXd::Ones(masses);
     inputs.shift = 2 * k / m;
-    const auto modes = std::make_shared<const GroupModes>(ReducedModes(system.mass, system.stiffness, inputs).modes(depth));
+    const auto modes =
+        std::make_shared<const GroupModes>(ReducedModes(system.mass, system.stiffness, inputs).modes(depth));
     ModalSolver solver(system, {ReducedGroup{.modes = modes}});
     coordinates = solver.size();
     Stepper stepper(system, solver, {.tolerance = 1e-8, .max_step = 1e-3});

@@ -19,19 +19,26 @@ namespace shadow_test {
 
 using petsc::ReducedGroups;
 
-// Two plane frames that hit each other at two floors, on ground that shakes fast enough to count as a short motion for `wave` below 0.2 s.
+// Two plane frames that hit each other at two floors, on ground that shakes fast enough to count as a short motion for
+// `wave` below 0.2 s.
 std::string pair(double wave, const std::string& friction = "") {
   const auto frame = [&](const std::string& name, double origin, double mass) {
-    return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 12, bays: 2, storey_height: 3.2, bay_width: 6, columns: "
-                       "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
-                       name, origin, mass);
+    return fmt::format(
+        "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 12, bays: 2, storey_height: 3.2, "
+        "bay_width: 6, columns: "
+        "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
+        name, origin, mass);
   };
   const double gap = 0.01 * std::min(1.0, wave);
-  return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 2}}}}\nstructures:\n", wave < 0.2 ? 20 : 3, wave) + frame("left", 0, 80) +
-         frame("right", 12 + gap, 40) +
-         fmt::format("links:\n  - {{between: [left.12, right.12], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65{1}}}\n"
-                     "  - {{between: [left.6, right.6], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65{1}}}\nanalysis: {{duration: 2}}\n",
-                     gap, friction);
+  return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 2}}}}\nstructures:\n",
+                     wave < 0.2 ? 20 : 3, wave) +
+         frame("left", 0, 80) + frame("right", 12 + gap, 40) +
+         fmt::format(
+             "links:\n  - {{between: [left.12, right.12], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: "
+             "0.65{1}}}\n"
+             "  - {{between: [left.6, right.6], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: "
+             "0.65{1}}}\nanalysis: {{duration: 2}}\n",
+             gap, friction);
 }
 
 struct Followed {
@@ -39,17 +46,18 @@ struct Followed {
   System system;
   std::unique_ptr<ModalSolver> solver;
   std::unique_ptr<Stepper> stepper;
-  double hardest = 0;      // force of all links [N]
-  double stray = 0;        // of the closings of the shadow while they press [m]
+  double hardest = 0;           // force of all links [N]
+  double stray = 0;             // of the closings of the shadow while they press [m]
   double hardest_friction = 0;  // of all links [N]
   double stray_sliding = 0;     // of the velocities along them while they press [m/s]
-  double stray_floors = 0; // of displacements of its floors [m]
-  double largest = 0;      // displacement of all floors [m]
+  double stray_floors = 0;      // of displacements of its floors [m]
+  double largest = 0;           // displacement of all floors [m]
 
   using Change = void (*)(ReducedGroups& groups);
 
   // `dashpot`: from one floor of the left frame to the ground [N s/m].
-  Followed(const std::string& text, Change change, const Reduction& right = {.kind = Reduction::Kind::blocks, .links = 3, .ground = 6}, double dashpot = 0)
+  Followed(const std::string& text, Change change,
+           const Reduction& right = {.kind = Reduction::Kind::blocks, .links = 3, .ground = 6}, double dashpot = 0)
       : model(test::model_of(text)), system(assemble(model)) {
     if (dashpot > 0) {
       const int at = static_cast<int>(SparseMatrix::InnerIterator(system.gap_jacobian, 0).row());
@@ -57,7 +65,8 @@ struct Followed {
     }
     const auto [u, v] = initial_state(model);
     const Reduction blocks{.kind = Reduction::Kind::blocks, .links = 3, .ground = 6};
-    std::optional<ReducedGroups> groups = petsc::reduced_groups(system, {{"left", "right"}, {blocks, right}, u, v, 1e-4});
+    std::optional<ReducedGroups> groups =
+        petsc::reduced_groups(system, {{"left", "right"}, {blocks, right}, u, v, 1e-4});
     change(*groups);
     solver = std::make_unique<ModalSolver>(system, *groups);
     stepper = std::make_unique<Stepper>(system, *solver, StepperOptions{.tolerance = 1e-4, .max_step = 0.01});
@@ -101,7 +110,8 @@ void make_equal(ReducedGroups& groups) {
   for (auto& group : groups)
     if (group) {
       const Eigen::Index count = group->modes->squares.size();
-      group->shadow = std::make_shared<const ShadowModes>(ShadowModes{Eigen::MatrixXd::Identity(count, count), group->modes->squares});
+      group->shadow = std::make_shared<const ShadowModes>(
+          ShadowModes{Eigen::MatrixXd::Identity(count, count), group->modes->squares});
     }
 }
 

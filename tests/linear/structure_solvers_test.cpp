@@ -10,17 +10,17 @@
 #include <tuple>
 
 #include <pounding/frames/frame.hpp>
-#include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
+#include <pounding/links/gap_link.hpp>
 #include <pounding/stepping/step_controller.hpp>
 #include "support/dense.hpp"
 
 namespace pounding {
 namespace structure_solvers_test {
 
-using petsc::SparseSolver;
 using petsc::SparseOptions;
+using petsc::SparseSolver;
 
 int processes() {
   int count = 1;
@@ -67,7 +67,8 @@ struct Pair {
     system.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
     system.damping.resize(n, n);
     system.load.resize(n, 1);
-    for (int k = 0; k < frames; ++k) system.load.col(0).segment(system.groups[k].first, parts[k].size()) = parts[k].load.col(0);
+    for (int k = 0; k < frames; ++k)
+      system.load.col(0).segment(system.groups[k].first, parts[k].size()) = parts[k].load.col(0);
     if (frames == 2) {
       for (int floor = 1; floor <= 3; ++floor) {
         const auto end = [&](int frame, int line, double sign) {
@@ -89,8 +90,8 @@ struct Pair {
   }
 };
 
-// The right frame moves later than the left one, contacts rub, and displacements of nodes are followed, one rotation without
-// mass among them.
+// The right frame moves later than the left one, contacts rub, and displacements of nodes are followed, one rotation
+// without mass among them.
 Pair rubbing_on_delayed_ground() {
   Pair pair;
   System& s = pair.system;
@@ -235,7 +236,8 @@ System row_of_frames(int frames) {
   std::vector<Eigen::Triplet<double>> mass, stiffness, jacobian;
   for (int k = 0; k < frames; ++k) {
     for (int j = 0; j < size; ++j) {
-      for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it) mass.emplace_back(k * size + it.row(), k * size + j, it.value());
+      for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it)
+        mass.emplace_back(k * size + it.row(), k * size + j, it.value());
       for (SparseMatrix::InnerIterator it(one.stiffness, j); it; ++it)
         stiffness.emplace_back(k * size + it.row(), k * size + j, (1 + 0.2 * k) * it.value());
     }
@@ -272,7 +274,8 @@ TEST(RowOfFrames, KeepsLinksApartThatAreSolvedTogether) {
         base.set_matrix(on, 0);
         if (!at_level) base.set_matrix(off, std::nullopt);
         const Eigen::MatrixXd b = Eigen::MatrixXd(system.gap_jacobian)(Eigen::all, links);
-        const Eigen::MatrixXd z = test::dense::solve_columns(whole(system, at_level ? on : off), b), expected = b.transpose() * z;
+        const Eigen::MatrixXd z = test::dense::solve_columns(whole(system, at_level ? on : off), b),
+                              expected = b.transpose() * z;
         Eigen::MatrixXd g;
         ASSERT_TRUE(base.flexibility(links, g));
         EXPECT_LT((g - expected).norm(), 1e-10 * expected.norm());
@@ -554,14 +557,16 @@ Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until)
 // On two processes the modes are those of one: the same trajectory in parallel and alone.
 void expect_to_move_alike(const std::function<Pair()>& make) {
   constexpr auto second_order = Scheme::Kind::generalized_alpha;
-  for (const Scheme scheme : {Scheme{.kind = second_order}, Scheme{.kind = second_order, .spectral_radius = 0.8}, Scheme{.kind = Scheme::Kind::esdirk4}}) {
+  for (const Scheme scheme : {Scheme{.kind = second_order}, Scheme{.kind = second_order, .spectral_radius = 0.8},
+                              Scheme{.kind = Scheme::Kind::esdirk4}}) {
     Pair of_modes = make(), of_factors = make(), of_gradients = make();
     ModalSolver modal(of_modes.system);
     SparseSolver direct(PETSC_COMM_WORLD, of_factors.system);
     SparseSolver gradients(PETSC_COMM_WORLD, of_gradients.system, {.direct_below = 0});
     const Trajectory expected = march(of_modes, modal, scheme, 1.0);
     EXPECT_GT(expected.impacts, 3);
-    for (const auto& [pair, base] : {std::pair<Pair*, SparseSolver*>(&of_factors, &direct), {&of_gradients, &gradients}}) {
+    for (const auto& [pair, base] :
+         {std::pair<Pair*, SparseSolver*>(&of_factors, &direct), {&of_gradients, &gradients}}) {
       const Trajectory run = march(*pair, *base, scheme, 1.0);
       EXPECT_EQ(run.impacts, expected.impacts);
       EXPECT_EQ(run.end.time, expected.end.time);
@@ -571,7 +576,8 @@ void expect_to_move_alike(const std::function<Pair()>& make) {
       EXPECT_LT(std::abs(run.imbalance), 1e-3);
       EXPECT_LT((run.seen - pair->system.outputs.transpose() * run.end.u).norm(), 1e-14);
       ASSERT_EQ(run.peaks.size(), expected.peaks.size());
-      for (std::size_t i = 0; i < run.peaks.size(); ++i) EXPECT_NEAR(run.peaks[i], expected.peaks[i], 1e-8 * expected.peaks[i]);
+      for (std::size_t i = 0; i < run.peaks.size(); ++i)
+        EXPECT_NEAR(run.peaks[i], expected.peaks[i], 1e-8 * expected.peaks[i]);
     }
     EXPECT_EQ(direct.iterations(), 0);
     EXPECT_GT(gradients.iterations(), 0);
@@ -582,7 +588,9 @@ TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
   expect_to_move_alike([] { return Pair(); });
 }
 
-TEST(TwoFramesThatRubOnDelayedGround, MoveAlikeInModesAndInSparseMatrices) { expect_to_move_alike(rubbing_on_delayed_ground); }
+TEST(TwoFramesThatRubOnDelayedGround, MoveAlikeInModesAndInSparseMatrices) {
+  expect_to_move_alike(rubbing_on_delayed_ground);
+}
 
 }  // namespace structure_solvers_test
 }  // namespace pounding

@@ -94,7 +94,8 @@ TEST(GapLink, RefusesWhatItsLawRefuses) {
 
 TEST(GapLink, OpenGapHasExactlyNoForceAndNoSlopes) {
   const GapLink<MyLaw> link(MyLaw{}, 0.1);
-  for (const LinkMotion& motion : {LinkMotion{-0.05, 3}, LinkMotion{0, 3}, LinkMotion{0.05, 3}, LinkMotion{-1e-300, -3}})
+  for (const LinkMotion& motion :
+       {LinkMotion{-0.05, 3}, LinkMotion{0, 3}, LinkMotion{0.05, 3}, LinkMotion{-1e-300, -3}})
     expect_same(link.evaluate(motion), {0, 0, 0});
 }
 
@@ -150,10 +151,12 @@ TEST(GapLink, GoesSlackWhereItsForceWouldPullAndOpensAtZeroPenetration) {
   EXPECT_EQ(link.impacts()[0].t_end, 3);
 }
 
-// Behind the release the spring of adams_impact presses again at 0.23 mm. A long step ends beyond the separation, where a trace of the
-// penetration tells the sign: that this trace is smaller than the round-off of bodies that moved by metres must not hide it.
+// Behind the release the spring of adams_impact presses again at 0.23 mm. A long step ends beyond the separation, where
+// a trace of the penetration tells the sign: that this trace is smaller than the round-off of bodies that moved by
+// metres must not hide it.
 TEST(GapLink, SeesBeyondTheSeparationThatItsForceCameBack) {
-  GapLink<laws::AdamsImpact> link({.stiffness = 4.98847907e11, .depth = 1.1035778e-3, .damping_coefficient = 9.1e7, .reduced_mass = 8182}, 0);
+  GapLink<laws::AdamsImpact> link(
+      {.stiffness = 4.98847907e11, .depth = 1.1035778e-3, .damping_coefficient = 9.1e7, .reduced_mass = 8182}, 0);
   link.on_event(0, 0, {0, 3.545});
   LinkStep pressed;
   pressed.begin = 0, pressed.end = 5e-4;
@@ -166,7 +169,8 @@ TEST(GapLink, SeesBeyondTheSeparationThatItsForceCameBack) {
   const LinkMotion slack{7e-4, -0.148}, pressing{1e-4, -0.148}, beyond{-1.5e-4, -0.148}, rounding{5e-12, 5e-12};
   EXPECT_GT(link.event_functions(slack, 0)[1], link.force_event_noise(slack, rounding));
   for (const LinkMotion& motion : {pressing, beyond})
-    EXPECT_LT(link.event_functions(motion, 0)[1], -1e3 * link.force_event_noise(motion, rounding)) << motion.penetration;
+    EXPECT_LT(link.event_functions(motion, 0)[1], -1e3 * link.force_event_noise(motion, rounding))
+        << motion.penetration;
 }
 
 TEST(GapLink, ReengagesFromSlackWhenItsForceComesBack) {
@@ -256,13 +260,15 @@ TEST(GapLink, KomodromosWidensItsGapAndKelvinVoigtDoesNot) {
     link.on_event(event, 2, {0.004, -0.5});
     return link.gap();
   };
-  EXPECT_DOUBLE_EQ(gap_after(laws::Komodromos{.stiffness = 9.35e7, .restitution = 0.65, .reduced_mass = 6e4}, 1), 0.024);
-  EXPECT_EQ(gap_after(laws::KelvinVoigtNoTension{.stiffness = 9.35e7, .restitution = 0.65, .reduced_mass = 6e4}, 1), 0.02);
+  EXPECT_DOUBLE_EQ(gap_after(laws::Komodromos{.stiffness = 9.35e7, .restitution = 0.65, .reduced_mass = 6e4}, 1),
+                   0.024);
+  EXPECT_EQ(gap_after(laws::KelvinVoigtNoTension{.stiffness = 9.35e7, .restitution = 0.65, .reduced_mass = 6e4}, 1),
+            0.02);
 }
 
 TEST(GapLink, EvaluateAndMarginsMoveNothing) {
-  GapLink<laws::BilinearHertz> link(
-      laws::BilinearHertz{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4}, 0.01);
+  GapLink<laws::BilinearHertz> link(laws::BilinearHertz{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4},
+                                    0.01);
   link.on_event(0, 0, {0, 1});
   const laws::Response before = link.evaluate({0.004, 0.5});
   // Trials that the solver throws away, far outside what is kept.
@@ -280,7 +286,8 @@ TEST(GapLink, EvaluateAndMarginsMoveNothing) {
   EXPECT_LT(link.evaluate({0.004, 0.5}).force, before.force);
 }
 
-// Half a sine of penetration d = sin(t) pressed on k d + c d' = A sin(t + phi): one kept step over a sixth of it knows the peak.
+// Half a sine of penetration d = sin(t) pressed on k d + c d' = A sin(t + phi): one kept step over a sixth of it knows
+// the peak.
 TEST(GapLink, PeakInsideAStepIsThatOfTheLawOnTheMotionBetweenItsEnds) {
   GapLink<MyLaw> link = touched();
   const double phi = std::atan2(link.evaluate({0, 1}).force, link.evaluate({1, 0}).force);
@@ -319,7 +326,8 @@ TEST(GapLink, RefusesAGapThatIsNoNumber) {
   for (const double gap : {none, infinite, -infinite}) {
     EXPECT_EQ(refusal([&] { GapLink<MyLaw>(MyLaw{}, gap); }), "gap must be finite") << gap;
   }
-  for (const double gap : {none, infinite}) EXPECT_EQ(refusal([&] { RigidGapLink(0.5, gap); }), "gap must be finite and not negative") << gap;
+  for (const double gap : {none, infinite})
+    EXPECT_EQ(refusal([&] { RigidGapLink(0.5, gap); }), "gap must be finite and not negative") << gap;
   EXPECT_EQ(refusal([&] { RigidGapLink(0.5, -1e-9); }),
             "a rigid contact has no force to press with: gap must be finite and not negative");
 }
@@ -348,15 +356,19 @@ TEST(GapLink, BeginsPressedWithTheEnergyThatItStores) {
 }
 
 TEST(GapLink, PressedFromTheStartNeedsAForceWithoutAClosingSpeed) {
-  const std::string text = "a contact that presses from the start has no closing speed to find its force by; give an impact_velocity, "
-                           "or a law that needs none, such as linear_spring or hertz";
+  const std::string text =
+      "a contact that presses from the start has no closing speed to find its force by; give an impact_velocity, "
+      "or a law that needs none, such as linear_spring or hertz";
   const auto pressing = [](const auto& law) { return [law] { GapLink(law, -1e-3).press(1e-3); }; };
   EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5})), text);
   EXPECT_EQ(refusal(pressing(laws::BilinearHertz{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), text);
-  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5, .impact_velocity = 0.3})), "nothing was refused");
+  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5, .impact_velocity = 0.3})),
+            "nothing was refused");
   EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .damping_coefficient = 1e8})), "nothing was refused");
-  EXPECT_EQ(refusal(pressing(laws::Jankowski{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), "nothing was refused");
-  EXPECT_EQ(refusal([] { RigidGapLink(0.5, 0).press(1e-3); }), "this contact has no force to press with; take a law that has one");
+  EXPECT_EQ(refusal(pressing(laws::Jankowski{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})),
+            "nothing was refused");
+  EXPECT_EQ(refusal([] { RigidGapLink(0.5, 0).press(1e-3); }),
+            "this contact has no force to press with; take a law that has one");
 }
 
 // Twice as deep, then the same again: the gap follows the deepest of all, whatever rounding the located ends have.
@@ -380,8 +392,14 @@ TEST(GapLink, ElastoplasticWidensItsGapWithTheDeepestPenetrationOfAll) {
 
 TEST(GapLink, WorkOfAnImpactIsLostOrStoredWhileItLasts) {
   auto link = touched();  // F = 1000 d + 20 d'
-  link.accept({.begin = 0, .end = 0.1, .motion_begin = {0, 2}, .motion_middle = {0.1, 2}, .motion_end = {0.2, 2},
-               .force_begin = 40, .force_middle = 140, .force_end = 240});
+  link.accept({.begin = 0,
+               .end = 0.1,
+               .motion_begin = {0, 2},
+               .motion_middle = {0.1, 2},
+               .motion_end = {0.2, 2},
+               .force_begin = 40,
+               .force_middle = 140,
+               .force_end = 240});
   EXPECT_NEAR(link.impacts()[0].energy_stored, 0.5 * 1000 * 0.2 * 0.2, 1e-12);
   EXPECT_NEAR(link.impacts()[0].energy_lost, link.work() - 20, 1e-12);
   EXPECT_TRUE(still_presses(link.impacts()[0]));

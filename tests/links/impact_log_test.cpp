@@ -46,7 +46,8 @@ TEST(ImpactLog, WorkIsExactWhenThePowerIsCubic) {
 }
 
 TEST(ImpactLog, ForceThatJumpsAtTheTouchHasItsPeakThere) {
-  const ImpactLog log = logged([](double t) { return 50 - 3 * t; }, [](double) { return 0.0; }, std::array{2.0, 2.5, 3.0});
+  const ImpactLog log =
+      logged([](double t) { return 50 - 3 * t; }, [](double) { return 0.0; }, std::array{2.0, 2.5, 3.0});
   EXPECT_EQ(log.current().peak_force, 44);
   EXPECT_EQ(log.current().t_peak, 2);
 }

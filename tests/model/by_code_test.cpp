@@ -65,7 +65,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::ValuesIn(test::every_law), tes
 
 TEST(ModelByCode, NamesFloorsAndMassesAsTheInputDoes) {
   Model model;
-  const auto left = model.add("left", make_oscillator({.mass = 100e3, .stiffness = 6e6}), {.damping = 0, .initial_velocity = 0.5});
+  const auto left =
+      model.add("left", make_oscillator({.mass = 100e3, .stiffness = 6e6}), {.damping = 0, .initial_velocity = 0.5});
   const auto right = model.add("right", make_body({.mass = 150e3}), {.initial_displacement = 0.01});
   model.link(left.floor(1), right.floor(1), {.gap = 0.02, .reduced_mass = 50e3},
              laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
@@ -73,68 +74,83 @@ TEST(ModelByCode, NamesFloorsAndMassesAsTheInputDoes) {
   model.title = "pair";
   model.analysis = {.duration = 0.4, .output_step = 0.01, .scheme = {.kind = Scheme::Kind::esdirk4}, .max_step = 0.01};
   model.checkpoint = {.every_simulated = 1};
-  expect_as("title: pair\n"
-            "structures:\n"
-            "  left: {oscillator: {mass: 100 t, stiffness: 6e6}, damping: 0, initial_velocity: 0.5}\n"
-            "  right: {body: {mass: 150 t}, initial_displacement: 10 mm}\n"
-            "links:\n"
-            "  - {between: [left.1, right.1], gap: 20 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65, reduced_mass: 50 t}\n"
-            "  - {between: [left, right], gap: 30 mm, name: second, law: hertz, stiffness: 2.75e9}\n"
-            "analysis: {duration: 0.4, output_step: 0.01, integrator: esdirk4, max_step: 0.01}\n"
-            "checkpoint: {every_simulated: 1}\n",
-            std::move(model));
+  expect_as(
+      "title: pair\n"
+      "structures:\n"
+      "  left: {oscillator: {mass: 100 t, stiffness: 6e6}, damping: 0, initial_velocity: 0.5}\n"
+      "  right: {body: {mass: 150 t}, initial_displacement: 10 mm}\n"
+      "links:\n"
+      "  - {between: [left.1, right.1], gap: 20 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65, "
+      "reduced_mass: 50 t}\n"
+      "  - {between: [left, right], gap: 30 mm, name: second, law: hertz, stiffness: 2.75e9}\n"
+      "analysis: {duration: 0.4, output_step: 0.01, integrator: esdirk4, max_step: 0.01}\n"
+      "checkpoint: {every_simulated: 1}\n",
+      std::move(model));
 }
 
 TEST(ModelByCode, OfBuildingsThatYieldBesideAWallIsThatOfTheInput) {
   Model model;
-  const auto left = model.add("left", make_shear_building({.storeys = 3, .mass = 250e3, .stiffness = {5e8, 4e8, 3e8}, .height = 3.0,
-                                                           .yield_force = 1.5e6, .hardening = 0.05}),
+  const auto left = model.add("left",
+                              make_shear_building({.storeys = 3,
+                                                   .mass = 250e3,
+                                                   .stiffness = {5e8, 4e8, 3e8},
+                                                   .height = 3.0,
+                                                   .yield_force = 1.5e6,
+                                                   .hardening = 0.05}),
                               {.damping = RayleighDamping{.ratio = 0.05, .modes = {{1, 3}}}});
-  const auto middle = model.add("middle", make_shear_building({.storeys = 2, .mass = {150e3, 140e3}, .stiffness = 9e8, .height = 3.0}),
-                                {.damping = ModalDamping{.ratio = 0.03}, .delay = 0.05});
-  const auto right = model.add("right", make_shear_building({.storeys = 1, .mass = 150e3, .stiffness = 9e8}),
-                               {.damping = 0.05, .ground_motion = GroundComponents{GroundMotion(Pulse{
-                                                     .shape = Pulse::Shape::sine, .amplitude = 2, .duration = 0.5})}});
+  const auto middle =
+      model.add("middle", make_shear_building({.storeys = 2, .mass = {150e3, 140e3}, .stiffness = 9e8, .height = 3.0}),
+                {.damping = ModalDamping{.ratio = 0.03}, .delay = 0.05});
+  const auto right = model.add(
+      "right", make_shear_building({.storeys = 1, .mass = 150e3, .stiffness = 9e8}),
+      {.damping = 0.05,
+       .ground_motion =
+           GroundComponents{GroundMotion(Pulse{.shape = Pulse::Shape::sine, .amplitude = 2, .duration = 0.5})}});
   const auto wall = model.add("wall", make_wall());
-  const laws::Settings law{.law = "hertz_damped", .formula = "hu_guo", .restitution = 0.6, .values = {{"stiffness", 2.75e9}}};
+  const laws::Settings law{
+      .law = "hertz_damped", .formula = "hu_guo", .restitution = 0.6, .values = {{"stiffness", 2.75e9}}};
   model.link(left, wall, {.gap = {0.01, 0.02, 0.03}, .floors = FacingFloors::all, .name = "bumper"}, law);
   model.link(middle.floor(1), right, {.gap = 0.004}, law);
   model.ground = synthetic_motion({.seed = 7, .duration = 2, .pga = 0.6 * standard_gravity, .step = 0.02});
   model.compare_no_pounding = true;
   const std::string rest = ", law: hertz_damped, formula: hu_guo, stiffness: 2.75e9, restitution: 0.6}\n";
-  expect_as("ground_motion: {synthetic: {seed: 7, duration: 2 s, step: 0.02, pga: 0.6 g}}\n"
-            "structures:\n"
-            "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: [5e8, 4e8, 3e8], height: 3, yield_force: 1.5e6, hardening: 0.05},\n"
-            "         damping: {rayleigh: {ratio: 5 %, modes: [1, 3]}}}\n"
-            "  middle: {shear_building: {storeys: 2, mass: [150 t, 140 t], stiffness: 9e8, height: 3}, damping: {modal: {ratio: 3 %}},\n"
-            "           delay: 0.05}\n"
-            "  right: {shear_building: {storeys: 1, mass: 150 t, stiffness: 9e8}, damping: 5 %,\n"
-            "          ground_motion: {pulse: {shape: sine, amplitude: 2, duration: 0.5}}}\n"
-            "  wall: {wall: {}}\n"
-            "links:\n"
-            "  - {between: [left, wall], gap: [10 mm, 20 mm, 30 mm], floors: all, name: bumper" + rest +
-            "  - {between: [middle.1, right], gap: 4 mm" + rest +
-            "compare: no_pounding\n",
-            std::move(model));
+  expect_as(
+      "ground_motion: {synthetic: {seed: 7, duration: 2 s, step: 0.02, pga: 0.6 g}}\n"
+      "structures:\n"
+      "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: [5e8, 4e8, 3e8], height: 3, yield_force: 1.5e6, "
+      "hardening: 0.05},\n"
+      "         damping: {rayleigh: {ratio: 5 %, modes: [1, 3]}}}\n"
+      "  middle: {shear_building: {storeys: 2, mass: [150 t, 140 t], stiffness: 9e8, height: 3}, damping: {modal: "
+      "{ratio: 3 %}},\n"
+      "           delay: 0.05}\n"
+      "  right: {shear_building: {storeys: 1, mass: 150 t, stiffness: 9e8}, damping: 5 %,\n"
+      "          ground_motion: {pulse: {shape: sine, amplitude: 2, duration: 0.5}}}\n"
+      "  wall: {wall: {}}\n"
+      "links:\n"
+      "  - {between: [left, wall], gap: [10 mm, 20 mm, 30 mm], floors: all, name: bumper" +
+          rest + "  - {between: [middle.1, right], gap: 4 mm" + rest + "compare: no_pounding\n",
+      std::move(model));
 }
 
 TEST(ModelByCode, TakesForcesAsTheInputDoes) {
   Model model;
-  const auto left = model.add("left", make_shear_building({.storeys = 2, .mass = 100e3, .stiffness = 90e6}),
-                              {.damping = 0.05,
-                               .forces = {{.floor = 2, .history = GroundMotion(Harmonic{400e3, 0.5, 2, 0.1}, dimension::force)},
-                                          {.floor = 1, .history = GroundMotion(Step{50e3, 0, 0.2}, dimension::force)}}});
+  const auto left =
+      model.add("left", make_shear_building({.storeys = 2, .mass = 100e3, .stiffness = 90e6}),
+                {.damping = 0.05,
+                 .forces = {{.floor = 2, .history = GroundMotion(Harmonic{400e3, 0.5, 2, 0.1}, dimension::force)},
+                            {.floor = 1, .history = GroundMotion(Step{50e3, 0, 0.2}, dimension::force)}}});
   const auto right = model.add("right", make_body({.mass = 150e3, .gravity = -0.2}));
   model.link(left.floor(2), right, {.gap = 0.01}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
   model.analysis = {.duration = 1};
-  expect_as("structures:\n"
-            "  left: {shear_building: {storeys: 2, mass: 100 t, stiffness: 90 MN/m}, damping: 5 %,\n"
-            "         forces: [{floor: 2, harmonic: {amplitude: 400 kN, period: 0.5, duration: 2, start: 0.1}},\n"
-            "                  {floor: 1, step_force: {amplitude: 50 kN, rise: 0.2}}]}\n"
-            "  right: {body: {mass: 150 t, gravity: -0.2}}\n"
-            "links: [{between: [left.2, right], gap: 10 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
-            "analysis: {duration: 1}\n",
-            std::move(model));
+  expect_as(
+      "structures:\n"
+      "  left: {shear_building: {storeys: 2, mass: 100 t, stiffness: 90 MN/m}, damping: 5 %,\n"
+      "         forces: [{floor: 2, harmonic: {amplitude: 400 kN, period: 0.5, duration: 2, start: 0.1}},\n"
+      "                  {floor: 1, step_force: {amplitude: 50 kN, rise: 0.2}}]}\n"
+      "  right: {body: {mass: 150 t, gravity: -0.2}}\n"
+      "links: [{between: [left.2, right], gap: 10 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
+      "analysis: {duration: 1}\n",
+      std::move(model));
 }
 
 const Material concrete = isotropic(30e9);
@@ -157,7 +173,8 @@ TEST(ModelByCode, OfPlaneGridsWithFrictionUnderAWaveIsThatOfTheInput) {
   heavy.geometry = FrameGeometry::p_delta;
   heavy.reported_members = {0, 1};
   const auto left = model.add("left", make_structure(heavy), {.damping = 0.05});
-  const auto right = model.add("right", make_structure(plane(2, 0.5, 11.01)), {.damping = RayleighDamping{.ratio = 0.03, .periods = {{0.5, 0.1}}}});
+  const auto right = model.add("right", make_structure(plane(2, 0.5, 11.01)),
+                               {.damping = RayleighDamping{.ratio = 0.03, .periods = {{0.5, 0.1}}}});
   model.link(left, right, {.gap = 0.01, .floors = FacingFloors::all, .friction = 0.3},
              laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5});
   model.link(left.node("2.2"), right.node("2.0"), {.gap = 0.01}, laws::LinearSpring{.stiffness = 9e7});
@@ -165,29 +182,44 @@ TEST(ModelByCode, OfPlaneGridsWithFrictionUnderAWaveIsThatOfTheInput) {
                                   GroundMotion(Harmonic{.amplitude = 1, .period = 0.2, .duration = 1})};
   model.ground.wave = TravellingWave{.velocity = 300};
   model.analysis.tolerance = 1e-5;
-  const auto frame = [](const char* rest) {
-    return std::string("frame: {material: {E: 30 GPa}, ") + rest;
-  };
-  expect_as("ground_motion:\n"
-            "  components: {x: {harmonic: {amplitude: 4, period: 0.5, duration: 1}}, z: {harmonic: {amplitude: 1, period: 0.2, duration: 1}}}\n"
-            "  wave: {velocity: 300}\n"
-            "structures:\n"
-            "  left: {" + frame("geometry: p_delta, report: {members: [column 1.0, beam x 1.0]}, grid: {storeys: 3, bays: 2, storey_height: 3,\n"
-            "         bay_width: [5, 6], columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 60 t}}, damping: 5 %}\n") +
-            "  right: {" + frame("origin: [11.01 m], grid: {storeys: 2, bays: 2, storey_height: 3,\n"
-            "         bay_width: [5, 6], columns: {rectangle: [0.5, 0.5]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 60 t}},\n"
-            "         damping: {rayleigh: {ratio: 3 %, periods: [0.5, 0.1]}}}\n") +
-            "links:\n"
-            "  - {between: [left, right], gap: 10 mm, floors: all, friction: 0.3, law: hertz_damped, stiffness: 2.75e9, restitution: 0.5}\n"
-            "  - {between: [{structure: left, node: '2.2'}, {structure: right, node: '2.0'}], gap: 10 mm, law: linear_spring, stiffness: 9e7}\n"
-            "analysis: {tolerance: 1e-5}\n",
-            std::move(model));
+  const auto frame = [](const char* rest) { return std::string("frame: {material: {E: 30 GPa}, ") + rest; };
+  expect_as(
+      "ground_motion:\n"
+      "  components: {x: {harmonic: {amplitude: 4, period: 0.5, duration: 1}}, z: {harmonic: {amplitude: 1, period: "
+      "0.2, duration: 1}}}\n"
+      "  wave: {velocity: 300}\n"
+      "structures:\n"
+      "  left: {" +
+          frame("geometry: p_delta, report: {members: [column 1.0, beam x 1.0]}, grid: {storeys: 3, bays: 2, "
+                "storey_height: 3,\n"
+                "         bay_width: [5, 6], columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, "
+                "floor_mass: 60 t}}, damping: 5 %}\n") +
+          "  right: {" +
+          frame("origin: [11.01 m], grid: {storeys: 2, bays: 2, storey_height: 3,\n"
+                "         bay_width: [5, 6], columns: {rectangle: [0.5, 0.5]}, beams: {rectangle: [0.3, 0.5]}, "
+                "floor_mass: 60 t}},\n"
+                "         damping: {rayleigh: {ratio: 3 %, periods: [0.5, 0.1]}}}\n") +
+          "links:\n"
+          "  - {between: [left, right], gap: 10 mm, floors: all, friction: 0.3, law: hertz_damped, stiffness: 2.75e9, "
+          "restitution: 0.5}\n"
+          "  - {between: [{structure: left, node: '2.2'}, {structure: right, node: '2.0'}], gap: 10 mm, law: "
+          "linear_spring, stiffness: 9e7}\n"
+          "analysis: {tolerance: 1e-5}\n",
+      std::move(model));
 }
 
 TEST(ModelByCode, OfRigidFloorsInSpaceIsThatOfTheInput) {
-  GridFrame grid{.storeys = 2, .bays_x = 1, .bays_y = 1, .storey_height = {3.2, 3.0}, .bay_width_x = {6.0}, .bay_width_y = {5.0},
-                 .column = rectangle_section(0.4, 0.4), .beam = rectangle_section(0.3, 0.5), .material = concrete,
-                 .floor_mass = {60e3, 50e3}, .rigid_floors = true};
+  GridFrame grid{.storeys = 2,
+                 .bays_x = 1,
+                 .bays_y = 1,
+                 .storey_height = {3.2, 3.0},
+                 .bay_width_x = {6.0},
+                 .bay_width_y = {5.0},
+                 .column = rectangle_section(0.4, 0.4),
+                 .beam = rectangle_section(0.3, 0.5),
+                 .material = concrete,
+                 .floor_mass = {60e3, 50e3},
+                 .rigid_floors = true};
   Model model;
   const auto left = model.add("left", make_structure(grid), {.damping = 0.05, .initial_velocity = 0.5});
   grid.origin = {6.01, 1.0, 0};
@@ -195,22 +227,38 @@ TEST(ModelByCode, OfRigidFloorsInSpaceIsThatOfTheInput) {
   model.link(left.floor(2), right.floor(2), {.gap = 0.01, .points = 3, .friction = 0.2, .sliding_velocity = 0.01},
              laws::ModifiedKelvin{.stiffness = 9.35e7, .restitution = 0.6});
   model.analysis.duration = 0.3;
-  const std::string body = "grid: {storeys: 2, bays: [1, 1], storey_height: [3.2, 3], bay_width: {x: 6, y: 5}, columns: {rectangle: [0.4, 0.4]},\n"
-                           "    beams: {rectangle: [0.3, 0.5]}, floor_mass: [60 t, 50 t]}}, damping: 5 %";
-  expect_as("structures:\n"
-            "  left: {frame: {material: {E: 30 GPa}, " + body + ", initial_velocity: 0.5}\n"
-            "  right: {frame: {material: {E: 30 GPa}, origin: [6.01, 1], " + body + "}\n"
-            "links:\n"
-            "  - {between: [left.2, right.2], gap: 10 mm, points: 3, friction: 0.2, sliding_velocity: 0.01, law: modified_kelvin,\n"
-            "     stiffness: 9.35e7, restitution: 0.6}\n"
-            "analysis: {duration: 0.3}\n",
-            std::move(model));
+  const std::string body =
+      "grid: {storeys: 2, bays: [1, 1], storey_height: [3.2, 3], bay_width: {x: 6, y: 5}, columns: {rectangle: [0.4, "
+      "0.4]},\n"
+      "    beams: {rectangle: [0.3, 0.5]}, floor_mass: [60 t, 50 t]}}, damping: 5 %";
+  expect_as(
+      "structures:\n"
+      "  left: {frame: {material: {E: 30 GPa}, " +
+          body +
+          ", initial_velocity: 0.5}\n"
+          "  right: {frame: {material: {E: 30 GPa}, origin: [6.01, 1], " +
+          body +
+          "}\n"
+          "links:\n"
+          "  - {between: [left.2, right.2], gap: 10 mm, points: 3, friction: 0.2, sliding_velocity: 0.01, law: "
+          "modified_kelvin,\n"
+          "     stiffness: 9.35e7, restitution: 0.6}\n"
+          "analysis: {duration: 0.3}\n",
+      std::move(model));
 }
 
 TEST(ModelByCode, LinksNeighboursAsTheInputDoes) {
-  GridFrame grid{.storeys = 2, .bays_x = 1, .bays_y = 1, .storey_height = {3.2, 3.0}, .bay_width_x = {6.0}, .bay_width_y = {5.0},
-                 .column = rectangle_section(0.4, 0.4), .beam = rectangle_section(0.3, 0.5), .material = concrete,
-                 .floor_mass = {60e3, 50e3}, .rigid_floors = true};
+  GridFrame grid{.storeys = 2,
+                 .bays_x = 1,
+                 .bays_y = 1,
+                 .storey_height = {3.2, 3.0},
+                 .bay_width_x = {6.0},
+                 .bay_width_y = {5.0},
+                 .column = rectangle_section(0.4, 0.4),
+                 .beam = rectangle_section(0.3, 0.5),
+                 .material = concrete,
+                 .floor_mass = {60e3, 50e3},
+                 .rigid_floors = true};
   Model model;
   model.add("corner", make_structure(grid), {.damping = 0.05, .initial_velocity = 0.5});
   grid.origin = {6.01, 0, 0};
@@ -220,15 +268,24 @@ TEST(ModelByCode, LinksNeighboursAsTheInputDoes) {
   link_neighbours(model, {.points = 2}, laws::ModifiedKelvin{.stiffness = 9.35e7, .restitution = 0.6});
   EXPECT_EQ(model.links.size(), 8u);
   model.analysis.duration = 0.3;
-  const std::string body = "grid: {storeys: 2, bays: [1, 1], storey_height: [3.2, 3], bay_width: {x: 6, y: 5}, columns: {rectangle: [0.4, 0.4]},\n"
-                           "    beams: {rectangle: [0.3, 0.5]}, floor_mass: [60 t, 50 t]}}, damping: 5 %";
-  expect_as("structures:\n"
-            "  corner: {frame: {material: {E: 30 GPa}, " + body + ", initial_velocity: 0.5}\n"
-            "  south: {frame: {material: {E: 30 GPa}, origin: [6.01, 0], " + body + "}\n"
-            "  west: {frame: {material: {E: 30 GPa}, origin: [0, 5.02], " + body + "}\n"
-            "links: [{between: neighbours, points: 2, law: modified_kelvin, stiffness: 9.35e7, restitution: 0.6}]\n"
-            "analysis: {duration: 0.3}\n",
-            std::move(model));
+  const std::string body =
+      "grid: {storeys: 2, bays: [1, 1], storey_height: [3.2, 3], bay_width: {x: 6, y: 5}, columns: {rectangle: [0.4, "
+      "0.4]},\n"
+      "    beams: {rectangle: [0.3, 0.5]}, floor_mass: [60 t, 50 t]}}, damping: 5 %";
+  expect_as(
+      "structures:\n"
+      "  corner: {frame: {material: {E: 30 GPa}, " +
+          body +
+          ", initial_velocity: 0.5}\n"
+          "  south: {frame: {material: {E: 30 GPa}, origin: [6.01, 0], " +
+          body +
+          "}\n"
+          "  west: {frame: {material: {E: 30 GPa}, origin: [0, 5.02], " +
+          body +
+          "}\n"
+          "links: [{between: neighbours, points: 2, law: modified_kelvin, stiffness: 9.35e7, restitution: 0.6}]\n"
+          "analysis: {duration: 0.3}\n",
+      std::move(model));
 }
 
 TEST(ModelByCode, OfAFrameByItsNodesIsThatOfTheInput) {
@@ -252,27 +309,31 @@ TEST(ModelByCode, OfAFrameByItsNodesIsThatOfTheInput) {
   portal.floors = {{.label = "1", .nodes = {1, 2}, .elevation = 3}};
   Model model;
   const auto left = model.add("portal", make_structure(portal), {.damping = 0.02});
-  model.link(left.at(2), model.add("wall", make_wall()), {.gap = 0.005}, laws::KelvinVoigt{.stiffness = 9e7, .restitution = 0.6});
+  model.link(left.at(2), model.add("wall", make_wall()), {.gap = 0.005},
+             laws::KelvinVoigt{.stiffness = 9e7, .restitution = 0.6});
   model.ground = Pulse{.shape = Pulse::Shape::half_sine, .amplitude = -6, .duration = 0.3};
   model.analysis.duration = 0.5;
-  expect_as("ground_motion: {pulse: {shape: half_sine, amplitude: -6, duration: 0.3}}\n"
-            "structures:\n"
-            "  portal:\n"
-            "    frame:\n"
-            "      material: {E: 30 GPa}\n"
-            "      sections: {s: {rectangle: [0.4, 0.4]}}\n"
-            "      nodes: {a: [0, 0], b: [0, 3], c: [6, 3], d: [6, 0]}\n"
-            "      members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}}\n"
-            "      masses: {b: 10 t, c: {ux: 10 t, uz: 10 t, ry: 100}, d: {ry: 100}}\n"
-            "      loads: {b: {uz: -10 kN}}\n"
-            "      springs: [{node: b, dof: ux, stiffness: 1e6}, {between: [b, c], dof: ux, stiffness: 2e6}]\n"
-            "      supports: {a: fixed, d: {fix: pinned, delay: 0.02}}\n"
-            "      floors: [{nodes: [b, c]}]\n"
-            "    damping: 2 %\n"
-            "  wall: {wall: {}}\n"
-            "links: [{between: [{structure: portal, elevation: 2}, wall], gap: 5 mm, law: kelvin_voigt, stiffness: 9e7, restitution: 0.6}]\n"
-            "analysis: {duration: 0.5}\n",
-            std::move(model));
+  expect_as(
+      "ground_motion: {pulse: {shape: half_sine, amplitude: -6, duration: 0.3}}\n"
+      "structures:\n"
+      "  portal:\n"
+      "    frame:\n"
+      "      material: {E: 30 GPa}\n"
+      "      sections: {s: {rectangle: [0.4, 0.4]}}\n"
+      "      nodes: {a: [0, 0], b: [0, 3], c: [6, 3], d: [6, 0]}\n"
+      "      members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, "
+      "c], section: s}}\n"
+      "      masses: {b: 10 t, c: {ux: 10 t, uz: 10 t, ry: 100}, d: {ry: 100}}\n"
+      "      loads: {b: {uz: -10 kN}}\n"
+      "      springs: [{node: b, dof: ux, stiffness: 1e6}, {between: [b, c], dof: ux, stiffness: 2e6}]\n"
+      "      supports: {a: fixed, d: {fix: pinned, delay: 0.02}}\n"
+      "      floors: [{nodes: [b, c]}]\n"
+      "    damping: 2 %\n"
+      "  wall: {wall: {}}\n"
+      "links: [{between: [{structure: portal, elevation: 2}, wall], gap: 5 mm, law: kelvin_voigt, stiffness: 9e7, "
+      "restitution: 0.6}]\n"
+      "analysis: {duration: 0.5}\n",
+      std::move(model));
 }
 
 // A user's own law: twice the force of a linear spring of half the stiffness.
@@ -303,7 +364,8 @@ TEST(ModelByCode, ConnectsStructuresAsTheInputDoes) {
   const auto right = model.add("right", make_oscillator({.mass = 150e3, .period = 0.4, .damping_ratio = 0.05}));
   const auto wall = model.add("wall", make_wall());
   model.link(left, right, {.gap = 0.02}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
-  model.connect("both", left.floor(1), right, {.bar = Bar{.stiffness = 1e6}, .damper = Damper{.coefficient = 2e4, .exponent = 0.5}});
+  model.connect("both", left.floor(1), right,
+                {.bar = Bar{.stiffness = 1e6}, .damper = Damper{.coefficient = 2e4, .exponent = 0.5}});
   model.connect("ground", right, wall, {.damper = Damper{.coefficient = 1e4}});
   model.ground = Harmonic{.amplitude = 3.0, .period = 0.6, .duration = 3.0};
   model.analysis = {.duration = 1.5, .tolerance = 1e-6};

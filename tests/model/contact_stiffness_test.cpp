@@ -18,10 +18,12 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 CollidingMasses equal(double mass) { return {{mass, mass}, mass / 2}; }
 
-// Goldsmith, Impact (1960): k = 4/(3 pi (d1 + d2)) sqrt(R1 R2/(R1 + R2)) with d = (1 - nu^2)/(pi E), R = (3 m/(4 pi rho))^(1/3).
+// Goldsmith, Impact (1960): k = 4/(3 pi (d1 + d2)) sqrt(R1 R2/(R1 + R2)) with d = (1 - nu^2)/(pi E), R = (3 m/(4 pi
+// rho))^(1/3).
 TEST(ContactStiffness, OfBallsIsThatOfGoldsmith) {
   const double d = (1 - 0.04) / (std::numbers::pi * 30e9);
-  const double r1 = std::cbrt(3 * 120e3 / (4 * std::numbers::pi * 2500)), r2 = std::cbrt(3 * 300e3 / (4 * std::numbers::pi * 2500));
+  const double r1 = std::cbrt(3 * 120e3 / (4 * std::numbers::pi * 2500)),
+               r2 = std::cbrt(3 * 300e3 / (4 * std::numbers::pi * 2500));
   const double published = 4 / (3 * std::numbers::pi * 2 * d) * std::sqrt(r1 * r2 / (r1 + r2));
   const CollidingMasses bodies{{120e3, 300e3}, 120e3 * 300e3 / 420e3};
   EXPECT_NEAR(estimated_stiffness(StiffnessOfBalls{}, bodies, 1.5), published, 1e-12 * published);
@@ -32,7 +34,8 @@ TEST(ContactStiffness, OfBallsIsThatOfGoldsmith) {
 TEST(ContactStiffness, OfABallOnAWallIsThatOnAFlatBody) {
   const CollidingMasses bodies{{120e3, infinite}, 120e3};
   const double radius = std::cbrt(3 * 120e3 / (4 * std::numbers::pi * 2500));
-  EXPECT_DOUBLE_EQ(estimated_stiffness(StiffnessOfBalls{}, bodies, 1.5), estimated_stiffness(StiffnessOfRadii{.radii = {radius, infinite}}, bodies, 1.5));
+  EXPECT_DOUBLE_EQ(estimated_stiffness(StiffnessOfBalls{}, bodies, 1.5),
+                   estimated_stiffness(StiffnessOfRadii{.radii = {radius, infinite}}, bodies, 1.5));
 }
 
 TEST(ContactStiffness, OfSlabsIsThatOfTwoBarsInLine) {
@@ -66,7 +69,8 @@ TEST(ContactStiffness, RefusesAbsurdNumbers) {
   const CollidingMasses bodies = equal(1e5);
   EXPECT_THROW(estimated_stiffness(StiffnessOfBalls{{.young = 0}}, bodies, 1.5), std::invalid_argument);
   EXPECT_THROW(estimated_stiffness(StiffnessOfBalls{{.poisson = 0.6}}, bodies, 1.5), std::invalid_argument);
-  EXPECT_THROW(estimated_stiffness(StiffnessOfRadii{.radii = {infinite, infinite}}, bodies, 1.5), std::invalid_argument);
+  EXPECT_THROW(estimated_stiffness(StiffnessOfRadii{.radii = {infinite, infinite}}, bodies, 1.5),
+               std::invalid_argument);
   EXPECT_THROW(estimated_stiffness(StiffnessOfRadii{.radii = {-1, 2}}, bodies, 1.5), std::invalid_argument);
   EXPECT_THROW(estimated_stiffness(StiffnessOfSlabs{}, bodies, 1), std::invalid_argument);
   EXPECT_THROW(estimated_stiffness(StiffnessOfPenetration{.penetration = 1e-3}, bodies, 1), std::invalid_argument);
@@ -83,11 +87,15 @@ double stiffness_of(const Link& link) {
 TEST(ContactStiffness, OfALinkIsThatOfItsFloors) {
   for (const bool by_name : {false, true}) {
     Model model;
-    const auto left = model.add("left", make_shear_building({.storeys = 2, .mass = {100e3, 200e3}, .stiffness = 1e8}), {.damping = 0.05});
-    const auto right = model.add("right", make_shear_building({.storeys = 2, .mass = 150e3, .stiffness = 2e8}), {.damping = 0.05});
+    const auto left = model.add("left", make_shear_building({.storeys = 2, .mass = {100e3, 200e3}, .stiffness = 1e8}),
+                                {.damping = 0.05});
+    const auto right =
+        model.add("right", make_shear_building({.storeys = 2, .mass = 150e3, .stiffness = 2e8}), {.damping = 0.05});
     LinkOptions options{.gap = 0.02, .floors = FacingFloors::all, .stiffness = StiffnessOfBalls{}};
-    if (by_name) model.link(left, right, options, laws::Settings{.law = "jankowski", .formula = {}, .restitution = 0.65});
-    else model.link(left, right, options, laws::Jankowski{.restitution = 0.65});
+    if (by_name)
+      model.link(left, right, options, laws::Settings{.law = "jankowski", .formula = {}, .restitution = 0.65});
+    else
+      model.link(left, right, options, laws::Jankowski{.restitution = 0.65});
     ASSERT_EQ(model.links.size(), 2u);
     for (int i = 0; i < 2; ++i) {
       const double own = i == 0 ? 100e3 : 200e3;

@@ -16,8 +16,14 @@ namespace drawing_test {
 using test::refusal;
 
 GridFrame grid(double origin, int storeys = 2, double storey_height = 3) {
-  GridFrame frame{.storeys = storeys, .bays_x = 1, .storey_height = {storey_height}, .bay_width_x = {6}, .column = rectangle_section(0.4, 0.4),
-                  .beam = rectangle_section(0.3, 0.5), .material = isotropic(30e9), .floor_mass = {6e4}};
+  GridFrame frame{.storeys = storeys,
+                  .bays_x = 1,
+                  .storey_height = {storey_height},
+                  .bay_width_x = {6},
+                  .column = rectangle_section(0.4, 0.4),
+                  .beam = rectangle_section(0.3, 0.5),
+                  .material = isotropic(30e9),
+                  .floor_mass = {6e4}};
   frame.origin.x() = origin;
   return frame;
 }
@@ -65,7 +71,8 @@ Model leaning(int storeys, double floor_mass, double load = 0) {
     return make_structure(model);
   };
   Model model;
-  const StructureHandle left = model.add("left", heavy(0.1), {.damping = 0.05}), right = model.add("right", heavy(6.1), {.damping = 0.05});
+  const StructureHandle left = model.add("left", heavy(0.1), {.damping = 0.05}),
+                        right = model.add("right", heavy(6.1), {.damping = 0.05});
   model.link(left, right, {.floors = FacingFloors::all}, laws::Hertz{.stiffness = 1e9});
   return model;
 }
@@ -74,7 +81,8 @@ Model leaning(int storeys, double floor_mass, double load = 0) {
 TEST(DrawnGap, OfZeroHoldsUnderGravity) {
   for (const int storeys : {2, 7, 30})
     for (const double floor_mass : {6e4, 6e7, 6e12}) {
-      EXPECT_NO_THROW(EXPECT_EQ(leaning(storeys, floor_mass).links.at(1).gap, 0)) << storeys << " storeys of " << floor_mass << " kg";
+      EXPECT_NO_THROW(EXPECT_EQ(leaning(storeys, floor_mass).links.at(1).gap, 0))
+          << storeys << " storeys of " << floor_mass << " kg";
     }
 }
 
@@ -86,10 +94,12 @@ TEST(DrawnGap, IsTheGivenOneWhereTheyDifferByRounding) {
   EXPECT_EQ(Pair(6.02).gap({.gap = 0.02009, .floors = FacingFloors::all}), 0.02009);
   EXPECT_EQ(Pair(6.333).gap({.gap = 1.0 / 3, .floors = FacingFloors::all}), 1.0 / 3) << "a thousandth";
   EXPECT_EQ(refusal([] { Pair(6.02).gap({.gap = 0.0202, .floors = FacingFloors::all}); }),
-            "is 20.2 mm, but floor 1 of left (x = 6 m) and floor 1 of right (x = 6.02 m) are drawn 20 mm apart; leave the gap out to take this "
+            "is 20.2 mm, but floor 1 of left (x = 6 m) and floor 1 of right (x = 6.02 m) are drawn 20 mm apart; leave "
+            "the gap out to take this "
             "distance, or move right by 0.2 mm along x with its origin");
   EXPECT_EQ(refusal([] { Pair(988).gap({.gap = 0.02, .floors = FacingFloors::all}); }),
-            "is 20 mm, but floor 1 of left (x = 6 m) and floor 1 of right (x = 988 m) are drawn 982 m apart; leave the gap out to take this "
+            "is 20 mm, but floor 1 of left (x = 6 m) and floor 1 of right (x = 988 m) are drawn 982 m apart; leave the "
+            "gap out to take this "
             "distance, or move right by -981.98 m along x with its origin");
 }
 
@@ -101,11 +111,13 @@ TEST(DrawnGap, IsThatOfEachFloor) {
     const char* names[] = {"a", "b", "c", "d", "e", "f", "g"};
     for (int i = 0; i < 7; ++i) model.frame.add_node({x[i][0], 0, x[i][1]}, names[i]);
     const Section s = rectangle_section(0.4, 0.4);
-    for (const auto& [from, to] : std::vector<std::pair<int, int>>{{0, 2}, {1, 3}, {2, 6}, {6, 3}, {2, 4}, {6, 5}, {4, 5}})
+    for (const auto& [from, to] :
+         std::vector<std::pair<int, int>>{{0, 2}, {1, 3}, {2, 6}, {6, 3}, {2, 4}, {6, 5}, {4, 5}})
       model.frame.add_member(from, to, s, isotropic(30e9));
     for (const int node : {2, 3, 4, 5}) model.frame.add_mass(node, 2e4);
     model.frame.fix(0), model.frame.fix(1);
-    model.floors = {{.label = "1", .nodes = {2, 6, 3}, .elevation = 3}, {.label = "2", .nodes = {4, 5}, .elevation = 6}};
+    model.floors = {{.label = "1", .nodes = {2, 6, 3}, .elevation = 3},
+                    {.label = "2", .nodes = {4, 5}, .elevation = 6}};
     return make_structure(model);
   };
   Model model;
@@ -136,7 +148,8 @@ TEST(DrawnGap, IsThatOfTheEndsWhereFramesReachOverEachOther) {
   model.link(deck.floor(1), other.floor(1), {}, laws::Hertz{.stiffness = 1e9});
   EXPECT_EQ(model.links[0].gap, 0.03);
   EXPECT_EQ(refusal([&] { model.link(deck.floor(1), low.floor(2), {}, laws::Hertz{.stiffness = 1e9}); }),
-            "floor deck of deck (x = 8 m) and floor 2 of low (x = 5 m) overlap by 3 m; move low by 3 m along x with its origin, or farther");
+            "floor deck of deck (x = 8 m) and floor 2 of low (x = 5 m) overlap by 3 m; move low by 3 m along x with "
+            "its origin, or farther");
 }
 
 TEST(DrawnGap, IsOfEndsThatAreLevel) {
@@ -147,7 +160,8 @@ TEST(DrawnGap, IsOfEndsThatAreLevel) {
   };
   EXPECT_EQ(first_floors(2.6), 0.02) << "beams of half a metre meet";
   EXPECT_EQ(refusal([&] { first_floors(2.4); }),
-            "floor 1 of left (z = 3 m) and floor 1 of right (z = 2.4 m) do not face each other; link ends that are level, or the column there, as in "
+            "floor 1 of left (z = 3 m) and floor 1 of right (z = 2.4 m) do not face each other; link ends that are "
+            "level, or the column there, as in "
             "{structure: right, elevation: 3 m}");
 }
 

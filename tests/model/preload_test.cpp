@@ -18,7 +18,9 @@ using test::refusal;
 
 constexpr double k1 = 2e7, k2 = 5e7;
 
-Structure spring(double stiffness) { return make_oscillator({.mass = 1e5, .stiffness = stiffness, .damping_ratio = 0.05}); }
+Structure spring(double stiffness) {
+  return make_oscillator({.mass = 1e5, .stiffness = stiffness, .damping_ratio = 0.05});
+}
 
 struct Pair {
   Model model;
@@ -28,7 +30,8 @@ struct Pair {
 
 // F (1/k + 1/k1 + 1/k2) = gap: springs in series.
 TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
-  test::Book book("Contacts that press from the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)", "rounding");
+  test::Book book("Contacts that press from the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)",
+                  "rounding");
   const double k = 9.35e7, overlap = 2e-3, force = overlap / (1 / k + 1 / k1 + 1 / k2);
   Pair pair;
   pair.model.link(pair.left, pair.right, {.gap = -overlap, .preload = true}, laws::LinearSpring{.stiffness = k});
@@ -49,7 +52,8 @@ TEST(Preload, BalancesEveryLawThatHasAForceAtRest) {
   for (const ContactLaw& law : std::initializer_list<ContactLaw>{
            laws::Hertz{.stiffness = 2.75e9}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.5},
            laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5, .impact_velocity = 0.3},
-           laws::Elastoplastic{.stiffness = 2.75e9, .restitution = 0.5}, laws::Komodromos{.stiffness = 9e7, .restitution = 0.5},
+           laws::Elastoplastic{.stiffness = 2.75e9, .restitution = 0.5},
+           laws::Komodromos{.stiffness = 9e7, .restitution = 0.5},
            laws::BilinearHertz{.initial_stiffness = 1.2e9, .secondary_stiffness = 1.5e8, .yield_penetration = 1e-4}}) {
     Pair pair;
     pair.model.link(pair.left, pair.right, {.gap = -3e-3, .preload = true}, law);
@@ -66,9 +70,12 @@ TEST(Preload, BalancesEveryLawThatHasAForceAtRest) {
 TEST(Preload, OfSeveralFloorsIsFoundTogether) {
   Model model;
   model.analysis.duration = 1;
-  const StructureHandle a = model.add("a", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 3e7}), {.damping = 0.05}),
-                        b = model.add("b", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 6e7}), {.damping = 0.05});
-  model.link(a, b, {.gap = {-2e-3, -3e-3}, .preload = true, .floors = FacingFloors::all}, laws::Hertz{.stiffness = 2.75e9});
+  const StructureHandle a = model.add("a", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 3e7}),
+                                      {.damping = 0.05}),
+                        b = model.add("b", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 6e7}),
+                                      {.damping = 0.05});
+  model.link(a, b, {.gap = {-2e-3, -3e-3}, .preload = true, .floors = FacingFloors::all},
+             laws::Hertz{.stiffness = 2.75e9});
   model.complete();
   const auto [u, v] = initial_state(model);
   for (int floor = 0; floor < 2; ++floor) {
@@ -80,7 +87,8 @@ TEST(Preload, OfSeveralFloorsIsFoundTogether) {
   }
 }
 
-std::string refused(const std::function<void(Pair&)>& change, const LinkOptions& options = {.gap = -2e-3, .preload = true},
+std::string refused(const std::function<void(Pair&)>& change,
+                    const LinkOptions& options = {.gap = -2e-3, .preload = true},
                     const ContactLaw& law = laws::Hertz{.stiffness = 2.75e9}) {
   Pair pair;
   return refusal([&] {
@@ -94,7 +102,8 @@ TEST(Preload, SaysWhatCannotBe) {
   EXPECT_EQ(refused({}), "taken");
   EXPECT_EQ(refused({}, {.gap = 2e-3, .preload = true}),
             "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
-  EXPECT_EQ(refused({}, {.gap = -2e-3}), "gap must be finite and not negative; with preload: true a negative one presses from the start");
+  EXPECT_EQ(refused({}, {.gap = -2e-3}),
+            "gap must be finite and not negative; with preload: true a negative one presses from the start");
   EXPECT_EQ(refused({}, {.gap = -2e-3, .preload = true}, laws::Stereomechanical{.restitution = 0.5}),
             "a rigid contact has no force to press with: gap must be finite and not negative");
   EXPECT_EQ(refused({}, {.gap = -2e-3, .preload = true}, laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5}),
@@ -102,10 +111,12 @@ TEST(Preload, SaysWhatCannotBe) {
             "impact_velocity, or a law that needs none, such as linear_spring or hertz");
   EXPECT_EQ(refused([](Pair& pair) { pair.left = pair.model.add("ball", make_body({.mass = 1e5})); }),
             "nothing holds ball against a preload; take a structure with a stiffness");
-  EXPECT_EQ(refused([](Pair& pair) { pair.left = pair.model.add("moved", spring(k1), {.initial_displacement = 0.01}); }),
-            "moved starts displaced, and with a preload it starts in equilibrium; leave one of the two out");
+  EXPECT_EQ(
+      refused([](Pair& pair) { pair.left = pair.model.add("moved", spring(k1), {.initial_displacement = 0.01}); }),
+      "moved starts displaced, and with a preload it starts in equilibrium; leave one of the two out");
   EXPECT_EQ(refused([](Pair& pair) {
-              pair.left = pair.model.add("weak", make_oscillator({.mass = 1e5, .stiffness = k1, .damping_ratio = 0.05, .yield_force = 1e3}));
+              pair.left = pair.model.add(
+                  "weak", make_oscillator({.mass = 1e5, .stiffness = k1, .damping_ratio = 0.05, .yield_force = 1e3}));
             }),
             "strains storey 1 of weak by -1.137 mm, and it yields at 0.05 mm; take less");
   EXPECT_EQ(refused([](Pair& pair) {

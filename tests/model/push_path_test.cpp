@@ -44,8 +44,10 @@ void expect_curve_of_the_frame(const std::string& how, const Structure& s) {
   const HingedFrame frame;
   const PushPath path = push(s, at(frame.roof(), frame.triangular(s.size()), {0.25}));
   ASSERT_EQ(path.points.size(), 6u);
-  const double roof[] = {22.21674, 27.09875, 40.13070, 71.95633, 250}, shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
-  Book book("pushover of a frame with hinges, " + how, "event to event on another assembly of the stiffness, in Python (numpy)",
+  const double roof[] = {22.21674, 27.09875, 40.13070, 71.95633, 250},
+               shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
+  Book book("pushover of a frame with hinges, " + how,
+            "event to event on another assembly of the stiffness, in Python (numpy)",
             "half a unit of the last digit that was printed");
   for (int i = 0; i < 5; ++i) {
     book.near("displacement of the roof [mm]", 1e3 * path.points[i + 1].displacement, roof[i], 5.1e-6);
@@ -60,9 +62,13 @@ void expect_curve_of_the_frame(const std::string& how, const Structure& s) {
   EXPECT_EQ(path.collapse, "");
 }
 
-TEST(PushPath, MeetsTheCurveOfAFrameWithSpringsAtItsHinges) { expect_curve_of_the_frame("springs beside joints", HingedFrame().with_springs()); }
+TEST(PushPath, MeetsTheCurveOfAFrameWithSpringsAtItsHinges) {
+  expect_curve_of_the_frame("springs beside joints", HingedFrame().with_springs());
+}
 
-TEST(PushPath, MeetsTheCurveOfAFrameWithHingesInSeries) { expect_curve_of_the_frame("hinges in series", HingedFrame().in_series()); }
+TEST(PushPath, MeetsTheCurveOfAFrameWithHingesInSeries) {
+  expect_curve_of_the_frame("hinges in series", HingedFrame().in_series());
+}
 
 // Fixed feet, 4 m high, 8 m wide, a node in the middle of the beam. Rigid-plastic hinges at feet, corners and there.
 // Unknowns: x, z, turn of the left corner, of the middle, of the right corner.
@@ -130,11 +136,13 @@ TEST(PushPath, EndsWhereAMechanismLeavesTheDisplacementStill) {
 
 // Storeys in series under shares of a load that add up to one at the ground: each storey follows its own law.
 struct Storeys {
-  std::vector<double> stiffness{160e6, 150e6, 130e6, 100e6}, yield{1.6e6, 1.45e6, 1.15e6, 0.7e6}, shares{0.1, 0.2, 0.3, 0.4};
+  std::vector<double> stiffness{160e6, 150e6, 130e6, 100e6}, yield{1.6e6, 1.45e6, 1.15e6, 0.7e6},
+      shares{0.1, 0.2, 0.3, 0.4};
   double hardening = 0.05;
 
   Structure structure() const {
-    return make_shear_building({.storeys = 4, .mass = 200e3, .stiffness = stiffness, .yield_force = yield, .hardening = hardening});
+    return make_shear_building(
+        {.storeys = 4, .mass = 200e3, .stiffness = stiffness, .yield_force = yield, .hardening = hardening});
   }
   Eigen::VectorXd load() const { return Eigen::Map<const Eigen::VectorXd>(shares.data(), 4); }
   // The displacement of the roof while the base shear grows for the first time.
@@ -162,12 +170,14 @@ TEST(PushPath, IsThatOfStoreysInSeries) {
 }
 
 TEST(PushPath, GoesRoundTheLoopOfAStorey) {
-  const Structure s = make_oscillator({.mass = 1e5, .stiffness = 10e6, .damping_ratio = 0.0, .yield_force = 100e3, .hardening = 0.1});
+  const Structure s =
+      make_oscillator({.mass = 1e5, .stiffness = 10e6, .damping_ratio = 0.0, .yield_force = 100e3, .hardening = 0.1});
   const PushPath path = push(s, at(0, Eigen::VectorXd::Ones(1), {0.03, -0.03, 0.03}));
   double area = 0;
   for (std::size_t i = 1; i < path.points.size(); ++i)
     if (path.points[i].displacement != path.points[i - 1].displacement)
-      area += 0.5 * (path.points[i].factor + path.points[i - 1].factor) * (path.points[i].displacement - path.points[i - 1].displacement);
+      area += 0.5 * (path.points[i].factor + path.points[i - 1].factor) *
+              (path.points[i].displacement - path.points[i - 1].displacement);
   // The first branch to 30 mm and a whole loop 4 (1 - b) fy (dmax - dy).
   const double first = 0.5 * 0.01 * 100e3 + 0.02 * 110e3, loop = 4 * 0.9 * 100e3 * 0.02;
   EXPECT_NEAR(area, first + loop, 1e-9 * loop);
@@ -190,9 +200,10 @@ TEST(PushPath, GoesOnWhenStoreysWithoutHardeningYieldTogether) {
 }
 
 TEST(PushPath, FollowsALoadThatFallsToItsEnd) {
-  // A mass that leans: a spring of negative stiffness beside a storey without hardening. Yields at 100 kN and 10 mm, then falls by 1 MN/m
-  // from 90 kN to nothing at 100 mm.
-  Structure s = make_oscillator({.mass = 1e5, .stiffness = 10e6, .damping_ratio = 0.0, .yield_force = 100e3, .hardening = 0.0});
+  // A mass that leans: a spring of negative stiffness beside a storey without hardening. Yields at 100 kN and 10 mm,
+  // then falls by 1 MN/m from 90 kN to nothing at 100 mm.
+  Structure s =
+      make_oscillator({.mass = 1e5, .stiffness = 10e6, .damping_ratio = 0.0, .yield_force = 100e3, .hardening = 0.0});
   s.stiffness.coeffRef(0, 0) -= 1e6;
   const PushPath path = push(s, at(0, Eigen::VectorXd::Ones(1), {0.2}));
   ASSERT_EQ(path.points.size(), 3u);
@@ -220,7 +231,8 @@ TEST(PushPath, RefusesWhatCannotBePushed) {
   Structure s = frame.with_springs();
   s.yielding[2].at_rest = -1.25 * s.yielding[2].spring->yield_deformation();
   const auto push_it = [&] { push(s, at(frame.roof(), frame.triangular(s.size()), {0.25})); };
-  EXPECT_EQ(test::refusal(push_it), "beam 1 left yields under gravity alone: 1.25 of its yield deformation; make it stronger");
+  EXPECT_EQ(test::refusal(push_it),
+            "beam 1 left yields under gravity alone: 1.25 of its yield deformation; make it stronger");
   EXPECT_EQ(test::refusal([&] { push(s, at(frame.roof(), -frame.triangular(s.size()), {0.25})); }),
             "the load does not move the displacement that is followed, or moves it against its own direction");
   s.yielding.clear();
@@ -236,7 +248,8 @@ TEST(PushPath, LeavesTheSpringsAsTheyWereGiven) {
   for (std::size_t i = 0; i < first.points.size(); ++i) EXPECT_EQ(first.points[i].factor, second.points[i].factor);
 }
 
-// An independent path: all unknowns and the factor of the load by Newton's method in small steps, bilinear hinges by their own return map.
+// An independent path: all unknowns and the factor of the load by Newton's method in small steps, bilinear hinges by
+// their own return map.
 class SmallSteps {
  public:
   SmallSteps(const Structure& s, const Eigen::VectorXd& load, int control, double hardening)
@@ -355,11 +368,13 @@ double share_above(const Storeys& storeys, std::size_t storey) {
 TEST(PushPath, MeetsTheTangensHyperbolicusOfBoucAndWen) {
   const Storeys storeys;
   const PushPath path = push(storeys_by<hysteresis::BoucWen>(storeys), at(3, storeys.load(), {0.3}));
-  Book book("pushover of storeys that follow Bouc and Wen", "closed form: f = a k d + (1 - a) k dy tanh(d/dy)", "Newton's method to rounding");
+  Book book("pushover of storeys that follow Bouc and Wen", "closed form: f = a k d + (1 - a) k dy tanh(d/dy)",
+            "Newton's method to rounding");
   double worst = 0;
   for (const PushPoint& point : path.points)
     for (std::size_t i = 0; i < 4; ++i) {
-      const double k = storeys.stiffness[i], dy = storeys.yield[i] / k, d = point.deformations[static_cast<Eigen::Index>(i)];
+      const double k = storeys.stiffness[i], dy = storeys.yield[i] / k,
+                   d = point.deformations[static_cast<Eigen::Index>(i)];
       const double force = 0.05 * k * d + 0.95 * k * dy * std::tanh(d / dy);
       worst = std::max(worst, std::abs(force - share_above(storeys, i) * point.factor) / storeys.yield[i]);
     }
@@ -374,7 +389,8 @@ TEST(PushPath, MeetsTheTangensHyperbolicusOfBoucAndWen) {
 
 template <class L>
 class PushPathOfLaw : public testing::Test {};
-using Laws = testing::Types<hysteresis::Bilinear, hysteresis::BoucWen, hysteresis::MenegottoPinto, hysteresis::PeakOriented>;
+using Laws =
+    testing::Types<hysteresis::Bilinear, hysteresis::BoucWen, hysteresis::MenegottoPinto, hysteresis::PeakOriented>;
 TYPED_TEST_SUITE(PushPathOfLaw, Laws);
 
 TYPED_TEST(PushPathOfLaw, KeepsEveryStoreyOnItsLawThroughCycles) {
@@ -390,7 +406,9 @@ TYPED_TEST(PushPathOfLaw, KeepsEveryStoreyOnItsLawThroughCycles) {
       while (path.points[point].displacement != target) ++point;
       const double d = path.points[point].deformations[static_cast<Eigen::Index>(i)];
       // Storeys in series turn together, so that each target ends one way of the law.
-      EXPECT_NEAR(law.respond(state, d).force, share_above(storeys, i) * path.points[point].factor, 1e-9 * storeys.yield[i]) << i << " at " << target;
+      EXPECT_NEAR(law.respond(state, d).force, share_above(storeys, i) * path.points[point].factor,
+                  1e-9 * storeys.yield[i])
+          << i << " at " << target;
       state = law.advance(state, d);
     }
   }
@@ -401,7 +419,8 @@ TEST(PushPath, YieldsOnTheStrongSideWhereThatYields) {
   Structure s = storeys.structure();
   hysteresis::Bilinear law = storey_law<hysteresis::Bilinear>(storeys, 0);
   law.negative_yield_force = 0.5 * law.yield_force;
-  s.yielding[0] = YieldingPart("storey 1", s.yielding[0].deformation, "bilinear", {}, std::make_unique<HystereticSpring<hysteresis::Bilinear>>(law));
+  s.yielding[0] = YieldingPart("storey 1", s.yielding[0].deformation, "bilinear", {},
+                               std::make_unique<HystereticSpring<hysteresis::Bilinear>>(law));
   const PushPath right = push(s, at(3, storeys.load(), {0.3})), left = push(s, at(3, storeys.load(), {-0.3}));
   EXPECT_NEAR(right.points[right.events.front().point].factor, 1.6e6, 1e-3);
   EXPECT_NEAR(left.points[left.events.front().point].factor, -0.8e6, 1e-3);

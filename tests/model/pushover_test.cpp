@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -22,8 +22,11 @@ namespace pounding {
 namespace pushover_test {
 
 Structure building(double hardening, bool with_heights = true) {
-  ShearBuildingOptions options{.storeys = 3, .mass = std::vector<double>{100e3, 200e3, 150e3}, .stiffness = 100e6,
-                               .yield_force = std::vector<double>{2e6, 1.9e6, 1e6}, .hardening = hardening};
+  ShearBuildingOptions options{.storeys = 3,
+                               .mass = std::vector<double>{100e3, 200e3, 150e3},
+                               .stiffness = 100e6,
+                               .yield_force = std::vector<double>{2e6, 1.9e6, 1e6},
+                               .hardening = hardening};
   if (with_heights) options.height = std::vector<double>{4.0, 3.0, 3.0};
   return make_shear_building(options);
 }
@@ -44,20 +47,24 @@ TEST(Pushover, SharesTheLoadOutWithMassesAndHeights) {
   expect_loads(pushover(building(0.1), {.targets = {0.2}}), {100 * 4, 200 * 7, 150 * 10});
   expect_loads(pushover(building(0.1, false), {.targets = {0.2}}), {100 * 1, 200 * 2, 150 * 3});
   expect_loads(pushover(building(0.1), {.pattern = LoadPattern::uniform, .targets = {0.2}}), {100, 200, 150});
-  expect_loads(pushover(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, 3}, .targets = {0.2}}), {1, 0, 3});
+  expect_loads(pushover(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, 3}, .targets = {0.2}}),
+               {1, 0, 3});
 }
 
 TEST(Pushover, TakesTheFirstModeOfTwoEqualStoreys) {
   // 2 k at the ground, k above: modes of [3 -1; -1 1], shape 1 : 1 + sqrt 2.
-  const Structure s = make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = std::vector<double>{200e6, 100e6}, .yield_force = 1e6});
+  const Structure s = make_shear_building(
+      {.storeys = 2, .mass = 1e5, .stiffness = std::vector<double>{200e6, 100e6}, .yield_force = 1e6});
   expect_loads(pushover(s, {.pattern = LoadPattern::mode1, .targets = {0.2}}), {1, 1 + std::sqrt(2)});
 }
 
 // Pushed either way a storey yields at another force; its ductility is the drift over that of its direction.
 TEST(Pushover, CountsDuctilityByTheDirection) {
   const auto read = [](const std::string& target) {
-    const Model model = test::model_of("structures:\n  a: {shear_building: {storeys: 1, mass: 100 t, stiffness: 10 MN/m, height: 3, spring: {bilinear: {"
-                                       "yield_force: 400 kN, negative_yield_force: 100 kN, hardening: 0.1}}}, damping: 0}\nanalysis: {duration: 1}\n");
+    const Model model = test::model_of(
+        "structures:\n  a: {shear_building: {storeys: 1, mass: 100 t, stiffness: 10 MN/m, height: 3, spring: "
+        "{bilinear: {"
+        "yield_force: 400 kN, negative_yield_force: 100 kN, hardening: 0.1}}}, damping: 0}\nanalysis: {duration: 1}\n");
     return pushover(model.structures[0], {.targets = {std::stod(target)}}).ductility(0);
   };
   EXPECT_NEAR(read("0.12"), 3, 1e-9);
@@ -65,13 +72,17 @@ TEST(Pushover, CountsDuctilityByTheDirection) {
   EXPECT_NEAR(read("0.05"), 1.25, 1e-9);
 }
 
-// A cantilever of length L with a load at its tip: the foot turns plastically by the same angle, however many parts the column has.
+// A cantilever of length L with a load at its tip: the foot turns plastically by the same angle, however many parts the
+// column has.
 TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
   const auto ductility = [](int parts, double hardening) {
-    const Model model = test::model_of(fmt::format(
-        "structures:\n  a: {{frame: {{material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: 1, storey_height: 4, bay_width: 6, columns: {{rectangle: [0.5, 0.5]}}, "
-        "beams: {{rectangle: [0.3, 0.6]}}, floor_mass: 60 t}}, members: {{column 1.0: {{parts: {}}}}}, hinges: {{columns: {{at: feet, yield_moment: 200 kN m, hardening: {}}}}}}}, damping: 0}}\n"
-        "analysis: {{duration: 1}}\n", parts, hardening));
+    const Model model = test::model_of(
+        fmt::format("structures:\n  a: {{frame: {{material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: 1, storey_height: "
+                    "4, bay_width: 6, columns: {{rectangle: [0.5, 0.5]}}, "
+                    "beams: {{rectangle: [0.3, 0.6]}}, floor_mass: 60 t}}, members: {{column 1.0: {{parts: {}}}}}, "
+                    "hinges: {{columns: {{at: feet, yield_moment: 200 kN m, hardening: {}}}}}}}, damping: 0}}\n"
+                    "analysis: {{duration: 1}}\n",
+                    parts, hardening));
     const Pushover found = pushover(model.structures[0], {.targets = {0.2}});
     for (int part = 0; part < static_cast<int>(found.parts.size()); ++part)
       if (found.parts[part].name.starts_with("column 1.0")) return found.ductility(part);
@@ -80,7 +91,8 @@ TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
   for (const double hardening : {0.0, 0.05}) {
     const double whole = ductility(1, hardening);
     EXPECT_GT(whole, 5);
-    for (const int parts : {2, 5}) EXPECT_NEAR(ductility(parts, hardening), whole, 1e-6 * whole) << parts << " parts, hardening " << hardening;
+    for (const int parts : {2, 5})
+      EXPECT_NEAR(ductility(parts, hardening), whole, 1e-6 * whole) << parts << " parts, hardening " << hardening;
   }
 }
 
@@ -95,7 +107,8 @@ TEST(Pushover, MakesTwoLinesOfTheSameAreaAndAnOscillator) {
   test::Book book("oscillator of a pushover", "EN 1998-1, annex B, by hand", "rounding");
   book.near("mass [t]", found.equivalent->mass / 1e3, 330, 1e-9);
   book.near("participation [-]", found.equivalent->participation, 330.0 / 264, 1e-13);
-  book.near("period [s]", found.equivalent->period, 2 * M_PI * std::sqrt(330e3 * found.bilinear->yield_displacement / 2e6), 1e-12);
+  book.near("period [s]", found.equivalent->period,
+            2 * M_PI * std::sqrt(330e3 * found.bilinear->yield_displacement / 2e6), 1e-12);
   EXPECT_EQ(found.overstrength(found.strongest()), 1);
 }
 
@@ -107,7 +120,8 @@ TEST(Pushover, HasTwoLinesThatEndBeforeTheLoadFalls) {
 }
 
 TEST(Pushover, IsMirroredBelowZero) {
-  const Pushover right = pushover(building(0.1), {.targets = {0.2}}), left = pushover(building(0.1), {.targets = {-0.2}});
+  const Pushover right = pushover(building(0.1), {.targets = {0.2}}),
+                 left = pushover(building(0.1), {.targets = {-0.2}});
   EXPECT_NEAR(left.path.points.back().factor, -right.path.points.back().factor, 1e-6);
   EXPECT_NEAR(left.bilinear->yield_displacement, right.bilinear->yield_displacement, 1e-15);
   EXPECT_NEAR(left.bilinear->base_shear, right.bilinear->base_shear, 1e-6);
@@ -121,7 +135,9 @@ TEST(Pushover, FollowsTheFloors) {
     const double below = storey == 0 ? 0 : found.floor_displacements(last, storey - 1);
     EXPECT_NEAR(found.floor_displacements(last, storey) - below, found.path.points.back().deformations[storey], 1e-15);
     EXPECT_NEAR(found.plastic_deformation(storey) * found.parts[storey].stiffness,
-                found.parts[storey].stiffness * found.path.points.back().deformations[storey] - found.force(static_cast<int>(last), storey), 1e-6);
+                found.parts[storey].stiffness * found.path.points.back().deformations[storey] -
+                    found.force(static_cast<int>(last), storey),
+                1e-6);
   }
 }
 
@@ -129,9 +145,11 @@ class PushoverWithDevices : public testing::Test {
  protected:
   // Two storeys of 100 MN/m; what stands in the first one, and its devices.
   static Pushover pushed(const std::string& storeys, const std::string& devices, const std::string& cyclic = "") {
-    const Model model = read_model(Input::read_text("structures:\n  a: {shear_building: {storeys: 2, mass: 100 t, height: 3 m, " + storeys + devices +
-                                                        "}, damping: 5 %}\nground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
-                                                        "analysis: {duration: 1}\n", "towers.yaml"));
+    const Model model = read_model(Input::read_text(
+        "structures:\n  a: {shear_building: {storeys: 2, mass: 100 t, height: 3 m, " + storeys + devices +
+            "}, damping: 5 %}\nground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
+            "analysis: {duration: 1}\n",
+        "towers.yaml"));
     PushoverWords words{.structure = "a", .to = "100 mm"};
     words.cyclic = cyclic;
     return pushover(model, words);
@@ -145,34 +163,45 @@ class PushoverWithDevices : public testing::Test {
   }
 };
 
-// A storey of 100 MN/m and a brace of 50 MN/m that yields at 500 kN and 10 mm are one storey of 150 MN/m that yields there and goes on with 101 MN/m.
+// A storey of 100 MN/m and a brace of 50 MN/m that yields at 500 kN and 10 mm are one storey of 150 MN/m that yields
+// there and goes on with 101 MN/m.
 TEST_F(PushoverWithDevices, ABraceIsASpringBesideItsStorey) {
-  const std::string brace = ", devices: {brace: {storey: 1, bilinear: {stiffness: 50 MN/m, yield_force: 500 kN, hardening: 2 %}}}";
+  const std::string brace =
+      ", devices: {brace: {storey: 1, bilinear: {stiffness: 50 MN/m, yield_force: 500 kN, hardening: 2 %}}}";
   for (const std::string cyclic : {"", "40 mm, -60 mm"}) {
     const Pushover found = pushed("stiffness: 100 MN/m, yield_force: [1 GN, 1.2 MN], hardening: 10 %", brace, cyclic);
-    const Pushover expected = pushed("stiffness: [150 MN/m, 100 MN/m], yield_force: [1.5 MN, 1.2 MN], hardening: [0.6733333333333333, 0.1]", "", cyclic);
+    const Pushover expected =
+        pushed("stiffness: [150 MN/m, 100 MN/m], yield_force: [1.5 MN, 1.2 MN], hardening: [0.6733333333333333, 0.1]",
+               "", cyclic);
     expect_same_curve(found, expected);
     ASSERT_EQ(found.parts.back().name, "brace");
     EXPECT_NEAR(found.ductility(2), expected.ductility(0), 1e-9);
     EXPECT_NEAR(found.parts.back().stiffness, 50e6, 1e-6);
     const int last = static_cast<int>(found.path.points.size()) - 1;
     EXPECT_NEAR(found.force(last, 0) + found.force(last, 2), expected.force(last, 0), 1e-5);
-    EXPECT_NEAR(found.plastic_deformation(2), found.path.points.back().deformations[2] - found.force(last, 2) / 50e6, 1e-12);
+    EXPECT_NEAR(found.plastic_deformation(2), found.path.points.back().deformations[2] - found.force(last, 2) / 50e6,
+                1e-12);
   }
 }
 
 TEST_F(PushoverWithDevices, ABarIsStiffnessAndADamperIsNothing) {
   const std::string storeys = "yield_force: [2 MN, 1.2 MN], hardening: 10 %, stiffness: ";
   const Pushover bare = pushed(storeys + "100 MN/m", "");
-  for (const char* damper : {"coefficient: 200e3", "coefficient: 200e3, exponent: 0.35", "coefficient: 200e3, exponent: 0.35, stiffness: 40 MN/m"})
+  for (const char* damper : {"coefficient: 200e3", "coefficient: 200e3, exponent: 0.35",
+                             "coefficient: 200e3, exponent: 0.35, stiffness: 40 MN/m"})
     for (const std::string cyclic : {"", "40 mm, -60 mm"})
-      expect_same_curve(pushed(storeys + "100 MN/m", std::string(", devices: {d: {storey: 1, damper: {") + damper + "}}}", cyclic),
-                        pushed(storeys + "100 MN/m", "", cyclic));
+      expect_same_curve(
+          pushed(storeys + "100 MN/m", std::string(", devices: {d: {storey: 1, damper: {") + damper + "}}}", cyclic),
+          pushed(storeys + "100 MN/m", "", cyclic));
   // A bar beside the storey, which yields at 20 mm as before, has 30 MN/m more before and behind.
   const Pushover found = pushed(storeys + "100 MN/m", ", devices: {bar: {storey: 1, bar: {stiffness: 30 MN/m}}}");
-  expect_same_curve(found, pushed("yield_force: [2.6 MN, 1.2 MN], stiffness: [130 MN/m, 100 MN/m], hardening: [0.3076923076923077, 0.1]", ""));
+  expect_same_curve(
+      found,
+      pushed("yield_force: [2.6 MN, 1.2 MN], stiffness: [130 MN/m, 100 MN/m], hardening: [0.3076923076923077, 0.1]",
+             ""));
   EXPECT_EQ(found.plastic_deformation(2), 0);
-  EXPECT_NEAR(found.force(static_cast<int>(found.path.points.size()) - 1, 2), 30e6 * found.path.points.back().deformations[2], 1e-6);
+  EXPECT_NEAR(found.force(static_cast<int>(found.path.points.size()) - 1, 2),
+              30e6 * found.path.points.back().deformations[2], 1e-6);
 }
 
 TEST(Pushover, IsOneObjectOfJson) {
@@ -187,18 +216,24 @@ TEST(Pushover, IsOneObjectOfJson) {
 }
 
 TEST(Pushover, RefusesWhatCannotBePushed) {
-  const auto text = [](const Structure& s, const PushoverOptions& options) { return test::refusal([&] { pushover(s, options); }); };
+  const auto text = [](const Structure& s, const PushoverOptions& options) {
+    return test::refusal([&] { pushover(s, options); });
+  };
   EXPECT_EQ(text(building(0.1), {}), "it is not told how far it is pushed; give a displacement of the roof");
-  EXPECT_EQ(text(building(0.1), {.targets = {0.0}}), "a displacement of the roof of zero leads nowhere; give one such as 250 mm");
+  EXPECT_EQ(text(building(0.1), {.targets = {0.0}}),
+            "a displacement of the roof of zero leads nowhere; give one such as 250 mm");
   EXPECT_EQ(text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 2}, .targets = {0.2}}),
             "a load of 2 forces was given, and it has 3 floors; give one force a floor, from the ground up");
-  EXPECT_EQ(text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, -1}, .targets = {0.2}}),
-            "the forces on the floors have no sum, and the base shear is that; give other forces, or masses to the floors");
+  EXPECT_EQ(
+      text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, -1}, .targets = {0.2}}),
+      "the forces on the floors have no sum, and the base shear is that; give other forces, or masses to the floors");
   EXPECT_EQ(text(building(0.1), {.direction = 1, .targets = {0.2}}), "it does not move along y; push it along x");
   const Structure elastic = make_shear_building({.storeys = 1, .mass = 1e5, .stiffness = 1e7});
-  EXPECT_EQ(text(elastic, {.targets = {0.2}}), "nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+  EXPECT_EQ(text(elastic, {.targets = {0.2}}),
+            "nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
   const Structure one = make_oscillator({.mass = 1e5, .stiffness = 1e7, .damping_ratio = 0.0, .yield_force = 1e5});
-  EXPECT_EQ(text(one, {.targets = {0.004}}), "nothing yields on this way; the first part does at 10 mm of the roof. Push it farther, such as to 11 mm");
+  EXPECT_EQ(text(one, {.targets = {0.004}}),
+            "nothing yields on this way; the first part does at 10 mm of the roof. Push it farther, such as to 11 mm");
 }
 
 class PushoverWordsTest : public testing::Test {
@@ -220,40 +255,52 @@ structures:
   stiff: {oscillator: {mass: 100 t, period: 0.2, damping: 5 %}}
 ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}
 analysis: {duration: 1}
-)", "towers.yaml"));
+)",
+                                             "towers.yaml"));
 };
 
 TEST_F(PushoverWordsTest, ReadsDisplacementsOfTheRoof) {
   EXPECT_NEAR(found({.structure = "old", .to = "2 % roof"}).options.targets.at(0), 0.12, 1e-15);
   EXPECT_NEAR(found({.structure = "old", .to = "-2%"}).options.targets.at(0), -0.12, 1e-15);
   EXPECT_NEAR(found({.structure = "old", .to = "25 cm roof"}).options.targets.at(0), 0.25, 1e-15);
-  const std::vector<double> cycles = found({.structure = "old", .to = "3 %", .cyclic = "1 %, -1 %,150 mm"}).options.targets;
+  const std::vector<double> cycles =
+      found({.structure = "old", .to = "3 %", .cyclic = "1 %, -1 %,150 mm"}).options.targets;
   ASSERT_EQ(cycles.size(), 4u);
   EXPECT_NEAR(cycles[1], -0.06, 1e-15);
   EXPECT_NEAR(cycles[3], 0.18, 1e-15);
 }
 
 TEST_F(PushoverWordsTest, SaysWhatToType) {
-  EXPECT_EQ(refusal({.structure = "old", .to = "250"}), R"(--to: "250" has no unit; type "250 mm", or a part of the height such as "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "250"}),
+            R"(--to: "250" has no unit; type "250 mm", or a part of the height such as "2 % roof")");
   EXPECT_EQ(refusal({.structure = "old", .to = "0 mm"}),
             R"(--to: a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old"}), R"(--to: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old"}),
+            R"(--to: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
   EXPECT_EQ(refusal({.structure = "old", .to = "20 kN"}),
             R"(--to: takes a length such as "20 mm"; "20 kN" is a force; or a part of the height such as "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old", .to = "much %"}), R"(--to: "much %" is no part of the height; type one such as "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old", .to = "7 m"}), R"(--to: "7 m" is farther than the roof is high, 6 m; type less)");
-  EXPECT_EQ(refusal({.structure = "new", .to = "2 %"}),
-            R"(--to: the heights of this structure are not known, so "2 %" is no length; give height to its storeys, or type a displacement such as "250 mm")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "much %"}),
+            R"(--to: "much %" is no part of the height; type one such as "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "7 m"}),
+            R"(--to: "7 m" is farther than the roof is high, 6 m; type less)");
+  EXPECT_EQ(
+      refusal({.structure = "new", .to = "2 %"}),
+      R"(--to: the heights of this structure are not known, so "2 %" is no length; give height to its storeys, or type a displacement such as "250 mm")");
   EXPECT_EQ(refusal({.structure = "old", .cyclic = "1 %,,2 %"}),
             R"(--cyclic: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
   EXPECT_EQ(refusal({.to = "2 %"}), "--structure: 2 structures of this model yield; name one of them, such as old");
-  EXPECT_EQ(refusal({.structure = "odl", .to = "2 %"}), "--structure: unknown structure \"odl\". Did you mean \"old\"?");
+  EXPECT_EQ(refusal({.structure = "odl", .to = "2 %"}),
+            "--structure: unknown structure \"odl\". Did you mean \"old\"?");
   EXPECT_EQ(refusal({.structure = "stiff", .to = "20 mm"}),
-            "towers.yaml: structures.stiff: nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
-  EXPECT_EQ(refusal({.structure = "old", .load = "unifrom", .to = "2 %"}), "--load: \"unifrom\" is neither a pattern nor a file. Did you mean \"uniform\"?");
-  EXPECT_EQ(refusal({.structure = "old", .direction = "z", .to = "2 %", .mark = ""}), "direction: takes x or y; \"z\" was read");
+            "towers.yaml: structures.stiff: nothing in it yields; give yield_force to an oscillator or a "
+            "shear_building, or hinges to a frame");
+  EXPECT_EQ(refusal({.structure = "old", .load = "unifrom", .to = "2 %"}),
+            "--load: \"unifrom\" is neither a pattern nor a file. Did you mean \"uniform\"?");
+  EXPECT_EQ(refusal({.structure = "old", .direction = "z", .to = "2 %", .mark = ""}),
+            "direction: takes x or y; \"z\" was read");
   EXPECT_EQ(refusal({.structure = "old", .to = "1 mm"}),
-            "towers.yaml: structures.old: nothing yields on this way; the first part does at 16.67 mm of the roof. Push it farther, such as to 18 mm");
+            "towers.yaml: structures.old: nothing yields on this way; the first part does at 16.67 mm of the roof. "
+            "Push it farther, such as to 18 mm");
 }
 
 TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
@@ -262,7 +309,8 @@ TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
   EXPECT_NEAR(found({.structure = "old", .load = path, .to = "2 %"}).loads[1], 0.75, 1e-15);
   std::ofstream(path) << "1, 2, 3\n";
   EXPECT_EQ(refusal({.structure = "old", .load = path, .to = "2 %"}),
-            "--load: " + path + " holds 3 numbers, and the structure has 2 floors; write one force a floor, from the ground up");
+            "--load: " + path +
+                " holds 3 numbers, and the structure has 2 floors; write one force a floor, from the ground up");
   std::ofstream(path) << "1\ntwo\n";
   EXPECT_EQ(refusal({.structure = "old", .load = path, .to = "2 %"}),
             "--load: " + path + ":2: \"two\" is no number; the file holds one force a floor, from the ground up");
@@ -283,11 +331,14 @@ structures:
     damping: 5 %
 ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}
 analysis: {duration: 1}
-)", "frame.yaml"));
+)",
+                                                  "frame.yaml"));
   const Pushover found = pushover(model, {.to = "250 mm"});
   ASSERT_EQ(found.path.points.size(), 6u);
-  const double roof[] = {22.21674, 27.09875, 40.13070, 71.95633, 250}, shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
-  test::Book book("pushover of a frame with hinges, from its input", "event to event on another assembly of the stiffness, in Python (numpy)",
+  const double roof[] = {22.21674, 27.09875, 40.13070, 71.95633, 250},
+               shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
+  test::Book book("pushover of a frame with hinges, from its input",
+                  "event to event on another assembly of the stiffness, in Python (numpy)",
                   "half a unit of the last digit that was printed");
   for (int i = 0; i < 5; ++i) {
     book.near("displacement of the roof [mm]", 1e3 * found.path.points[i + 1].displacement, roof[i], 5.1e-6);

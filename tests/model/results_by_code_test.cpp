@@ -30,7 +30,8 @@ class File {
 Model ball_on_wall(double speed = 1) {
   Model model;
   const auto ball = model.add("ball", make_body({.mass = 60e3}), {.initial_velocity = speed});
-  model.link(ball, model.add("wall", make_wall()), {.gap = 0.01}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
+  model.link(ball, model.add("wall", make_wall()), {.gap = 0.01},
+             laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
   // So many steps that `stop` is asked while the ball presses.
   model.analysis = {.duration = 0.2, .tolerance = 1e-8, .scheme = {.kind = Scheme::Kind::generalized_alpha}};
   return model;
@@ -60,8 +61,9 @@ TEST(ResultsByCode, SayThatAProgramBuiltTheModel) {
   EXPECT_EQ(interrupted.model_yaml, built_by_code);
   EXPECT_NE(interrupted.resolved_yaml.find("name: ball-wall"), std::string::npos) << interrupted.resolved_yaml;
   EXPECT_EQ(refusal_of([&] { input_of(interrupted); }),
-            file.path() + ": its model was built by a program; that program goes on with it, by run(model, {.resume = \"" + file.path() +
-                "\"})");
+            file.path() +
+                ": its model was built by a program; that program goes on with it, by run(model, {.resume = \"" +
+                file.path() + "\"})");
 }
 
 TEST(ResultsByCode, GoOnWithTheModelThatTheProgramBuildsAgain) {
@@ -78,7 +80,9 @@ TEST(ResultsByCode, DoNotGoOnWithAnotherModel) {
   stop_in_contact(file);
   Model other = ball_on_wall(2);
   const std::string refusal = refusal_of([&] { run(other, {.resume = file.path()}); });
-  EXPECT_TRUE(refusal.starts_with(file.path() + ": holds the run of another model, whose resolved.yaml differs from line ")) << refusal;
+  EXPECT_TRUE(
+      refusal.starts_with(file.path() + ": holds the run of another model, whose resolved.yaml differs from line "))
+      << refusal;
 }
 
 TEST(ResultsByCode, NeedACompleteModel) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Plane frames with hinges, assembled by hand: explicit springs between a joint and the end of a member, or hinges in series that
-/// the structure knows by its flexibility alone.
+/// Plane frames with hinges, assembled by hand: explicit springs between a joint and the end of a member, or hinges in
+/// series that the structure knows by its flexibility alone.
 
 #include <Eigen/Dense>
 #include <array>
@@ -14,14 +14,18 @@
 namespace pounding::test {
 
 /// Stiffness of a straight beam between two points of the plane, without shear deformation: x, z, rotation at each end.
-inline Eigen::Matrix<double, 6, 6> plane_beam(double e, double a, double i, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+inline Eigen::Matrix<double, 6, 6> plane_beam(double e, double a, double i, const Eigen::Vector2d& from,
+                                              const Eigen::Vector2d& to) {
   const double length = (to - from).norm(), c = (to - from).x() / length, s = (to - from).y() / length;
   const double q = e * i / (length * length * length), l = length;
   Eigen::Matrix<double, 6, 6> k = Eigen::Matrix<double, 6, 6>::Zero(), r = k;
   const double n = e * a / l;
   k(0, 0) = k(3, 3) = n, k(0, 3) = k(3, 0) = -n;
   const int at[] = {1, 2, 4, 5};
-  const double bend[4][4] = {{12, 6 * l, -12, 6 * l}, {6 * l, 4 * l * l, -6 * l, 2 * l * l}, {-12, -6 * l, 12, -6 * l}, {6 * l, 2 * l * l, -6 * l, 4 * l * l}};
+  const double bend[4][4] = {{12, 6 * l, -12, 6 * l},
+                             {6 * l, 4 * l * l, -6 * l, 2 * l * l},
+                             {-12, -6 * l, 12, -6 * l},
+                             {6 * l, 2 * l * l, -6 * l, 4 * l * l}};
   for (int m = 0; m < 4; ++m)
     for (int o = 0; o < 4; ++o) k(at[m], at[o]) = q * bend[m][o];
   Eigen::Matrix3d turn;
@@ -58,9 +62,10 @@ class HandMadeFrame {
     add(hinge, row, hinge.stiffness, hinge.hardening);
   }
 
-  /// A member with hinges in series at its ends, whose rotations are not unknowns. Rigid-plastic hinges take the member's own moment by a
-  /// unit rotation as their k. `hinges` at the start and at the end, null for none.
-  void hinged_member(Eigen::Matrix<double, 6, 6> k, const std::array<int, 6>& at, const TestHinge* start, const TestHinge* end) {
+  /// A member with hinges in series at its ends, whose rotations are not unknowns. Rigid-plastic hinges take the
+  /// member's own moment by a unit rotation as their k. `hinges` at the start and at the end, null for none.
+  void hinged_member(Eigen::Matrix<double, 6, 6> k, const std::array<int, 6>& at, const TestHinge* start,
+                     const TestHinge* end) {
     const std::array<const TestHinge*, 2> ends{start, end};
     const std::array<int, 2> turns{2, 5};
     // Springs of finite stiffness are condensed into the member.
@@ -107,8 +112,8 @@ class HandMadeFrame {
  private:
   void add(const TestHinge& hinge, const Eigen::VectorXd& row, double stiffness, double hardening) {
     parts_.emplace_back(hinge.name, Row(row.sparseView()), "bilinear", std::vector<YieldingPart::Parameter>{},
-                        std::make_unique<BilinearSpring>(
-                            BilinearSpring::Parameters{.stiffness = stiffness, .yield_force = hinge.yield, .hardening = hardening}));
+                        std::make_unique<BilinearSpring>(BilinearSpring::Parameters{
+                            .stiffness = stiffness, .yield_force = hinge.yield, .hardening = hardening}));
   }
 
   Eigen::MatrixXd stiffness_;
@@ -123,8 +128,9 @@ inline Row unit_row(int size, int at) {
   return row;
 }
 
-/// Storeys of 3.2 m, one bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m; springs of 10 times 6 E I/L with a hardening of
-/// 0.003 at the feet (250 kN m) and the ends of the beams (180 kN m). Unknowns of storey s (from 0), node i: 6 s + 3 i on, x, z, turn.
+/// Storeys of 3.2 m, one bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m; springs of 10 times 6 E I/L with
+/// a hardening of 0.003 at the feet (250 kN m) and the ends of the beams (180 kN m). Unknowns of storey s (from 0),
+/// node i: 6 s + 3 i on, x, z, turn.
 struct HingedFrame {
   int storeys = 3;
   double foot_moment = 250e3, beam_moment = 180e3, hardening = 0.003;
@@ -136,7 +142,9 @@ struct HingedFrame {
     HandMadeFrame frame(6 * storeys + 2 + 2 * storeys);
     int next = 6 * storeys;
     for (int i = 0; i < 2; ++i) {
-      for (int s = 0; s < storeys; ++s) frame.member(column(), s == 0 ? std::array{-1, -1, next + i, node(0, i), node(0, i) + 1, node(0, i) + 2} : joints(s, i));
+      for (int s = 0; s < storeys; ++s)
+        frame.member(column(),
+                     s == 0 ? std::array{-1, -1, next + i, node(0, i), node(0, i) + 1, node(0, i) + 2} : joints(s, i));
       frame.spring(foot(i), next + i, -1);
     }
     next += 2;
@@ -153,12 +161,16 @@ struct HingedFrame {
     for (int i = 0; i < 2; ++i)
       for (int s = 0; s < storeys; ++s) {
         const TestHinge hinge = foot(i);
-        if (s == 0) frame.hinged_member(column(), {-1, -1, -1, node(0, i), node(0, i) + 1, node(0, i) + 2}, &hinge, nullptr);
-        else frame.member(column(), joints(s, i));
+        if (s == 0)
+          frame.hinged_member(column(), {-1, -1, -1, node(0, i), node(0, i) + 1, node(0, i) + 2}, &hinge, nullptr);
+        else
+          frame.member(column(), joints(s, i));
       }
     for (int s = 0; s < storeys; ++s) {
       const TestHinge left = beam_end(s, 0), right = beam_end(s, 1);
-      frame.hinged_member(beam(), {node(s, 0), node(s, 0) + 1, node(s, 0) + 2, node(s, 1), node(s, 1) + 1, node(s, 1) + 2}, &left, &right);
+      frame.hinged_member(beam(),
+                          {node(s, 0), node(s, 0) + 1, node(s, 0) + 2, node(s, 1), node(s, 1) + 1, node(s, 1) + 2},
+                          &left, &right);
     }
     return frame.structure();
   }
@@ -187,7 +199,8 @@ struct HingedFrame {
     return {"foot " + std::to_string(i), foot_moment, hardening, 60 * young * column_inertia() / height};
   }
   TestHinge beam_end(int s, int i) const {
-    return {"beam " + std::to_string(s + 1) + (i == 0 ? " left" : " right"), beam_moment, hardening, 60 * young * beam_inertia() / bay};
+    return {"beam " + std::to_string(s + 1) + (i == 0 ? " left" : " right"), beam_moment, hardening,
+            60 * young * beam_inertia() / bay};
   }
 };
 

@@ -1,5 +1,5 @@
-// Failures of processes that work together, on one process and on two. A process that fails while others wait for it in the middle
-// of a task ends them: tests/program/test_processes.py and tests/python/test_processes.py.
+// Failures of processes that work together, on one process and on two. A process that fails while others wait for it in
+// the middle of a task ends them: tests/program/test_processes.py and tests/python/test_processes.py.
 
 #include <gtest/gtest.h>
 

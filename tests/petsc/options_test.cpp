@@ -21,7 +21,8 @@ class Options : public testing::Test {
     set("-other_option_of_a_host", "3");
   }
   ~Options() override {
-    for (const char* name : {"-pounding_ts_rtol", "-pounding_ts_monitor", "-other_option_of_a_host"}) PetscOptionsClearValue(nullptr, name);
+    for (const char* name : {"-pounding_ts_rtol", "-pounding_ts_monitor", "-other_option_of_a_host"})
+      PetscOptionsClearValue(nullptr, name);
   }
 
  private:
@@ -34,10 +35,13 @@ TEST_F(Options, AreThoseOfOurPrefixWithTheirValues) {
 
 // Options that the library sets to start PETSc are excluded.
 TEST_F(Options, InForceAreThoseOfAHostAsWell) {
-  EXPECT_EQ(Environment::all_options(), (std::vector<std::string>{"-other_option_of_a_host 3", "-pounding_ts_monitor", "-pounding_ts_rtol 1e-6"}));
+  EXPECT_EQ(Environment::all_options(),
+            (std::vector<std::string>{"-other_option_of_a_host 3", "-pounding_ts_monitor", "-pounding_ts_rtol 1e-6"}));
 }
 
-TEST_F(Options, AreAllToldOrNoneWhereMemoryEnds) { test::expect_right_answers_in_short_memory([] { return Environment::given_options(); }); }
+TEST_F(Options, AreAllToldOrNoneWhereMemoryEnds) {
+  test::expect_right_answers_in_short_memory([] { return Environment::given_options(); });
+}
 
 }  // namespace options_test
 }  // namespace pounding::petsc

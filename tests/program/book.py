@@ -1,4 +1,5 @@
-"""The verification book for tests in Python, as tests/support/book.hpp for those in C++: numbers of an independent source."""
+"""The verification book for tests in Python, as tests/support/book.hpp for those in C++: numbers of an independent
+source."""
 
 import json
 import os
@@ -14,8 +15,13 @@ class Book:
     def __init__(self, test, subject, source, reason):
         self.test = test
         module, name, method = test.id().rsplit(".", 2)
-        self.entry = {"subject": subject, "source": source, "reason": reason, "file": f"tests/program/{module}.py",
-                      "test": f"{name}.{method}"}
+        self.entry = {
+            "subject": subject,
+            "source": source,
+            "reason": reason,
+            "file": f"tests/program/{module}.py",
+            "test": f"{name}.{method}",
+        }
         self.rows = {}
         test.addCleanup(self.write)
 

@@ -1,7 +1,8 @@
-"""Damaged results files, made with seeds: `python3 damage.py --count 10000`, with POUNDING_PROGRAM and PYTHONPATH set. They are files of runs
-of every kind, pushovers and tables of studies. Each has one to sixteen changed bytes, or was cut, filled with zeros, or lengthened. Every reader must
-refuse it by its own message: the package in a process of its own, the verbs of the program by exit code 2; none may read it, crash, or take longer
-than `SECONDS`. Verbs that Python does run in children of this process, which has loaded the package.
+"""Damaged results files, made with seeds: `python3 damage.py --count 10000`, with POUNDING_PROGRAM and PYTHONPATH set.
+They are files of runs of every kind, pushovers and tables of studies. Each has one to sixteen changed bytes, or was
+cut, filled with zeros, or lengthened. Every reader must refuse it by its own message: the package in a process of its
+own, the verbs of the program by exit code 2; none may read it, crash, or take longer than `SECONDS`. Verbs that Python
+does run in children of this process, which has loaded the package.
 """
 
 import argparse
@@ -26,15 +27,31 @@ SECONDS = 10  #: of the processor, for one file
 PATIENCE = 120  #: [s] for a process that waits
 #: Whether the package has its compiled part, without which it runs no study.
 WITH_STUDIES = importlib.util.find_spec("pounding._core") is not None
-#: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the damaged file. Those from the
-#: third on are done by Python.
-VERBS = {"run": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
-                 ["plot", "RESULTS", "-o", "picture.png"], ["export", "RESULTS", "-o", "view.xdmf"], ["animate", "RESULTS", "-o", "film.gif"]),
-         "pushover": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
-                      ["plot", "RESULTS", "-o", "picture.png"]),
-         "study": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"], ["study", "show", "RESULTS"],
-                   ["study", "export", "RESULTS", "-o", "table.csv"], ["study", "plot", "RESULTS", "--picture", "ida", "--column", "force", "-o", "ida.png"],
-                   ["study", "merge", "study.yaml", "RESULTS", "-o", "merged.h5"], ["study", "study.yaml", "-q", "-j", "0", "-o", "RESULTS"])}
+#: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the
+#: damaged file. Those from the third on are done by Python.
+VERBS = {
+    "run": (
+        ["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"],
+        ["spectrum", "RESULTS", "--floor", "left.1"],
+        ["plot", "RESULTS", "-o", "picture.png"],
+        ["export", "RESULTS", "-o", "view.xdmf"],
+        ["animate", "RESULTS", "-o", "film.gif"],
+    ),
+    "pushover": (
+        ["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"],
+        ["spectrum", "RESULTS", "--floor", "left.1"],
+        ["plot", "RESULTS", "-o", "picture.png"],
+    ),
+    "study": (
+        ["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"],
+        ["spectrum", "RESULTS", "--floor", "left.1"],
+        ["study", "show", "RESULTS"],
+        ["study", "export", "RESULTS", "-o", "table.csv"],
+        ["study", "plot", "RESULTS", "--picture", "ida", "--column", "force", "-o", "ida.png"],
+        ["study", "merge", "study.yaml", "RESULTS", "-o", "merged.h5"],
+        ["study", "study.yaml", "-q", "-j", "0", "-o", "RESULTS"],
+    ),
+}
 
 
 class Sample(NamedTuple):
@@ -46,13 +63,20 @@ class Sample(NamedTuple):
 
 
 def samples(folder):
-    """A file of a run of every kind, of one that can be resumed, in its first part too, of a pushover and of a study."""
+    """A file of a run of every kind, of one that can be resumed, in its first part too, of a pushover and of a
+    study."""
     made = []
 
     def make(kind, holds, model, verb, *words, codes=(0,)):
         path = folder / f"{kind}.h5"
         (folder / f"{holds}.yaml").write_text(model)
-        done = subprocess.run([PROGRAM, verb, f"{holds}.yaml", *words, "-o", path.name], cwd=folder, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [PROGRAM, verb, f"{holds}.yaml", *words, "-o", path.name],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
         if done.returncode not in codes:
             raise RuntimeError(f"{kind}: {done.stderr}")
         made.append(Sample(kind, holds, path.read_bytes()))
@@ -61,7 +85,16 @@ def samples(folder):
         make(kind, "run", model, "run", "-q")
     make("cut", "run", RUNS["oscillators"], "run", "-q", "-pounding_ts_max_steps", "100", codes=(3,))
     make("cut hinges", "run", RUNS["hinges"], "run", "-q", "-pounding_ts_max_steps", "100", codes=(3,))
-    make("part", "run", RUNS["oscillators"] + "compare: no_pounding\n", "run", "-q", "-pounding_ts_max_steps", "20", codes=(3,))
+    make(
+        "part",
+        "run",
+        RUNS["oscillators"] + "compare: no_pounding\n",
+        "run",
+        "-q",
+        "-pounding_ts_max_steps",
+        "20",
+        codes=(3,),
+    )
     make("pushover", "pushover", RUNS["hinges"], "pushover", *PUSH)
     if WITH_STUDIES:
         make("study", "study", STUDY, "study", "-q", "-j", "0")
@@ -119,7 +152,8 @@ def fate_by_signal(code):
 
 
 def fate_of_reading(path, read):
-    """Outcome of a reader of the package on a file in a process of its own: refused, read, an exception, a signal, or hangs."""
+    """Outcome of a reader of the package on a file in a process of its own: refused, read, an exception, a signal, or
+    hangs."""
     from pounding.checked_file import NotResults
 
     def reading():
@@ -149,13 +183,21 @@ def words_for(words, path):
 def fate_by_message(code, messages, opening="pounding: "):
     if code < 0:
         return fate_by_signal(code)
-    return "refused" if code == 2 and messages.startswith(opening) and "Traceback" not in messages else f"exit code {code}"
+    return (
+        "refused" if code == 2 and messages.startswith(opening) and "Traceback" not in messages else f"exit code {code}"
+    )
 
 
 def fate_of_verb(words, path):
     """As `fate_of_reading`, of a verb of the program."""
-    done = subprocess.run([PROGRAM, *words_for(words, path)], cwd=path.parent,
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, preexec_fn=bound_time)
+    done = subprocess.run(
+        [PROGRAM, *words_for(words, path)],
+        cwd=path.parent,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        preexec_fn=bound_time,
+    )
     return fate_by_message(done.returncode, done.stderr)
 
 
@@ -163,7 +205,9 @@ def fate_of_package(words, path):
     """As `fate_of_verb`, of one that the package does, without a new Python."""
     from pounding.__main__ import MODULES, STUDIES
 
-    name, given = (f"pounding.{MODULES[words[0]]}", words[1:]) if words[0] in MODULES else ("pounding.studies.command", words)
+    name, given = (
+        (f"pounding.{MODULES[words[0]]}", words[1:]) if words[0] in MODULES else ("pounding.studies.command", words)
+    )
     assert words[0] in (*MODULES, *STUDIES)
     main = importlib.import_module(name).main
 
@@ -182,12 +226,14 @@ def fate_of_package(words, path):
             return 1
 
     # The modules that draw and convert name the file at once.
-    return fate_by_message(code_of_child(verb), (path.parent / "messages").read_text(), str(path) if words[0] in MODULES else "pounding: ")
+    return fate_by_message(
+        code_of_child(verb), (path.parent / "messages").read_text(), str(path) if words[0] in MODULES else "pounding: "
+    )
 
 
 def survey(count, seed, verbs):
-    """How often each reader did what: {(kind of file, reader, fate): number}. The first `verbs` files go to every verb; for every twentieth the program
-    starts a Python of its own for one of them."""
+    """How often each reader did what: {(kind of file, reader, fate): number}. The first `verbs` files go to every verb;
+    for every twentieth the program starts a Python of its own for one of them."""
     fates = collections.Counter()
     chance = random.Random(seed)
     read = readers()

@@ -1,15 +1,14 @@
-/* Faults on purpose, loaded before the C library (LD_PRELOAD): the n-th call of a kind fails, is cut short, or is the moment of a
-   signal. Of the calls that write, those on regular files count, and on names of results files.
+/* Faults on purpose, loaded before the C library (LD_PRELOAD): the n-th call of a kind fails, is cut short, or is the
+   moment of a signal. Of the calls that write, those on regular files count, and on names of results files.
 
-   POUNDING_FAULT_CALL   write, fsync, rename, open, ftruncate; step, a kept step of the run; hdf5_memory, petsc_memory, own_memory: what
-                         these libraries ask for, or the program itself and its libraries of C++, from main on; other_memory: what all
-                         others ask for, such as MPI, BLAS and the C library, in the thread of main
-   POUNDING_FAULT_AT     the number of the call that fails, from 1
-   POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is full), kill, or signal NUMBER as -NUMBER; or each:
-                         see meets_in_children
-   POUNDING_FAULT_COUNT  file to which the number of calls is written at the end
-   POUNDING_FAULT_SERVES when set, the program does not run itself: for each line CALL AT KIND of its input it runs once in a child, which
-                         writes its messages to this file, and answers with the child's status as wait gives it. Libraries load once. */
+   POUNDING_FAULT_CALL   write, fsync, rename, open, ftruncate; step, a kept step of the run; hdf5_memory, petsc_memory,
+   own_memory: what these libraries ask for, or the program itself and its libraries of C++, from main on; other_memory:
+   what all others ask for, such as MPI, BLAS and the C library, in the thread of main POUNDING_FAULT_AT     the number
+   of the call that fails, from 1 POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is
+   full), kill, or signal NUMBER as -NUMBER; or each: see meets_in_children POUNDING_FAULT_COUNT  file to which the
+   number of calls is written at the end POUNDING_FAULT_SERVES when set, the program does not run itself: for each line
+   CALL AT KIND of its input it runs once in a child, which writes its messages to this file, and answers with the
+   child's status as wait gives it. Libraries load once. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -70,13 +69,16 @@ static void write_stack(void) {
   close(stack);
 }
 
-/* Every POUNDING_FAULT_STRIDE-th call from POUNDING_FAULT_AT to POUNDING_FAULT_LAST fails, each in a child that goes on from there to its end, while the run itself
-   meets no fault: the way to each of them is gone once. The folder of the run holds out.h5, which each child finds as the run has it. After a
-   child the file `endings` gets a line: the number of the call, the child's status as wait gives it, the inode of out.h5 that it found, the name
-   under which an out.h5 that it wrote was put aside, or a dash, and its messages with their lines parted by the byte 1, parted by tabs. The stack of a call whose child ended by a
-   signal stays in `stack_NUMBER`. With POUNDING_FAULT_APART set a child goes on in a copy of the folder, which stays beside it as `apart_NUMBER`. */
+/* Every POUNDING_FAULT_STRIDE-th call from POUNDING_FAULT_AT to POUNDING_FAULT_LAST fails, each in a child that goes on
+   from there to its end, while the run itself meets no fault: the way to each of them is gone once. The folder of the
+   run holds out.h5, which each child finds as the run has it. After a child the file `endings` gets a line: the number
+   of the call, the child's status as wait gives it, the inode of out.h5 that it found, the name under which an out.h5
+   that it wrote was put aside, or a dash, and its messages with their lines parted by the byte 1, parted by tabs. The
+   stack of a call whose child ended by a signal stays in `stack_NUMBER`. With POUNDING_FAULT_APART set a child goes on
+   in a copy of the folder, which stays beside it as `apart_NUMBER`. */
 static enum Fate meets_in_children(void) {
-  const long first = atol(setting("POUNDING_FAULT_AT")), stride = *setting("POUNDING_FAULT_STRIDE") ? atol(setting("POUNDING_FAULT_STRIDE")) : 1;
+  const long first = atol(setting("POUNDING_FAULT_AT")),
+             stride = *setting("POUNDING_FAULT_STRIDE") ? atol(setting("POUNDING_FAULT_STRIDE")) : 1;
   if (calls < first || calls > atol(setting("POUNDING_FAULT_LAST")) || (calls - first) % stride != 0) return passes;
   in_child = 1;
   const int apart = *setting("POUNDING_FAULT_APART") != 0;
@@ -95,7 +97,8 @@ static enum Fate meets_in_children(void) {
     if (apart && chdir(folder) != 0) exit(1);
     alarm(60);
     write_stack();
-    /* MPI may start a program, for which nothing shall fail. unsetenv would wait for ever where setenv has asked for this memory. */
+    /* MPI may start a program, for which nothing shall fail. unsetenv would wait for ever where setenv has asked for
+     * this memory. */
     for (char** word = environ; *word; ++word)
       if (strncmp(*word, "LD_PRELOAD=", 11) == 0) **word = 'X';
     errno = ENOMEM;
@@ -149,9 +152,9 @@ static int is_file(int descriptor) {
 
 static int is_results(const char* path) { return strstr(path, ".h5") != NULL; }
 
-#define REAL(type, name, ...) \
+#define REAL(type, name, ...)              \
   static type (*real)(__VA_ARGS__) = NULL; \
-  if (!real) real = (type(*)(__VA_ARGS__))dlsym(RTLD_NEXT, name)
+  if (!real) real = (type (*)(__VA_ARGS__))dlsym(RTLD_NEXT, name)
 
 /* How many of the bytes are to be written, or -1. */
 static ssize_t granted(int descriptor, size_t count) {
@@ -199,20 +202,20 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to, 
   return !is_results(to) || fate("rename") == passes ? real(from_folder, from, to_folder, to, flags) : -1;
 }
 
-#define OPEN(name) \
-  int name(const char* path, int flags, ...) { \
-    REAL(int, #name, const char*, int, ...); \
-    va_list more; \
-    va_start(more, flags); \
-    const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0; \
-    va_end(more); \
+#define OPEN(name)                                                                     \
+  int name(const char* path, int flags, ...) {                                         \
+    REAL(int, #name, const char*, int, ...);                                           \
+    va_list more;                                                                      \
+    va_start(more, flags);                                                             \
+    const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0;                    \
+    va_end(more);                                                                      \
     return !is_results(path) || fate("open") == passes ? real(path, flags, mode) : -1; \
   }
 OPEN(open)
 OPEN(open64)
 
-/* PETSc calls its TSPostStep after each kept step, but one that is bound inside its library does so unseen. The program has it call this one
-   there. */
+/* PETSc calls its TSPostStep after each kept step, but one that is bound inside its library does so unseen. The program
+   has it call this one there. */
 static int (*after_step)(void*) = NULL;
 static int after_counted_step(void* ts) {
   fate("step");
@@ -280,7 +283,8 @@ static int counted_main(int count, char** words, char** environment) {
 }
 
 typedef int Main(int, char**, char**);
-int __libc_start_main(Main* main, int count, char** words, void (*init)(void), void (*fini)(void), void (*linker)(void), void* stack) {
+int __libc_start_main(Main* main, int count, char** words, void (*init)(void), void (*fini)(void), void (*linker)(void),
+                      void* stack) {
   REAL(int, "__libc_start_main", Main*, int, char**, void (*)(void), void (*)(void), void (*)(void), void*);
   true_main = main;
   return real(counted_main, count, words, init, fini, linker, stack);
@@ -306,7 +310,8 @@ static int has_any(const char* name, const char* const* libraries) {
   return 0;
 }
 
-/* Whether the code at this address belongs to one of the libraries, or for `others` to none of all lists. Answers are kept, since to find one takes longer than to allocate. */
+/* Whether the code at this address belongs to one of the libraries, or for `others` to none of all lists. Answers are
+ * kept, since to find one takes longer than to allocate. */
 static int is_in(const void* caller, const char* const* libraries) {
   static struct {
     const void* caller;
@@ -320,8 +325,9 @@ static int is_in(const void* caller, const char* const* libraries) {
   Dl_info where;
   int found = 0;
   if (dladdr(caller, &where) != 0 && where.dli_fname)
-    found = libraries == others ? !has_any(where.dli_fname, hdf5) && !has_any(where.dli_fname, petsc) && !has_any(where.dli_fname, own)
-                                : has_any(where.dli_fname, libraries);
+    found = libraries == others
+                ? !has_any(where.dli_fname, hdf5) && !has_any(where.dli_fname, petsc) && !has_any(where.dli_fname, own)
+                : has_any(where.dli_fname, libraries);
   known[place].caller = caller;
   known[place].found = found;
   inside = 0;
@@ -345,8 +351,12 @@ static int memory_fails(const void* caller) {
 }
 
 void* malloc(size_t size) { return memory_fails(__builtin_return_address(0)) ? NULL : __libc_malloc(size); }
-void* calloc(size_t count, size_t size) { return memory_fails(__builtin_return_address(0)) ? NULL : __libc_calloc(count, size); }
-void* realloc(void* block, size_t size) { return memory_fails(__builtin_return_address(0)) ? NULL : __libc_realloc(block, size); }
+void* calloc(size_t count, size_t size) {
+  return memory_fails(__builtin_return_address(0)) ? NULL : __libc_calloc(count, size);
+}
+void* realloc(void* block, size_t size) {
+  return memory_fails(__builtin_return_address(0)) ? NULL : __libc_realloc(block, size);
+}
 int posix_memalign(void** block, size_t alignment, size_t size) {
   if (memory_fails(__builtin_return_address(0))) return ENOMEM;
   *block = __libc_memalign(alignment, size);

@@ -1,12 +1,14 @@
 """A second integrator for rows of bodies and oscillators, to judge the program by: every impact is located and counted.
 
-Nothing here comes from the program. Forces, formulas and damping follow the published laws; where the exact damping has no
-closed form (kuwabara_kono, adams_impact, limited_damper) it is found here by integrating free impacts. The motion is
+Nothing here comes from the program. Forces, formulas and damping follow the published laws; where the exact damping has
+no closed form (kuwabara_kono, adams_impact, limited_damper) it is found here by integrating free impacts. The motion is
 advanced by scipy's DOP853 (order 8, relative tolerance 1e-11) from one instant where a force changes its formula to the
 next: touch, reversal, release, corner, separation, jump of the ground. So the integrated functions are smooth.
 
-SI units. Penetration d > 0 is overlap, rate > 0 closes, force > 0 pushes apart. Displacements are relative to the ground.
+SI units. Penetration d > 0 is overlap, rate > 0 closes, force > 0 pushes apart. Displacements are relative to the
+ground.
 """
+
 import math
 import time
 from dataclasses import dataclass, field
@@ -19,22 +21,24 @@ from scipy.optimize import brentq, minimize_scalar
 from independent_damping import FORMULAS, GIVEN, bilinear_curve, bilinear_exact
 
 RELATIVE_TOLERANCE = 1e-11
-#: Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s]: the program's convention.
+#: Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s]: the program's
+#: convention.
 SLOWEST_CLOSING_SPEED = 1e-6
 #: Points of a step at which signs are looked at. Steps in free flight are at most a twentieth of the shortest period.
 LOOKS = 6
 
 
 def _power(d, n):
-    """d^n, continued oddly below zero so that a trial step past the separation meets no corner; bounded in wild trials."""
+    """d^n, continued oddly below zero so that a trial step past the separation meets no corner; bounded in wild
+    trials."""
     return math.copysign(min(abs(d), 1e3) ** n, d)
 
 
 class Law:
     """One contact law in one link, on the branch that the last located instant left it on.
 
-    margins(d, rate) are positive while the branch lasts; cross(i, ...) enters the branch behind margin i; force(d, rate)
-    is smooth on a branch. `parameters` are those of a link in an input file.
+    margins(d, rate) are positive while the branch lasts; cross(i, ...) enters the branch behind margin i; force(d,
+    rate) is smooth on a branch. `parameters` are those of a link in an input file.
     """
 
     def __init__(self, name, parameters):
@@ -180,18 +184,19 @@ class TooLong(Exception):
 
 @dataclass
 class Impact:
-    start: float                #: touch [s]
-    approach: float             #: closing speed at the touch [m/s]
-    deceleration: float         #: opening acceleration of the two bodies just before the touch [m/s^2]
-    end: float = math.nan       #: separation [s]; nan while pressed
+    start: float  #: touch [s]
+    approach: float  #: closing speed at the touch [m/s]
+    deceleration: float  #: opening acceleration of the two bodies just before the touch [m/s^2]
+    end: float = math.nan  #: separation [s]; nan while pressed
     separation: float = math.nan  #: opening speed there [m/s]
-    return_acceleration: float = math.nan   #: closing acceleration just after the separation [m/s^2]
-    peak: float = 0.0           #: largest force [N]; nan for a rigid impact
+    return_acceleration: float = math.nan  #: closing acceleration just after the separation [m/s^2]
+    peak: float = 0.0  #: largest force [N]; nan for a rigid impact
 
 
 @dataclass
 class Link:
     """left and right are indices of masses; None is a wall."""
+
     left: int | None
     right: int | None
     gap: float
@@ -268,7 +273,9 @@ class Row:
     def _smooth(self, stop):
         """From here to the next change of a branch, or to `stop`."""
         scale = np.concatenate([np.full(self.n, 1e-14), np.full(self.n, 1e-13)])
-        solver = DOP853(self.slope, self.t, self.y, stop, rtol=RELATIVE_TOLERANCE, atol=scale, max_step=self.longest_step)
+        solver = DOP853(
+            self.slope, self.t, self.y, stop, rtol=RELATIVE_TOLERANCE, atol=scale, max_step=self.longest_step
+        )
         self._watch_force(lambda t: self.y, [self.t])
         while solver.status == "running":
             if time.monotonic() > self.deadline:
@@ -344,8 +351,9 @@ class Row:
             impact.peak = max(impact.peak, forces[best])
             low, high = times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)]
             if high > low:
-                found = minimize_scalar(lambda t: -force(t), bounds=(low, high), method="bounded",
-                                        options={"xatol": 1e-6 * (high - low)})
+                found = minimize_scalar(
+                    lambda t: -force(t), bounds=(low, high), method="bounded", options={"xatol": 1e-6 * (high - low)}
+                )
                 impact.peak = max(impact.peak, -found.fun)
 
     def _change(self, link, index):
@@ -366,7 +374,7 @@ class Row:
         impact.end, impact.separation, impact.return_acceleration = self.t, -rate, -self._opening_acceleration(link)
 
     def _opening_acceleration(self, link):
-        acceleration = self.slope(self.t, self.y)[self.n:]
+        acceleration = self.slope(self.t, self.y)[self.n :]
         return float(sum(sign * acceleration[i] for sign, i in ((-1, link.left), (1, link.right)) if i is not None))
 
     def _touch(self, link, rate):

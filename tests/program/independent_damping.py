@@ -1,7 +1,9 @@
-"""Damping that gives a restitution e, after the published formulas and in closed form; nothing here comes from the program.
+"""Damping that gives a restitution e, after the published formulas and in closed form; nothing here comes from the
+program.
 
 SI units; k [N/m^n] stiffness, m [kg] reduced mass, v [m/s] closing speed.
 """
+
 import math
 from functools import lru_cache
 
@@ -12,7 +14,9 @@ def hunt_crossley_exact(e):
     """a of F = k d^n (1 + a d'/v): root of a (1 + e) = ln[(1 + a)/(1 - a e)]."""
     if e == 1:
         return 0.0
-    return brentq(lambda a: a * (1 + e) - math.log1p(a) + math.log1p(-a * e), 0.2 * (1 - e), (1 - 1e-15) / e, xtol=1e-15)
+    return brentq(
+        lambda a: a * (1 + e) - math.log1p(a) + math.log1p(-a * e), 0.2 * (1 - e), (1 - 1e-15) / e, xtol=1e-15
+    )
 
 
 def _phase(z):

@@ -1,4 +1,5 @@
 """Judges the impacts that the program found by those of independent.py."""
+
 import math
 import time
 from dataclasses import dataclass
@@ -22,10 +23,16 @@ def ground_of(motion):
         a, period, end = motion["amplitude"], motion["period"], motion["duration"]
         return lambda t: a * math.sin(2 * math.pi * t / period) if t < end else 0.0, (end,), period / 20
     a, begin, length = motion["amplitude"], motion["start"], motion["duration"]
-    shape = {"rectangle": lambda s: 1.0, "half_sine": lambda s: math.sin(math.pi * s),
-             "sine": lambda s: math.sin(2 * math.pi * s)}[motion["shape"]]
-    return (lambda t: a * shape((t - begin) / length) if begin <= t < begin + length else 0.0,
-            (begin, begin + length), length / 20)
+    shape = {
+        "rectangle": lambda s: 1.0,
+        "half_sine": lambda s: math.sin(math.pi * s),
+        "sine": lambda s: math.sin(2 * math.pi * s),
+    }[motion["shape"]]
+    return (
+        lambda t: a * shape((t - begin) / length) if begin <= t < begin + length else 0.0,
+        (begin, begin + length),
+        length / 20,
+    )
 
 
 def row_of(case):
@@ -45,7 +52,9 @@ def row_of(case):
 
 @dataclass
 class Verdict:
-    """agreed: whole | cut at grazing | cut at growth | no. The latter two compare the impacts before `until` [s] only."""
+    """agreed: whole | cut at grazing | cut at growth | no. The latter two compare the impacts before `until` [s]
+    only."""
+
     agreed: str
     until: float
     compared: int
@@ -67,7 +76,10 @@ def grazing_time(row, tolerance, end):
     for link in row.links:
         times += [t for t, distance in link.near_misses if distance < reach]
         for impact in link.impacts:
-            if impact.approach**2 < 2 * reach * abs(impact.deceleration) or impact.approach * (end - impact.start) < reach:
+            if (
+                impact.approach**2 < 2 * reach * abs(impact.deceleration)
+                or impact.approach * (end - impact.start) < reach
+            ):
                 times.append(impact.start - earlier(impact.approach, impact.deceleration))
             if impact.separation**2 < 2 * reach * abs(impact.return_acceleration):
                 times.append(impact.end - earlier(impact.separation, impact.return_acceleration))
@@ -92,18 +104,26 @@ def disturbed(case, quantity, size):
 def measure(row):
     """(start, end, values) of each impact by link; values are the peak force, or of a rigid one the impulse, and the
     separation speed."""
-    return [[(i.start, i.end, (link.law.mass * (i.approach + i.separation) if link.law.rigid else i.peak, i.separation))
-             for i in link.impacts] for link in row.links]
+    return [
+        [
+            (i.start, i.end, (link.law.mass * (i.approach + i.separation) if link.law.rigid else i.peak, i.separation))
+            for i in link.impacts
+        ]
+        for link in row.links
+    ]
 
 
 def largest_of(link, impacts):
     """Scales that errors are divided by: the largest force or impulse, and the largest closing speed."""
-    return (max((values[0] for *_, values in impacts), default=0.0),
-            max((impact.approach for impact in link.impacts[:len(impacts)]), default=0.0))
+    return (
+        max((values[0] for *_, values in impacts), default=0.0),
+        max((impact.approach for impact in link.impacts[: len(impacts)]), default=0.0),
+    )
 
 
 def growth_time(row, other):
-    """When first a peak has changed by more than LARGEST_GAIN times the disturbance, or the impacts are not the same."""
+    """When first a peak has changed by more than LARGEST_GAIN times the disturbance, or the impacts are not the
+    same."""
     times = [r.t if r.stopped else math.inf for r in (row, other)]
     for link, mine, theirs in zip(row.links, measure(row), measure(other)):
         largest = largest_of(link, mine)
@@ -130,13 +150,17 @@ def difference(row, program, tolerance, until):
         for number, ((start, end, values), row_there) in enumerate(zip(mine, theirs)):
             if not end < before and math.isfinite(until):
                 continue  # its peak may lie behind the cut
-            for value, key, scale in zip(values, ("impulse" if link.law.rigid else "peak_force", "v_separation"), largest):
+            for value, key, scale in zip(
+                values, ("impulse" if link.law.rigid else "peak_force", "v_separation"), largest
+            ):
                 found = row_there[key]
                 if math.isnan(value) and math.isnan(found):
                     continue  # pressed until the end of the run
                 if not abs(found - value) <= ALLOWED * tolerance * scale:
-                    return (f"{name}, impact {number} at {start:.9g}: {key} {found:.12g}, {value:.12g} expected, off by "
-                            f"{abs(found - value) / scale / tolerance if scale else math.inf:.3g} tolerances"), compared
+                    return (
+                        f"{name}, impact {number} at {start:.9g}: {key} {found:.12g}, {value:.12g} expected, off by "
+                        f"{abs(found - value) / scale / tolerance if scale else math.inf:.3g} tolerances"
+                    ), compared
             compared += 1
     return "", compared
 

@@ -1,11 +1,12 @@
 """Numbers that the README of a lesson states, and the changes of its model that they belong to.
 
     Expect: `links/left-right/peak_force = 7178400` within 1e-5
-    Expect of `other.yaml` with `gap: 40 mm` instead of `gap: 20 mm`: `energy/impact = 41.5` and `links/a/impacts = 2` within 1e-4
-    Expect without `wave: {velocity: 500 m/s, direction: x}`: `links/joint/impacts = 0` within 0
+    Expect of `other.yaml` with `gap: 40 mm` instead of `gap: 20 mm`: `energy/impact = 41.5` and `links/a/impacts = 2`
+    within 1e-4 Expect without `wave: {velocity: 500 m/s, direction: x}`: `links/joint/impacts = 0` within 0
 
 Before `=` stands the place in the object that `pounding run --json` prints, behind it the value in SI; the tolerance is
-relative. A change is made wherever its text stands in the model, as a reader does it; "without" takes a whole line away.
+relative. A change is made wherever its text stands in the model, as a reader does it; "without" takes a whole line
+away.
 """
 
 import re
@@ -14,12 +15,15 @@ from dataclasses import dataclass
 CODE = r"`[^`]+`"
 STATEMENT = re.compile(
     rf"Expect(?: of (?P<model>{CODE}))?(?P<changes>(?: (?:with|and) {CODE} instead of {CODE}| without {CODE})*):"
-    rf" (?P<numbers>{CODE}(?:(?:,| and) {CODE})*) within (?P<tolerance>\d+(?:\.\d+)?(?:e[+-]?\d+)?)")
+    rf" (?P<numbers>{CODE}(?:(?:,| and) {CODE})*) within (?P<tolerance>\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
+)
 CHANGE = re.compile(rf"(?P<new>{CODE}) instead of (?P<old>{CODE})|without (?P<line>{CODE})")
 #: A lesson in C++ states the line that its program prints.
 PRINTED = re.compile(r"[\d. ]+")
 #: A figure with its unit in a sentence. Times and % compare two numbers of a kind.
-FIGURE = re.compile(r"(?<![\w.])(?P<figure>\d+(?:\.(?P<decimals>\d+))?) (?P<unit>MN|kN|N|kJ|J|m/s\^2|mm|m|%|times|impacts)(?![\w/^])")
+FIGURE = re.compile(
+    r"(?<![\w.])(?P<figure>\d+(?:\.(?P<decimals>\d+))?) (?P<unit>MN|kN|N|kJ|J|m/s\^2|mm|m|%|times|impacts)(?![\w/^])"
+)
 UNITS = {"MN": 1e6, "kN": 1e3, "N": 1, "kJ": 1e3, "J": 1, "m/s^2": 1, "mm": 1e-3, "m": 1, "times": 1, "impacts": 1}
 
 
@@ -43,16 +47,22 @@ def expectations(text):
     """All that a README states. Raises ValueError for a line that begins with "Expect" and cannot be read."""
     found = []
     for line in re.finditer(r"(?m)^Expect\b", text):
-        paragraph = " ".join(text[line.start():].split("\n\n")[0].split())
+        paragraph = " ".join(text[line.start() :].split("\n\n")[0].split())
         said = STATEMENT.match(paragraph)
         if not said:
             raise ValueError(f"cannot be read: {paragraph}")
-        changes = tuple((change["line"][1:-1], None) if change["line"] else (change["old"][1:-1], change["new"][1:-1])
-                        for change in CHANGE.finditer(said["changes"]))
+        changes = tuple(
+            (change["line"][1:-1], None) if change["line"] else (change["old"][1:-1], change["new"][1:-1])
+            for change in CHANGE.finditer(said["changes"])
+        )
         for number in re.findall(CODE, said["numbers"]):
             path, is_number, value = number[1:-1].partition(" = ")
             if is_number:
-                found.append(Expectation(said["model"] and said["model"][1:-1], changes, path, float(value), float(said["tolerance"])))
+                found.append(
+                    Expectation(
+                        said["model"] and said["model"][1:-1], changes, path, float(value), float(said["tolerance"])
+                    )
+                )
             elif not PRINTED.fullmatch(path):
                 raise ValueError(f"{path}: there is no value")
     return found
@@ -76,7 +86,8 @@ def questions(text):
 
 
 def unfounded(text, stated, models):
-    """Figures of a text that follow from no stated number, as "8.1 MN", "13 %" or "5 impacts", and stand in no model."""
+    """Figures of a text that follow from no stated number, as "8.1 MN", "13 %" or "5 impacts", and stand in no
+    model."""
     given = " ".join([*models, *(new or "" for one in stated for _, new in one.changes)])
     values = [one.value for one in stated]
     ratios = [one.value / other.value for one in stated for other in stated if other.kind == one.kind and other.value]
@@ -85,7 +96,9 @@ def unfounded(text, stated, models):
     for said in FIGURE.finditer(" ".join(re.sub(CODE, "", text).split())):
         figure, unit = float(said["figure"]), said["unit"]
         if unit == "%":
-            possible = [100 * share for ratio in ratios for share in (ratio, abs(1 - ratio))] + [100 * abs(1 - value) for value in values]
+            possible = [100 * share for ratio in ratios for share in (ratio, abs(1 - ratio))] + [
+                100 * abs(1 - value) for value in values
+            ]
         elif unit == "times":
             possible = ratios + values
         else:

@@ -23,7 +23,8 @@ constexpr double pi = std::numbers::pi;
 class RecordCommand : public testing::Test {
  protected:
   void SetUp() override {
-    file_ = testing::TempDir() + "record_command_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
+    file_ =
+        testing::TempDir() + "record_command_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
     std::ofstream(file_) << "time,acc (m/s^2)\n0,0\n1,2\n2,0\n";
   }
   void TearDown() override { std::filesystem::remove(file_); }
@@ -54,11 +55,13 @@ class RecordCommand : public testing::Test {
 
 TEST_F(RecordCommand, InfoShowsTheMeasures) {
   const std::string text = run("record info " + file_);
-  EXPECT_NE(text.find("station                not stated\nchannel                not stated\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("station                not stated\nchannel                not stated\n"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("format                 two columns, in m/s^2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("points                 3, every 1 s\n"), std::string::npos) << text;
   EXPECT_NE(text.find("PGA                    2 m/s^2 (0.2039 g)\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("significant duration   1.072 s (5 % at 0.4642 s, 95 % at 1.536 s)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("significant duration   1.072 s (5 % at 0.4642 s, 95 % at 1.536 s)\n"), std::string::npos)
+      << text;
 }
 
 TEST_F(RecordCommand, InfoAsJsonIsInSi) {
@@ -72,7 +75,8 @@ TEST_F(RecordCommand, InfoAsJsonIsInSi) {
 
 TEST_F(RecordCommand, SpectrumOfAStiffOscillatorIsThePeakGroundAcceleration) {
   const std::string csv = file_ + ".out";
-  EXPECT_EQ(run("record spectrum " + file_ + " --damping 5% --periods 0.01:1:3 --csv " + csv), "spectrum     " + csv + "\n");
+  EXPECT_EQ(run("record spectrum " + file_ + " --damping 5% --periods 0.01:1:3 --csv " + csv),
+            "spectrum     " + csv + "\n");
   std::ifstream stream(csv);
   std::string names;
   std::getline(stream, names);
@@ -105,22 +109,26 @@ TEST_F(RecordCommand, TakesTheOptionsOfTheInput) {
   EXPECT_EQ(values["npts"], 5);
   EXPECT_EQ(values["dt"], 0.5);
   EXPECT_EQ(values["pga"], 3.0);
-  EXPECT_NE(run("record spectrum --units g --step 0.5 " + file_).find("3 values a line in g, 5 points every 0.5 s"), std::string::npos);
+  EXPECT_NE(run("record spectrum --units g --step 0.5 " + file_).find("3 values a line in g, 5 points every 0.5 s"),
+            std::string::npos);
   // A cubic: 3 t^2 - t^3 in mm.
   std::ofstream(file_) << "0 0\n0.5 0.625\n1 2\n";
   const auto moved = nlohmann::json::parse(run("record info --json --displacement --units mm " + file_));
   EXPECT_NEAR(moved["pga"].get<double>(), 6e-3, 1e-12);
   EXPECT_NEAR(moved["pgd"].get<double>(), 2e-3, 1e-12);
-  EXPECT_NE(run("record info --displacement --units mm " + file_).find("PGD                    0.002 m\n"), std::string::npos);
+  EXPECT_NE(run("record info --displacement --units mm " + file_).find("PGD                    0.002 m\n"),
+            std::string::npos);
 }
 
 TEST_F(RecordCommand, WrongOptionsSayWhatToType) {
   EXPECT_EQ(error("record info --step 0 " + file_), "--step: takes a time > 0 such as \"0.01 s\"; \"0\" is outside");
   EXPECT_EQ(error("record info --step 5mm " + file_), "--step: takes a time such as \"0.5 s\"; \"5mm\" is a length");
   std::ofstream(file_) << "time,acc (m/s^2)\n0,0\n0.5,2\n1,0\n";
-  EXPECT_EQ(error("record info --step 1 " + file_), file_ + ":2: the first column holds times, every 0.5 s; remove \"step\"");
-  const std::string takes = "--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such as "
-                            "0.02:4:50; ";
+  EXPECT_EQ(error("record info --step 1 " + file_),
+            file_ + ":2: the first column holds times, every 0.5 s; remove \"step\"");
+  const std::string takes =
+      "--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such as "
+      "0.02:4:50; ";
   for (const std::string bad : {"1", "1:2", "0:1:5", "2:1:5", "0.1:1:2.5", "a:b:c", "0.1:1:1"})
     EXPECT_EQ(error("record spectrum " + file_ + " --periods " + bad), takes + "\"" + bad + "\" was read");
   EXPECT_EQ(error("record spectrum " + file_ + " --damping 5"),

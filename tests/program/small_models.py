@@ -14,11 +14,18 @@ _PORTAL = """\
     damping: 5 %
 """
 #: Two frames whose hinges yield by two laws, and which collide.
-HINGES = ("ground_motion: {harmonic: {amplitude: 8.0, period: 0.5 s, duration: 0.6 s}}\nstructures:\n" +
-          _PORTAL.format(name="left", x=0, mass=40, beams="yield_moment: 60 kN m, hardening: 2 %") +
-          _PORTAL.format(name="right", x=6.005, mass=20, beams="bouc_wen: {yield_moment: 50 kN m, spring_hardening: 2 %, stiffness_factor: 10}") +
-          "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]\n"
-          "analysis: {duration: 0.6 s, tolerance: 1e-4, output_step: 10 ms}\n")
+HINGES = (
+    "ground_motion: {harmonic: {amplitude: 8.0, period: 0.5 s, duration: 0.6 s}}\nstructures:\n"
+    + _PORTAL.format(name="left", x=0, mass=40, beams="yield_moment: 60 kN m, hardening: 2 %")
+    + _PORTAL.format(
+        name="right",
+        x=6.005,
+        mass=20,
+        beams="bouc_wen: {yield_moment: 50 kN m, spring_hardening: 2 %, stiffness_factor: 10}",
+    )
+    + "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]\n"
+    "analysis: {duration: 0.6 s, tolerance: 1e-4, output_step: 10 ms}\n"
+)
 #: Two buildings whose storeys yield, and which collide.
 STOREYS = """\
 ground_motion: {harmonic: {amplitude: 5.0, period: 0.6, duration: 1.0}}
@@ -54,10 +61,13 @@ _TOWER = """\
     damping: 5 %
 """
 #: Two frames of which a few coordinates are left.
-REDUCED = ("ground_motion: {harmonic: {amplitude: -4, period: 0.7, duration: 1}}\nstructures:\n" + _TOWER.format(name="left", x=0, column=0.5, mass=60) +
-           _TOWER.format(name="right", x=126.0002, column=0.6, mass=20) +
-           "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n"
-           "analysis: {duration: 0.3, output_step: 10 ms, tolerance: 0.01, reduction: {links: 6, ground: 10}}\n")
+REDUCED = (
+    "ground_motion: {harmonic: {amplitude: -4, period: 0.7, duration: 1}}\nstructures:\n"
+    + _TOWER.format(name="left", x=0, column=0.5, mass=60)
+    + _TOWER.format(name="right", x=126.0002, column=0.6, mass=20)
+    + "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n"
+    "analysis: {duration: 0.3, output_step: 10 ms, tolerance: 0.01, reduction: {links: 6, ground: 10}}\n"
+)
 #: For faults at every allocation: a column whose two hinges yield by two laws, one while it presses on a wall.
 FEW_HINGES = """\
 ground_motion: {harmonic: {amplitude: -12, period: 0.5 s, duration: 0.2 s}}
@@ -92,10 +102,21 @@ links: [{between: [left.6, right], gap: 5 mm, law: hertz_damped, stiffness: 1e9,
 analysis: {duration: 0.25, output_step: 50 ms, tolerance: 0.01, reduction: {links: 3, ground: 6}}
 """
 #: A bar and a damper between two oscillators.
-DEVICES = OSCILLATORS.replace("links:\n", "devices:\n  tie: {between: [left, right], bar: {stiffness: 2 MN/m}}\n"
-                              "  brake: {between: [left, right], damper: {coefficient: 200 kN (s/m)^0.5, exponent: 0.5}}\nlinks:\n")
+DEVICES = OSCILLATORS.replace(
+    "links:\n",
+    "devices:\n  tie: {between: [left, right], bar: {stiffness: 2 MN/m}}\n"
+    "  brake: {between: [left, right], damper: {coefficient: 200 kN (s/m)^0.5, exponent: 0.5}}\nlinks:\n",
+)
 #: Models of runs by their kind.
-RUNS = {"oscillators": OSCILLATORS, "hinges": HINGES, "storeys": STOREYS, "isolators": ISOLATORS, "reduced": REDUCED, "devices": DEVICES, "masts": MASTS}
+RUNS = {
+    "oscillators": OSCILLATORS,
+    "hinges": HINGES,
+    "storeys": STOREYS,
+    "isolators": ISOLATORS,
+    "reduced": REDUCED,
+    "devices": DEVICES,
+    "masts": MASTS,
+}
 #: Words of `pounding pushover` beside the model `HINGES`.
 PUSH = ("--structure", "left", "--to", "120 mm")
 #: 12 rows by the kernel, of which the solver runs some, too.
@@ -113,5 +134,10 @@ study:
   keep: [displacement, force, impacts]
 """
 #: For faults at every allocation: its first two rows, shorter.
-FEW_ROWS = (STUDY.partition("  records:")[0].replace("duration: 0.8 s", "duration: 0.3 s").replace("[left, right]", "[right, left]")
-            .replace("list: [1 mm, 3 mm]", "list: [0.1 mm, 0.2 mm]") + "  keep: [displacement, force, impacts]\n")
+FEW_ROWS = (
+    STUDY.partition("  records:")[0]
+    .replace("duration: 0.8 s", "duration: 0.3 s")
+    .replace("[left, right]", "[right, left]")
+    .replace("list: [1 mm, 3 mm]", "list: [0.1 mm, 0.2 mm]")
+    + "  keep: [displacement, force, impacts]\n"
+)

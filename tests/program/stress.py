@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Random rows of bodies, oscillators, yielding shear buildings and frames with hinges, all laws: every run ends, closes its energy
-and lets nobody through.
+"""Random rows of bodies, oscillators, yielding shear buildings and frames with hinges, all laws: every run ends, closes
+its energy and lets nobody through.
 
     python3 tests/program/stress.py build/pounding --seed 1 --count 100000 --jobs 2 --log seed1.jsonl --keep faults
     python3 tests/program/stress.py build/pounding --seed 1 --family yielding --count 1000
@@ -9,19 +9,21 @@ and lets nobody through.
     python3 tests/program/stress.py build/pounding --seed 1 --against-independent 200
     python3 tests/program/stress.py build/pounding --seed 1 --against-other-integrator 200
 
-Mass ratios from 1e-3 to 1e3, stiffness over six decades, restitutions 0.05 to 1, gaps from zero to wide, and the contacts
-that are hard to integrate: bodies that graze, rest, and touch at one instant or nearly. A seed and a number name a case. One that
-goes wrong is printed whole, as an input file. Exit code 1 when there is one. With --log every case is noted when it is done, and
-the same command goes on behind those that are in the log.
+Mass ratios from 1e-3 to 1e3, stiffness over six decades, restitutions 0.05 to 1, gaps from zero to wide, and the
+contacts that are hard to integrate: bodies that graze, rest, and touch at one instant or nearly. A seed and a number
+name a case. One that goes wrong is printed whole, as an input file. Exit code 1 when there is one. With --log every
+case is noted when it is done, and the same command goes on behind those that are in the log.
 
-Where the folder of the Python package stands for the program, cases run inside Python, which costs less than a program for each.
+Where the folder of the Python package stands for the program, cases run inside Python, which costs less than a program
+for each.
 
-A body that is pressed on another one by a rigid contact with restitution 1 bounces ever faster, and a run follows every bounce. Such a
-case that is not done in time is judged up to its first thousands of impacts.
+A body that is pressed on another one by a rigid contact with restitution 1 bounces ever faster, and a run follows every
+bounce. Such a case that is not done in time is judged up to its first thousands of impacts.
 
---against-independent compares impacts with the integrator of independent.py, which needs scipy; --against-other-integrator
-compares those of esdirk4 and generalized_alpha.
+--against-independent compares impacts with the integrator of independent.py, which needs scipy;
+--against-other-integrator compares those of esdirk4 and generalized_alpha.
 """
+
 import argparse
 import itertools
 import json
@@ -52,8 +54,12 @@ def program_run(program, case, folder, *options):
     """(run, message): the run is None when the program fails, with the reason."""
     model, results = Path(folder) / "model.yaml", Path(folder) / "results.h5"
     model.write_text(input_file(case))
-    with subprocess.Popen([program, "run", model, "-o", results, "--json", *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True) as running:
+    with subprocess.Popen(
+        [program, "run", model, "-o", results, "--json", *options],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as running:
         try:
             told, errors = running.communicate(timeout=SECONDS)
         except subprocess.TimeoutExpired:
@@ -64,7 +70,9 @@ def program_run(program, case, folder, *options):
                 running.kill()
                 return None, f"it took more than {SECONDS} s, and SIGTERM did not end it"
             shorter = bounces_of(case, touches_in(results))
-            return program_run(program, shorter, folder, *options) if shorter else (None, f"it took more than {SECONDS} s")
+            return (
+                program_run(program, shorter, folder, *options) if shorter else (None, f"it took more than {SECONDS} s")
+            )
     if running.returncode != 0:
         return None, f"exit code {running.returncode}: {errors}"
     return Run(case, results, json.loads(told)), None
@@ -75,14 +83,27 @@ def examine(task):
     program, seed, number, family = task
     case, begin = case_of(seed, number, family), time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
-        run, message = package_run(program, case, folder, SECONDS) if Path(program).is_dir() else program_run(program, case, folder)
-        outcome = {"number": number, "family": case["family"], "seconds": time.perf_counter() - begin, "text": input_file(case)}
+        run, message = (
+            package_run(program, case, folder, SECONDS)
+            if Path(program).is_dir()
+            else program_run(program, case, folder)
+        )
+        outcome = {
+            "number": number,
+            "family": case["family"],
+            "seconds": time.perf_counter() - begin,
+            "text": input_file(case),
+        }
         if message:
             return outcome | {"faults": [message]}
         if run.case["duration"] < case["duration"]:
             outcome |= {"judged_until": run.case["duration"]}
-        return outcome | {"faults": list(faults_of(run)), "impacts": run.impacts, "steps": run.steps,
-                          "imbalance": run.imbalance / case["tolerance"]}
+        return outcome | {
+            "faults": list(faults_of(run)),
+            "impacts": run.impacts,
+            "steps": run.steps,
+            "imbalance": run.imbalance / case["tolerance"],
+        }
 
 
 def progress(text):
@@ -144,8 +165,10 @@ def stress(chosen):
             report(outcome, chosen.keep)
         progress(f"{done} of {chosen.count}, {faults} faults")
     progress("\n")
-    print(f"{chosen.count} cases ({', '.join(f'{n} {name}' for name, n in families.items())}), {impacts} impacts, {steps} steps, "
-          f"{time.perf_counter() - begin:.0f} s, {len(earlier)} cases from the log")
+    print(
+        f"{chosen.count} cases ({', '.join(f'{n} {name}' for name, n in families.items())}), {impacts} impacts, {steps} steps, "
+        f"{time.perf_counter() - begin:.0f} s, {len(earlier)} cases from the log"
+    )
     print(f"slowest case {slowest[1]}: {slowest[0]:.2f} s; worst imbalance, case {worst[1]}: {worst[0]:.3g} tolerances")
     if bouncing:
         print(f"{bouncing} cases bounce without loss and without end: judged up to some thousands of impacts")
@@ -164,29 +187,37 @@ def first_impacts(run):
 
 
 def differences(run, other):
-    """For each impact in turn the number of tolerances by which its peak and its separation differ in two runs; infinite where the
-    impacts themselves do."""
+    """For each impact in turn the number of tolerances by which its peak and its separation differ in two runs;
+    infinite where the impacts themselves do."""
     mine, theirs = first_impacts(run), first_impacts(other)
     peaks = [max((peak for _, index, peak, _ in mine if index == k), default=0.0) for k in range(len(run.rows))]
     for (start, index, peak, speed), (there, where, found, speed_there) in itertools.zip_longest(
-            mine, theirs, fillvalue=(math.inf, -1, 0.0, 0.0)):
+        mine, theirs, fillvalue=(math.inf, -1, 0.0, 0.0)
+    ):
         if index != where or abs(start - there) > 1e-3 * run.case["duration"]:
             yield math.inf
             return
         if math.isnan(speed) or math.isnan(speed_there):
             return  # pressed until the end
-        yield max(abs(peak - found) / peaks[index] if peaks[index] else 0.0, abs(speed - speed_there) / run.speed) / run.tolerance
+        yield (
+            max(abs(peak - found) / peaks[index] if peaks[index] else 0.0, abs(speed - speed_there) / run.speed)
+            / run.tolerance
+        )
 
 
 def integrate_one(task):
-    """One case by both integrators: (number, impacts compared, text, message). What esdirk4 at a tenth of the tolerance does not
-    agree on is amplified by the motion and tells nothing."""
+    """One case by both integrators: (number, impacts compared, text, message). What esdirk4 at a tenth of the tolerance
+    does not agree on is amplified by the motion and tells nothing."""
     program, seed, number = task
     case = case_of(seed, number) | {"tolerance": COARSE}
     case["duration"] = min(case["duration"], 1.0)
     text = input_file(case)
     runs = []
-    for tolerance, *options in ((COARSE,), (COARSE / 10,), (COARSE, "-pounding_ts_pounding_scheme", "generalized_alpha")):
+    for tolerance, *options in (
+        (COARSE,),
+        (COARSE / 10,),
+        (COARSE, "-pounding_ts_pounding_scheme", "generalized_alpha"),
+    ):
         with tempfile.TemporaryDirectory() as folder:
             run, message = program_run(program, case | {"tolerance": tolerance}, folder, *options)
         if message:
@@ -205,7 +236,10 @@ def integrate_one(task):
 def compare_integrators(chosen):
     """Runs cases by both integrators. Returns the number of faults."""
     faults = compared = 0
-    tasks = [(chosen.program, chosen.seed, number) for number in range(chosen.first, chosen.first + chosen.against_other_integrator)]
+    tasks = [
+        (chosen.program, chosen.seed, number)
+        for number in range(chosen.first, chosen.first + chosen.against_other_integrator)
+    ]
     with multiprocessing.Pool(chosen.jobs) as pool:
         for number, impacts, text, message in pool.imap_unordered(integrate_one, tasks):
             compared += impacts
@@ -220,6 +254,7 @@ def compare_one(task):
     """One case against independent.py: (number, verdict, text, message)."""
     from independent import TooLong
     from judging import judge
+
     program, seed, number = task
     case = case_of(seed, number) | {"tolerance": FINE}
     if case["family"] in BEYOND_INDEPENDENT:
@@ -252,14 +287,23 @@ def compare(chosen):
                 present[agreed] += verdict.impacts
             if agreed in ("no", "no results"):
                 faults += 1
-                report({"number": number, "family": "against independent", "faults": [message or verdict.why], "text": text},
-                       chosen.keep)
+                report(
+                    {
+                        "number": number,
+                        "family": "against independent",
+                        "faults": [message or verdict.why],
+                        "text": text,
+                    },
+                    chosen.keep,
+                )
             progress(f"{verdicts.total()} of {wanted}, {faults} faults")
             if verdicts.total() == wanted:
                 pool.terminate()
                 break
     progress("\n")
-    print(f"{wanted} cases at tolerance {FINE} against the independent integrator; {skipped} more took it over {LONGEST} s")
+    print(
+        f"{wanted} cases at tolerance {FINE} against the independent integrator; {skipped} more took it over {LONGEST} s"
+    )
     for agreed, count in verdicts.most_common():
         print(f"  {agreed}: {count} cases, {compared[agreed]} of {present[agreed]} impacts compared")
     print(f"{faults} faults")
@@ -275,16 +319,27 @@ def main():
     words.add_argument("--family", choices=[family.__name__ for family in FAMILIES], help="cases of this family alone")
     words.add_argument("--jobs", type=int, default=1)
     words.add_argument("--keep", type=Path, metavar="FOLDER", help="write the cases that go wrong there")
-    words.add_argument("--log", type=Path, metavar="FILE", help="note every case there, and leave out those that it holds")
+    words.add_argument(
+        "--log", type=Path, metavar="FILE", help="note every case there, and leave out those that it holds"
+    )
     words.add_argument("--print", type=int, metavar="NUMBER", help="print this case as an input file, and run nothing")
-    words.add_argument("--against-other-integrator", type=int, metavar="COUNT", help="run so many cases by both integrators")
-    words.add_argument("--against-independent", type=int, metavar="COUNT", help="compare so many cases with independent.py")
+    words.add_argument(
+        "--against-other-integrator", type=int, metavar="COUNT", help="run so many cases by both integrators"
+    )
+    words.add_argument(
+        "--against-independent", type=int, metavar="COUNT", help="compare so many cases with independent.py"
+    )
     chosen = words.parse_args()
     if chosen.print is not None:
         print(input_file(case_of(chosen.seed, chosen.print, chosen.family)), end="")
         return
-    task = compare_integrators if chosen.against_other_integrator is not None else \
-        stress if chosen.against_independent is None else compare
+    task = (
+        compare_integrators
+        if chosen.against_other_integrator is not None
+        else stress
+        if chosen.against_independent is None
+        else compare
+    )
     sys.exit(1 if task(chosen) else 0)
 
 

@@ -1,4 +1,6 @@
-"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames with hinges and friction and without, under all laws."""
+"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames with hinges and friction
+and without, under all laws."""
+
 import math
 import random
 
@@ -15,8 +17,18 @@ LINEAR = {
 }
 HERTZ = {
     "hertz": [],
-    "hertz_damped": ["exact", "lankarani_nikravesh", "hunt_crossley", "ye_2009", "hu_guo", "gonthier", "herbert_mcwhannell",
-                     "lee_wang", "zhiying_qishao", "gharib_hurmuzlu"],
+    "hertz_damped": [
+        "exact",
+        "lankarani_nikravesh",
+        "hunt_crossley",
+        "ye_2009",
+        "hu_guo",
+        "gonthier",
+        "herbert_mcwhannell",
+        "lee_wang",
+        "zhiying_qishao",
+        "gharib_hurmuzlu",
+    ],
     "jankowski": ["exact", "jankowski_2005", "jankowski_2006"],
     "bilinear_hertz": ["exact", "muthukumar_desroches"],
     "viscous_hertz": ["exact", "antypov_elliott"],
@@ -36,14 +48,22 @@ DIRECT = {
     "jankowski": ("damping_ratio", 0, 5),
     "viscous_hertz": ("damping_ratio", 0, 4),
 }
-#: Laws of storeys and of hinges in series, with values of what they take beside the yield force or moment and the hardening.
+#: Laws of storeys and of hinges in series, with values of what they take beside the yield force or moment and the
+#: hardening.
 SPRINGS = {
     "bilinear": {},
     "menegotto_pinto": {"memory": ["nested", "last"], "R0": [14, 20]},
     "peak_oriented": {"unloading": [0, 0.3, 0.5]},
     "bouc_wen": {"exponent": [1, 1.5, 2, 5], "gamma_share": [0, 0.3, 0.5]},
 }
-WITH_DESIGN_SPEED = ["modified_kelvin", "hertz_damped", "bilinear_hertz", "kuwabara_kono", "adams_impact", "limited_damper"]
+WITH_DESIGN_SPEED = [
+    "modified_kelvin",
+    "hertz_damped",
+    "bilinear_hertz",
+    "kuwabara_kono",
+    "adams_impact",
+    "limited_damper",
+]
 RESTITUTIONS = [0.05, 0.1, 0.3, 0.5, 0.65, 0.8, 0.95, 1.0]
 #: The loop of bilinear_hertz cannot lose more.
 LEAST_BILINEAR = 0.5
@@ -89,8 +109,14 @@ def body(chance, number, speed):
 
 
 def oscillator(chance, number, speed):
-    return {"name": f"b{number}", "kind": "oscillator", "mass": decades(chance, 3, 6), "period": decades(chance, -1.3, 0.5),
-            "damping": chance.choice([0, 0.02, 0.05, 0.1]), "velocity": speed}
+    return {
+        "name": f"b{number}",
+        "kind": "oscillator",
+        "mass": decades(chance, 3, 6),
+        "period": decades(chance, -1.3, 0.5),
+        "damping": chance.choice([0, 0.02, 0.05, 0.1]),
+        "velocity": speed,
+    }
 
 
 def wall(number):
@@ -104,20 +130,30 @@ def storeys_of(chance, storeys, low, high):
 
 
 def building(chance, number, storeys, yields):
-    """A shear building whose first period is some 0.1 s a storey; one that yields does so at 2 to 40 % of its weight."""
+    """A shear building whose first period is some 0.1 s a storey; one that yields does so at 2 to 40 % of its
+    weight."""
     mass = storeys_of(chance, storeys, 4, 6)
     least = min(mass) if isinstance(mass, list) else mass
     stiffness = storeys_of(chance, storeys, math.log10(least) + 2.7, math.log10(least) + 4)
-    own = {"name": f"b{number}", "kind": "shear_building", "storeys": storeys, "mass": mass, "stiffness": stiffness,
-           "damping": chance.choice([0, 0.02, 0.05]), "velocity": chance.choice([0.0, chance.uniform(-0.5, 0.5)])}
+    own = {
+        "name": f"b{number}",
+        "kind": "shear_building",
+        "storeys": storeys,
+        "mass": mass,
+        "stiffness": stiffness,
+        "damping": chance.choice([0, 0.02, 0.05]),
+        "velocity": chance.choice([0.0, chance.uniform(-0.5, 0.5)]),
+    }
     if yields:
         own["yield_force"] = chance.uniform(0.02, 0.4) * 9.81 * least * storeys
         own["hardening"] = chance.choice([0, 0.02, 0.2])
     if yields == "by any law":
         law = chance.choice(list(SPRINGS))
         words = ", ".join(f"{key}: {chance.choice(values)}" for key, values in SPRINGS[law].items())
-        own["spring"] = (f"{{{law}: {{yield_force: {own.pop('yield_force')}, hardening: {own.pop('hardening')}"
-                         f"{', ' if words else ''}{words}}}}}")
+        own["spring"] = (
+            f"{{{law}: {{yield_force: {own.pop('yield_force')}, hardening: {own.pop('hardening')}"
+            f"{', ' if words else ''}{words}}}}}"
+        )
     return own
 
 
@@ -126,8 +162,14 @@ def quake(chance):
     if chance.random() < 0.5:
         return shaking(chance)
     duration = chance.uniform(2, 5)
-    return {"kind": "synthetic", "seed": chance.randrange(10**6), "duration": duration, "pga": chance.uniform(0.5, 6),
-            "soil": chance.choice(["firm", "medium", "soft"]), "step": 0.02}
+    return {
+        "kind": "synthetic",
+        "seed": chance.randrange(10**6),
+        "duration": duration,
+        "pga": chance.uniform(0.5, 6),
+        "soil": chance.choice(["firm", "medium", "soft"]),
+        "step": 0.02,
+    }
 
 
 def buildings(chance, yields):
@@ -155,26 +197,48 @@ def yielding(chance):
 
 
 def frames(chance):
-    """Two plane frames of storeys of one height. Under their weight they lean by micrometres, and a gap keeps them apart."""
+    """Two plane frames of storeys of one height. Under their weight they lean by micrometres, and a gap keeps them
+    apart."""
     height, width = chance.choice([3.0, 3.5]), chance.choice([4.0, 6.0])
     storeys, bays = [chance.randint(1, 4) for _ in range(2)], [chance.randint(1, 2) for _ in range(2)]
     gravity = chance.random() < 0.5
     gap = chance.choice([1e-3, 5e-3, 0.02] if gravity else [0, 0, 1e-3, 5e-3, 0.02])
     deep = [chance.choice([0.3, 0.4, 0.5]) for _ in range(2)]
-    structures = [{"name": f"b{k}", "kind": "frame", "storeys": storeys[k], "bays": bays[k], "height": height, "width": width,
-                   "depth": deep[k], "origin": k * (bays[0] * width + gap), "floor_mass": decades(chance, 4, 5),
-                   "damping": chance.choice([0.02, 0.05]), "gravity": gravity, "velocity": chance.choice([0.0, chance.uniform(-0.3, 0.3)])}
-                  for k in range(2)]
+    structures = [
+        {
+            "name": f"b{k}",
+            "kind": "frame",
+            "storeys": storeys[k],
+            "bays": bays[k],
+            "height": height,
+            "width": width,
+            "depth": deep[k],
+            "origin": k * (bays[0] * width + gap),
+            "floor_mass": decades(chance, 4, 5),
+            "damping": chance.choice([0.02, 0.05]),
+            "gravity": gravity,
+            "velocity": chance.choice([0.0, chance.uniform(-0.3, 0.3)]),
+        }
+        for k in range(2)
+    ]
     if chance.random() < 0.2:  # equal frames, whose floors touch at one instant
-        structures[1] = structures[0] | {"name": "b1", "origin": structures[1]["origin"], "velocity": structures[1]["velocity"]}
+        structures[1] = structures[0] | {
+            "name": "b1",
+            "origin": structures[1]["origin"],
+            "velocity": structures[1]["velocity"],
+        }
     like = link(chance, "b0", "b1", gap, laws=[law for law in LAWS if law != "stereomechanical"])
-    links = [like | {"left": f"b0.{floor}", "right": f"b1.{floor}"} for floor in range(1, min(s["storeys"] for s in structures) + 1)]
+    links = [
+        like | {"left": f"b0.{floor}", "right": f"b1.{floor}"}
+        for floor in range(1, min(s["storeys"] for s in structures) + 1)
+    ]
     ground = quake(chance)
     return {"structures": structures, "links": links, "ground": ground, "duration": min(2.0, ground["duration"])}
 
 
 def hinges(chance, s):
-    """Hinges of a frame that carries 4 to 40 % of its weight as a sway mechanism of its storeys and feet, by one law for all of them."""
+    """Hinges of a frame that carries 4 to 40 % of its weight as a sway mechanism of its storeys and feet, by one law
+    for all of them."""
     weight = 9.81 * s["storeys"] * (s["floor_mass"] + 5e3 * (s["bays"] + 1))
     moment = chance.uniform(0.04, 0.4) * weight * s["height"] / (2 * (s["bays"] + 1))
     hardening = chance.choice([0, 0.01, 0.05, 0.2])
@@ -188,8 +252,13 @@ def hinges(chance, s):
         return f"{{at: {at}, {law}: {{{', '.join(f'{key}: {value}' for key, value in words.items())}}}}}"
 
     beams = moment * chance.uniform(0.3, 1)
-    both_ways = f"[{beams}, {-beams * chance.uniform(0.5, 2)}]" if law == "rigid_plastic" and chance.random() < 0.3 else beams
-    return {"beams": entry(chance.choice(["both", "both", "start"]), both_ways), "columns": entry(chance.choice(["feet", "feet", "both"]), moment)}
+    both_ways = (
+        f"[{beams}, {-beams * chance.uniform(0.5, 2)}]" if law == "rigid_plastic" and chance.random() < 0.3 else beams
+    )
+    return {
+        "beams": entry(chance.choice(["both", "both", "start"]), both_ways),
+        "columns": entry(chance.choice(["feet", "feet", "both"]), moment),
+    }
 
 
 def hinged(chance):
@@ -197,13 +266,14 @@ def hinged(chance):
     case = frames(chance)
     for s in case["structures"]:
         s["gravity"] = False
-    for s in case["structures"][:chance.choice([1, 2, 2])]:
+    for s in case["structures"][: chance.choice([1, 2, 2])]:
         s["hinges"] = hinges(chance, s)
     return case
 
 
 def rubbing(chance):
-    """Two plane frames that the ground shakes up and down as well and that rub where they hit, most of them with members that yield."""
+    """Two plane frames that the ground shakes up and down as well and that rub where they hit, most of them with
+    members that yield."""
     case = hinged(chance) if chance.random() < 0.7 else frames(chance)
     for own in case["links"]:
         own["friction"] = chance.choice([0.05, 0.2, 0.3, 0.6])
@@ -214,10 +284,19 @@ def rubbing(chance):
 
 def shaking(chance):
     if chance.random() < 0.75:
-        return {"kind": "harmonic", "amplitude": chance.uniform(0.5, 5), "period": chance.uniform(0.1, 1.5),
-                "duration": chance.uniform(0.5, 3)}
-    return {"kind": "pulse", "shape": chance.choice(["half_sine", "sine", "rectangle"]), "amplitude": chance.uniform(-5, 5),
-            "start": chance.choice([0.0, chance.uniform(0, 1)]), "duration": chance.uniform(0.2, 1.5)}
+        return {
+            "kind": "harmonic",
+            "amplitude": chance.uniform(0.5, 5),
+            "period": chance.uniform(0.1, 1.5),
+            "duration": chance.uniform(0.5, 3),
+        }
+    return {
+        "kind": "pulse",
+        "shape": chance.choice(["half_sine", "sine", "rectangle"]),
+        "amplitude": chance.uniform(-5, 5),
+        "start": chance.choice([0.0, chance.uniform(0, 1)]),
+        "duration": chance.uniform(0.2, 1.5),
+    }
 
 
 def mixed(chance):
@@ -234,8 +313,12 @@ def mixed(chance):
     for k in range(count - 1):
         own = gap if chance.random() < 0.5 else gap + chance.choice([1e-6, chance.uniform(0, 0.02)])
         links.append(link(chance, f"b{k}", f"b{k + 1}", own))
-    return {"structures": structures, "links": links, "ground": shaking(chance) if chance.random() < 0.7 else None,
-            "duration": 3.0}
+    return {
+        "structures": structures,
+        "links": links,
+        "ground": shaking(chance) if chance.random() < 0.7 else None,
+        "duration": 3.0,
+    }
 
 
 def grazing(chance):
@@ -262,8 +345,13 @@ def grazing(chance):
     peak = float(np.max(closure(t)))
     part = chance.choice([-1, 1]) * decades(chance, -6, -2)
     tolerance = chance.choice([1e-4, 1e-5, 1e-6])
-    case = {"structures": [left, right], "links": [link(chance, "b0", "b1", peak * (1 + part))], "ground": None,
-            "duration": duration, "tolerance": tolerance}
+    case = {
+        "structures": [left, right],
+        "links": [link(chance, "b0", "b1", peak * (1 + part))],
+        "ground": None,
+        "duration": duration,
+        "tolerance": tolerance,
+    }
     swing = sum(abs(s["velocity"]) * s.get("period", 0) / (2 * math.pi) for s in (left, right))
     if abs(part) * peak > SPREAD * tolerance * swing and nearest < 0.99 * duration:
         case["touches"] = part < 0
@@ -273,11 +361,20 @@ def grazing(chance):
 def resting(chance):
     """Bodies at zero gap, or nearly, that the ground presses on a wall, for good or until it turns."""
     count = chance.randint(2, 5)
-    structures = [(body if chance.random() < 0.7 else oscillator)(chance, k, 0.0) for k in range(count - 1)] + [wall(count - 1)]
-    links = [link(chance, f"b{k}", f"b{k + 1}", chance.choice([0, 0, 0, 1e-9, 1e-6, 1e-3]), [0.05, 0.1, 0.2, 0.3])
-             for k in range(count - 1)]
-    ground = {"kind": "pulse", "shape": chance.choice(["rectangle", "rectangle", "half_sine", "sine"]),
-              "amplitude": -chance.uniform(0.1, 5), "start": 0.0, "duration": chance.choice([1.0, 2.5])}
+    structures = [(body if chance.random() < 0.7 else oscillator)(chance, k, 0.0) for k in range(count - 1)] + [
+        wall(count - 1)
+    ]
+    links = [
+        link(chance, f"b{k}", f"b{k + 1}", chance.choice([0, 0, 0, 1e-9, 1e-6, 1e-3]), [0.05, 0.1, 0.2, 0.3])
+        for k in range(count - 1)
+    ]
+    ground = {
+        "kind": "pulse",
+        "shape": chance.choice(["rectangle", "rectangle", "half_sine", "sine"]),
+        "amplitude": -chance.uniform(0.1, 5),
+        "start": 0.0,
+        "duration": chance.choice([1.0, 2.5]),
+    }
     return {"structures": structures, "links": links, "ground": ground, "duration": 2.0}
 
 
@@ -287,10 +384,19 @@ def together(chance):
     period, damping, bodies = decades(chance, -1, 0.5), chance.choice([0, 0.05]), chance.random() < 0.4
     structures = []
     for k in range(count):
-        own = (speed * ((count - 1) / 2 - k))
-        structures.append(body(chance, k, own) if bodies else
-                          {"name": f"b{k}", "kind": "oscillator", "mass": decades(chance, 3, 6), "period": period,
-                           "damping": damping, "velocity": own})
+        own = speed * ((count - 1) / 2 - k)
+        structures.append(
+            body(chance, k, own)
+            if bodies
+            else {
+                "name": f"b{k}",
+                "kind": "oscillator",
+                "mass": decades(chance, 3, 6),
+                "period": period,
+                "damping": damping,
+                "velocity": own,
+            }
+        )
     gap = chance.choice([0, 1e-3, 0.1 * speed * period])
     links = []
     for k in range(count - 1):
@@ -298,8 +404,12 @@ def together(chance):
         links.append(link(chance, f"b{k}", f"b{k + 1}", gap + more))
     if chance.random() < 0.2:  # a second link beside the first
         links.append(link(chance, "b0", "b1", gap + chance.choice([0, decades(chance, -9, -5)])) | {"name": "beside"})
-    return {"structures": structures, "links": links, "ground": shaking(chance) if chance.random() < 0.3 else None,
-            "duration": chance.uniform(0.5, 3)}
+    return {
+        "structures": structures,
+        "links": links,
+        "ground": shaking(chance) if chance.random() < 0.3 else None,
+        "duration": chance.uniform(0.5, 3),
+    }
 
 
 def free(chance):
@@ -309,11 +419,24 @@ def free(chance):
     structures[0]["velocity"] = chance.uniform(0.2, 2)
     if chance.random() < 0.3:
         structures[-1] = wall(count - 1)
-    links = [link(chance, f"b{k}", f"b{k + 1}", chance.choice([0, chance.uniform(1e-3, 0.05)])) for k in range(count - 1)]
+    links = [
+        link(chance, f"b{k}", f"b{k + 1}", chance.choice([0, chance.uniform(1e-3, 0.05)])) for k in range(count - 1)
+    ]
     return {"structures": structures, "links": links, "ground": None, "duration": 2.0}
 
 
-FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 8, yielding: 8, frames: 2, hinged: 1, rubbing: 1}
+FAMILIES = {
+    mixed: 35,
+    grazing: 11,
+    resting: 12,
+    together: 13,
+    free: 9,
+    towers: 8,
+    yielding: 8,
+    frames: 2,
+    hinged: 1,
+    rubbing: 1,
+}
 
 
 #: Families with structures that independent.py does not know.
@@ -321,7 +444,8 @@ BEYOND_INDEPENDENT = ("towers", "yielding", "frames", "hinged", "rubbing")
 
 
 def case_of(seed, number, only=None):
-    """The case of this seed and number; with `only` the next of its random numbers are spent on a case of that family."""
+    """The case of this seed and number; with `only` the next of its random numbers are spent on a case of that
+    family."""
     chance = random.Random(seed * 1_000_000 + number)
     family = chance.choices(list(FAMILIES), FAMILIES.values())[0]
     family = next((one for one in FAMILIES if one.__name__ == only), family)
@@ -335,7 +459,8 @@ MANY_BOUNCES = 2000
 
 
 def bounces_of(case, touches):
-    """The case up to MANY_BOUNCES of its impacts, which began at these times; None where they are fewer, or all contacts are soft or lose energy."""
+    """The case up to MANY_BOUNCES of its impacts, which began at these times; None where they are fewer, or all
+    contacts are soft or lose energy."""
     lossless = any(l["law"] == "stereomechanical" and l["restitution"] == 1 for l in case["links"])
     if not lossless or len(touches) <= MANY_BOUNCES:
         return None
@@ -347,15 +472,18 @@ def frame_text(s):
     hinges = "".join(f"        {group}: {words}\n" for group, words in s.get("hinges", {}).items())
     hinges = f"      hinges:\n{hinges}" if hinges else ""
     sections = f"columns: {{rectangle: [{s['depth']}, {s['depth']}]}}, beams: {{rectangle: [0.3, 0.5]}}"
-    return (f"  {s['name']}:\n    frame:\n      material: {{E: 30 GPa, density: 2500 kg/m^3}}\n      origin: [{s['origin']}]\n"
-            f"      gravity: {str(s['gravity']).lower()}\n"
-            f"      grid: {{storeys: {s['storeys']}, bays: {s['bays']}, storey_height: {s['height']}, bay_width: {s['width']}, {sections}, "
-            f"floor_mass: {s['floor_mass']}}}\n{hinges}"
-            f"    damping: {s['damping']}\n    initial_velocity: {s['velocity']}\n")
+    return (
+        f"  {s['name']}:\n    frame:\n      material: {{E: 30 GPa, density: 2500 kg/m^3}}\n      origin: [{s['origin']}]\n"
+        f"      gravity: {str(s['gravity']).lower()}\n"
+        f"      grid: {{storeys: {s['storeys']}, bays: {s['bays']}, storey_height: {s['height']}, bay_width: {s['width']}, {sections}, "
+        f"floor_mass: {s['floor_mass']}}}\n{hinges}"
+        f"    damping: {s['damping']}\n    initial_velocity: {s['velocity']}\n"
+    )
 
 
 def input_file(case):
     """The case as the program reads it."""
+
     def flow(pairs):
         return "{" + ", ".join(f"{key}: {value}" for key, value in pairs.items()) + "}"
 
@@ -375,7 +503,13 @@ def input_file(case):
         if s["kind"] == "frame":
             text += frame_text(s)
             continue
-        own = flow({key: s[key] for key in ("storeys", "mass", "period", "stiffness", "yield_force", "hardening", "spring", "damping") if key in s})
+        own = flow(
+            {
+                key: s[key]
+                for key in ("storeys", "mass", "period", "stiffness", "yield_force", "hardening", "spring", "damping")
+                if key in s
+            }
+        )
         text += f"  {s['name']}: {{{s['kind']}: {own}, initial_velocity: {s['velocity']}}}\n"
     text += "links:\n"
     for l in case["links"]:

@@ -1,4 +1,5 @@
 """Checks that hold of every run of a random case, whatever the numbers are."""
+
 import math
 
 import h5py
@@ -41,7 +42,9 @@ class Run:
             self.motion = {}
             for s in case["structures"]:
                 own = file["structures"][s["name"]]
-                self.motion[s["name"]] = tuple(own[key][()].reshape(len(self.time), -1) for key in ("displacement", "velocity"))
+                self.motion[s["name"]] = tuple(
+                    own[key][()].reshape(len(self.time), -1) for key in ("displacement", "velocity")
+                )
         self.structures = {s["name"]: s for s in case["structures"]}
         self.tolerance = case["tolerance"]
         self.reach = max(float(np.max(np.abs(u), initial=0)) for u, _ in self.motion.values())

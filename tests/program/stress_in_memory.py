@@ -1,4 +1,5 @@
 """Cases of stress.py inside one Python process: no program starts for each of them, nor MPI."""
+
 import concurrent.futures
 import json
 import sys
@@ -16,10 +17,12 @@ IN_HAND = 32
 
 
 def package_run(package, case, folder, seconds):
-    """(run, message) by the package in this folder: the run is None when it fails, or needs more seconds of a processor, with the reason."""
+    """(run, message) by the package in this folder: the run is None when it fails, or needs more seconds of a
+    processor, with the reason."""
     if package not in sys.path:
         sys.path.insert(0, package)
     import pounding
+
     results, end, touches = Path(folder) / "results.h5", time.process_time() + seconds, []
 
     def watch(now, _, impacts):
@@ -40,8 +43,8 @@ def package_run(package, case, folder, seconds):
 
 
 def in_processes(task, arguments, jobs):
-    """task(argument) of each, as they are done. Where a process dies, which a pool of multiprocessing waits for without end, this one
-    ends and names the arguments that it had."""
+    """task(argument) of each, as they are done. Where a process dies, which a pool of multiprocessing waits for without
+    end, this one ends and names the arguments that it had."""
     waiting, left = {}, iter(arguments)
     with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
         while True:

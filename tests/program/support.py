@@ -11,7 +11,11 @@ from pathlib import Path
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 #: The program that starts several processes; None where the program has no MPI.
-LAUNCHER = None if os.environ.get("POUNDING_WITHOUT_MPI") else os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
+LAUNCHER = (
+    None
+    if os.environ.get("POUNDING_WITHOUT_MPI")
+    else os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
+)
 
 #: Two oscillators that hit each other five times in three seconds.
 OSCILLATORS = """\
@@ -25,7 +29,9 @@ links:
 analysis: {duration: 3.0}
 """
 #: Oscillators that run for longer than any test waits.
-LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace("{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms, integrator: generalized_alpha}")
+LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace(
+    "{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms, integrator: generalized_alpha}"
+)
 _MAST = """\
   {name}:
     frame:
@@ -44,9 +50,14 @@ _MAST = """\
     damping: 1 %
 """
 #: A slender mast that is thrown against another one; both turn by half a radian.
-MASTS = ("structures:\n" + _MAST.format(name="mast", origin=0) + "    initial_velocity: 6 m/s\n" + _MAST.format(name="neighbour", origin=0.4) +
-         "links: [{between: [mast, neighbour], gap: 400 mm, law: hertz_damped, stiffness: 1e7, restitution: 0.6}]\n"
-         "analysis: {duration: 0.4, tolerance: 1e-5, output_step: 10 ms}\naccept: [mass]\n")
+MASTS = (
+    "structures:\n"
+    + _MAST.format(name="mast", origin=0)
+    + "    initial_velocity: 6 m/s\n"
+    + _MAST.format(name="neighbour", origin=0.4)
+    + "links: [{between: [mast, neighbour], gap: 400 mm, law: hertz_damped, stiffness: 1e7, restitution: 0.6}]\n"
+    "analysis: {duration: 0.4, tolerance: 1e-5, output_step: 10 ms}\naccept: [mass]\n"
+)
 #: No step resolves a contact as stiff as this.
 UNSOLVABLE = """\
 structures:
@@ -67,7 +78,7 @@ def seal(path):
     """Gives a results file that a test has changed the checksum of what it holds now."""
     content = path.read_bytes()
     text = checksum(content)
-    path.write_bytes(text + content[len(text):])
+    path.write_bytes(text + content[len(text) :])
 
 
 def is_sealed(path):
@@ -87,8 +98,15 @@ class ProgramTest(unittest.TestCase):
         return name
 
     def pounding(self, *words, **environment):
-        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, timeout=60, env=os.environ | environment)
+        return subprocess.run(
+            [PROGRAM, *map(str, words)],
+            cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=60,
+            env=os.environ | environment,
+        )
 
     def summary(self, *words):
         done = self.pounding("run", *words, "--json")
@@ -96,7 +114,8 @@ class ProgramTest(unittest.TestCase):
         return json.loads(done.stdout)
 
     def resumed(self, steps, name):
-        """Summary of the run of model.yaml that was cut after so many steps and went on in another process; its results file has this name."""
+        """Summary of the run of model.yaml that was cut after so many steps and went on in another process; its results
+        file has this name."""
         self.pounding("run", "model.yaml", "-q", "-o", name, "-pounding_ts_max_steps", str(steps))
         done = self.pounding("run", "--resume", name, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)

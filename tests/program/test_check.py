@@ -32,23 +32,38 @@ analysis: {duration: 1}
     def test_tells_stiffness_rotation_and_hardening_of_hinges(self):
         ei = 30e9 * 0.4**4 / 12
         [one, *others] = self.found("columns: {at: both, yield_moment: 200 kN m, hardening: 3 %}")["portal"]["parts"]
-        self.assertEqual((one["name"], one["law"], one["hinge"], len(others)), ("column 1.0 start", "rigid-plastic", True, 3))
-        # The other end held, a member resists a turn with (4 + p)/(1 + p) EI/L, p = 12EI/(G 5/6 A L^2); the spring of the plastic rotation is
-        # h = a 6EI/L/(1 - a).
+        self.assertEqual(
+            (one["name"], one["law"], one["hinge"], len(others)), ("column 1.0 start", "rigid-plastic", True, 3)
+        )
+        # The other end held, a member resists a turn with (4 + p)/(1 + p) EI/L, p = 12EI/(G 5/6 A L^2); the spring of
+        # the plastic rotation is h = a 6EI/L/(1 - a).
         p = 12 * ei / (30e9 / 2.4 * 5 / 6 * 0.4**2 * 4**2)
         k, h = (4 + p) / (1 + p) * ei / 4, 0.03 * 6 * ei / 4 / 0.97
-        for name, expected in (("stiffness", k), ("yield_force", 200e3), ("yield_deformation", 200e3 / k), ("hardening", h / (k + h))):
+        for name, expected in (
+            ("stiffness", k),
+            ("yield_force", 200e3),
+            ("yield_deformation", 200e3 / k),
+            ("hardening", h / (k + h)),
+        ):
             self.assertAlmostEqual(one[name] / expected, 1, delta=1e-9, msg=name)
-        [one, *_] = self.found("columns: {at: feet, bouc_wen: {yield_moment: 200 kN m, spring_hardening: 0.02, stiffness_factor: 10}}")["portal"]["parts"]
-        for name, expected in (("stiffness", 60 * ei / 4), ("yield_deformation", 200e3 / (60 * ei / 4)), ("hardening", 0.02)):
+        [one, *_] = self.found(
+            "columns: {at: feet, bouc_wen: {yield_moment: 200 kN m, spring_hardening: 0.02, stiffness_factor: 10}}"
+        )["portal"]["parts"]
+        for name, expected in (
+            ("stiffness", 60 * ei / 4),
+            ("yield_deformation", 200e3 / (60 * ei / 4)),
+            ("hardening", 0.02),
+        ):
             self.assertAlmostEqual(one[name] / expected, 1, delta=1e-9, msg=name)
 
     def test_prints_the_tangent_of_member_ends_with_one_meaning_of_hardening(self):
         of_member = 6 * 30e9 * 0.4**4 / 12 / 4
-        for hinges, elastic, ratio in (("yield_moment: 200 kN m, hardening: 3 %", of_member, 0.03),
-                                       ("bilinear: {yield_moment: 200 kN m, hardening: 3 %}", of_member * 10 / 11, 0.03),
-                                       ("peak_oriented: {yield_moment: 200 kN m, hardening: 3 %, stiffness_factor: 2}", of_member * 2 / 3, 0.03),
-                                       ("bouc_wen: {yield_moment: 200 kN m, spring_hardening: 3 %}", of_member * 10 / 11, 0.03 * 11 / 1.3)):
+        for hinges, elastic, ratio in (
+            ("yield_moment: 200 kN m, hardening: 3 %", of_member, 0.03),
+            ("bilinear: {yield_moment: 200 kN m, hardening: 3 %}", of_member * 10 / 11, 0.03),
+            ("peak_oriented: {yield_moment: 200 kN m, hardening: 3 %, stiffness_factor: 2}", of_member * 2 / 3, 0.03),
+            ("bouc_wen: {yield_moment: 200 kN m, spring_hardening: 3 %}", of_member * 10 / 11, 0.03 * 11 / 1.3),
+        ):
             with self.subTest(hinges=hinges):
                 self.write(self.PORTAL.replace("HINGES", f"columns: {{at: both, {hinges}}}"))
                 done = self.pounding("check", "model.yaml", "--json")
@@ -56,8 +71,11 @@ analysis: {duration: 1}
                 self.assertAlmostEqual(one["end_stiffness"] / elastic, 1, delta=1e-9)
                 self.assertAlmostEqual(one["end_tangent"] / (ratio * elastic), 1, delta=1e-9)
                 text = self.pounding("check", "model.yaml")
-                self.assertIn(f"column 1.0 start and 3 more: after yielding at both ends in double curvature the end of the member keeps {ratio * elastic / 1e6:.4g} "
-                              f"MN m/rad, {100 * ratio:.3g} % of {elastic / 1e6:.4g} MN m/rad\n", text.stdout)
+                self.assertIn(
+                    f"column 1.0 start and 3 more: after yielding at both ends in double curvature the end of the member keeps {ratio * elastic / 1e6:.4g} "
+                    f"MN m/rad, {100 * ratio:.3g} % of {elastic / 1e6:.4g} MN m/rad\n",
+                    text.stdout,
+                )
                 changed = "hinges.columns.bilinear.hardening: is the ratio of the member end; version 0.2.0 took 3 % as that of the bare spring"
                 self.assertEqual(changed in text.stderr + text.stdout, hinges.startswith("bilinear"))
 
@@ -65,7 +83,9 @@ analysis: {duration: 1}
         [storey] = self.found("columns: {at: both, yield_moment: [200 kN m, -150 kN m]}")["portal"]["storey_mechanisms"]
         # Each column sags at one end and hogs at the other.
         self.assertAlmostEqual(storey["shear"], 2 * (200e3 + 150e3) / 4, delta=1e-6)
-        [storey] = self.found("columns: {at: feet, yield_moment: 200 kN m}, beams: {at: both, yield_moment: 200 kN m}")["portal"]["storey_mechanisms"]
+        [storey] = self.found("columns: {at: feet, yield_moment: 200 kN m}, beams: {at: both, yield_moment: 200 kN m}")[
+            "portal"
+        ]["storey_mechanisms"]
         self.assertEqual(storey, {"storey": "1", "shear": None, "elastic": "column 1.0 end"})
         text = self.check("columns: {at: both, yield_moment: 200 kN m}")
         self.assertIn("\nstorey 1 can sway on its own, at a shear of 200 kN\n", text)

@@ -39,8 +39,11 @@ class Collapse(ProgramTest):
         done = self.run_model(limited(), "--json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         status = json.loads(done.stdout)["status"]
-        self.assertRegex(status, r"^done: collapse at t = [0-9.]+ s: storey 1 of left has drifted 2(\.\d+)? % of its height, and collapse_drift is "
-                                 r"2 %; 1 of 2 parts yielded, most of all storey 1$")
+        self.assertRegex(
+            status,
+            r"^done: collapse at t = [0-9.]+ s: storey 1 of left has drifted 2(\.\d+)? % of its height, and collapse_drift is "
+            r"2 %; 1 of 2 parts yielded, most of all storey 1$",
+        )
         with h5py.File(self.folder / "out.h5") as file:
             self.assertEqual(file.attrs["status"], status)
             end, drift = file["energy/time"][-1], np.abs(file["structures/left/drift"][:]).max()
@@ -70,7 +73,10 @@ analysis"""
         done = self.run_model(kept)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertNotIn("\nended ", done.stdout)
-        self.assertRegex(done.stdout, r"\nwithout links it ended by collapse at t = [0-9.]+ s: storey 1 of left .*: what the table says of that run lasts")
+        self.assertRegex(
+            done.stdout,
+            r"\nwithout links it ended by collapse at t = [0-9.]+ s: storey 1 of left .*: what the table says of that run lasts",
+        )
         summary = json.loads(self.run_model(kept, "--json").stdout)
         self.assertEqual(summary["status"], "done")
         self.assertRegex(summary["no_pounding"]["status"], "^done: collapse at t = ")
@@ -90,10 +96,17 @@ analysis"""
         self.assertEqual(json.loads(done.stdout)["status"], "done")
 
     def test_needs_heights(self):
-        for model, words in ((limited().replace("height: 3 m, ", ""),
-                              "collapse_drift is a part of the height of a storey, and left has no heights; type height: 3 m in it"),
-                             (limited().replace("height: 3 m, yield_force: [0.9 MN, 2 MN], hardening: 0.02", ""), "no structure has heights"),
-                             (limited(-0.1), "collapse_drift")):
+        for model, words in (
+            (
+                limited().replace("height: 3 m, ", ""),
+                "collapse_drift is a part of the height of a storey, and left has no heights; type height: 3 m in it",
+            ),
+            (
+                limited().replace("height: 3 m, yield_force: [0.9 MN, 2 MN], hardening: 0.02", ""),
+                "no structure has heights",
+            ),
+            (limited(-0.1), "collapse_drift"),
+        ):
             model = model.replace("60 MN/m, }", "60 MN/m}")
             done = self.run_model(model)
             self.assertEqual(done.returncode, 2, done.stdout)

@@ -33,8 +33,12 @@ class ExitCodes(ProgramTest):
         self.write(OSCILLATORS.replace("jankowski", "jankovski"))
         for command in ("run", "check", "modes"):
             with self.subTest(command=command):
-                self.refused(2, 'model.yaml:7:47: links[0].law: unknown law "jankovski". Did you mean "jankowski"?',
-                             command, "model.yaml")
+                self.refused(
+                    2,
+                    'model.yaml:7:47: links[0].law: unknown law "jankovski". Did you mean "jankowski"?',
+                    command,
+                    "model.yaml",
+                )
 
     def test_two_for_a_model_that_cannot_be_read(self):
         self.refused(2, "none.yaml: no such file, or it cannot be read", "run", "none.yaml")
@@ -42,7 +46,11 @@ class ExitCodes(ProgramTest):
 
     def test_two_for_words_that_are_none_of_ours(self):
         self.refused(2, "A subcommand is required")
-        self.refused(2, 'unknown command "walk". Allowed: run, check, modes, pushover, sensitivity, study, separation, words, laws,', "walk")
+        self.refused(
+            2,
+            'unknown command "walk". Allowed: run, check, modes, pushover, sensitivity, study, separation, words, laws,',
+            "walk",
+        )
         self.refused(2, 'unknown command "chek". Did you mean "check"?', "chek", "model.yaml")
         self.refused(2, 'unknown command "Plot". Did you mean "plot"?', "Plot")
         self.refused(2, 'unknown command "record spectra". Did you mean "spectrum"?', "record", "spectra", "FILE")
@@ -53,7 +61,11 @@ class ExitCodes(ProgramTest):
 
     def test_two_for_counts_and_factors_that_are_not_positive(self):
         model = self.write(OSCILLATORS)
-        for verb, option, value in (("modes", "--count", "0"), ("modes", "--count", "x"), ("sensitivity", "--factors", "-2")):
+        for verb, option, value in (
+            ("modes", "--count", "0"),
+            ("modes", "--count", "x"),
+            ("sensitivity", "--factors", "-2"),
+        ):
             self.refused(2, f'{option}: takes a number above 0, not "{value}"', verb, model, option, value)
 
     def test_three_for_a_solve_that_fails_with_the_reason_in_the_file(self):
@@ -67,8 +79,14 @@ class ExitCodes(ProgramTest):
 
     def test_two_when_the_output_cannot_be_written(self):
         with open("/dev/full", "w") as full:
-            done = subprocess.run([PROGRAM, "run", self.write(OSCILLATORS), "--json"], cwd=self.folder, stdout=full,
-                                  stderr=subprocess.PIPE, text=True, timeout=60)
+            done = subprocess.run(
+                [PROGRAM, "run", self.write(OSCILLATORS), "--json"],
+                cwd=self.folder,
+                stdout=full,
+                stderr=subprocess.PIPE,
+                text=True,
+                timeout=60,
+            )
         self.assertEqual((done.returncode, done.stderr), (2, "pounding: what was printed could not be written\n"))
 
     def test_version_and_help(self):
@@ -122,14 +140,16 @@ accept: [motion]
         self.assertGreater(link["impacts"], 0)
 
     def test_compares_with_the_same_structures_apart(self):
-        alone = self.summary(self.write(OSCILLATORS[:OSCILLATORS.index("links:")] + "analysis: {duration: 3.0}\n"))
+        alone = self.summary(self.write(OSCILLATORS[: OSCILLATORS.index("links:")] + "analysis: {duration: 3.0}\n"))
         summary = self.summary(self.write(OSCILLATORS + "compare: no_pounding\n"))
         self.assertEqual(list(summary), SUMMARY_KEYS[:-1] + ["no_pounding", "warnings"])
         for name, structure in alone["structures"].items():
             without = summary["no_pounding"]["structures"][name]["peak_displacement"][0]
             self.assertTrue(math.isclose(without, structure["peak_displacement"][0], rel_tol=1e-3))
-            self.assertEqual(summary["no_pounding"]["amplification"][name],
-                             [summary["structures"][name]["peak_displacement"][0] / without])
+            self.assertEqual(
+                summary["no_pounding"]["amplification"][name],
+                [summary["structures"][name]["peak_displacement"][0] / without],
+            )
 
     def test_is_the_same_bit_by_bit_when_repeated(self):
         self.write(OSCILLATORS)
@@ -150,12 +170,19 @@ class Words(ProgramTest):
         self.assertIn("reduced mass 50 t (as given)", self.pounding("run", self.write(given)).stdout)
 
     def test_progress_is_for_a_terminal_only(self):
-        self.write(OSCILLATORS.replace("duration: 3.0}\n", "duration: 3.0, tolerance: 1e-8, integrator: generalized_alpha}\n"))
+        self.write(
+            OSCILLATORS.replace("duration: 3.0}\n", "duration: 3.0, tolerance: 1e-8, integrator: generalized_alpha}\n")
+        )
         self.assertEqual(self.pounding("run", "model.yaml").stderr, "")
         master, terminal = pty.openpty()
         self.addCleanup(os.close, master)
-        done = subprocess.run([PROGRAM, "run", "model.yaml", "--json"], cwd=self.folder, stdout=subprocess.PIPE,
-                              stderr=terminal, timeout=60)
+        done = subprocess.run(
+            [PROGRAM, "run", "model.yaml", "--json"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=terminal,
+            timeout=60,
+        )
         os.close(terminal)
         shown = os.read(master, 100000).decode()
         self.assertRegex(shown, r"\r\[#+\.*\] \d\.\d\d of 3\.00 s, \d impacts ")
@@ -163,7 +190,9 @@ class Words(ProgramTest):
         json.loads(done.stdout)
 
     def test_quiet_shows_no_progress_on_a_terminal_either(self):
-        self.write(OSCILLATORS.replace("duration: 3.0}\n", "duration: 3.0, tolerance: 1e-8, integrator: generalized_alpha}\n"))
+        self.write(
+            OSCILLATORS.replace("duration: 3.0}\n", "duration: 3.0, tolerance: 1e-8, integrator: generalized_alpha}\n")
+        )
         master, terminal = pty.openpty()
         self.addCleanup(os.close, master)
         subprocess.run([PROGRAM, "run", "model.yaml", "-q"], cwd=self.folder, stderr=terminal, timeout=60)
@@ -173,9 +202,13 @@ class Words(ProgramTest):
 
 
 class Warnings(ProgramTest):
-    DOUBTFUL = OSCILLATORS.replace("gap: 20 mm", "gap: 20").replace("duration: 3.0}\n", "duration: 3.0, tolerance: 0.05}\n")
-    TEXTS = ["link left-right: the gap is 20 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and look at the origins (where it is meant: accept: [gap])",
-             "analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: accept: [tolerance])"]
+    DOUBTFUL = OSCILLATORS.replace("gap: 20 mm", "gap: 20").replace(
+        "duration: 3.0}\n", "duration: 3.0, tolerance: 0.05}\n"
+    )
+    TEXTS = [
+        "link left-right: the gap is 20 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and look at the origins (where it is meant: accept: [gap])",
+        "analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: accept: [tolerance])",
+    ]
 
     def test_are_told_by_run_and_check(self):
         self.write(self.DOUBTFUL)
@@ -193,7 +226,10 @@ class Warnings(ProgramTest):
 
     def test_structures_have_a_line_each(self):
         for command in ("run", "check"):
-            self.assertIn("structure left: oscillator, 1 floor, 100 t, period 0.8 s\n", self.pounding(command, self.write(OSCILLATORS)).stdout)
+            self.assertIn(
+                "structure left: oscillator, 1 floor, 100 t, period 0.8 s\n",
+                self.pounding(command, self.write(OSCILLATORS)).stdout,
+            )
 
 
 class Check(ProgramTest):
@@ -205,7 +241,9 @@ class Check(ProgramTest):
 
     def test_says_ok_in_json(self):
         done = self.pounding("check", self.write(LONG), "--json")
-        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1, "devices": 0, "warnings": []})
+        self.assertEqual(
+            json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1, "devices": 0, "warnings": []}
+        )
 
     def test_writes_nothing(self):
         self.pounding("check", self.write(LONG))
@@ -214,8 +252,10 @@ class Check(ProgramTest):
 
 class Modes(ProgramTest):
     def test_of_a_shear_building_are_those_of_the_closed_form(self):
-        self.write("structures: {a: {shear_building: {storeys: 3, mass: 250 t, stiffness: 220 MN/m}, damping: 5 %}}\n"
-                   "analysis: {duration: 1}\n")
+        self.write(
+            "structures: {a: {shear_building: {storeys: 3, mass: 250 t, stiffness: 220 MN/m}, damping: 5 %}}\n"
+            "analysis: {duration: 1}\n"
+        )
         modes = json.loads(self.pounding("modes", "model.yaml", "--json").stdout)["a"]
         for j, mode in enumerate(modes, 1):
             w = 2 * math.sqrt(220e6 / 250e3) * math.sin((2 * j - 1) * math.pi / 14)

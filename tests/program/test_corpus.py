@@ -1,7 +1,7 @@
 """Wrong texts: each ends with a message, soon and within little memory.
 
-`tests/corpus` holds one small file a fault, in a folder for models, one for units (each a quantity that should be a mass) and one for
-records. A file whose name begins with fine_ is read without a message. Larger ones are made here."""
+`tests/corpus` holds one small file a fault, in a folder for models, one for units (each a quantity that should be a
+mass) and one for records. A file whose name begins with fine_ is read without a message. Larger ones are made here."""
 
 import json
 import os
@@ -15,7 +15,8 @@ from pathlib import Path
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 CORPUS = Path(__file__).parent.parent / "corpus"
-#: Seconds of a processor and bytes that no text may take, bytes of the longest message, and seconds that a busy machine is waited for.
+#: Seconds of a processor and bytes that no text may take, bytes of the longest message, and seconds that a busy machine
+#: is waited for.
 PATIENCE, MEMORY, LONGEST, WAIT = 10, 1_000_000_000, 2000, 100
 
 MODEL = (CORPUS / "model" / "fine_plain.yaml").read_text()
@@ -40,8 +41,14 @@ class CorpusTest(unittest.TestCase):
     def outcome(self, *words):
         """Exit code and what was printed, after the checks that hold for every text."""
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as told:
-            process = subprocess.Popen([PROGRAM, *map(str, words)], stdin=subprocess.DEVNULL, stdout=out, stderr=told, cwd=self.folder,
-                                       preexec_fn=limited)
+            process = subprocess.Popen(
+                [PROGRAM, *map(str, words)],
+                stdin=subprocess.DEVNULL,
+                stdout=out,
+                stderr=told,
+                cwd=self.folder,
+                preexec_fn=limited,
+            )
             patience = threading.Timer(WAIT, process.kill)
             patience.start()
             _, status, used = os.wait4(process.pid, 0)
@@ -123,14 +130,20 @@ class Models(CorpusTest):
             "comment": "#" * 17_000_000,
             "values": "title: [" + "1," * 3_000_000 + "]\n",
             "empty maps": "title: [" + "{}," * 900_000 + "]\n",
-            "long path": "".join(" " * i + "? " + "k" * 9_000 + f"{i}\n" + " " * i + ":\n" for i in range(60)) + " " * 60 + "- [" + "1," * 500_000 + "]\n",
+            "long path": "".join(" " * i + "? " + "k" * 9_000 + f"{i}\n" + " " * i + ":\n" for i in range(60))
+            + " " * 60
+            + "- ["
+            + "1," * 500_000
+            + "]\n",
             "blanks": " " * 15_000_000 + "a: 1\n",
             "lines": "\n" * 15_000_000,
             "anchor": "&" + "a" * 5_000_000 + " [1]\n",
             "quotation": 'title: "' + "\\n" * 5_000_000,
             "tag": "!" + "a" * 5_000_000 + " x\n",
-            "names": "structures: {" + ", ".join("n" * 60 + f"{i}: {{body: {{mass: 1}}}}" for i in range(20_000)) + "}\n"
-                     "links: [{between: [" + "n" * 63 + "], law: hertz}]\n",
+            "names": "structures: {"
+            + ", ".join("n" * 60 + f"{i}: {{body: {{mass: 1}}}}" for i in range(20_000))
+            + "}\n"
+            "links: [{between: [" + "n" * 63 + "], law: hertz}]\n",
         }.items():
             with self.subTest(name=name):
                 self.refused("check", self.write(text))
@@ -146,62 +159,118 @@ class Models(CorpusTest):
         self.refused("check", "n" * 100_000, told="no such file, or it cannot be read")
 
     def test_through_standard_input(self):
-        done = subprocess.run([PROGRAM, "check", "/dev/stdin"], input=MODEL, capture_output=True, text=True, timeout=WAIT)
+        done = subprocess.run(
+            [PROGRAM, "check", "/dev/stdin"], input=MODEL, capture_output=True, text=True, timeout=WAIT
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
 
 
 class Units(CorpusTest):
     def test_of_the_corpus(self):
         def check(file):
-            return ["check", self.write(MODEL.replace("{mass: 1 t}", "{mass: " + json.dumps(file.read_bytes().decode()) + "}"))]
+            return [
+                "check",
+                self.write(MODEL.replace("{mass: 1 t}", "{mass: " + json.dumps(file.read_bytes().decode()) + "}")),
+            ]
 
         self.replay("units", check)
 
     def test_beyond_all_measure(self):
         for text in ("1 " + "(" * 9_000, "1 " + "(" * 4_000 + "kg" + ")" * 4_000):
             self.refused("check", self.write(MODEL.replace("1 t", text)), told="has more than 8 brackets in each other")
-        self.refused("calibrate", "--law", "hertz", "--m1", "1 " + "(" * 60_000, told="has more than 8 brackets in each other")
+        self.refused(
+            "calibrate", "--law", "hertz", "--m1", "1 " + "(" * 60_000, told="has more than 8 brackets in each other"
+        )
 
     def test_on_the_command_line(self):
         long, brackets, control = "x" * 100_000, "1 " + "(" * 60_000, "\x1b[31mred"
         for text in (long, brackets, control, "1e999", "nan", "", "1e-320 mm"):
             with self.subTest(text=text[:10]):
-                for words in (["calibrate", "--law", text, "--m1", "1 t"], ["calibrate", "--law", "hertz", "--m1", text],
-                              ["calibrate", "--law", "hertz_damped", "--m1", "1 t", "--restitution", text or "x"],
-                              ["calibrate", "--law", "hertz", "--m1", "1 t", "--parameter", text],
-                              ["record", "info", "--step", text or "x", CORPUS / "records" / "fine_columns.txt"],
-                              ["record", "info", "--units", text or "x", CORPUS / "records" / "fine_columns.txt"],
-                              ["record", "info", "--channel", text or "x", CORPUS / "records" / "fine_columns.txt"],
-                              ["record", "spectrum", "--periods", text, CORPUS / "records" / "fine_columns.txt"],
-                              ["record", "spectrum", "--damping", text, CORPUS / "records" / "fine_columns.txt"],
-                              ["words", text or "no"], ["laws", text or "no"], [text], ["run", CORPUS / "model" / "fine_plain.yaml", "-q", text]):
+                for words in (
+                    ["calibrate", "--law", text, "--m1", "1 t"],
+                    ["calibrate", "--law", "hertz", "--m1", text],
+                    ["calibrate", "--law", "hertz_damped", "--m1", "1 t", "--restitution", text or "x"],
+                    ["calibrate", "--law", "hertz", "--m1", "1 t", "--parameter", text],
+                    ["record", "info", "--step", text or "x", CORPUS / "records" / "fine_columns.txt"],
+                    ["record", "info", "--units", text or "x", CORPUS / "records" / "fine_columns.txt"],
+                    ["record", "info", "--channel", text or "x", CORPUS / "records" / "fine_columns.txt"],
+                    ["record", "spectrum", "--periods", text, CORPUS / "records" / "fine_columns.txt"],
+                    ["record", "spectrum", "--damping", text, CORPUS / "records" / "fine_columns.txt"],
+                    ["words", text or "no"],
+                    ["laws", text or "no"],
+                    [text],
+                    ["run", CORPUS / "model" / "fine_plain.yaml", "-q", text],
+                ):
                     with self.subTest(words=words[:2]):
                         self.refused(*words)
 
     def test_beyond_the_range_of_numbers(self):
         """Values that are numbers, and whose answers are none."""
         hertz = ["calibrate", "--law", "hertz_damped", "--m1", "1"]
-        for words in ([*hertz, "--restitution", "1e-300"], [*hertz, "--restitution", "0.5", "--velocity", "1e300"],
-                      ["calibrate", "--cyclic", "--law", "jankowski", "--m1", "1e-300", "--restitution", "0.5", "--velocity", "1e-300", "--stiffness", "1e300"]):
+        for words in (
+            [*hertz, "--restitution", "1e-300"],
+            [*hertz, "--restitution", "0.5", "--velocity", "1e300"],
+            [
+                "calibrate",
+                "--cyclic",
+                "--law",
+                "jankowski",
+                "--m1",
+                "1e-300",
+                "--restitution",
+                "0.5",
+                "--velocity",
+                "1e-300",
+                "--stiffness",
+                "1e300",
+            ],
+        ):
             with self.subTest(words=words):
                 self.refused(*words, told="has no number for these values; look at their units")
-        for words, why in ((["7e15", "--exponent", "971"], "does not end"), (["7e15", "--exponent", "971", "--cyclic"], "does not end"),
-                           (["7e152", "--exponent", "71"], "has no number")):
-            self.refused(*hertz, "--restitution", "0.4", "--stiffness", "2", "--velocity", *words,
-                         told=f"the impact {why} for these values; look at their units")
+        for words, why in (
+            (["7e15", "--exponent", "971"], "does not end"),
+            (["7e15", "--exponent", "971", "--cyclic"], "does not end"),
+            (["7e152", "--exponent", "71"], "has no number"),
+        ):
+            self.refused(
+                *hertz,
+                "--restitution",
+                "0.4",
+                "--stiffness",
+                "2",
+                "--velocity",
+                *words,
+                told=f"the impact {why} for these values; look at their units",
+            )
         record = CORPUS / "records" / "fine_columns.txt"
         for periods in ("1e-300:4:100", "1e-12:4:100"):
             self.refused("record", "spectrum", record, "--periods", periods, told="take longer periods")
-        self.refused("record", "spectrum", "--units", "g", CORPUS / "records" / "fine_sample_1e30.txt", told="take longer periods")
+        self.refused(
+            "record",
+            "spectrum",
+            "--units",
+            "g",
+            CORPUS / "records" / "fine_sample_1e30.txt",
+            told="take longer periods",
+        )
 
     def test_of_options_of_petsc_are_named(self):
-        self.refused("run", CORPUS / "model" / "fine_plain.yaml", "-q", "-pounding_ts_rtol", "abc",
-                     told="a -pounding_ option is wrong: -pounding_ts_rtol abc: ")
+        self.refused(
+            "run",
+            CORPUS / "model" / "fine_plain.yaml",
+            "-q",
+            "-pounding_ts_rtol",
+            "abc",
+            told="a -pounding_ option is wrong: -pounding_ts_rtol abc: ",
+        )
 
 
 class Records(CorpusTest):
     def test_of_the_corpus(self):
-        self.replay("records", lambda file: ["record", "info", "--units", "cm/s^2" if file.name.startswith("esm") else "g", file])
+        self.replay(
+            "records",
+            lambda file: ["record", "info", "--units", "cm/s^2" if file.name.startswith("esm") else "g", file],
+        )
 
     def test_in_a_model_are_refused_at_their_place(self):
         for name in ("sample_1e308.txt", "time_1e-320.txt", "utf16.txt"):
@@ -225,11 +294,22 @@ class Records(CorpusTest):
             "displacement_times_1e-324.txt": "sample 2 does not come after the one before it, at 0 s after 0 s",
         }.items():
             with self.subTest(name=name):
-                self.refused("record", "info", "--displacement", "--units", "cm", CORPUS / "records" / name, told=f"{name}: {told}")
+                self.refused(
+                    "record",
+                    "info",
+                    "--displacement",
+                    "--units",
+                    "cm",
+                    CORPUS / "records" / name,
+                    told=f"{name}: {told}",
+                )
 
     def test_tell_headers_that_are_no_utf8(self):
-        done = subprocess.run([PROGRAM, "record", "info", "--json", CORPUS / "records" / "fine_peer_escape_in_title.at2"], capture_output=True,
-                              timeout=WAIT)
+        done = subprocess.run(
+            [PROGRAM, "record", "info", "--json", CORPUS / "records" / "fine_peer_escape_in_title.at2"],
+            capture_output=True,
+            timeout=WAIT,
+        )
         self.assertEqual(json.loads(done.stdout)["title"], "Z\u00fcrich  [31m red")
 
     def test_beyond_all_measure(self):

@@ -19,7 +19,9 @@ class LessonsInCpp(unittest.TestCase):
         for lesson in lessons:
             with self.subTest(lesson.name):
                 program = BUILT / lesson.name / lesson.name.split("_", 1)[1]
-                printed = subprocess.run([program], capture_output=True, text=True, check=True, timeout=60).stdout.split()
+                printed = subprocess.run(
+                    [program], capture_output=True, text=True, check=True, timeout=60
+                ).stdout.split()
                 said = EXPECT.search((lesson / "README.md").read_text())
                 expected = said["numbers"].split()
                 self.assertEqual(len(printed), len(expected))

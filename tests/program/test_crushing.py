@@ -1,4 +1,5 @@
-"""A contact that crushes, in the time integration: against the second integrator, and against closed forms of its memory."""
+"""A contact that crushes, in the time integration: against the second integrator, and against closed forms of its
+memory."""
 
 import importlib.util
 import json
@@ -44,14 +45,22 @@ class Crushing(ProgramTest):
     def test_two_oscillators_as_the_second_integrator_has_them(self):
         import independent
         import judging
-        book = Book(self, "Elastoplastic contact: crushing, memory",
-                    "an independent integration with DOP853 (relative tolerance 1e-11), each branch of the law between located instants",
-                    "run at tolerance 1e-7, errors that impacts amplify")
+
+        book = Book(
+            self,
+            "Elastoplastic contact: crushing, memory",
+            "an independent integration with DOP853 (relative tolerance 1e-11), each branch of the law between located instants",
+            "run at tolerance 1e-7, errors that impacts amplify",
+        )
         for restitution in (0.4, 0.65):
             w = [2 * math.pi / 0.8, 2 * math.pi / 0.4]
             masses = [(m, m * x * x, 0.1 * m * x, 0.0, 0.0) for m, x in zip((1e5, 1.5e5), w)]
-            ground, corners, longest = judging.ground_of({"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0})
-            law = independent.Law("elastoplastic", {"law": "elastoplastic", "stiffness": 2.75e9, "restitution": restitution})
+            ground, corners, longest = judging.ground_of(
+                {"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0}
+            )
+            law = independent.Law(
+                "elastoplastic", {"law": "elastoplastic", "stiffness": 2.75e9, "restitution": restitution}
+            )
             row = independent.Row(masses, [independent.Link(0, 1, 0.02, law)], ground, corners, longest)
             row.run(3.0)
             expected = row.links[0].impacts
@@ -60,7 +69,9 @@ class Crushing(ProgramTest):
             largest = max(impact.peak for impact in expected)
             for obtained, impact in zip(rows, expected):
                 book.near("touch [s]", obtained["t_start"], impact.start, 1e-6)
-                book.near("peak force over the largest one [-]", obtained["peak_force"] / largest, impact.peak / largest, 1e-5)
+                book.near(
+                    "peak force over the largest one [-]", obtained["peak_force"] / largest, impact.peak / largest, 1e-5
+                )
                 book.near("separation speed [m/s]", obtained["v_separation"], impact.separation, 1e-5)
             energy = summary["energy"]
             parts = sum(energy[key] for key in ("kinetic", "strain", "damping", "hysteretic", "impact"))
@@ -68,21 +79,33 @@ class Crushing(ProgramTest):
 
     def test_sound_surfaces_give_what_is_asked_and_crushed_ones_what_their_energy_says(self):
         e, m, k = 0.6, 5e4, 3e9
-        book = Book(self, "Elastoplastic contact: crushing, memory",
-                    "closed forms: e on sound surfaces; then sqrt(e^2 [1 + (1 - e^2) E1/E2]) above the energy e^2 E1, else 1",
-                    "run at tolerance 1e-7")
+        book = Book(
+            self,
+            "Elastoplastic contact: crushing, memory",
+            "closed forms: e on sound surfaces; then sqrt(e^2 [1 + (1 - e^2) E1/E2]) above the energy e^2 E1, else 1",
+            "run at tolerance 1e-7",
+        )
         # The ball comes back with 0.6 m/s, meets the other one at 2 m/s, and returns with its speed.
         rows, _ = self.impacts(BALL.format(first=1.0, second=2.0, duration=0.5))
         wall = [row for row in rows if row["link"] == b"wall"]
         self.assertEqual(len(wall), 2)
         book.near("restitution on sound surfaces [-]", wall[0]["restitution"], e, 1e-6)
         book.near("second closing speed [m/s]", wall[1]["v_approach"], 2.0, 1e-6)
-        book.near("restitution on crushed surfaces, harder than before [-]", wall[1]["restitution"],
-                  e * math.sqrt(1 + (1 - e * e) / 4), 1e-6)
+        book.near(
+            "restitution on crushed surfaces, harder than before [-]",
+            wall[1]["restitution"],
+            e * math.sqrt(1 + (1 - e * e) / 4),
+            1e-6,
+        )
         # The gap has grown by (1 - e^2) d_m: peaks are counted from there.
         crushed = math.sqrt(m / k)
         deepest = crushed * math.sqrt(1 + 4 - e * e)
-        book.near("second largest penetration, from the widened gap [m]", wall[1]["peak_penetration"], deepest - (1 - e * e) * crushed, 1e-8)
+        book.near(
+            "second largest penetration, from the widened gap [m]",
+            wall[1]["peak_penetration"],
+            deepest - (1 - e * e) * crushed,
+            1e-8,
+        )
         book.near("second largest force [N]", wall[1]["peak_force"], k * deepest, 1e-6 * k * deepest)
         # Slower than the first rebound nothing is crushed.
         rows, _ = self.impacts(BALL.format(first=1.0, second=0.5, duration=1.2))

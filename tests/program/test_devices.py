@@ -20,8 +20,14 @@ BAR, DAMPER = 5e6, 2e5
 SECOND_ORDER = "integrator: generalized_alpha, spectral_radius: "
 
 
-def oscillators(device, more="", tolerance=1e-7, duration=3, damping="5 %", analysis="", motion=None, velocities=("0", "0")):
-    motion = f"ground_motion: {{harmonic: {{amplitude: {AMPLITUDE}, period: {PERIOD}, duration: 10}}}}" if motion is None else motion
+def oscillators(
+    device, more="", tolerance=1e-7, duration=3, damping="5 %", analysis="", motion=None, velocities=("0", "0")
+):
+    motion = (
+        f"ground_motion: {{harmonic: {{amplitude: {AMPLITUDE}, period: {PERIOD}, duration: 10}}}}"
+        if motion is None
+        else motion
+    )
     return f"""\
 {motion}
 structures:
@@ -34,7 +40,8 @@ analysis: {{duration: {duration}, tolerance: {tolerance}, output_step: 10 ms{ana
 
 
 def linear(times, bar=0.0, damper=0.0, ratio=0.05, velocities=(0.0, 0.0), amplitude=AMPLITUDE):
-    """Displacements and velocities [time, 2] of the coupled oscillators: complex modes for the free motion, the steady state of a sine."""
+    """Displacements and velocities [time, 2] of the coupled oscillators: complex modes for the free motion, the steady
+    state of a sine."""
     m = np.diag(MASSES)
     join = np.array([[1.0, -1.0], [-1.0, 1.0]])
     k = np.diag(STIFFNESSES) + bar * join
@@ -47,8 +54,13 @@ def linear(times, bar=0.0, damper=0.0, ratio=0.05, velocities=(0.0, 0.0), amplit
     values, vectors = np.linalg.eig(a)
     weights = np.linalg.solve(vectors, start.astype(complex))
     free = (vectors @ (weights[:, None] * np.exp(values[:, None] * times))).real.T
-    forced = np.concatenate([np.imag(steady[None, :] * np.exp(1j * w * times)[:, None]),
-                             np.imag(1j * w * steady[None, :] * np.exp(1j * w * times)[:, None])], axis=1)
+    forced = np.concatenate(
+        [
+            np.imag(steady[None, :] * np.exp(1j * w * times)[:, None]),
+            np.imag(1j * w * steady[None, :] * np.exp(1j * w * times)[:, None]),
+        ],
+        axis=1,
+    )
     return free + forced
 
 
@@ -71,8 +83,11 @@ class Devices(ProgramTest):
         self.assertLess(worst, part)
 
     def test_couple_oscillators_as_complex_modes_have_them(self):
-        for device, bar, damper in ((f"bar: {{stiffness: {BAR}}}", BAR, 0.0), (f"damper: {{coefficient: {DAMPER}}}", 0.0, DAMPER),
-                                    (f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}", BAR, DAMPER)):
+        for device, bar, damper in (
+            (f"bar: {{stiffness: {BAR}}}", BAR, 0.0),
+            (f"damper: {{coefficient: {DAMPER}}}", 0.0, DAMPER),
+            (f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}", BAR, DAMPER),
+        ):
             for scheme, part in (("", 2e-6), (", " + SECOND_ORDER + "1", 1e-5)):
                 with self.subTest(device=device, scheme=scheme):
                     summary, path = self.results(oscillators(device, analysis=scheme))
@@ -96,7 +111,12 @@ class Devices(ProgramTest):
                     self.assertEqual(summary["devices"][0]["energy_lost"], summary["energy"]["devices"])
 
     def test_free_motion_begins_with_the_force_of_the_damper_and_keeps_energy(self):
-        model = oscillators(f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}", motion="", damping=0, velocities=("0.5 m/s", "-0.2 m/s"))
+        model = oscillators(
+            f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}",
+            motion="",
+            damping=0,
+            velocities=("0.5 m/s", "-0.2 m/s"),
+        )
         summary, path = self.results(model)
         t, u, v, _, force = self.motions(path)
         exact = linear(t, BAR, DAMPER, 0, (0.5, -0.2), 0.0)
@@ -138,6 +158,7 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
     @unittest.skipIf(WITHOUT_SCIPY, "needs scipy")
     def test_power_dampers_as_the_second_integrator_has_them(self):
         from scipy.integrate import solve_ivp
+
         for exponent, rounding in ((0.35, 1e-3), (0.5, 5e-3), (2, 1e-3)):
             with self.subTest(exponent=exponent):
                 words = f"coefficient: 200 kN (s/m)^{exponent}, exponent: {exponent}, rounding_velocity: {rounding}"
@@ -151,8 +172,12 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
                 def motion(time, x):
                     ground = AMPLITUDE * math.sin(2 * math.pi / PERIOD * time)
                     f = pull(x[3] - x[2])
-                    return [x[2], x[3], -ground - w[0]**2 * x[0] - 0.1 * w[0] * x[2] + f / MASSES[0],
-                            -ground - w[1]**2 * x[1] - 0.1 * w[1] * x[3] - f / MASSES[1]]
+                    return [
+                        x[2],
+                        x[3],
+                        -ground - w[0] ** 2 * x[0] - 0.1 * w[0] * x[2] + f / MASSES[0],
+                        -ground - w[1] ** 2 * x[1] - 0.1 * w[1] * x[3] - f / MASSES[1],
+                    ]
 
                 exact = solve_ivp(motion, (0, 3), np.zeros(4), "DOP853", t, rtol=1e-11, atol=1e-13, max_step=1e-3).y.T
                 self.near(u, exact[:, :2], 2e-6)
@@ -166,7 +191,17 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
                 for step in (0.02, 0.01, 0.005):
                     device = f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}"
                     self.write(oscillators(device, analysis=scheme))
-                    done = self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_adapt_type", "none", "-pounding_ts_dt", step)
+                    done = self.pounding(
+                        "run",
+                        "model.yaml",
+                        "-q",
+                        "-o",
+                        "out.h5",
+                        "-pounding_ts_adapt_type",
+                        "none",
+                        "-pounding_ts_dt",
+                        step,
+                    )
                     self.assertEqual(done.returncode, 0, done.stderr)
                     t, u, _, _, _ = self.motions(self.folder / "out.h5")
                     errors.append(np.abs(u - linear(t, BAR, DAMPER)[:, :2])[::2].max())
@@ -179,10 +214,14 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
         self.assertLess(summary["energy"]["error"], 1e-3)
         with h5py.File(path) as file:
             exact = linear(file["time"][:], 0, 2e4)
-            alone = np.hstack([file["no_pounding/structures"][name]["displacement"][:, :, 0] for name in ("left", "right")])
+            alone = np.hstack(
+                [file["no_pounding/structures"][name]["displacement"][:, :, 0] for name in ("left", "right")]
+            )
             self.near(alone, exact[:, :2], 2e-4)
             self.assertIn("tie", file["no_pounding/devices"])
-        strong, _ = self.results(oscillators("damper: {coefficient: 20 MN s/m}", more=link, tolerance=1e-5), name="strong.h5")
+        strong, _ = self.results(
+            oscillators("damper: {coefficient: 20 MN s/m}", more=link, tolerance=1e-5), name="strong.h5"
+        )
         self.assertEqual(strong["links"][0]["impacts"], 0)
 
     def test_join_a_structure_and_a_wall(self):
@@ -196,7 +235,10 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
 """
         _, path = self.results(model)
         period = 2 * math.pi * math.sqrt(MASSES[0] / (STIFFNESSES[0] + BAR))
-        alone = model.replace("period: 0.8", f"period: {period:.15g}").split("devices:")[0] + model[model.index("analysis:"):]
+        alone = (
+            model.replace("period: 0.8", f"period: {period:.15g}").split("devices:")[0]
+            + model[model.index("analysis:") :]
+        )
         _, other = self.results(alone, name="other.h5")
         with h5py.File(path) as coupled, h5py.File(other) as single:
             u = coupled["structures/left/displacement"][:, 0, 0]
@@ -225,19 +267,33 @@ analysis: {duration: 2, tolerance: 1e-6, output_step: 10 ms}
             np.testing.assert_allclose(u[still], u[0], rtol=1e-6)
 
     def test_follow_structures_that_the_ground_moves_at_other_times(self):
-        delayed = oscillators(f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}").replace("initial_velocity: 0}", "delay: 0.1 s}", 2)
+        delayed = oscillators(f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}").replace(
+            "initial_velocity: 0}", "delay: 0.1 s}", 2
+        )
         summary, path = self.results(delayed.replace("delay: 0.1 s}", "delay: 0 s}", 1))
         self.assertLess(summary["energy"]["error"], 1e-5)
         with h5py.File(path) as file:
             t = file["time"][:]
-            ground = lambda time: np.where(time > 0, AMPLITUDE * PERIOD / (2 * math.pi) * (
-                time - PERIOD / (2 * math.pi) * np.sin(2 * math.pi / PERIOD * time)), 0)
+            ground = lambda time: np.where(
+                time > 0,
+                AMPLITUDE
+                * PERIOD
+                / (2 * math.pi)
+                * (time - PERIOD / (2 * math.pi) * np.sin(2 * math.pi / PERIOD * time)),
+                0,
+            )
             left, right = (file["structures"][name]["displacement"][:, 0, 0] for name in ("left", "right"))
             self.near(file["devices/tie/elongation"][:], right + ground(t - 0.1) - left - ground(t), 1e-5)
 
-    def frames(self, device="between: [{structure: low, node: 1.1.1}, {structure: high, node: 2.0.0}], bar: {stiffness: 20 MN/m}", other=""):
-        frame = ("material: {E: 30 GPa}, grid: {storeys: 2, bays: [1, 1], storey_height: 3 m, bay_width: 5 m, rigid_floors: false, "
-                 "floor_mass: 60 t, columns: {rectangle: [0.5 m, 0.5 m]}, beams: {rectangle: [0.3 m, 0.5 m]}}, gravity: true")
+    def frames(
+        self,
+        device="between: [{structure: low, node: 1.1.1}, {structure: high, node: 2.0.0}], bar: {stiffness: 20 MN/m}",
+        other="",
+    ):
+        frame = (
+            "material: {E: 30 GPa}, grid: {storeys: 2, bays: [1, 1], storey_height: 3 m, bay_width: 5 m, rigid_floors: false, "
+            "floor_mass: 60 t, columns: {rectangle: [0.5 m, 0.5 m]}, beams: {rectangle: [0.3 m, 0.5 m]}}, gravity: true"
+        )
         return f"""\
 ground_motion: {{components: {{x: {{harmonic: {{amplitude: 2.0, period: 0.3, duration: 1}}}}, y: {{harmonic: {{amplitude: 1.0, period: 0.4, duration: 1}}}}}}}}
 structures:
@@ -259,9 +315,13 @@ analysis: {{duration: 1, tolerance: 1e-6, output_step: 10 ms}}
             np.testing.assert_allclose(device["force"][:], 2e7 * device["elongation"][:], rtol=1e-9, atol=1e-6)
             self.assertGreater(np.abs(device["force"][:]).max(), 1e4)
             self.assertEqual(device["force"][0], 0, "gravity leaves it undeformed")
-        by_section = self.frames().replace("{stiffness: 20 MN/m}", f"{{E: 200 GPa, area: {2e7 * math.sqrt(26) / 2e11:.15g}}}")
+        by_section = self.frames().replace(
+            "{stiffness: 20 MN/m}", f"{{E: 200 GPa, area: {2e7 * math.sqrt(26) / 2e11:.15g}}}"
+        )
         other, _ = self.results(by_section, name="section.h5")
-        self.assertAlmostEqual(other["devices"][0]["force"]["max"] / summary["devices"][0]["force"]["max"], 1, delta=1e-9)
+        self.assertAlmostEqual(
+            other["devices"][0]["force"]["max"] / summary["devices"][0]["force"]["max"], 1, delta=1e-9
+        )
 
     def test_balance_mass_and_reactions_of_a_frame(self):
         model = """\
@@ -289,17 +349,40 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
     def test_two_processes_have_the_answer_of_one(self):
         self.write(self.frames())
         answers = []
-        surroundings = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                        "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
+        surroundings = {
+            **os.environ,
+            "OMPI_ALLOW_RUN_AS_ROOT": "1",
+            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_rmaps_base_oversubscribe": "1",
+            "OPENBLAS_NUM_THREADS": "1",
+        }
         for name, start in (("one.h5", []), ("two.h5", [LAUNCHER, "-n", "2"])):
-            done = subprocess.run([*start, PROGRAM, "run", "model.yaml", "-q", "-o", name, "-pounding_ts_pounding_base", "sparse"],
-                                  cwd=self.folder, capture_output=True, text=True, env=surroundings, timeout=300)
+            done = subprocess.run(
+                [*start, PROGRAM, "run", "model.yaml", "-q", "-o", name, "-pounding_ts_pounding_base", "sparse"],
+                cwd=self.folder,
+                capture_output=True,
+                text=True,
+                env=surroundings,
+                timeout=300,
+            )
             self.assertEqual(done.returncode, 0, done.stderr)
             with h5py.File(self.folder / name) as file:
-                answers.append({key: file[key][:] for key in ("devices/tie/force", "devices/tie/elongation", "devices/tie/envelope/force",
-                                                              "energy/devices", "structures/high/displacement")})
+                answers.append(
+                    {
+                        key: file[key][:]
+                        for key in (
+                            "devices/tie/force",
+                            "devices/tie/elongation",
+                            "devices/tie/envelope/force",
+                            "energy/devices",
+                            "structures/high/displacement",
+                        )
+                    }
+                )
         for key, values in answers[0].items():
-            np.testing.assert_allclose(answers[1][key], values, rtol=0, atol=1e-9 * max(np.abs(values).max(), 1e-30), err_msg=key)
+            np.testing.assert_allclose(
+                answers[1][key], values, rtol=0, atol=1e-9 * max(np.abs(values).max(), 1e-30), err_msg=key
+            )
 
     def test_a_run_that_was_cut_goes_on_to_the_same_bits(self):
         link = "links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]"
@@ -312,8 +395,14 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
                 done = self.pounding("run", "--resume", "cut.h5", "-q")
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 with h5py.File(whole) as one, h5py.File(self.folder / "cut.h5") as other:
-                    for place in ("devices/tie/force", "devices/tie/elongation", "devices/tie/envelope/force_time", "energy/devices",
-                                  "energy/strain", "structures/left/acceleration"):
+                    for place in (
+                        "devices/tie/force",
+                        "devices/tie/elongation",
+                        "devices/tie/envelope/force_time",
+                        "energy/devices",
+                        "energy/strain",
+                        "structures/left/acceleration",
+                    ):
                         self.assertEqual(one[place][:].tobytes(), other[place][:].tobytes(), place)
 
     def test_are_told_before_the_run_with_the_periods_that_bars_make(self):
@@ -323,8 +412,11 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
         together = f"joined by bars: left and right together, first periods {periods[0]:.4g} s, {periods[1]:.4g} s"
         told = self.pounding("check", "model.yaml").stdout
         self.assertIn(together, told)
-        self.assertIn("device tie: bar 5 MN/m, damper 200 kN (s/m)^0.35, rounded as c v (v^2 + v0^2)^-0.325 with v0 = 1 mm/s, "
-                      "between floor 1 of left and floor 1 of right", told)
+        self.assertIn(
+            "device tie: bar 5 MN/m, damper 200 kN (s/m)^0.35, rounded as c v (v^2 + v0^2)^-0.325 with v0 = 1 mm/s, "
+            "between floor 1 of left and floor 1 of right",
+            told,
+        )
         self.assertIn(together, self.pounding("modes", "model.yaml").stdout)
         self.assertIn("force (kN)", self.pounding("run", "model.yaml").stdout)
 
@@ -335,22 +427,44 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
 
         refused("bar: {stiffness: 0}", "devices.tie.bar.stiffness: takes a stiffness > 0")
         refused("bar: {}", "devices.tie.bar: ")
-        refused("bar: {stiffness: 1e6, E: 200 GPa}", "devices.tie.bar.E: and stiffness say the same; keep one of the two")
+        refused(
+            "bar: {stiffness: 1e6, E: 200 GPa}", "devices.tie.bar.E: and stiffness say the same; keep one of the two"
+        )
         refused("bar: {E: 200 GPa}", 'devices.tie.bar: key "area" is missing')
-        refused("bar: {E: 200 GPa, area: 20 cm^2}", "E and area need the length of the bar, which is drawn between frames that stand apart")
+        refused(
+            "bar: {E: 200 GPa, area: 20 cm^2}",
+            "E and area need the length of the bar, which is drawn between frames that stand apart",
+        )
         refused("damper: {coefficient: -1}", "devices.tie.damper.coefficient: takes ")
         refused("damper: {coefficient: 1e5, exponent: 0.1}", "devices.tie.damper.exponent: takes ")
-        refused("damper: {coefficient: 200 kN s/m, exponent: 0.5}", "devices.tie.damper.coefficient: beside the exponent 0.5 takes a force for 1 m/s such as \"200 kN (s/m)^0.5\"; \"200 kN s/m\" is none")
+        refused(
+            "damper: {coefficient: 200 kN s/m, exponent: 0.5}",
+            'devices.tie.damper.coefficient: beside the exponent 0.5 takes a force for 1 m/s such as "200 kN (s/m)^0.5"; "200 kN s/m" is none',
+        )
         refused("damper: {coefficient: 1e5, rounding_velocity: 1 mm/s}", "rounds a power of the velocity")
         refused("dampr: {coefficient: 1e5}", 'Did you mean "damper"?')
         self.write(oscillators("").replace(", }}", "}}"))
-        self.refused(2, "devices.tie: is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}", "check", "model.yaml")
+        self.refused(
+            2,
+            "devices.tie: is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}",
+            "check",
+            "model.yaml",
+        )
         self.write(oscillators("bar: {stiffness: 1e6}").replace("[left, right]", "[left.2, right]"))
         self.refused(2, '"left.2" names no floor of left', "check", "model.yaml")
         self.write(oscillators("bar: {stiffness: 1e6}").replace("[left, right]", "[left, left]"))
-        self.refused(2, "devices.tie.between: both ends are on one structure; name two structures, the left one first", "check", "model.yaml")
+        self.refused(
+            2,
+            "devices.tie.between: both ends are on one structure; name two structures, the left one first",
+            "check",
+            "model.yaml",
+        )
         refused("bar: {stiffness: 1e6}", "a name must not be empty", name='"a/b"')
-        self.write(self.frames("between: [{structure: low, node: 0.1.1}, {structure: high, node: 2.0.0}], bar: {stiffness: 20 MN/m}"))
+        self.write(
+            self.frames(
+                "between: [{structure: low, node: 0.1.1}, {structure: high, node: 2.0.0}], bar: {stiffness: 20 MN/m}"
+            )
+        )
         self.refused(2, "node 0.1.1 of low does not move along x, and the device acts there", "check", "model.yaml")
 
 

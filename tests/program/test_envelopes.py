@@ -1,4 +1,5 @@
-"""Envelopes, the run without links beside the run with them, and spectra of floors, as the program and the file give them."""
+"""Envelopes, the run without links beside the run with them, and spectra of floors, as the program and the file give
+them."""
 
 import csv
 import json
@@ -8,7 +9,7 @@ import h5py
 import numpy as np
 from support import OSCILLATORS, ProgramTest
 
-APART = OSCILLATORS[:OSCILLATORS.index("links:")] + OSCILLATORS[OSCILLATORS.index("analysis:"):]
+APART = OSCILLATORS[: OSCILLATORS.index("links:")] + OSCILLATORS[OSCILLATORS.index("analysis:") :]
 
 
 def datasets(group):
@@ -18,8 +19,8 @@ def datasets(group):
 
 
 def peak_responses(time, accelerations, periods, damping):
-    """[period, motion]: largest |u| of u'' + 2 z w u' + w^2 u = -a(t) by Runge and Kutta's method of order four, four steps from one
-    sample to the next, until the longest period after the end. `accelerations` [time, motion]."""
+    """[period, motion]: largest |u| of u'' + 2 z w u' + w^2 u = -a(t) by Runge and Kutta's method of order four, four
+    steps from one sample to the next, until the longest period after the end. `accelerations` [time, motion]."""
     w = 2 * np.pi / np.asarray(periods)[:, None]
     step = (time[1] - time[0]) / 4
     count = int(np.ceil((time[-1] + max(periods)) / step))
@@ -51,8 +52,14 @@ class Envelopes(ProgramTest):
         with h5py.File(self.folder / "out.h5") as file:
             for name, printed in self.printed["structures"].items():
                 envelope, structure = file[f"envelopes/structures/{name}"], file[f"structures/{name}"]
-                self.assertEqual(set(envelope), {f"{key}{end}" for end in ("", "_time") for key in (
-                    "displacement", "acceleration", "drift", "storey_shear", "base_shear")})
+                self.assertEqual(
+                    set(envelope),
+                    {
+                        f"{key}{end}"
+                        for end in ("", "_time")
+                        for key in ("displacement", "acceleration", "drift", "storey_shear", "base_shear")
+                    },
+                )
                 self.assertEqual(envelope["displacement"].shape, (1, 1, 2))
                 least, largest = envelope["displacement"][0, 0]
                 self.assertEqual(max(-least, largest), printed["peak_displacement"][0])
@@ -73,7 +80,16 @@ class Envelopes(ProgramTest):
         self.assertEqual(len(listed), len(rows))
         for impact, row in zip(listed, rows):
             self.assertEqual(impact["link"], row["link"].decode())
-            for key in ("t_start", "t_end", "v_approach", "restitution", "peak_force", "t_peak", "peak_penetration", "impulse"):
+            for key in (
+                "t_start",
+                "t_end",
+                "v_approach",
+                "restitution",
+                "peak_force",
+                "t_peak",
+                "peak_penetration",
+                "impulse",
+            ):
                 self.assertEqual(impact[key], row[key], key)
 
     def test_are_in_the_report(self):
@@ -81,8 +97,19 @@ class Envelopes(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         line = next(line for line in done.stdout.splitlines() if "base shear (kN)" in line)
         kept = self.printed["structures"]["left"]["envelope"]["base_shear"]
-        self.assertEqual(line.split(), ["left", "base", "shear", "(kN)", f"{kept['min'][0] / 1e3:.3f}", f"{kept['t_min'][0]:.3f}",
-                                        f"{kept['max'][0] / 1e3:.3f}", f"{kept['t_max'][0]:.3f}"])
+        self.assertEqual(
+            line.split(),
+            [
+                "left",
+                "base",
+                "shear",
+                "(kN)",
+                f"{kept['min'][0] / 1e3:.3f}",
+                f"{kept['t_min'][0]:.3f}",
+                f"{kept['max'][0] / 1e3:.3f}",
+                f"{kept['t_max'][0]:.3f}",
+            ],
+        )
 
 
 class WithoutLinks(ProgramTest):
@@ -100,8 +127,11 @@ class WithoutLinks(ProgramTest):
             for name, data in kept.items():
                 self.assertLessEqual({"units", "long_name"}, set(data.attrs), name)
             for name in ("left", "right"):
-                np.testing.assert_allclose(kept[f"structures/{name}/displacement"][:], alone[f"structures/{name}/displacement"][:],
-                                           atol=1e-3 * np.abs(alone[f"structures/{name}/displacement"][:]).max())
+                np.testing.assert_allclose(
+                    kept[f"structures/{name}/displacement"][:],
+                    alone[f"structures/{name}/displacement"][:],
+                    atol=1e-3 * np.abs(alone[f"structures/{name}/displacement"][:]).max(),
+                )
             self.assertEqual(json.loads(kept["summary"][()])["structures"], printed["no_pounding"]["structures"])
             [pair] = printed["no_pounding"]["separations"]
             approach = (kept["structures/left/displacement"][:] - kept["structures/right/displacement"][:]).max()
@@ -125,8 +155,11 @@ class WithoutLinks(ProgramTest):
             for name, data in expected.items():
                 if "wall_" in name or name.endswith("summary"):
                     continue
-                self.assertEqual(np.asarray(data[()]).tobytes() if data.shape else data[()],
-                                 np.asarray(found[name][()]).tobytes() if data.shape else found[name][()], name)
+                self.assertEqual(
+                    np.asarray(data[()]).tobytes() if data.shape else data[()],
+                    np.asarray(found[name][()]).tobytes() if data.shape else found[name][()],
+                    name,
+                )
 
 
 #: A building in space whose stiff corner makes it rotate, beside one that it hits; and one whose floors are not rigid.
@@ -189,7 +222,7 @@ class Torsion(ProgramTest):
             without = file["no_pounding/envelopes/structures/corner/edge_displacement"]
             self.assertFalse(np.allclose(without[:], envelope["edge_displacement"][:]))
         report = self.pounding("run", "model.yaml").stdout
-        table = report[report.index("structure  floor      rotation"):].splitlines()
+        table = report[report.index("structure  floor      rotation") :].splitlines()
         self.assertIn("without links  without links  ratio", table[0])
         self.assertEqual([line.split()[:2] for line in table[2:4]], [["corner", "2"], ["corner", "1"]])
         self.assertIn(f"{1e3 * printed['corner']['peak_edge_displacement'][1]:.4f}", table[2])
@@ -200,7 +233,11 @@ class Torsion(ProgramTest):
         resumed = self.resumed(60, "cut.h5")
         self.assertEqual(whole["structures"], resumed["structures"])
         with h5py.File(self.folder / "whole.h5") as expected, h5py.File(self.folder / "cut.h5") as found:
-            for place in ("ground/acceleration_y", "envelopes/structures/corner/edge_displacement", "structures/corner/plan"):
+            for place in (
+                "ground/acceleration_y",
+                "envelopes/structures/corner/edge_displacement",
+                "structures/corner/plan",
+            ):
                 np.testing.assert_array_equal(expected[place][:], found[place][:])
 
 
@@ -215,27 +252,46 @@ class MemberForces(ProgramTest):
                 start, end = (envelope["components"].index(f"{one} N") for one in ("start", "end"))
                 forces = envelope["member_force"]
                 for i, name in enumerate(envelope["members"]):
-                    self.assertEqual(envelope["axial_force"]["min"][i], min(-forces["max"][i][start], forces["min"][i][end]), name)
-                    self.assertEqual(envelope["axial_force"]["max"][i], max(-forces["min"][i][start], forces["max"][i][end]), name)
+                    self.assertEqual(
+                        envelope["axial_force"]["min"][i], min(-forces["max"][i][start], forces["min"][i][end]), name
+                    )
+                    self.assertEqual(
+                        envelope["axial_force"]["max"][i], max(-forces["min"][i][start], forces["max"][i][end]), name
+                    )
                 with h5py.File(self.folder / "out.h5") as file:
                     group = file["envelopes/structures/corner"]
                     np.testing.assert_array_equal(group["axial_force"][:, 0, 1], envelope["axial_force"]["max"])
-                    for data in (group["member_force"], group["axial_force"], group["reaction"], file["structures/corner/members/end_forces"],
-                                 file["structures/corner/reactions/force"]):
+                    for data in (
+                        group["member_force"],
+                        group["axial_force"],
+                        group["reaction"],
+                        file["structures/corner/members/end_forces"],
+                        file["structures/corner/reactions/force"],
+                    ):
                         self.assertEqual(bool(data.attrs["gravity_included"]), expected)
                 report = self.pounding("run", "model.yaml").stdout
                 line = next(line for line in report.splitlines() if line.startswith("corner") and " N (kN) " in line)
                 least, largest = float(line.split()[3]), float(line.split()[5])
                 self.assertAlmostEqual(least, min(envelope["axial_force"]["min"]) / 1e3, places=3)
                 # Beams in rigid floors have no axial force, and do not count.
-                pairs = [pair for pair in zip(envelope["axial_force"]["min"], envelope["axial_force"]["max"]) if max(-pair[0], pair[1]) > 1]
+                pairs = [
+                    pair
+                    for pair in zip(envelope["axial_force"]["min"], envelope["axial_force"]["max"])
+                    if max(-pair[0], pair[1]) > 1
+                ]
                 self.assertAlmostEqual(largest, max(high for _, high in pairs) / 1e3, places=3)
                 self.assertEqual(largest < 0, expected, "under their weight columns stay compressed")
                 self.assertIn("N positive in tension", report)
-                self.assertIn("corner, loose: gravity is not included" if not expected else "corner: gravity is included", report)
-                uplift = next(line for line in report.splitlines() if line.startswith("corner") and " reaction z (kN) " in line)
+                self.assertIn(
+                    "corner, loose: gravity is not included" if not expected else "corner: gravity is included", report
+                )
+                uplift = next(
+                    line for line in report.splitlines() if line.startswith("corner") and " reaction z (kN) " in line
+                )
                 vertical = envelope["directions"].index("z")
-                self.assertAlmostEqual(float(uplift.split()[4]), min(one[vertical] for one in envelope["reaction"]["min"]) / 1e3, places=3)
+                self.assertAlmostEqual(
+                    float(uplift.split()[4]), min(one[vertical] for one in envelope["reaction"]["min"]) / 1e3, places=3
+                )
 
     def test_of_a_column_under_its_weight_are_compression(self):
         self.write("""\
@@ -255,17 +311,24 @@ analysis: {duration: 0.1 s, output_step: 1 ms}
 """)
         printed = self.summary("model.yaml")["structures"]["hanging"]["envelope"]
         half = 30e3 * 9.80665
-        np.testing.assert_allclose([printed["axial_force"]["min"], printed["axial_force"]["max"]], [[-half, half], [-half, half]], rtol=1e-6)
+        np.testing.assert_allclose(
+            [printed["axial_force"]["min"], printed["axial_force"]["max"]], [[-half, half], [-half, half]], rtol=1e-6
+        )
 
 
 class Spectra(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.write(OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, output_step: 0.5 ms}\n") + "compare: no_pounding\n")
+        self.write(
+            OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, output_step: 0.5 ms}\n")
+            + "compare: no_pounding\n"
+        )
         self.summary("model.yaml", "-o", "out.h5")
 
     def test_of_a_floor_are_those_of_an_independent_integration(self):
-        done = self.pounding("spectrum", "out.h5", "--floor", "right.1", "--damping", "3 %", "--periods", "0.1:1.6:5", "--csv", "s.csv")
+        done = self.pounding(
+            "spectrum", "out.h5", "--floor", "right.1", "--damping", "3 %", "--periods", "0.1:1.6:5", "--csv", "s.csv"
+        )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(self.folder / "s.csv", newline="") as file:
             head, *rows = csv.reader(file)
@@ -273,7 +336,9 @@ class Spectra(ProgramTest):
         self.assertEqual(head[4], "without links sd (m)")
         with h5py.File(self.folder / "out.h5") as file:
             motions = [file[f"{root}structures/right/acceleration"][:, 0, 0] for root in ("", "no_pounding/")]
-            expected = peak_responses(file["time"][:], np.stack(motions, axis=-1), [float(row[0]) for row in rows], 0.03)
+            expected = peak_responses(
+                file["time"][:], np.stack(motions, axis=-1), [float(row[0]) for row in rows], 0.03
+            )
         for row, (with_links, without) in zip(rows, expected):
             # Its samples are 1/800 of the shortest period apart.
             self.assertAlmostEqual(float(row[1]) / with_links, 1, delta=1e-4)
@@ -295,11 +360,24 @@ class Spectra(ProgramTest):
         done = self.pounding("run", "coarse.yaml", "--report", "-o", "coarse.h5")
         self.assertEqual(done.returncode, 0, done.stderr)
         for floor in ("left.1", "right.1"):
-            self.assertRegex(done.stderr, f"the outputs every 0.05 s are too far apart for this spectrum of {floor}: they reach .*output_step: 0.002}}; it is not drawn")
-        self.assertEqual(sorted(path.name for path in self.folder.glob("coarse*.png")), ["coarse-profiles.png", "coarse.png"])
+            self.assertRegex(
+                done.stderr,
+                f"the outputs every 0.05 s are too far apart for this spectrum of {floor}: they reach .*output_step: 0.002}}; it is not drawn",
+            )
+        self.assertEqual(
+            sorted(path.name for path in self.folder.glob("coarse*.png")), ["coarse-profiles.png", "coarse.png"]
+        )
         self.assertNotIn("spectrum", done.stdout)
-        self.refused(2, "the outputs every 0.05 s are too far apart for this spectrum of left.1: they reach", "spectrum", "coarse.h5", "--floor", "left.1",
-                     "--picture", "s.png")
+        self.refused(
+            2,
+            "the outputs every 0.05 s are too far apart for this spectrum of left.1: they reach",
+            "spectrum",
+            "coarse.h5",
+            "--floor",
+            "left.1",
+            "--picture",
+            "s.png",
+        )
         self.assertFalse((self.folder / "s.png").exists())
         self.assertEqual(self.pounding("run", "model.yaml", "--report", "-o", "fine.h5").returncode, 0)
         self.assertTrue((self.folder / "fine-spectrum-left.1.png").exists())
@@ -311,7 +389,18 @@ class Spectra(ProgramTest):
         self.assertEqual((done.returncode, (self.folder / "s.png").exists()), (0, True))
         self.assertIn("a period of 0.02 s needs 10 of them", done.stderr)
         self.assertIn("periods below 0.03 s are not drawn", done.stderr)
-        self.refused(2, "a period of 0.005 s needs 10 of them", "spectrum", "coarse.h5", "--floor", "left.1", "--periods", "0.005:0.02:5", "--picture", "t.png")
+        self.refused(
+            2,
+            "a period of 0.005 s needs 10 of them",
+            "spectrum",
+            "coarse.h5",
+            "--floor",
+            "left.1",
+            "--periods",
+            "0.005:0.02:5",
+            "--picture",
+            "t.png",
+        )
 
     def test_of_outputs_too_far_apart_warn(self):
         self.write(OSCILLATORS, "coarse.yaml")

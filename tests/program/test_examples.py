@@ -19,9 +19,11 @@ from support import PROGRAM
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
 #: Lessons whose numbers are not the program's own, and where those come from.
-FROM_ELSEWHERE = {"01_ball_on_wall": "closed forms of a free impact",
-                  "02_two_oscillators": "an event-driven integrator and a fixed-step Runge-Kutta of fourth order with 2e-7 s, which agree",
-                  "03_laws_compared": "two integrators that are independent of the program"}
+FROM_ELSEWHERE = {
+    "01_ball_on_wall": "closed forms of a free impact",
+    "02_two_oscillators": "an event-driven integrator and a fixed-step Runge-Kutta of fourth order with 2e-7 s, which agree",
+    "03_laws_compared": "two integrators that are independent of the program",
+}
 LARGEST_ENERGY_ERROR = 1e-5
 TABLE = EXAMPLES.parent / "python/docs/lessons.md"
 LONGEST_SECONDS = 2  #: of a processor, the start of the program included: what else runs meanwhile does not count
@@ -60,7 +62,9 @@ class Examples(unittest.TestCase):
         if records():
             environment["POUNDING_RECORDS"] = str(records())
         before = spent_by_children()
-        done = subprocess.run([PROGRAM, "run", model, "--json"], capture_output=True, text=True, env=environment, timeout=60)
+        done = subprocess.run(
+            [PROGRAM, "run", model, "--json"], capture_output=True, text=True, env=environment, timeout=60
+        )
         self.assertEqual((done.returncode, done.stderr), (0, ""), model)
         self.assertLess(spent_by_children() - before, LONGEST_SECONDS, model)
         return json.loads(done.stdout)
@@ -69,9 +73,19 @@ class Examples(unittest.TestCase):
         """The object of `show --json` on the table of a study; with the curve of impacts where it has levels."""
         before = spent_by_children()
         with tempfile.TemporaryDirectory() as folder:
-            for words in (["study", study, "-o", f"{folder}/s.h5", "-j", "0", "-q"],
-                          ["study", "show", f"{folder}/s.h5", "--json", *(["--column", "impacts", "--limit", "0.5"] if "intensity:" in study.read_text() else [])]):
-                done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=folder, timeout=120)
+            for words in (
+                ["study", study, "-o", f"{folder}/s.h5", "-j", "0", "-q"],
+                [
+                    "study",
+                    "show",
+                    f"{folder}/s.h5",
+                    "--json",
+                    *(["--column", "impacts", "--limit", "0.5"] if "intensity:" in study.read_text() else []),
+                ],
+            ):
+                done = subprocess.run(
+                    [PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=folder, timeout=120
+                )
                 self.assertEqual((done.returncode, done.stderr), (0, ""), study)
         self.assertLess(spent_by_children() - before, LONGEST_STUDY_SECONDS, study)
         return json.loads(done.stdout)
@@ -130,7 +144,9 @@ class Questions(unittest.TestCase):
     def test_every_lesson_has_an_exercise_with_a_folded_answer(self):
         for lesson in self.lessons():
             with self.subTest(lesson.name):
-                asked, _, rest = questions((lesson / "README.md").read_text()).partition("<details><summary>Answer</summary>")
+                asked, _, rest = questions((lesson / "README.md").read_text()).partition(
+                    "<details><summary>Answer</summary>"
+                )
                 self.assertIn("?", asked)
                 answer, _, behind = rest.partition("</details>")
                 self.assertTrue(answer.strip())
@@ -158,33 +174,48 @@ class Reader(unittest.TestCase):
     def test_reads_a_statement_over_several_lines(self):
         first, second, third = expectations(
             "Expect of `b.yaml` with `gap: 4 mm` instead of\n`gap: 2 mm` and `e: 1` instead of `e: 0`: `links/east moat/impacts = 2`\n"
-            "and `a/0 = 1.5` within 1e-4\nExpect without `wave: {x: 1}`: `b = -2e3` within 0 (newton)\n")
+            "and `a/0 = 1.5` within 1e-4\nExpect without `wave: {x: 1}`: `b = -2e3` within 0 (newton)\n"
+        )
         self.assertEqual((first.model, first.changes), ("b.yaml", (("gap: 2 mm", "gap: 4 mm"), ("e: 0", "e: 1"))))
         self.assertEqual((first.path, first.value, first.tolerance), ("links/east moat/impacts", 2, 1e-4))
         self.assertEqual((second.path, second.value), ("a/0", 1.5))
-        self.assertEqual((third.model, third.changes, third.value, third.tolerance), (None, (("wave: {x: 1}", None),), -2000, 0))
+        self.assertEqual(
+            (third.model, third.changes, third.value, third.tolerance), (None, (("wave: {x: 1}", None),), -2000, 0)
+        )
 
     def test_leaves_what_a_program_prints_to_its_own_test(self):
         self.assertEqual(expectations("Expect: `0.85 8483 5` within 1e-5"), [])
 
     def test_refuses_what_it_cannot_read(self):
-        for text in ("Expect: `a = 1`", "Expect `a = 1` within 1e-5", "Expect: `links/a 5` within 1e-5",
-                     "Expect with `gap: 4 mm`: `a = 1` within 1e-5"):
+        for text in (
+            "Expect: `a = 1`",
+            "Expect `a = 1` within 1e-5",
+            "Expect: `links/a 5` within 1e-5",
+            "Expect with `gap: 4 mm`: `a = 1` within 1e-5",
+        ):
             with self.subTest(text), self.assertRaises(ValueError):
                 expectations(text)
 
     def test_changes_every_place_and_refuses_a_change_of_nothing(self):
         model = "a: {gap: 1 mm, n: 3}\nb: {gap: 1  mm, n: 30}\nwave: {x: 1}\n"
-        self.assertEqual(changed(model, (("gap: 1 mm", "gap: 2 mm"), ("n: 3", "n: 4"), ("wave: {x: 1}", None))),
-                         "a: {gap: 2 mm, n: 4}\nb: {gap: 2 mm, n: 30}\n")
+        self.assertEqual(
+            changed(model, (("gap: 1 mm", "gap: 2 mm"), ("n: 3", "n: 4"), ("wave: {x: 1}", None))),
+            "a: {gap: 2 mm, n: 4}\nb: {gap: 2 mm, n: 30}\n",
+        )
         with self.assertRaises(ValueError):
             changed(model, (("gap: 3 mm", "gap: 2 mm"),))
 
     def test_finds_figures_that_follow_from_nothing(self):
-        stated = expectations("Expect: `links/a/peak_force = 2.0e6` within 1e-5\nExpect with `gap: 4 mm` instead of `gap: 2 mm`: "
-                              "`links/a/peak_force = 2.5e6` and `s/amplification/a/2 = 0.9` within 1e-5")
-        self.assertEqual(unfounded("The 4 mm make 2.5 MN of 2.0 MN, 25 % more, or 1.25 times; 10 % less.", stated, ["gap: 2 mm"]), [])
-        self.assertEqual(unfounded("From 2.1 MN to 2.5 MN with 3 mm, 26 % more.", stated, ["gap: 2 mm"]), ["2.1 MN", "3 mm", "26 %"])
+        stated = expectations(
+            "Expect: `links/a/peak_force = 2.0e6` within 1e-5\nExpect with `gap: 4 mm` instead of `gap: 2 mm`: "
+            "`links/a/peak_force = 2.5e6` and `s/amplification/a/2 = 0.9` within 1e-5"
+        )
+        self.assertEqual(
+            unfounded("The 4 mm make 2.5 MN of 2.0 MN, 25 % more, or 1.25 times; 10 % less.", stated, ["gap: 2 mm"]), []
+        )
+        self.assertEqual(
+            unfounded("From 2.1 MN to 2.5 MN with 3 mm, 26 % more.", stated, ["gap: 2 mm"]), ["2.1 MN", "3 mm", "26 %"]
+        )
 
 
 if __name__ == "__main__":

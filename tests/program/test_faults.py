@@ -1,7 +1,7 @@
-"""Faults on purpose: the n-th call that writes a file or asks for memory fails, or the n-th step is the moment of a signal. Whatever n is, a
-run has one of three endings: the right bits and exit code 0, an earlier whole file after a kill, or an error with exit code 2 or 3
-and a whole file of this run or of an earlier one. Only where a library gets no memory it may end the process by a crash or in a way of its own,
-which costs no file either. A slice of all n;
+"""Faults on purpose: the n-th call that writes a file or asks for memory fails, or the n-th step is the moment of a
+signal. Whatever n is, a run has one of three endings: the right bits and exit code 0, an earlier whole file after a
+kill, or an error with exit code 2 or 3 and a whole file of this run or of an earlier one. Only where a library gets no
+memory it may end the process by a crash or in a way of its own, which costs no file either. A slice of all n;
 POUNDING_ALL_FAULTS=1 takes every one, POUNDING_ALL_FAULTS=7 every seventh allocation and every one of the others."""
 
 import errno
@@ -21,15 +21,20 @@ SHIM = os.environ["POUNDING_FAULTS"]
 #: One of so many allocations fails, each time another one; 0 for a slice.
 EVERY = int(os.environ.get("POUNDING_ALL_FAULTS", "0"))
 ALL = EVERY > 0
-#: How often such faults ended a run with this exit code, or less than zero by this signal, and with the earlier file replaced or not.
+#: How often such faults ended a run with this exit code, or less than zero by this signal, and with the earlier file
+#: replaced or not.
 ENDINGS = Counter()
 #: PETSc crashes fewer times than this in a run in which each of its allocations fails.
 MOST_CRASHES_OF_PETSC = 6
 #: Written often, so that there are many calls.
-MODEL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 3.0, tolerance: 1e-7}\ncompare: no_pounding\n"
-                            "checkpoint: {every_simulated: 0.2 s}")
+MODEL = OSCILLATORS.replace(
+    "analysis: {duration: 3.0}",
+    "analysis: {duration: 3.0, tolerance: 1e-7}\ncompare: no_pounding\ncheckpoint: {every_simulated: 0.2 s}",
+)
 #: For faults at calls that are many however short a run is.
-SMALL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 0.6}\ncheckpoint: {every_simulated: 0.2 s}")
+SMALL = OSCILLATORS.replace(
+    "analysis: {duration: 3.0}", "analysis: {duration: 0.6}\ncheckpoint: {every_simulated: 0.2 s}"
+)
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU)
 
 
@@ -42,22 +47,38 @@ def tearDownModule():
 def contents(path):
     found = {}
     with h5py.File(path) as file:
-        file.visititems(lambda place, item: found.update({place: item[()].tobytes()}) if isinstance(item, h5py.Dataset) else None)
+        file.visititems(
+            lambda place, item: found.update({place: item[()].tobytes()}) if isinstance(item, h5py.Dataset) else None
+        )
         # A pushover has its status in its summary.
-        return file.attrs.get("status", "done"), {place: value for place, value in found.items() if "wall" not in place and "summary" not in place}
+        return file.attrs.get("status", "done"), {
+            place: value for place, value in found.items() if "wall" not in place and "summary" not in place
+        }
 
 
 class Served:
-    """A command of the program that is loaded once and runs in a child for each fault: a third of the time of new processes."""
+    """A command of the program that is loaded once and runs in a child for each fault: a third of the time of new
+    processes."""
 
     #: [s]
     PATIENCE = 60
 
     def __init__(self, folder, *words, program=PROGRAM):
         self.messages = folder / "messages"
-        settings = {"LD_PRELOAD": SHIM, "POUNDING_FAULT_SERVES": str(self.messages), "POUNDING_FAULT_COUNT": str(folder / "count")}
-        self.process = subprocess.Popen([program, *words], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
-                                        start_new_session=True, env={**os.environ, **settings})
+        settings = {
+            "LD_PRELOAD": SHIM,
+            "POUNDING_FAULT_SERVES": str(self.messages),
+            "POUNDING_FAULT_COUNT": str(folder / "count"),
+        }
+        self.process = subprocess.Popen(
+            [program, *words],
+            cwd=folder,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+            env={**os.environ, **settings},
+        )
 
     def run(self, call, number, kind):
         print(call, number, kind, file=self.process.stdin, flush=True)
@@ -151,13 +172,25 @@ class FaultTest(ProgramTest):
         self.in_children(call, 2, look, EVERY * self.MANY or max(1, numbers // count))
 
     def in_children(self, call, first, look, stride=1):
-        """Each number of such a call from the first on, or one of so many, in children of one run, which takes some milliseconds for each; `look`
-        sees every ending."""
+        """Each number of such a call from the first on, or one of so many, in children of one run, which takes some
+        milliseconds for each; `look` sees every ending."""
         self.path.write_bytes(self.before)
-        settings = {"LD_PRELOAD": SHIM, "POUNDING_FAULT_CALL": call, "POUNDING_FAULT_AT": str(first), "POUNDING_FAULT_LAST": "1000000000",
-                    "POUNDING_FAULT_STRIDE": str(stride), "POUNDING_FAULT_KIND": "each"}
-        run = subprocess.run([PROGRAM, *self.WORDS, "-o", "out.h5"], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                             env=os.environ | settings)
+        settings = {
+            "LD_PRELOAD": SHIM,
+            "POUNDING_FAULT_CALL": call,
+            "POUNDING_FAULT_AT": str(first),
+            "POUNDING_FAULT_LAST": "1000000000",
+            "POUNDING_FAULT_STRIDE": str(stride),
+            "POUNDING_FAULT_KIND": "each",
+        }
+        run = subprocess.run(
+            [PROGRAM, *self.WORDS, "-o", "out.h5"],
+            cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            env=os.environ | settings,
+        )
         self.assertEqual(run.returncode, 0, run.stderr)
         last = self.path.stat().st_ino
         self.check_ending(run)
@@ -165,7 +198,9 @@ class FaultTest(ProgramTest):
         self.assertGreater(len(endings), 0)
         for ending in endings:
             number, status, inode, written, messages = ending.split("\t")
-            done = SimpleNamespace(returncode=os.waitstatus_to_exitcode(int(status)), stderr=messages.replace("\1", "\n"))
+            done = SimpleNamespace(
+                returncode=os.waitstatus_to_exitcode(int(status)), stderr=messages.replace("\1", "\n")
+            )
             ENDINGS[type(self).__name__, call, done.returncode, written != "-"] += 1
             with self.subTest(call=call, number=number):
                 look(done)
@@ -195,7 +230,8 @@ class FaultTest(ProgramTest):
             done.returncode, done.stderr = 3, "pounding: "
 
     def signals_end_runs_that_go_on(self, least):
-        """Signals at each step, or at some; a run has more than `least` of them. One that looks for signals seldom enough may be done before it has seen one."""
+        """Signals at each step, or at some; a run has more than `least` of them. One that looks for signals seldom
+        enough may be done before it has seen one."""
         count = self.count("step")
         self.assertGreater(count, least)
         steps = range(1, count + 1) if ALL else (1, count // 3, 2 * count // 3, count)
@@ -251,7 +287,8 @@ class LacksOfMemory:
         self.some("own_memory", 5000, 40, self.tells)
 
     def test_of_petsc(self):
-        """PETSc 3.18 crashes at some allocations: where the first part of an object got no memory, and at its very first one."""
+        """PETSc 3.18 crashes at some allocations: where the first part of an object got no memory, and at its very
+        first one."""
         self.crashes = 0
         self.some("petsc_memory", 100, 10, self.costs_no_file)
         self.assertLess(self.crashes, MOST_CRASHES_OF_PETSC)

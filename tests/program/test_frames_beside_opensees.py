@@ -74,21 +74,34 @@ class Beside(ProgramTest):
         got, wanted = np.asarray(got), np.asarray(wanted)
         with self.subTest(quantity=quantity, where=where):
             self.assertEqual(got.shape, wanted.shape)
-            book.below(f"{quantity}, largest difference over the largest [-]", np.abs(got - wanted).max() / np.abs(wanted).max(), tolerance)
+            book.below(
+                f"{quantity}, largest difference over the largest [-]",
+                np.abs(got - wanted).max() / np.abs(wanted).max(),
+                tolerance,
+            )
 
     def check_statics(self, book, got, wanted):
         """The last state of a run under accelerations that are held."""
         for parts, kind, of in ((got.directions, "nodes", got.node), (got.components, "members", got.member)):
             for name, values in wanted[kind].items():
                 for quantity, places in zip(UNITS[kind], of_one_unit(parts)):
-                    self.agree(book, of(name)[places, -1], np.array(values)[places], LINEAR, f"at rest: {quantity}", name)
+                    self.agree(
+                        book, of(name)[places, -1], np.array(values)[places], LINEAR, f"at rest: {quantity}", name
+                    )
         self.agree(book, got.base_shear[:, -1], wanted["base_shear"], LINEAR, "at rest: base shear")
 
     def check_history(self, book, got, wanted, every):
         """Stored samples, and the largest of the samples of the file, which are those of the reference."""
 
         def check(rows, stored, quantity, where=""):
-            self.agree(book, rows[:, ::every], np.array(stored["history"])[:, :len(rows[0, ::every])], LINEAR, f"history: {quantity}", where)
+            self.agree(
+                book,
+                rows[:, ::every],
+                np.array(stored["history"])[:, : len(rows[0, ::every])],
+                LINEAR,
+                f"history: {quantity}",
+                where,
+            )
             self.agree(book, np.abs(rows).max(axis=1), stored["peak"], LINEAR, f"peak: {quantity}", where)
 
         for parts, kind, of in ((got.directions, "nodes", got.node), (got.components, "members", got.member)):
@@ -102,7 +115,12 @@ class Beside(ProgramTest):
 
 class Linear(Beside):
     def book(self, frames):
-        return Book(self, f"Frames beside OpenSees: {frames}", OPENSEES, "the digits that the references have: everything is linear")
+        return Book(
+            self,
+            f"Frames beside OpenSees: {frames}",
+            OPENSEES,
+            "the digits that the references have: everything is linear",
+        )
 
     def check_modes(self, book, got, wanted):
         a0, b0 = wanted["rayleigh"]
@@ -132,7 +150,11 @@ class Linear(Beside):
             self.check_statics(book, got, reference("plane")[side]["static"])
 
     def test_static_answer_of_the_frame_in_space(self):
-        self.check_statics(self.book("a frame in space"), self.results("space_static.yaml", "tower")[0], reference("space")["tower"]["static"])
+        self.check_statics(
+            self.book("a frame in space"),
+            self.results("space_static.yaml", "tower")[0],
+            reference("space")["tower"]["static"],
+        )
 
     def test_earthquake_answer_of_the_plane_frames(self):
         wanted, book = reference("plane"), self.book("two plane frames")
@@ -149,7 +171,9 @@ class Linear(Beside):
         self.check_history(self.book("a frame in space"), got, wanted["tower"], every)
         # Floors turn like each of their nodes.
         turn = got.floors[:, 3, got.floor_directions.index("rz")]
-        np.testing.assert_allclose(turn, got.node("4.0.0")[got.directions.index("rz")], rtol=0, atol=1e-9 * np.abs(turn).max())
+        np.testing.assert_allclose(
+            turn, got.node("4.0.0")[got.directions.index("rz")], rtol=0, atol=1e-9 * np.abs(turn).max()
+        )
 
 
 class Pounding(Beside):
@@ -162,16 +186,32 @@ class Pounding(Beside):
             self.assertEqual(rest(f"plane_{law}"), rest("plane"))
 
     def test_reference_is_that_of_the_peers(self):
-        book = Book(self, "Frames beside OpenSees: pounding", "another program's numbers for the same frames, from the matrices of "
-                    "OpenSees by the same method, beside the references", "the digits that both have")
+        book = Book(
+            self,
+            "Frames beside OpenSees: pounding",
+            "another program's numbers for the same frames, from the matrices of "
+            "OpenSees by the same method, beside the references",
+            "the digits that both have",
+        )
         for law, numbers in reference("plane_pounding")["laws"].items():
             if "peers" in numbers:
                 self.assertEqual(numbers["impacts"], numbers["peers"]["impacts"], law)
-                self.agree(book, numbers["peak_force"], numbers["peers"]["peak_force"], 2e-5, "peak forces of the references", law)
+                self.agree(
+                    book,
+                    numbers["peak_force"],
+                    numbers["peers"]["peak_force"],
+                    2e-5,
+                    "peak forces of the references",
+                    law,
+                )
 
     def test_every_law_gives_the_impacts_forces_and_drifts(self):
-        book = Book(self, "Frames beside OpenSees: pounding", f"matrices of {OPENSEES}; the impacts integrated from them independently",
-                    "impacts exactly, forces and drifts to the 1e-4 of the references")
+        book = Book(
+            self,
+            "Frames beside OpenSees: pounding",
+            f"matrices of {OPENSEES}; the impacts integrated from them independently",
+            "impacts exactly, forces and drifts to the 1e-4 of the references",
+        )
         for law in LAWS:
             with self.subTest(law=law):
                 self.check_law(book, law, reference("plane_pounding")["laws"][law])
@@ -197,8 +237,12 @@ class Pounding(Beside):
 
 class Portals(Beside):
     def book(self):
-        return Book(self, "Frames beside OpenSees: two portals with stiff beams", "the two oscillators that they are: DOP853 with located events",
-                    "half a unit of the last digit printed, and 1e-6 of the value for the run")
+        return Book(
+            self,
+            "Frames beside OpenSees: two portals with stiff beams",
+            "the two oscillators that they are: DOP853 with located events",
+            "half a unit of the last digit printed, and 1e-6 of the value for the run",
+        )
 
     def model(self, law):
         text = (MODELS / "portals.yaml").read_text()
@@ -217,7 +261,13 @@ class Portals(Beside):
                 summary = self.summary(model, "-o", "out.h5")
                 u1, u2, impacts, largest, *each = numbers
                 for side, printed in (("left", u1), ("right", u2)):
-                    self.near(book, summary["structures"][side]["peak_displacement"][0], printed, 1e-6, f"peak displacement, {side} [m]")
+                    self.near(
+                        book,
+                        summary["structures"][side]["peak_displacement"][0],
+                        printed,
+                        1e-6,
+                        f"peak displacement, {side} [m]",
+                    )
                 [link] = summary["links"]
                 book.equal("impacts", link["impacts"], impacts)
                 self.near(book, link["peak_force"], largest, 0.1, "peak force [N]")
@@ -231,8 +281,12 @@ class Portals(Beside):
     def test_their_periods_are_those_of_the_oscillators(self):
         self.write((MODELS / "portals.yaml").read_text())
         modes = json.loads(self.pounding("modes", "model.yaml", "--json").stdout)
-        book = Book(self, "Frames beside OpenSees: two portals with stiff beams", "the periods and the damping that were asked of the oscillators",
-                    "rounding")
+        book = Book(
+            self,
+            "Frames beside OpenSees: two portals with stiff beams",
+            "the periods and the damping that were asked of the oscillators",
+            "rounding",
+        )
         for side, period in zip(("left", "right"), reference("portals")["periods"]):
             self.assertEqual(len(modes[side]), 1)
             book.near("period [s]", modes[side][0]["period"], period, 1e-12 * period)

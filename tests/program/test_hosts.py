@@ -1,9 +1,9 @@
 """The programs of examples/hosts come to the answers of `pounding run` as their steps shrink.
 
 Where a touch falls in a step is chance, and so is a part of the error: errors are root mean squares over several step
-lengths, and over as many that are a quarter of them. Jankowski's dashpot d^(1/4) d' leaves the order 5/4: of a step in which
-the bodies meet, an impulse of that power of its length is lost or won. The converged answer is the program's at a tolerance
-of 1e-8.
+lengths, and over as many that are a quarter of them. Jankowski's dashpot d^(1/4) d' leaves the order 5/4: of a step in
+which the bodies meet, an impulse of that power of its length is lost or won. The converged answer is the program's at a
+tolerance of 1e-8.
 """
 
 import json
@@ -30,7 +30,9 @@ def converged(law):
     with tempfile.TemporaryDirectory() as folder:
         model = Path(folder) / "model.yaml"
         model.write_text(text)
-        done = subprocess.run([PROGRAM, "run", str(model), "--json"], capture_output=True, text=True, check=True, timeout=60)
+        done = subprocess.run(
+            [PROGRAM, "run", str(model), "--json"], capture_output=True, text=True, check=True, timeout=60
+        )
     summary = json.loads(done.stdout)
     peaks = [summary["structures"][name]["peak_displacement"][0] for name in ("left", "right")]
     return peaks + [summary["links"][0]["peak_force"]], summary["links"][0]["impacts"]
@@ -84,15 +86,22 @@ class Hosts(unittest.TestCase):
 
     # The error that is left is that of the peak force, read at the ends of the steps.
     def test_c_with_a_law_without_corners(self):
-        self.expect("c/two_oscillators_in_c", 2, lambda program, steps: (program, steps, "hertz_damped"), law="hertz_damped")
+        self.expect(
+            "c/two_oscillators_in_c", 2, lambda program, steps: (program, steps, "hertz_damped"), law="hertz_damped"
+        )
 
     # The implicit codes begin an impact at the end of its first step.
     def test_fortran(self):
         self.expect("fortran/two_oscillators_in_fortran", 1.25, lambda program, steps: (program, steps), finest=1e-3)
 
     def test_petsc_alpha2(self):
-        self.expect("petsc_alpha2/petsc_alpha2", 1.25, lambda program, steps: (program, "-steps", steps), finest=1e-3,
-                    lengths=FEW_STEPS)
+        self.expect(
+            "petsc_alpha2/petsc_alpha2",
+            1.25,
+            lambda program, steps: (program, "-steps", steps),
+            finest=1e-3,
+            lengths=FEW_STEPS,
+        )
 
     def test_user_element(self):
         self.expect("user_element/user_element", 1.25, lambda program, steps: (program, steps), finest=1e-3)

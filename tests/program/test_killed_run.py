@@ -51,7 +51,8 @@ class KilledRun(ProgramTest):
         self.write(LONG)
         run = subprocess.Popen([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder)
         path = self.folder / "out.h5"
-        # The file is replaced as a whole: the third one holds what was computed until then. A slow disk spaces them out.
+        # The file is replaced as a whole: the third one holds what was computed until then. A slow disk spaces them
+        # out.
         seen = set()
         deadline = time.monotonic() + 40
         while len(seen) < 3 and time.monotonic() < deadline:
@@ -71,8 +72,9 @@ class InterruptedRun(ProgramTest):
     def test_ends_with_what_was_computed_in_the_file(self):
         self.write(LONG)
         for number in (signal.SIGINT, signal.SIGTERM):
-            run = subprocess.Popen([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder,
-                                   stderr=subprocess.PIPE, text=True)
+            run = subprocess.Popen(
+                [PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder, stderr=subprocess.PIPE, text=True
+            )
             path = self.folder / "out.h5"
             while not path.exists():
                 time.sleep(0.001)

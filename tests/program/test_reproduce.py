@@ -45,8 +45,13 @@ class WholeReport(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name) / "out"
-        cls.done = subprocess.run([PROGRAM, "reproduce", "-o", cls.folder], stdin=subprocess.DEVNULL, capture_output=True,
-                                  text=True, timeout=600)
+        cls.done = subprocess.run(
+            [PROGRAM, "reproduce", "-o", cls.folder],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=600,
+        )
         if cls.done.returncode:
             raise AssertionError(cls.done.stderr)
         cls.report = json.loads((cls.folder / "report.json").read_text())
@@ -77,8 +82,10 @@ class WholeReport(unittest.TestCase):
                 self.assertEqual((self.folder / f"{figure['name']}.png").read_bytes()[1:4], b"PNG")
                 with open(self.folder / f"{figure['name']}.csv", newline="") as file:
                     header, *rows = csv.reader(file)
-                self.assertEqual([re.sub(r" \[[^]]*\]$", "", name) for name in header],
-                                 [column["name"] for column in figure["columns"]])
+                self.assertEqual(
+                    [re.sub(r" \[[^]]*\]$", "", name) for name in header],
+                    [column["name"] for column in figure["columns"]],
+                )
                 for number, column in enumerate(figure["columns"]):
                     values = [float(row[number]) for row in rows if row[number]]
                     self.assertEqual(len(values), len(column["values"]), column["name"])
@@ -91,11 +98,15 @@ class WholeReport(unittest.TestCase):
             for figure in item["figures"]:
                 for panel in figure["panels"]:
                     for label in (panel["x_label"], panel["y_label"]):
-                        self.assertTrue(label == "Floor" or re.search(r"\[[^]]+\]$", label), f"{figure['name']}: {label}")
+                        self.assertTrue(
+                            label == "Floor" or re.search(r"\[[^]]+\]$", label), f"{figure['name']}: {label}"
+                        )
 
     def test_goes_on_from_its_own_folder(self):
         picture = (self.folder / "sdof_contact.png").read_bytes()
-        done = subprocess.run([PROGRAM, "reproduce", "-o", self.folder, "--only", "sdof"], capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [PROGRAM, "reproduce", "-o", self.folder, "--only", "sdof"], capture_output=True, text=True, timeout=120
+        )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual((self.folder / "sdof_contact.png").read_bytes(), picture, "the same bits again")
 
@@ -113,23 +124,44 @@ class Words(ProgramTest):
                 self.assertIn(verdict["judgement"], JUDGEMENTS)
 
     def test_unknown_parts_are_refused_with_the_nearest_one(self):
-        self.refused(2, '--only table3: there is no such part of the paper. Did you mean "table2"?', "reproduce", "--only", "table3")
+        self.refused(
+            2,
+            '--only table3: there is no such part of the paper. Did you mean "table2"?',
+            "reproduce",
+            "--only",
+            "table3",
+        )
         self.refused(2, "Allowed: sdof, laws, table2", "reproduce", "--only", "everything")
         self.assertEqual(list(self.folder.iterdir()), [], "nothing was written")
 
     def test_a_folder_that_cannot_be_made_or_written_is_refused(self):
         (self.folder / "out" / "sdof_contact.csv").mkdir(parents=True)
-        self.refused(2, "-o out: the folder holds files, and no report of a reproduction", "reproduce", "--only", "sdof", "-o", "out")
+        self.refused(
+            2,
+            "-o out: the folder holds files, and no report of a reproduction",
+            "reproduce",
+            "--only",
+            "sdof",
+            "-o",
+            "out",
+        )
         self.write('{"items":[]}', "out/report.json")
-        self.refused(2, 'cannot write "out/sdof_contact.csv": it is a directory', "reproduce", "--only", "sdof", "-o", "out")
+        self.refused(
+            2, 'cannot write "out/sdof_contact.csv": it is a directory', "reproduce", "--only", "sdof", "-o", "out"
+        )
         self.write("a file", "taken")
         self.refused(2, "-o taken/out: the folder cannot be made", "reproduce", "--only", "sdof", "-o", "taken/out")
 
     def test_progress_is_for_a_terminal(self):
         master, terminal = pty.openpty()
         self.addCleanup(os.close, master)
-        done = subprocess.run([PROGRAM, "reproduce", "--only", "sdof", "--json"], cwd=self.folder, stdout=subprocess.PIPE,
-                              stderr=terminal, timeout=120)
+        done = subprocess.run(
+            [PROGRAM, "reproduce", "--only", "sdof", "--json"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=terminal,
+            timeout=120,
+        )
         os.close(terminal)
         shown = os.read(master, 10000).decode()
         self.assertIn("[1/1] sdof: ", shown)
@@ -138,7 +170,18 @@ class Words(ProgramTest):
 
 
 class CyclicCalibration(ProgramTest):
-    WORDS = ["calibrate", "--cyclic", "--law", "hertz_damped", "--m1", "755.76 kg", "--stiffness", "3e7", "--velocity", "10"]
+    WORDS = [
+        "calibrate",
+        "--cyclic",
+        "--law",
+        "hertz_damped",
+        "--m1",
+        "755.76 kg",
+        "--stiffness",
+        "3e7",
+        "--velocity",
+        "10",
+    ]
 
     def test_ends_at_the_exact_damping_from_every_formula_that_reaches_it(self):
         done = self.pounding(*self.WORDS, "--restitution", "0.5", "--json")
@@ -161,9 +204,21 @@ class CyclicCalibration(ProgramTest):
 
     def test_is_refused_where_there_is_nothing_to_correct(self):
         self.refused(2, "hertz has no damping formula", "calibrate", "--cyclic", "--law", "hertz", "--m1", "1 t")
-        self.refused(2, "stereomechanical has no damping formula", "calibrate", "--cyclic", "--law", "stereomechanical", "--m1",
-                     "1 t", "--restitution", "0.5")
-        self.refused(2, "restitution is 1, but must be in (0, 1) for the cyclic process", *self.WORDS, "--restitution", "1")
+        self.refused(
+            2,
+            "stereomechanical has no damping formula",
+            "calibrate",
+            "--cyclic",
+            "--law",
+            "stereomechanical",
+            "--m1",
+            "1 t",
+            "--restitution",
+            "0.5",
+        )
+        self.refused(
+            2, "restitution is 1, but must be in (0, 1) for the cyclic process", *self.WORDS, "--restitution", "1"
+        )
 
 
 if __name__ == "__main__":

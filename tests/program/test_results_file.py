@@ -97,7 +97,9 @@ class EarlierFile(ProgramTest):
         self.assertEqual((self.folder / "out.h5").read_bytes(), self.before)
 
     def test_survives_a_wrong_input(self):
-        self.refused(2, "unknown law", "run", self.write(OSCILLATORS.replace("jankowski", "soft")), "--json", "-o", "out.h5")
+        self.refused(
+            2, "unknown law", "run", self.write(OSCILLATORS.replace("jankowski", "soft")), "--json", "-o", "out.h5"
+        )
         self.check()
 
     def test_survives_a_model_that_is_not_there(self):

@@ -17,7 +17,10 @@ SCHEMES = {SECOND_ORDER + "1": 6, SECOND_ORDER + "0.8": 6, "integrator: esdirk4"
 
 def model(scheme=SECOND_ORDER + "1", duration=6, output="10 ms", more="checkpoint: {every: 0.05 s}\n"):
     text = OSCILLATORS.replace("duration: 3.0}}", f"duration: {duration}}}}}")
-    return text.replace("{duration: 3.0}", f"{{duration: {duration}, tolerance: 1e-8, output_step: {output}, {scheme}}}") + more
+    return (
+        text.replace("{duration: 3.0}", f"{{duration: {duration}, tolerance: 1e-8, output_step: {output}, {scheme}}}")
+        + more
+    )
 
 
 def contents(path):
@@ -54,8 +57,8 @@ class Resumed(ProgramTest):
             return file["time"][-1]
 
     def kill(self, *words, beyond=0.0):
-        """Kills a run as soon as its file has gone on beyond this time. Where writing is slow the run may be over before its
-        second rewrite: then it has another try."""
+        """Kills a run as soon as its file has gone on beyond this time. Where writing is slow the run may be over
+        before its second rewrite: then it has another try."""
         path = self.folder / "out.h5"
         before = path.read_bytes() if path.exists() else None
         for _ in range(5):
@@ -134,7 +137,14 @@ class Stopped(Resumed):
             (self.folder / "out.h5").unlink()
 
     def test_by_a_limit_on_steps_goes_on_with_the_options_of_its_beginning(self):
-        options = ["-pounding_ts_rtol", "1e-6", "-pounding_ts_pounding_scheme", "generalized_alpha", "-pounding_ts_pounding_radius", "0.9"]
+        options = [
+            "-pounding_ts_rtol",
+            "1e-6",
+            "-pounding_ts_pounding_scheme",
+            "generalized_alpha",
+            "-pounding_ts_pounding_radius",
+            "0.9",
+        ]
         self.cut(OSCILLATORS, *options)
         self.done("model.yaml", "-o", "whole.h5", *options)
         again = self.pounding("run", "--resume", "out.h5", "-q", "-pounding_ts_max_steps", "5000")
@@ -177,8 +187,9 @@ class Stopped(Resumed):
     def test_finds_the_record_beside_the_model_from_another_folder(self):
         (self.folder / "models").mkdir()
         (self.folder / "models/record.csv").write_text("".join(f"{0.02 * i}, {(i * 7) % 5 - 2}\n" for i in range(150)))
-        text = OSCILLATORS.replace("{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}",
-                                   "{record: record.csv, units: m/s^2}")
+        text = OSCILLATORS.replace(
+            "{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}", "{record: record.csv, units: m/s^2}"
+        )
         self.write(text, "models/model.yaml")
         self.done("models/model.yaml", "-o", "whole.h5")
         cut = self.pounding("run", "models/model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100")
@@ -189,7 +200,9 @@ class Stopped(Resumed):
 
 class Frequency(Resumed):
     def test_in_simulated_time_is_kept(self):
-        self.write(model(duration=20000, output="1 s", more="checkpoint: {every_simulated: 10 s}\n").replace("1e-8", "1e-5"))
+        self.write(
+            model(duration=20000, output="1 s", more="checkpoint: {every_simulated: 10 s}\n").replace("1e-8", "1e-5")
+        )
         run = self.start("model.yaml", "-o", "out.h5")
         times = []
         deadline = time.monotonic() + 40
@@ -221,10 +234,15 @@ class Frequency(Resumed):
 
     def test_must_be_given_with_its_key(self):
         for wrong in ("true", "60 s", "{}"):
-            self.refused(2, "checkpoint: takes how often; type checkpoint: {every: 60 s} for run time", "check",
-                         self.write(model(more=f"checkpoint: {wrong}\n")))
-        self.refused(2, 'unknown key "evry". Did you mean "every"?', "check",
-                     self.write(model(more="checkpoint: {evry: 1}\n")))
+            self.refused(
+                2,
+                "checkpoint: takes how often; type checkpoint: {every: 60 s} for run time",
+                "check",
+                self.write(model(more=f"checkpoint: {wrong}\n")),
+            )
+        self.refused(
+            2, 'unknown key "evry". Did you mean "every"?', "check", self.write(model(more="checkpoint: {evry: 1}\n"))
+        )
         self.refused(2, "checkpoint.every", "check", self.write(model(more="checkpoint: {every: 0}\n")))
 
 
@@ -270,8 +288,11 @@ class Refused(Resumed):
     def test_a_record_that_has_changed(self):
         rows = [f"{0.02 * i}, {(i * 7) % 5 - 2}\n" for i in range(200)]
         (self.folder / "record.csv").write_text("".join(rows))
-        self.cut(OSCILLATORS.replace("{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}",
-                                     "{record: record.csv, units: m/s^2}"))
+        self.cut(
+            OSCILLATORS.replace(
+                "{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}", "{record: record.csv, units: m/s^2}"
+            )
+        )
         rows[100] = rows[100].replace("\n", ".0001\n")
         (self.folder / "record.csv").write_text("".join(rows))
         self.refuse("is not the one that the run began with; put the earlier record back")
@@ -280,13 +301,22 @@ class Refused(Resumed):
 
     def test_other_options(self):
         self.cut(OSCILLATORS, "-pounding_ts_rtol", "1e-5")
-        self.refuse("out.h5: the run began with -pounding_ts_rtol 1e-5, and now there is -pounding_ts_rtol 1e-6",
-                    "-pounding_ts_rtol", "1e-6")
-        self.refuse("and now there is -pounding_ts_pounding_scheme generalized_alpha -pounding_ts_rtol 1e-5",
-                    "-pounding_ts_pounding_scheme", "generalized_alpha")
+        self.refuse(
+            "out.h5: the run began with -pounding_ts_rtol 1e-5, and now there is -pounding_ts_rtol 1e-6",
+            "-pounding_ts_rtol",
+            "1e-6",
+        )
+        self.refuse(
+            "and now there is -pounding_ts_pounding_scheme generalized_alpha -pounding_ts_rtol 1e-5",
+            "-pounding_ts_pounding_scheme",
+            "generalized_alpha",
+        )
         self.cut()
-        self.refuse("the run began with no option of the time stepping, and now there is -pounding_ts_pounding_radius 0.8",
-                    "-pounding_ts_pounding_radius", "0.8")
+        self.refuse(
+            "the run began with no option of the time stepping, and now there is -pounding_ts_pounding_radius 0.8",
+            "-pounding_ts_pounding_radius",
+            "0.8",
+        )
 
     def test_damaged_data(self):
         self.cut()
@@ -315,7 +345,7 @@ class Refused(Resumed):
     def test_half_a_file(self):
         self.cut()
         path = self.folder / "out.h5"
-        path.write_bytes(path.read_bytes()[:path.stat().st_size // 2])
+        path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
         self.refuse("out.h5: the file is damaged, or another program has changed it: it has ")
 
     def test_one_changed_bit(self):
@@ -341,8 +371,9 @@ class Refused(Resumed):
 
     def test_an_adaptive_control_with_a_memory(self):
         self.write(OSCILLATORS)
-        self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100",
-                      "-pounding_ts_adapt_type", "dsp")
+        self.pounding(
+            "run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100", "-pounding_ts_adapt_type", "dsp"
+        )
         self.refuse("out.h5: holds no checkpoint")
 
 

@@ -26,9 +26,13 @@ WITHOUT_SCIPY = importlib.util.find_spec("scipy") is None
 #: Two free bodies that meet once, at 1 m/s.
 MEETING = {
     "family": "free",
-    "structures": [{"name": "b0", "kind": "body", "mass": 1e5, "velocity": 1.0},
-                   {"name": "b1", "kind": "body", "mass": 2e5, "velocity": 0.0}],
-    "links": [{"left": "b0", "right": "b1", "gap": 0.01, "law": "hertz_damped", "stiffness": 2.75e9, "restitution": 0.65}],
+    "structures": [
+        {"name": "b0", "kind": "body", "mass": 1e5, "velocity": 1.0},
+        {"name": "b1", "kind": "body", "mass": 2e5, "velocity": 0.0},
+    ],
+    "links": [
+        {"left": "b0", "right": "b1", "gap": 0.01, "law": "hertz_damped", "stiffness": 2.75e9, "restitution": 0.65}
+    ],
     "ground": None,
     "duration": 0.5,
     "tolerance": 1e-5,
@@ -76,8 +80,10 @@ class InMemory(unittest.TestCase):
     @unittest.skipUnless(PACKAGE, "the Python package is not built")
     def test_gives_what_the_program_gives(self):
         numbers = range(8)
-        inside = {outcome["number"]: outcome for outcome in
-                  in_processes(stress.examine, [(PACKAGE, SEED, number, None) for number in numbers], 1)}
+        inside = {
+            outcome["number"]: outcome
+            for outcome in in_processes(stress.examine, [(PACKAGE, SEED, number, None) for number in numbers], 1)
+        }
         for number in numbers:
             outside = stress.examine((PROGRAM, SEED, number, None))
             for key in ("faults", "impacts", "steps", "imbalance"):
@@ -97,7 +103,9 @@ class FoundBefore(unittest.TestCase):
         for path in files:
             with self.subTest(file=path.name), tempfile.TemporaryDirectory() as folder:
                 results = Path(folder) / "out.h5"
-                done = subprocess.run([PROGRAM, "run", path, "-o", results, "--json"], capture_output=True, text=True, timeout=120)
+                done = subprocess.run(
+                    [PROGRAM, "run", path, "-o", results, "--json"], capture_output=True, text=True, timeout=120
+                )
                 self.assertEqual(done.returncode, 0, done.stderr)
                 error = json.loads(done.stdout)["energy"]["error"]
                 tolerance = float(re.search(r"tolerance: ([\d.e-]+)", path.read_text())[1])
@@ -112,21 +120,47 @@ class FoundBefore(unittest.TestCase):
                             self.assertGreaterEqual(np.min(link["force"][()], initial=0), 0, name)
 
 
-#: A light body between two heavy ones that close: it rests in a soft contact that damps it, and bounces on the other side without loss.
-#: An integrator of its own counts 771 bounces in 40 ms and 8,072 in 50 ms; the speeds fall to a tenth every 10 ms.
+#: A light body between two heavy ones that close: it rests in a soft contact that damps it, and bounces on the other
+#: side without loss. An integrator of its own counts 771 bounces in 40 ms and 8,072 in 50 ms; the speeds fall to a
+#: tenth every 10 ms.
 BOUNCING = {
     "family": "together",
-    "structures": [{"name": "b0", "kind": "body", "mass": 449409.15861101897, "velocity": 0.2672587213342907},
-                   {"name": "b1", "kind": "body", "mass": 1116.0869832154517, "velocity": 0.13362936066714534},
-                   {"name": "b2", "kind": "body", "mass": 10671.19861185025, "velocity": 0.0},
-                   {"name": "b3", "kind": "body", "mass": 262202.33240461245, "velocity": -0.13362936066714534},
-                   {"name": "b4", "kind": "body", "mass": 177386.47709842987, "velocity": -0.2672587213342907}],
-    "links": [{"left": "b0", "right": "b1", "gap": 0.0010004076397688794, "law": "viscous_hertz", "stiffness": 331049340319.2768,
-               "restitution": 0.65, "formula": "exact"},
-              {"left": "b1", "right": "b2", "gap": 0.001, "law": "stereomechanical", "restitution": 1.0},
-              {"left": "b2", "right": "b3", "gap": 0.0010009508480790972, "law": "kelvin_voigt_no_tension",
-               "stiffness": 85092861.38801846, "restitution": 0.5, "formula": "anagnostopoulos"},
-              {"left": "b3", "right": "b4", "gap": 0.001, "law": "kelvin_voigt", "stiffness": 1465709247.4039702, "restitution": 0.95}],
+    "structures": [
+        {"name": "b0", "kind": "body", "mass": 449409.15861101897, "velocity": 0.2672587213342907},
+        {"name": "b1", "kind": "body", "mass": 1116.0869832154517, "velocity": 0.13362936066714534},
+        {"name": "b2", "kind": "body", "mass": 10671.19861185025, "velocity": 0.0},
+        {"name": "b3", "kind": "body", "mass": 262202.33240461245, "velocity": -0.13362936066714534},
+        {"name": "b4", "kind": "body", "mass": 177386.47709842987, "velocity": -0.2672587213342907},
+    ],
+    "links": [
+        {
+            "left": "b0",
+            "right": "b1",
+            "gap": 0.0010004076397688794,
+            "law": "viscous_hertz",
+            "stiffness": 331049340319.2768,
+            "restitution": 0.65,
+            "formula": "exact",
+        },
+        {"left": "b1", "right": "b2", "gap": 0.001, "law": "stereomechanical", "restitution": 1.0},
+        {
+            "left": "b2",
+            "right": "b3",
+            "gap": 0.0010009508480790972,
+            "law": "kelvin_voigt_no_tension",
+            "stiffness": 85092861.38801846,
+            "restitution": 0.5,
+            "formula": "anagnostopoulos",
+        },
+        {
+            "left": "b3",
+            "right": "b4",
+            "gap": 0.001,
+            "law": "kelvin_voigt",
+            "stiffness": 1465709247.4039702,
+            "restitution": 0.95,
+        },
+    ],
     "ground": None,
     "duration": 1.6897612941828948,
     "tolerance": 1e-05,
@@ -138,8 +172,12 @@ class Located(unittest.TestCase):
 
     def impacts_of(self, name, link):
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([PROGRAM, "run", Path(__file__).parent / "found" / name, "-q", "-o", Path(folder) / "out.h5"],
-                                  capture_output=True, text=True, timeout=120)
+            done = subprocess.run(
+                [PROGRAM, "run", Path(__file__).parent / "found" / name, "-q", "-o", Path(folder) / "out.h5"],
+                capture_output=True,
+                text=True,
+                timeout=120,
+            )
             self.assertEqual(done.returncode, 0, done.stderr)
             with h5py.File(Path(folder) / "out.h5") as file:
                 rows = file["impacts"][()]
@@ -163,7 +201,8 @@ class BouncesWithoutEnd(unittest.TestCase):
 
     def test_are_as_many_as_they_are(self):
         run = run_of(BOUNCING | {"duration": 0.04, "tolerance": 1e-7})
-        self.assertAlmostEqual(len(run.rows[1]), 771, delta=4)  # a bounce that is faster by a part makes the next ones so, too
+        # a bounce that is faster by a part makes the next ones so, too
+        self.assertAlmostEqual(len(run.rows[1]), 771, delta=4)
         self.assertEqual(list(faults_of(run)), [])
 
     def test_are_judged_up_to_some_thousands(self):
@@ -193,8 +232,11 @@ class BouncesWithoutEnd(unittest.TestCase):
             model.write_text(stress_cases.input_file(BOUNCING | {"duration": 0.052}))
             done = subprocess.run([PROGRAM, "run", model, "-q"], capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stderr, r"pounding: warning: link b1-b2: 1\d{4} impacts; bodies that are pressed together bounce ever faster by "
-                         "restitution 1 and never rest")
+        self.assertRegex(
+            done.stderr,
+            r"pounding: warning: link b1-b2: 1\d{4} impacts; bodies that are pressed together bounce ever faster by "
+            "restitution 1 and never rest",
+        )
 
 
 class TheChecks(unittest.TestCase):
@@ -239,9 +281,12 @@ class TheChecks(unittest.TestCase):
         self.finds("pulls,")
 
     def test_accept_a_spring_that_follows_the_rounding_of_a_rigid_rest(self):
-        """Bodies that rest on each other drift away for two seconds: a spring of 1.9e10 N/m beside pulls 3e-6 N s by ten roundings of 0.4 m."""
+        """Bodies that rest on each other drift away for two seconds: a spring of 1.9e10 N/m beside pulls 3e-6 N s by
+        ten roundings of 0.4 m."""
         case = stress_cases.case_of(44, 33021)
-        self.assertEqual([l["law"] for l in case["links"]], ["stereomechanical", "jankowski", "modified_linear_viscoelastic"])
+        self.assertEqual(
+            [l["law"] for l in case["links"]], ["stereomechanical", "jankowski", "modified_linear_viscoelastic"]
+        )
         run = run_of(case)
         self.assertLess(run.rows[2]["impulse"][-1], 0)
         self.assertEqual(list(faults_of(run)), [])
@@ -276,11 +321,20 @@ class TheIndependentIntegrator(unittest.TestCase):
     def test_gives_the_published_two_oscillators(self):
         """First impact of two oscillators by hertz_damped: DOP853 confirmed by fixed-step Runge-Kutta at 2e-7 s."""
         from judging import row_of
-        oscillators = [{"name": "a", "kind": "oscillator", "mass": 1e5, "period": 0.8, "damping": 0.05, "velocity": 0.0},
-                       {"name": "b", "kind": "oscillator", "mass": 1.5e5, "period": 0.4, "damping": 0.05, "velocity": 0.0}]
+
+        oscillators = [
+            {"name": "a", "kind": "oscillator", "mass": 1e5, "period": 0.8, "damping": 0.05, "velocity": 0.0},
+            {"name": "b", "kind": "oscillator", "mass": 1.5e5, "period": 0.4, "damping": 0.05, "velocity": 0.0},
+        ]
         link = {"left": "a", "right": "b", "gap": 0.02, "law": "hertz_damped", "stiffness": 2.75e9, "restitution": 0.65}
-        row = row_of({"structures": oscillators, "links": [link], "duration": 3.0,
-                      "ground": {"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0}})
+        row = row_of(
+            {
+                "structures": oscillators,
+                "links": [link],
+                "duration": 3.0,
+                "ground": {"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0},
+            }
+        )
         row.run(3.0)
         impacts = row.links[0].impacts
         self.assertEqual(len(impacts), 5)
@@ -291,6 +345,7 @@ class TheIndependentIntegrator(unittest.TestCase):
 
     def test_gives_the_asked_restitution_by_every_exact_formula(self):
         from independent import Law, free_restitution
+
         for law in (*stress_cases.LINEAR, *stress_cases.HERTZ):
             if law in ("linear_spring", "hertz"):
                 continue
@@ -300,12 +355,15 @@ class TheIndependentIntegrator(unittest.TestCase):
 
     def test_notices_another_damping_mass_stiffness_and_gap(self):
         from judging import judge
+
         case = MEETING | {"tolerance": stress.FINE}
         rows = run_of(case).rows
         self.assertEqual(judge(case, rows).agreed, "whole")
         for structure, link in (({}, {"restitution": 0.6501}), ({"mass": 1.001e5}, {}), ({}, {"stiffness": 2.7503e9})):
-            other = case | {"links": [case["links"][0] | link],
-                            "structures": [case["structures"][0] | structure, case["structures"][1]]}
+            other = case | {
+                "links": [case["links"][0] | link],
+                "structures": [case["structures"][0] | structure, case["structures"][1]],
+            }
             with self.subTest(structure=structure, link=link):
                 self.assertEqual(judge(other, rows).agreed, "no")
         missed = case | {"links": [case["links"][0] | {"gap": 1.0}]}

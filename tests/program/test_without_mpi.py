@@ -24,14 +24,19 @@ class SeveralProcesses(unittest.TestCase):
         for launcher in LAUNCHERS:
             code, printed, told, files = done(PROGRAM, "run", MODEL, "-o", "out.h5", **launcher)
             self.assertEqual((code, printed, files), (2, "", []))
-            self.assertIn("was built without MPI and runs a model in one process, and 2 were started; type it without mpirun", told)
+            self.assertIn(
+                "was built without MPI and runs a model in one process, and 2 were started; type it without mpirun",
+                told,
+            )
 
     def test_are_refused_once(self):
         code, printed, told, files = done(PROGRAM, "run", MODEL, OMPI_COMM_WORLD_RANK="1", OMPI_COMM_WORLD_SIZE="2")
         self.assertEqual((code, printed, told, files), (2, "", "", []))
 
     def test_are_refused_by_the_package(self):
-        code, printed, told, files = done(sys.executable, "-c", f"import pounding; pounding.run({str(MODEL)!r})", **LAUNCHERS[0])
+        code, printed, told, files = done(
+            sys.executable, "-c", f"import pounding; pounding.run({str(MODEL)!r})", **LAUNCHERS[0]
+        )
         self.assertNotEqual(code, 0)
         self.assertIn("InputError: this pounding was built without MPI", told)
 

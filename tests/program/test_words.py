@@ -1,4 +1,5 @@
 """`pounding words`: every key of the input for people, for programs, and as a schema for editors."""
+
 import json
 import os
 import subprocess
@@ -28,13 +29,22 @@ class Words(unittest.TestCase):
     def test_a_key_has_all_its_facts(self):
         done = words("gap")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for line in ("links[].gap", "  takes     a length [m], or a list of them", "  example   gap: 20 mm", "  since     0.1.0"):
+        for line in (
+            "links[].gap",
+            "  takes     a length [m], or a list of them",
+            "  example   gap: 20 mm",
+            "  since     0.1.0",
+        ):
             self.assertIn(line, done.stdout.splitlines())
 
     def test_a_key_of_several_sections_is_shown_in_each(self):
         printed = words("stiffness").stdout
-        for place in ("structures.NAME.oscillator.stiffness", "structures.NAME.shear_building.stiffness",
-                      "structures.NAME.frame.springs[].stiffness", "links[] with law: hertz_damped.stiffness"):
+        for place in (
+            "structures.NAME.oscillator.stiffness",
+            "structures.NAME.shear_building.stiffness",
+            "structures.NAME.frame.springs[].stiffness",
+            "links[] with law: hertz_damped.stiffness",
+        ):
             self.assertIn(place + "\n", printed)
 
     def test_a_section_and_a_law_show_their_keys(self):
@@ -72,7 +82,9 @@ class Schema(unittest.TestCase):
 
     def test_every_example_validates(self):
         # The schema is that of models; the package reads the plans of studies.
-        models = [path for path in sorted(Path(EXAMPLES).rglob("*.yaml")) if "study" not in yaml.safe_load(path.read_text())]
+        models = [
+            path for path in sorted(Path(EXAMPLES).rglob("*.yaml")) if "study" not in yaml.safe_load(path.read_text())
+        ]
         self.assertGreater(len(models), 14)
         for model in models:
             with self.subTest(model.name, folder=model.parent.name):
@@ -84,10 +96,14 @@ class Schema(unittest.TestCase):
             if "law" in section["place"]:
                 continue
             of_section = self.schema if section["name"] == "model" else definitions[section["name"]]
-            self.assertEqual(set(of_section["properties"]) - self.of_laws(section), {word["key"] for word in section["keys"]})
+            self.assertEqual(
+                set(of_section["properties"]) - self.of_laws(section), {word["key"] for word in section["keys"]}
+            )
             for word in section["keys"]:
                 with self.subTest(section=section["name"], key=word["key"]):
-                    validator = jsonschema.Draft202012Validator({**of_section["properties"][word["key"]], "$defs": definitions})
+                    validator = jsonschema.Draft202012Validator(
+                        {**of_section["properties"][word["key"]], "$defs": definitions}
+                    )
                     found = yaml.safe_load(f"{word['key']}: {word['example']}")
                     self.assertEqual([error.message for error in validator.iter_errors(found.popitem()[1])], [])
 
@@ -99,7 +115,9 @@ class Schema(unittest.TestCase):
         return {word["key"] for law in laws for word in law["keys"]} - {word["key"] for word in section["keys"]}
 
     def test_every_law_validates_with_its_parameters(self):
-        for law in json.loads(subprocess.run([PROGRAM, "laws", "--json"], capture_output=True, text=True, check=True).stdout):
+        for law in json.loads(
+            subprocess.run([PROGRAM, "laws", "--json"], capture_output=True, text=True, check=True).stdout
+        ):
             given = {p["name"]: p["typical"] for p in law["parameters"] if p["need"] == "required"}
             link = {"between": ["left", "right"], "gap": 0.02, "law": law["name"], **given}
             if law["restitution"]:
@@ -109,18 +127,37 @@ class Schema(unittest.TestCase):
                 self.assertEqual([error.message for error in self.validator.iter_errors(model)], [])
                 self.assertFalse(self.validator.is_valid(yaml.safe_load(PAIR) | {"links": [link | {"width": 1}]}))
                 for name in given:
-                    self.assertFalse(self.validator.is_valid(yaml.safe_load(PAIR) | {"links": [{k: v for k, v in link.items() if k != name}]}))
+                    self.assertFalse(
+                        self.validator.is_valid(
+                            yaml.safe_load(PAIR) | {"links": [{k: v for k, v in link.items() if k != name}]}
+                        )
+                    )
 
     def test_what_may_be_written_in_several_ways_validates(self):
-        for text in ("gap: 0", "gap: 20mm", 'gap: "+20 mm"', "gap: 2e-2", "gap: 1.e-2 m", "gap: [20 mm, 0.02]", "stiffness: 2750 MN/m^1.5",
-                     "stiffness: 2.75e9 N/m1.5", "restitution: 65 %", "name: 3", "impact_velocity: 0.5 (m/s)"):
+        for text in (
+            "gap: 0",
+            "gap: 20mm",
+            'gap: "+20 mm"',
+            "gap: 2e-2",
+            "gap: 1.e-2 m",
+            "gap: [20 mm, 0.02]",
+            "stiffness: 2750 MN/m^1.5",
+            "stiffness: 2.75e9 N/m1.5",
+            "restitution: 65 %",
+            "name: 3",
+            "impact_velocity: 0.5 (m/s)",
+        ):
             key = text.split(":")[0]
             link = yaml.safe_load(LINK)
             link["links"][0][key] = yaml.safe_load(text)[key]
             with self.subTest(text):
                 self.assertEqual([error.message for error in self.validator.iter_errors(link)], [])
-                done = subprocess.run([PROGRAM, "check", "/dev/stdin"], input=yaml.safe_dump(link) + "analysis: {duration: 1}\n",
-                                      capture_output=True, text=True)
+                done = subprocess.run(
+                    [PROGRAM, "check", "/dev/stdin"],
+                    input=yaml.safe_dump(link) + "analysis: {duration: 1}\n",
+                    capture_output=True,
+                    text=True,
+                )
                 self.assertIn(done.returncode, (0, 2))
         self.assertEqual(self.faults(PAIR + "  w: {wall: {}}\n  v: {wall: }\n"), [])
 
@@ -151,7 +188,8 @@ class Schema(unittest.TestCase):
             "an unknown kind": LINK.replace("left: {oscillator", "left: {oscilator"),
             "an oscillator without stiffness": LINK.replace(", period: 0.8", ""),
             "period and stiffness": LINK.replace("period: 0.8", "period: 0.8, stiffness: 1 MN/m"),
-            "storeys that are no integer": PAIR + "  a: {shear_building: {storeys: 2.5, mass: 1 t, stiffness: 1 MN/m}}\n",
+            "storeys that are no integer": PAIR
+            + "  a: {shear_building: {storeys: 2.5, mass: 1 t, stiffness: 1 MN/m}}\n",
             "a wall with keys": PAIR + "  a: {wall: {mass: 1}}\n",
             "two motions": LINK + "ground_motion: {pulse: {shape: sine, amplitude: 1, duration: 1}, record: a.at2}\n",
             "an unknown shape": LINK + "ground_motion: {pulse: {shape: cosine, amplitude: 1, duration: 1}}\n",
@@ -163,8 +201,9 @@ class Schema(unittest.TestCase):
             "a duration in m": LINK + "analysis: {duration: 5 m}\n",
             "a yes for a comparison": LINK + "compare: all\n",
             "a frame without nodes": PAIR + "  a: {frame: {material: {E: 30 GPa}}}\n",
-            "a section of two shapes": PAIR + "  a: {frame: {grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, beams: b, "
-                                              "columns: {circle: 1 m, rectangle: [1 m, 1 m]}}}}\n",
+            "a section of two shapes": PAIR
+            + "  a: {frame: {grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, beams: b, "
+            "columns: {circle: 1 m, rectangle: [1 m, 1 m]}}}}\n",
         }
         for fault, text in wrong.items():
             with self.subTest(fault):

@@ -1,4 +1,5 @@
-"""Files of the working folder that PETSc, Python and matplotlib would obey: a folder with a model may come from anywhere."""
+"""Files of the working folder that PETSc, Python and matplotlib would obey: a folder with a model may come from
+anywhere."""
 
 import json
 import os
@@ -10,7 +11,21 @@ import h5py
 from support import OSCILLATORS, PROGRAM, ProgramTest
 
 #: Modules that the commands import, or that Python imports when it starts. Each leaves a file when it is imported.
-MODULES = ("numpy", "h5py", "matplotlib", "PIL", "pounding", "yaml", "scipy", "json", "argparse", "pathlib", "runpy", "sitecustomize", "usercustomize")
+MODULES = (
+    "numpy",
+    "h5py",
+    "matplotlib",
+    "PIL",
+    "pounding",
+    "yaml",
+    "scipy",
+    "json",
+    "argparse",
+    "pathlib",
+    "runpy",
+    "sitecustomize",
+    "usercustomize",
+)
 STUDY = "study:\n  factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}\n"
 
 
@@ -76,7 +91,10 @@ class Modules(ProgramTest):
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
         self.write(OSCILLATORS + STUDY, "study.yaml")
         for name in MODULES:
-            self.write(f"open({str(self.folder / 'imported')!r}, 'a').write({name!r})\nraise SystemExit('foreign code')\n", f"{name}.py")
+            self.write(
+                f"open({str(self.folder / 'imported')!r}, 'a').write({name!r})\nraise SystemExit('foreign code')\n",
+                f"{name}.py",
+            )
 
     def commands(self):
         yield ("plot", "out.h5", "-o", "picture.png")
@@ -102,7 +120,9 @@ class Modules(ProgramTest):
     def test_of_an_absolute_path_that_the_user_names_are_imported(self):
         (self.folder / "mine").mkdir()
         self.write(f"open({str(self.folder / 'asked')!r}, 'w')\n", "mine/sitecustomize.py")
-        self.assertEqual(self.pounding("plot", "out.h5", "-o", "picture.png", PYTHONPATH=str(self.folder / "mine")).returncode, 0)
+        self.assertEqual(
+            self.pounding("plot", "out.h5", "-o", "picture.png", PYTHONPATH=str(self.folder / "mine")).returncode, 0
+        )
         self.assertTrue((self.folder / "asked").exists())
 
     def test_a_python_of_the_working_folder_does_not_run(self):
@@ -110,7 +130,9 @@ class Modules(ProgramTest):
         fake.write_text(f"#!/bin/sh\ntouch {self.folder}/imported\n")
         fake.chmod(0o755)
         for chosen in ("", "python3"):
-            self.pounding("plot", "out.h5", "-o", "picture.png", PATH=f":.:{os.environ['PATH']}", POUNDING_PYTHON=chosen)
+            self.pounding(
+                "plot", "out.h5", "-o", "picture.png", PATH=f":.:{os.environ['PATH']}", POUNDING_PYTHON=chosen
+            )
             self.assertFalse((self.folder / "imported").exists())
 
 
@@ -135,7 +157,10 @@ class Settings(ProgramTest):
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
         commands = {"picture.png": ("plot", "out.h5"), "film.gif": ("animate", "out.h5", "--frames", "2")}
         drawn = {}
-        for settings in (None, "figure.facecolor: red\nbackend: module://evil\nsavefig.facecolor: red\ntext.usetex: True\n"):
+        for settings in (
+            None,
+            "figure.facecolor: red\nbackend: module://evil\nsavefig.facecolor: red\ntext.usetex: True\n",
+        ):
             if settings:
                 self.write(settings, "matplotlibrc")
                 self.write(f"open({str(self.folder / 'imported')!r}, 'a')\n", "evil.py")

@@ -1,4 +1,5 @@
-"""Storeys that yield, as the program reports them: what a file holds of each part, its sums, a resumed run, processes."""
+"""Storeys that yield, as the program reports them: what a file holds of each part, its sums, a resumed run,
+processes."""
 
 import json
 import os
@@ -34,10 +35,14 @@ PORTAL = """\
       hinges: {%s}
     damping: 5 %%
 """
-FRAMES = ("ground_motion: {harmonic: {amplitude: 4.0, period: 0.5, duration: 2.0}}\nstructures:\n"
-          "  weak:\n" + PORTAL % "columns: {at: both, yield_moment: 80 kN m, hardening: 3 %, ultimate_rotation: 0.0005}" +
-          "  strong:\n" + PORTAL % "columns: {at: feet, yield_moment: 130 kN m, hardening: 3 %}, beams: {at: both, yield_moment: 5 MN m}" +
-          "analysis: {duration: 2.5, output_step: 5 ms}\n")
+FRAMES = (
+    "ground_motion: {harmonic: {amplitude: 4.0, period: 0.5, duration: 2.0}}\nstructures:\n"
+    "  weak:\n"
+    + PORTAL % "columns: {at: both, yield_moment: 80 kN m, hardening: 3 %, ultimate_rotation: 0.0005}"
+    + "  strong:\n"
+    + PORTAL % "columns: {at: feet, yield_moment: 130 kN m, hardening: 3 %}, beams: {at: both, yield_moment: 5 MN m}"
+    + "analysis: {duration: 2.5, output_step: 5 ms}\n"
+)
 
 
 class Yielding(ProgramTest):
@@ -100,7 +105,9 @@ class Yielding(ProgramTest):
         left = summary["structures"]["left"]
         np.testing.assert_allclose(left["residual_drift"], d[-1], rtol=1e-9)
         np.testing.assert_allclose(left["residual_displacement"], np.cumsum(d[-1]), rtol=1e-9)
-        self.assertEqual((left["yielding"]["yielded"], [one["state"] for one in left["yielding"]["springs"]]), (2, ["yielded"] * 2))
+        self.assertEqual(
+            (left["yielding"]["yielded"], [one["state"] for one in left["yielding"]["springs"]]), (2, ["yielded"] * 2)
+        )
         most = int(np.argmax(found["summary/ductility"]))
         self.assertEqual(left["yielding"]["largest"]["name"], f"storey {most + 1}")
         self.assertAlmostEqual(left["yielding"]["largest"]["ductility"], found["summary/ductility"][most])
@@ -114,7 +121,8 @@ class Yielding(ProgramTest):
         self.assertTrue(np.isnan(found["summary/first_yield"]).all() and (found["hysteretic"] == 0).all())
 
     def test_compare_the_damping_with_the_yield_shear(self):
-        # Two modes of a building of two storeys have 5 %: C = a M + b K, and across a storey act the forces on all floors above.
+        # Two modes of a building of two storeys have 5 %: C = a M + b K, and across a storey act the forces on all
+        # floors above.
         _, path = self.results(PAIR.replace("output_step: 5 ms", "output_step: 0.2 ms"))
         m, k = np.diag([2e5, 2e5]), np.array([[sum(STIFFNESS), -STIFFNESS[1]], [-STIFFNESS[1], STIFFNESS[1]]])
         w = np.sqrt(np.linalg.eigvalsh(k / 2e5))
@@ -130,7 +138,9 @@ class Yielding(ProgramTest):
         summary, path = self.results(PAIR.replace("output_step: 5 ms", "output_step: 0.2 ms"))
         _, found = self.springs(path)
         d, f, limit = found["deformation"], found["force"], found["yield_deformation"]
-        np.testing.assert_allclose(found["summary/peak_plastic"], np.abs(d - f / np.array(STIFFNESS)).max(axis=0), rtol=1e-4)
+        np.testing.assert_allclose(
+            found["summary/peak_plastic"], np.abs(d - f / np.array(STIFFNESS)).max(axis=0), rtol=1e-4
+        )
         # A bilinear storey yields in each swing once: its slope is that of the hardening.
         for i in range(2):
             signs = np.sign(np.diff(d[:, i]))[np.abs(np.diff(f[:, i])) < 0.5 * STIFFNESS[i] * np.abs(np.diff(d[:, i]))]
@@ -153,39 +163,67 @@ class Yielding(ProgramTest):
         drifts = np.abs(left["residual_drift"])
         worst = int(np.argmax(drifts))
         lines = self.pounding("run", "model.yaml").stdout.splitlines()
-        self.assertIn(f"left: at the end, where it may still move, the top is displaced by {1e3 * abs(left['residual_displacement'][-1]):.4g} mm, and storey "
-                      f"{worst + 1} drifts most, {1e3 * drifts[worst]:.4g} mm or {100 * left['residual_drift_ratio'][worst]:.3g} % of its height", lines)
+        self.assertIn(
+            f"left: at the end, where it may still move, the top is displaced by {1e3 * abs(left['residual_displacement'][-1]):.4g} mm, and storey "
+            f"{worst + 1} drifts most, {1e3 * drifts[worst]:.4g} mm or {100 * left['residual_drift_ratio'][worst]:.3g} % of its height",
+            lines,
+        )
 
     def test_hinges_are_counted_with_those_beyond_their_ultimate_rotation(self):
         summary, path = self.results(FRAMES)
         hinges = summary["hinges"]
-        parts = {(name, part["name"]): part for name, one in summary["structures"].items() for part in one["yielding"]["springs"]}
+        parts = {
+            (name, part["name"]): part
+            for name, one in summary["structures"].items()
+            for part in one["yielding"]["springs"]
+        }
         self.assertEqual((hinges["count"], hinges["yielded"]), (8, 6))
         beyond = [key for key, part in parts.items() if part["state"] == "beyond ultimate"]
-        self.assertEqual(beyond, [key for key, part in parts.items() if part["ultimate_rotation"] and part["plastic"] > part["ultimate_rotation"]])
+        self.assertEqual(
+            beyond,
+            [
+                key
+                for key, part in parts.items()
+                if part["ultimate_rotation"] and part["plastic"] > part["ultimate_rotation"]
+            ],
+        )
         self.assertEqual((hinges["beyond_ultimate"], len(beyond)), (4, 4))
         largest = max(parts, key=lambda key: parts[key]["ductility"])
         self.assertEqual((hinges["largest"]["structure"], hinges["largest"]["name"]), largest)
-        self.assertEqual((hinges["largest"]["ductility"], hinges["largest"]["rotation"]), (parts[largest]["ductility"], parts[largest]["plastic"]))
+        self.assertEqual(
+            (hinges["largest"]["ductility"], hinges["largest"]["rotation"]),
+            (parts[largest]["ductility"], parts[largest]["plastic"]),
+        )
         _, found = self.springs(path, "weak")
         self.assertEqual(found["ultimate_rotation"].tolist(), [0.0005] * 4)
         lines = self.pounding("run", "model.yaml").stdout.splitlines()
         farthest = max((parts[key]["plastic"], key[1]) for key in beyond)
-        self.assertTrue(any(line.startswith("weak: 4 hinges beyond their ultimate rotation, the farthest ") and
-                            line.endswith(f"with {1e3 * farthest[0]:.4g} of 0.5 mrad") for line in lines), lines)
+        self.assertTrue(
+            any(
+                line.startswith("weak: 4 hinges beyond their ultimate rotation, the farthest ")
+                and line.endswith(f"with {1e3 * farthest[0]:.4g} of 0.5 mrad")
+                for line in lines
+            ),
+            lines,
+        )
 
     def test_are_in_the_table(self):
         self.write(PAIR)
         lines = self.pounding("run", "model.yaml").stdout.splitlines()
         head = next(i for i, line in enumerate(lines) if "ductility" in line)
         self.assertIn("damping shear", lines[head])
-        rows = [line.split() for line in lines[head + 2:head + 6]]
-        self.assertEqual([row[:3] for row in rows], [[name, "storey", str(i)] for name in ("left", "right") for i in (1, 2)])
+        rows = [line.split() for line in lines[head + 2 : head + 6]]
+        self.assertEqual(
+            [row[:3] for row in rows], [[name, "storey", str(i)] for name in ("left", "right") for i in (1, 2)]
+        )
         self.assertEqual([row[-2] for row in rows[2:]], ["elastic"] * 2)
 
     def test_none_where_nothing_can_yield(self):
-        elastic = "\n".join(PAIR.splitlines()).replace(", yield_force: 20 MN, hardening: 0.05", "").replace(
-            ", yield_force: [0.9 MN, 0.6 MN], hardening: 0.05", "")
+        elastic = (
+            "\n".join(PAIR.splitlines())
+            .replace(", yield_force: 20 MN, hardening: 0.05", "")
+            .replace(", yield_force: [0.9 MN, 0.6 MN], hardening: 0.05", "")
+        )
         summary, path = self.results(elastic)
         self.assertNotIn("hysteretic_by", summary)
         self.assertNotIn("yielding", summary["structures"]["left"])
@@ -193,16 +231,21 @@ class Yielding(ProgramTest):
             self.assertNotIn("springs", file["structures/left"])
 
     def test_isolators_beyond_their_capacity_are_told(self):
-        building = lambda capacity: f"""ground_motion: {{harmonic: {{amplitude: 5.0, period: 0.6, duration: 3.0}}}}
+        building = lambda capacity: (
+            f"""ground_motion: {{harmonic: {{amplitude: 5.0, period: 0.6, duration: 3.0}}}}
 structures:
   a: {{shear_building: {{storeys: 2, mass: 200 t, stiffness: 300 MN/m, isolator: {{friction_pendulum: {{radius: 2 m, friction: 6 %}}, capacity: {capacity}}}}}, damping: 2 %}}
 analysis: {{duration: 3 s}}
 """
+        )
         self.write(building("1 mm"))
         done = self.pounding("run", "model.yaml")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout + done.stderr, r"structure a, isolators: .* s, beyond the capacity of 1 mm; what happens there is not in the model\. "
-                         r"Type a larger capacity if the part has it, or a link to a wall with that gap if it stops there")
+        self.assertRegex(
+            done.stdout + done.stderr,
+            r"structure a, isolators: .* s, beyond the capacity of 1 mm; what happens there is not in the model\. "
+            r"Type a larger capacity if the part has it, or a link to a wall with that gap if it stops there",
+        )
         self.write(building("2 m"))
         done = self.pounding("run", "model.yaml")
         self.assertEqual((done.returncode, "beyond the capacity" in done.stdout + done.stderr), (0, False))
@@ -225,8 +268,13 @@ analysis: {{duration: 3 s}}
     def test_are_alike_on_two_processes(self):
         _, path = self.results(PAIR)
         command = [LAUNCHER, "-n", "2", PROGRAM, "run", "model.yaml", "-q", "-o", "two.h5"]
-        surroundings = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                        "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
+        surroundings = {
+            **os.environ,
+            "OMPI_ALLOW_RUN_AS_ROOT": "1",
+            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_rmaps_base_oversubscribe": "1",
+            "OPENBLAS_NUM_THREADS": "1",
+        }
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, env=surroundings, timeout=300)
         self.assertEqual(done.returncode, 0, done.stderr)
         (_, one), (_, two) = self.springs(path), self.springs(self.folder / "two.h5")

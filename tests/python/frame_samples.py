@@ -17,8 +17,11 @@ def sway(name, time=TIME):
     """{x, y, rz}: motions of the roof of a structure [m], [rad]. They bring the roofs into contact."""
     slow = name == "tall"
     turn = 2 * np.pi * time / (1.1 if slow else 0.7)
-    return {"x": (0.03 if slow else -0.015) * np.sin(turn), "y": 0.01 * np.sin(0.5 * turn),
-            "rz": (0.002 if slow else -0.001) * np.sin(turn)}
+    return {
+        "x": (0.03 if slow else -0.015) * np.sin(turn),
+        "y": 0.01 * np.sin(0.5 * turn),
+        "rz": (0.002 if slow else -0.001) * np.sin(turn),
+    }
 
 
 def grid(dimension, storeys, x0):
@@ -41,7 +44,8 @@ def grid(dimension, storeys, x0):
 
 
 def displacement_of(name, nodes, storeys, dimension, time=TIME):
-    """[n, N, 3]: a share of the roof's motion in proportion to the height, floors rigid about the mean of their nodes."""
+    """[n, N, 3]: a share of the roof's motion in proportion to the height, floors rigid about the mean of their
+    nodes."""
     motion = sway(name, time)
     share = nodes[:, 2] / (STOREY * storeys)
     moved = np.zeros((len(time), len(nodes), 3))
@@ -61,12 +65,18 @@ WITHOUT_LINKS = 0.7
 
 
 def write(path, dimension=2, nodes="all", members=True, wall=False, compare=False, rigid=False):
-    """One file. `nodes`: all, none, or how many of them from the first one on are reported; `compare`: with a run without links; `rigid`:
-    floors in space are rigid, so that the file has their plans."""
+    """One file. `nodes`: all, none, or how many of them from the first one on are reported; `compare`: with a run
+    without links; `rigid`: floors in space are rigid, so that the file has their plans."""
     storeys = {"tall": 5, "low": 3}
     with h5py.File(path, "w", track_order=True) as file:
-        file.attrs.update(program="pounding", version="0.1.0", created="2026-01-02T03:04:05Z", status="done",
-                          title=f"Two frames in {'space' if dimension == 3 else 'the plane'}, 25 mm apart", command="")
+        file.attrs.update(
+            program="pounding",
+            version="0.1.0",
+            created="2026-01-02T03:04:05Z",
+            status="done",
+            title=f"Two frames in {'space' if dimension == 3 else 'the plane'}, 25 mm apart",
+            command="",
+        )
         put(file, "time", TIME)
         put(file, "ground/acceleration", 2 * np.sin(2 * np.pi * TIME))
         file.create_group("structures", track_order=True)
@@ -75,7 +85,11 @@ def write(path, dimension=2, nodes="all", members=True, wall=False, compare=Fals
             write_structure(file["structures"].create_group(name), name, storeys[name], x0, dimension, nodes, members)
         if wall:
             write_wall(file["structures"].create_group("wall"))
-        rows = [write_link(file, floor, y, dimension) for floor in (1, 2, 3) for y in ([0.0] if dimension == 2 else [0.0, 4.0])]
+        rows = [
+            write_link(file, floor, y, dimension)
+            for floor in (1, 2, 3)
+            for y in ([0.0] if dimension == 2 else [0.0, 4.0])
+        ]
         if wall:
             write_wall_link(file)
         if rigid:
@@ -86,7 +100,11 @@ def write(path, dimension=2, nodes="all", members=True, wall=False, compare=Fals
             write_envelope(file.create_group(f"envelopes/structures/{name}"), file["structures"][name])
         write_impacts(file, [row for link in rows for row in link])
         for key in ("time", "input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"):
-            put(file, f"energy/{key}", TIME if key == "time" else np.linspace(0, 1e3, TIME.size) * (key in ("input", "damping")))
+            put(
+                file,
+                f"energy/{key}",
+                TIME if key == "time" else np.linspace(0, 1e3, TIME.size) * (key in ("input", "damping")),
+            )
         file["summary"] = "{}"
         if compare:
             write_without_links(file, file.create_group("no_pounding", track_order=True))
@@ -119,7 +137,7 @@ def write_envelope(group, structure):
             history = history[:, :, None]
         put(group, key, BETWEEN_OUTPUTS * np.stack([history.min(axis=0), history.max(axis=0)], axis=-1))
         put(group, f"{key}_time", TIME[np.stack([history.argmin(axis=0), history.argmax(axis=0)], axis=-1)])
-        group[key].attrs["directions"] = directions[:history.shape[2]]
+        group[key].attrs["directions"] = directions[: history.shape[2]]
     if "plan" in structure:
         edges = edges_of(structure["displacement"][:])
         put(group, "edge_displacement", BETWEEN_OUTPUTS * np.stack([edges.min(axis=0), edges.max(axis=0)], axis=-1))
@@ -160,8 +178,13 @@ def write_structure(group, name, storeys, x0, dimension, nodes_wanted, members_w
     nodes, members, floors, names = grid(dimension, storeys, x0)
     directions = ["x"] if dimension == 2 else ["x", "y", "rz"]
     heights = STOREY * np.arange(1, storeys + 1)
-    group.attrs.update(kind="frame", dimension=dimension, floors=[str(i + 1) for i in range(storeys)], elevations=heights,
-                       directions=directions)
+    group.attrs.update(
+        kind="frame",
+        dimension=dimension,
+        floors=[str(i + 1) for i in range(storeys)],
+        elevations=heights,
+        directions=directions,
+    )
     motion = sway(name)
     floor_motion = np.stack([np.outer(motion[axis], heights / heights[-1]) for axis in directions], axis=2)
     put(group, "displacement", floor_motion)
@@ -186,7 +209,11 @@ def write_structure(group, name, storeys, x0, dimension, nodes_wanted, members_w
                 values[:, :, DIRECTIONS[dimension].index(axis)] = moved[:, :, j]
         reported = group.create_group("nodes")
         reported["names"] = names[:count]
-        for key, data in (("displacement", values), ("velocity", rates(values)), ("acceleration", rates(rates(values)))):
+        for key, data in (
+            ("displacement", values),
+            ("velocity", rates(values)),
+            ("acceleration", rates(rates(values))),
+        ):
             put(reported, key, data)
             reported[key].attrs["directions"] = DIRECTIONS[dimension]
     if members_wanted:
@@ -194,8 +221,14 @@ def write_structure(group, name, storeys, x0, dimension, nodes_wanted, members_w
         components = [f"{end} {c}" for end in ("start", "end") for c in components]
         forces = group.create_group("members")
         forces["names"] = member_names
-        put(forces, "end_forces", 1e5 * np.einsum("t,m,c->tmc", motion["x"], np.arange(1.0, 1 + len(members)),
-                                                  np.arange(1.0, 1 + len(components))))
+        put(
+            forces,
+            "end_forces",
+            1e5
+            * np.einsum(
+                "t,m,c->tmc", motion["x"], np.arange(1.0, 1 + len(members)), np.arange(1.0, 1 + len(components))
+            ),
+        )
         forces["end_forces"].attrs["components"] = components
 
 
@@ -220,11 +253,26 @@ def write_link(file, floor, y, dimension):
     penetration = ends[0] - ends[1] - GAP
     force = np.maximum(0, 5e8 * penetration)
     group = file["links"].create_group(name)
-    group.attrs.update(left="tall", right="low", left_floor=floor, right_floor=floor, gap=GAP, gap_units="m", law="linear_spring",
-                       position=[2 * BAY + GAP / 2, y, STOREY * floor], direction=[1.0, 0, 0],
-                       left_end=f"floor {floor}", right_end=f"floor {floor}")
-    for key, data in (("time", time), ("penetration", penetration), ("velocity", np.gradient(penetration, time)),
-                      ("force", force), ("energy", 0 * force)):
+    group.attrs.update(
+        left="tall",
+        right="low",
+        left_floor=floor,
+        right_floor=floor,
+        gap=GAP,
+        gap_units="m",
+        law="linear_spring",
+        position=[2 * BAY + GAP / 2, y, STOREY * floor],
+        direction=[1.0, 0, 0],
+        left_end=f"floor {floor}",
+        right_end=f"floor {floor}",
+    )
+    for key, data in (
+        ("time", time),
+        ("penetration", penetration),
+        ("velocity", np.gradient(penetration, time)),
+        ("force", force),
+        ("energy", 0 * force),
+    ):
         put(group, key, data)
     put(group, "friction", 0.3 * force[:, None])
     edges = np.flatnonzero(np.diff(np.concatenate([[0], (penetration > 0).astype(int), [0]])))
@@ -234,15 +282,38 @@ def write_link(file, floor, y, dimension):
 def write_wall_link(file):
     """From the low frame to a wall on its right, which it never reaches."""
     group = file["links"].create_group("low.3-wall")
-    group.attrs.update(left="low", right="wall", left_floor=3, right_floor=0, gap=0.1, gap_units="m", law="linear_spring",
-                       position=[4 * BAY + GAP, 0, 3 * STOREY], direction=[1.0, 0, 0], left_end="floor 3", right_end="")
+    group.attrs.update(
+        left="low",
+        right="wall",
+        left_floor=3,
+        right_floor=0,
+        gap=0.1,
+        gap_units="m",
+        law="linear_spring",
+        position=[4 * BAY + GAP, 0, 3 * STOREY],
+        direction=[1.0, 0, 0],
+        left_end="floor 3",
+        right_end="",
+    )
     for key in ("time", "penetration", "velocity", "force", "energy"):
         put(group, key, {"time": TIME, "penetration": np.full(TIME.size, -0.1)}.get(key, np.zeros(TIME.size)))
 
 
 def write_impacts(file, rows):
-    numbers = ["t_start", "t_end", "t_release", "v_approach", "v_separation", "restitution", "peak_force", "t_peak",
-               "peak_penetration", "impulse", "energy_lost", "energy_stored"]
+    numbers = [
+        "t_start",
+        "t_end",
+        "t_release",
+        "v_approach",
+        "v_separation",
+        "restitution",
+        "peak_force",
+        "t_peak",
+        "peak_penetration",
+        "impulse",
+        "energy_lost",
+        "energy_stored",
+    ]
     impacts = np.zeros(len(rows), dtype=[("link", "S32"), *((key, "f8") for key in numbers)])
     for impact, (link, start, end, force) in zip(impacts, sorted(rows, key=lambda row: row[1])):
         impact["link"], impact["t_start"], impact["t_end"], impact["t_release"] = link.encode(), start, end, end

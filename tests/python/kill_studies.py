@@ -1,9 +1,11 @@
-"""Kills studies by SIGKILL at random instants, goes on with them, and compares the bits of their tables with undisturbed ones.
+"""Kills studies by SIGKILL at random instants, goes on with them, and compares the bits of their tables with
+undisturbed ones.
 
     PYTHONPATH=build/python .venv-test/bin/python3 tests/python/kill_studies.py [COUNT]
 
-COUNT kills (200) in turn of the kernel on threads, the kernel and the solver in one process, and the solver in two. Half of the instants lie anywhere
-in the life of the process, the others after its first chunk. A study that comes to its end is compared, and the next one begins."""
+COUNT kills (200) in turn of the kernel on threads, the kernel and the solver in one process, and the solver in two.
+Half of the instants lie anywhere in the life of the process, the others after its first chunk. A study that comes to
+its end is compared, and the next one begins."""
 
 import os
 import random
@@ -19,7 +21,12 @@ import h5py
 import pounding
 from study_samples import FACTORS, WORDS, pair
 
-WAYS = (("auto", "--chunk", "2"), ("auto", "-j", "0", "--chunk", "2"), ("solver", "-j", "0", "--chunk", "2"), ("solver", "-j", "2", "--chunk", "2"))
+WAYS = (
+    ("auto", "--chunk", "2"),
+    ("auto", "-j", "0", "--chunk", "2"),
+    ("solver", "-j", "0", "--chunk", "2"),
+    ("solver", "-j", "2", "--chunk", "2"),
+)
 
 
 def bits(path):
@@ -56,8 +63,20 @@ class Way:
         return self.folder / f"{self.number}{name}"
 
     def start(self, name):
-        return subprocess.Popen([sys.executable, "-m", "pounding", "study", str(self.study), "-o", str(self.file(name)), "-q", *self.options],
-                                start_new_session=True)
+        return subprocess.Popen(
+            [
+                sys.executable,
+                "-m",
+                "pounding",
+                "study",
+                str(self.study),
+                "-o",
+                str(self.file(name)),
+                "-q",
+                *self.options,
+            ],
+            start_new_session=True,
+        )
 
     def first_part(self, process, name, seconds):
         """When the first chunk of this process is there, or the process over."""
@@ -102,7 +121,10 @@ def main(count):
             min(ways, key=lambda way: way.kills).kill_once()
         for way in ways:
             way.finish()
-            print(f"{' '.join(WAYS[way.number])}: {way.kills} kills, {way.in_work} of them with chunks on disk; {way.finished} tables, {way.wrong} wrong", flush=True)
+            print(
+                f"{' '.join(WAYS[way.number])}: {way.kills} kills, {way.in_work} of them with chunks on disk; {way.finished} tables, {way.wrong} wrong",
+                flush=True,
+            )
         return 1 if any(way.wrong for way in ways) else 0
 
 

@@ -1,4 +1,5 @@
-// Writes a small model with each word of the input, as SECTION.KEY.yaml, and the records that they name: minimal_models FOLDER/
+// Writes a small model with each word of the input, as SECTION.KEY.yaml, and the records that they name: minimal_models
+// FOLDER/
 
 #include <fstream>
 #include <string>
@@ -24,7 +25,8 @@ int main(int count, char** words) {
   const std::string folder = words[1];
   test::write_records(folder);
   for (const words::Section* section : words::sections())
-    for (const words::Word& word : section->words) write(folder, section->name, word.key, test::with_word(*section, word, std::string(word.example)));
+    for (const words::Word& word : section->words)
+      write(folder, section->name, word.key, test::with_word(*section, word, std::string(word.example)));
   for (const laws::Entry& law : laws::catalogue())
     for (const words::Word& word : words::parameters_of(law).words)
       write(folder, law.name, word.key, test::with_keys(words::link, test::keys_of_law(law, word)));

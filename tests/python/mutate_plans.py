@@ -1,5 +1,6 @@
-"""Study files with random faults, by a seed: `python3 mutate_plans.py --count 100000`, with PYTHONPATH set. A plan is read or refused by InputError, within
-10 s and 2 GB; what does anything else is written beside its seed into the folder FOUND."""
+"""Study files with random faults, by a seed: `python3 mutate_plans.py --count 100000`, with PYTHONPATH set. A plan is
+read or refused by InputError, within 10 s and 2 GB; what does anything else is written beside its seed into the folder
+FOUND."""
 
 import argparse
 import collections
@@ -47,14 +48,74 @@ STUDIES = (
     "  sampling: {latin_hypercube: 5}\n  records: {files: [a.csv, b.csv], skip: [b.csv], channel: 1}\n  intensity: {measure: avg_sa, periods: [0.2 s, 1 s]}\n"
     "  engine: solver\n  keep: drift\n",
     "  factors:\n    gap: {of: links.*.gap, column: gap}\n    T: {of: structures.left.oscillator.period, column: T, at: 1}\n    share: {column: share}\n"
-    "  sampling: {table: t.csv}\n  keep: [required_gap, acceleration.left]\n")
-FILES = {"a.csv": "time,acc (g)\n" + "".join(f"{i * 0.02:.2f},{0.1 * (-1) ** i}\n" for i in range(20)), "b.csv": "time,acc (g)\n0,0\n0.02,x\n",
-         "t.csv": "T,gap (mm),share\n0.5,10,0.5\n0.7,20,0.7\n", "pair.yaml": MODEL}
+    "  sampling: {table: t.csv}\n  keep: [required_gap, acceleration.left]\n",
+)
+FILES = {
+    "a.csv": "time,acc (g)\n" + "".join(f"{i * 0.02:.2f},{0.1 * (-1) ** i}\n" for i in range(20)),
+    "b.csv": "time,acc (g)\n0,0\n0.02,x\n",
+    "t.csv": "T,gap (mm),share\n0.5,10,0.5\n0.7,20,0.7\n",
+    "pair.yaml": MODEL,
+}
 SEEDS = tuple(f"{MODEL}study:\n{words}" for words in STUDIES) + (f"model: pair.yaml\nstudy:\n{STUDIES[3]}",)
-VALUES = ("0", "-1", "1e308", "-1e308", "1e-320", "nan", "inf", "-inf", "1e9", "1e18", "1 mm", "-3 %", "0.5 g", "2 s", "yes", "no", "null", "~", "''", "[]", "{}", "[[]]",
-          "[1, x]", "{a: 1}", "*", "links.*", "structures", "structures.*.*", "../..", ".", "*.csv", "/dev/null", "/dev/zero", "t.csv", "pair.yaml", "é", "\\x00",
-          "0x10", "1_000", "9" * 400, "a" * 300, "[" * 50, "true", "far_field", "grid", "{from: 1, to: 2}", "{count: 2}")
-WORDS = sorted({*STUDY_WORDS, *KINDS, *ENGINES, *UNITS, *(word for words in KINDS.values() for word in words), *(re.findall(r"[a-z_]{2,}", "".join(STUDIES)))})
+VALUES = (
+    "0",
+    "-1",
+    "1e308",
+    "-1e308",
+    "1e-320",
+    "nan",
+    "inf",
+    "-inf",
+    "1e9",
+    "1e18",
+    "1 mm",
+    "-3 %",
+    "0.5 g",
+    "2 s",
+    "yes",
+    "no",
+    "null",
+    "~",
+    "''",
+    "[]",
+    "{}",
+    "[[]]",
+    "[1, x]",
+    "{a: 1}",
+    "*",
+    "links.*",
+    "structures",
+    "structures.*.*",
+    "../..",
+    ".",
+    "*.csv",
+    "/dev/null",
+    "/dev/zero",
+    "t.csv",
+    "pair.yaml",
+    "é",
+    "\\x00",
+    "0x10",
+    "1_000",
+    "9" * 400,
+    "a" * 300,
+    "[" * 50,
+    "true",
+    "far_field",
+    "grid",
+    "{from: 1, to: 2}",
+    "{count: 2}",
+)
+WORDS = sorted(
+    {
+        *STUDY_WORDS,
+        *KINDS,
+        *ENGINES,
+        *UNITS,
+        *(word for words in KINDS.values() for word in words),
+        *(re.findall(r"[a-z_]{2,}", "".join(STUDIES))),
+    }
+)
 TOKEN = re.compile(r"[A-Za-z0-9_.*%/-]+|[\[\]{}:,]")
 
 
@@ -77,7 +138,7 @@ def mutant(chance):
             text = text[:first] + text[last:]
         elif kind == 6:
             other = chance.choice(tokens)
-            text = text[:first] + text[other[0]:other[1]] + text[last:]
+            text = text[:first] + text[other[0] : other[1]] + text[last:]
         elif kind == 7:
             lines = text.splitlines(keepends=True)
             i, j = chance.randrange(len(lines)), chance.randrange(len(lines))
@@ -85,7 +146,13 @@ def mutant(chance):
             text = "".join(lines)
         else:
             place = chance.randrange(first, last + 1)
-            text = text[:place] + chance.choice(("\t", "\n", " ", ":", "-", "#", "'", '"', "&a ", "*a", "!!int ", "|", ">", "\x07", "?", "%")) + text[place:]
+            text = (
+                text[:place]
+                + chance.choice(
+                    ("\t", "\n", " ", ":", "-", "#", "'", '"', "&a ", "*a", "!!int ", "|", ">", "\x07", "?", "%")
+                )
+                + text[place:]
+            )
     return text
 
 
@@ -129,7 +196,9 @@ def survey(count, seed, found):
             child = os.fork()
             if child == 0:
                 resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-                (folder / "fates").write_text(repr(dict(look((f"{seed}-{i}" for i in range(first, last)), folder, found))))
+                (folder / "fates").write_text(
+                    repr(dict(look((f"{seed}-{i}" for i in range(first, last)), folder, found)))
+                )
                 os._exit(0)
             status = os.waitpid(child, 0)[1]
             if status == 0:
@@ -137,7 +206,9 @@ def survey(count, seed, found):
                 first = last
                 continue
             now = (folder / "now").read_text()
-            fates["hang" if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM else f"status {status}"] += 1
+            fates[
+                "hang" if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM else f"status {status}"
+            ] += 1
             shutil.copy(folder / "study.yaml", found / f"{now}.yaml")
             # Mutants before it count again only where they failed.
             first = int(now.split("-")[1]) + 1

@@ -39,7 +39,8 @@ inline double ground(double t) {
   if (t > 12) return 0;
   const double envelope = std::min({1.0, t / 2, (12 - t) / 5});
   const double turn = 2 * std::numbers::pi;
-  return envelope * (2.6 * std::sin(turn * 1.35 * t) + 1.7 * std::sin(turn * 2.3 * t + 1) + 0.9 * std::sin(turn * 4.1 * t));
+  return envelope *
+         (2.6 * std::sin(turn * 1.35 * t) + 1.7 * std::sin(turn * 2.3 * t + 1) + 0.9 * std::sin(turn * 4.1 * t));
 }
 
 /// A small simulation, and the histories that it leaves.
@@ -54,7 +55,8 @@ class Run {
       history.name = building.name;
       for (int i = 1; i <= building.floors; ++i) history.floors.push_back(std::to_string(i));
       StructureEnvelope& envelope = history.envelope;
-      envelope.displacement = envelope.acceleration = envelope.drift = envelope.storey_shear = Extremes(building.u.size());
+      envelope.displacement = envelope.acceleration = envelope.drift = envelope.storey_shear =
+          Extremes(building.u.size());
       results_.structures.push_back(history);
     }
     for (const Touch& touch : touches_) {
@@ -76,7 +78,8 @@ class Run {
       const double t = i * step;
       const bool output = i % per_output == 0;
       if (output) record(t);
-      for (std::size_t j = 0; j < touches_.size(); ++j) advance_touch(j, t, output || (touches_[j].pressed && i % 10 == 0));
+      for (std::size_t j = 0; j < touches_.size(); ++j)
+        advance_touch(j, t, output || (touches_[j].pressed && i % 10 == 0));
       advance(ground(t));
     }
     return results_;
@@ -216,7 +219,8 @@ inline Results run(std::string_view kind) {
   } else if (kind == "towers") {
     buildings = {{"slender", 6, 150e3, 9e7, 9e5}, {"stiff", 6, 200e3, 3.2e8, 1.5e6}};
     touches.clear();
-    for (std::size_t floor = 0; floor < 6; ++floor) touches.push_back({.left = 0, .right = 1, .floor = floor, .gap = 0.04});
+    for (std::size_t floor = 0; floor < 6; ++floor)
+      touches.push_back({.left = 0, .right = 1, .floor = floor, .gap = 0.04});
     title = "Two towers of six storeys, 40 mm apart";
   } else if (kind == "alone") {
     buildings = {left};

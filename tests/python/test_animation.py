@@ -60,8 +60,10 @@ class Films(unittest.TestCase):
         times = animation.frame_times(run, 90)
         strengths = animation.pressed(run, times)
         link = run.links["tall.3-low.3"]
-        expected = [bool(np.any(link.penetration[(link.time > a) & (link.time <= b)] > 0))
-                    for a, b in zip([times[0] - 1, *times[:-1]], times)]
+        expected = [
+            bool(np.any(link.penetration[(link.time > a) & (link.time <= b)] > 0))
+            for a, b in zip([times[0] - 1, *times[:-1]], times)
+        ]
         self.assertTrue(any(expected) and not all(expected))
         self.assertEqual(list(strengths[:, 2] > 0), expected)
         self.assertEqual(strengths.max(), 1)
@@ -115,9 +117,12 @@ class Films(unittest.TestCase):
 
     def test_impossible_wishes_are_refused(self):
         run = self.runs["towers"]
-        for wish, words in (((10, 4, 20), "--from 4 --to 20 is not a part of the run, which goes from 0 s to 16 s"),
-                            ((10, 5, 5), "is not a part of the run"), ((1,), "type --frames 2 or more"),
-                            ((10, float("nan"), None), "is not a part of the run")):
+        for wish, words in (
+            ((10, 4, 20), "--from 4 --to 20 is not a part of the run, which goes from 0 s to 16 s"),
+            ((10, 5, 5), "is not a part of the run"),
+            ((1,), "type --frames 2 or more"),
+            ((10, float("nan"), None), "is not a part of the run"),
+        ):
             with self.assertRaisesRegex(BadRequest, words):
                 animation.frame_times(run, *wish)
         with self.assertRaisesRegex(BadRequest, "--scale 0 should be above zero"):
@@ -147,7 +152,9 @@ class Films(unittest.TestCase):
     def test_film_has_its_frames(self):
         place = Path(self.directory.name)
         for kind in ("plane", "alone"):
-            animation.save(animation.animate(self.runs[kind], animation.frame_times(self.runs[kind], 4)), place / f"{kind}.gif")
+            animation.save(
+                animation.animate(self.runs[kind], animation.frame_times(self.runs[kind], 4)), place / f"{kind}.gif"
+            )
             with Image.open(place / f"{kind}.gif") as film:
                 self.assertEqual(film.n_frames, 4)
         animation.save(animation.animate(self.runs["space"], [0, 1, 2]), place / "s.png")
@@ -155,7 +162,9 @@ class Films(unittest.TestCase):
 
     def test_mp4_says_what_is_missing(self):
         with mock.patch.object(shutil, "which", return_value=None):
-            with self.assertRaisesRegex(BadRequest, "ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or `-o a.gif`"):
+            with self.assertRaisesRegex(
+                BadRequest, "ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or `-o a.gif`"
+            ):
                 animation.check_output("a.mp4")
         with self.assertRaisesRegex(BadRequest, '".avi" is none of .gif, .mp4, .png'):
             animation.check_output("a.avi")
@@ -178,19 +187,29 @@ class Command(unittest.TestCase):
     def test_film_is_written_into_the_current_folder_and_named(self):
         place = self.directory / "elsewhere"
         place.mkdir()
-        done = subprocess.run([PROGRAM, "animate", "--frames", "3", self.results], capture_output=True, text=True, cwd=place)
+        done = subprocess.run(
+            [PROGRAM, "animate", "--frames", "3", self.results], capture_output=True, text=True, cwd=place
+        )
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "film         -run.gif\n", ""))
         with Image.open(place / "-run.gif") as film:
             self.assertEqual(film.n_frames, 3)
         self.assertFalse(self.results.with_suffix(".gif").exists())
-        done = subprocess.run([PROGRAM, "animate", "--frames", "2", "-o", "still.png", self.results], capture_output=True, text=True,
-                              cwd=place)
+        done = subprocess.run(
+            [PROGRAM, "animate", "--frames", "2", "-o", "still.png", self.results],
+            capture_output=True,
+            text=True,
+            cwd=place,
+        )
         self.assertEqual((done.returncode, done.stdout), (0, "frames       still_0001.png to still_0002.png\n"))
 
     def test_progress_is_shown_on_a_terminal(self):
         master, terminal = pty.openpty()
-        done = subprocess.run([PROGRAM, "animate", "--frames", "3", self.results], stdout=subprocess.DEVNULL, stderr=terminal,
-                              cwd=self.directory)
+        done = subprocess.run(
+            [PROGRAM, "animate", "--frames", "3", self.results],
+            stdout=subprocess.DEVNULL,
+            stderr=terminal,
+            cwd=self.directory,
+        )
         os.close(terminal)
         shown = b""
         with contextlib.suppress(OSError):
@@ -205,16 +224,50 @@ class Command(unittest.TestCase):
         python = self.directory / "python"
         python.write_text('#!/bin/sh\nprintf "%s\\n" "$@" > arguments\n')
         python.chmod(stat.S_IRWXU)
-        subprocess.run([PROGRAM, "animate", "-o", "x y.mp4", "--scale", "2.5e1", "--frames", "7", "--from", "0.1", "--to", "2",
-                        "--", "-run.h5"], env={**os.environ, "POUNDING_PYTHON": str(python)}, cwd=self.directory, check=True,
-                       stderr=subprocess.DEVNULL)
-        self.assertEqual((self.directory / "arguments").read_text().splitlines(),
-                         ["-m", "pounding.animation", "-o", "x y.mp4", "--scale=2.5e1", "--frames=7", "--from=0.1", "--to=2",
-                          "--", "-run.h5"])
+        subprocess.run(
+            [
+                PROGRAM,
+                "animate",
+                "-o",
+                "x y.mp4",
+                "--scale",
+                "2.5e1",
+                "--frames",
+                "7",
+                "--from",
+                "0.1",
+                "--to",
+                "2",
+                "--",
+                "-run.h5",
+            ],
+            env={**os.environ, "POUNDING_PYTHON": str(python)},
+            cwd=self.directory,
+            check=True,
+            stderr=subprocess.DEVNULL,
+        )
+        self.assertEqual(
+            (self.directory / "arguments").read_text().splitlines(),
+            [
+                "-m",
+                "pounding.animation",
+                "-o",
+                "x y.mp4",
+                "--scale=2.5e1",
+                "--frames=7",
+                "--from=0.1",
+                "--to=2",
+                "--",
+                "-run.h5",
+            ],
+        )
 
     def test_failures_are_reported(self):
-        for words, text in ((["--to", "99"], "no animation: --from 0 --to 99 is not a part of the run"),
-                            (["-o", "x.avi"], "no animation: cannot write x.avi"), (["--frames", "x"], "--frames")):
+        for words, text in (
+            (["--to", "99"], "no animation: --from 0 --to 99 is not a part of the run"),
+            (["-o", "x.avi"], "no animation: cannot write x.avi"),
+            (["--frames", "x"], "--frames"),
+        ):
             done = subprocess.run([PROGRAM, "animate", self.results, *words], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2)
             self.assertIn(text, done.stderr)

@@ -15,7 +15,9 @@ from pounding.errors import InputError
 
 
 def done(*words, folder):
-    run = subprocess.run([sys.executable, "-m", "pounding", *words], cwd=folder, capture_output=True, text=True, timeout=120)
+    run = subprocess.run(
+        [sys.executable, "-m", "pounding", *words], cwd=folder, capture_output=True, text=True, timeout=120
+    )
     return run.returncode, run.stdout, run.stderr
 
 
@@ -53,7 +55,14 @@ class Lessons(unittest.TestCase):
             self.assertEqual((code, told), (0, ""))
             copied = Path(folder) / "lessons"
             models = sorted(path.parent.name for path in copied.glob("*/model.yaml"))
-            self.assertEqual(models, sorted(path.parent.name for path in demo.lessons().glob("*/model.yaml") if (path.parent / "README.md").is_file()))
+            self.assertEqual(
+                models,
+                sorted(
+                    path.parent.name
+                    for path in demo.lessons().glob("*/model.yaml")
+                    if (path.parent / "README.md").is_file()
+                ),
+            )
             self.assertGreater(len(models), 15)
             self.assertIn(f"{len(models)} models", printed)
             self.assertTrue((copied / "02_two_oscillators/README.md").is_file())
@@ -66,7 +75,10 @@ class Lessons(unittest.TestCase):
             self.assertEqual(told, "pounding: error: . exists already; name a folder that does not\n")
 
     def test_are_missed_with_a_reason(self):
-        with mock.patch.object(demo, "_PLACES", (Path("/nowhere"),)), self.assertRaisesRegex(InputError, "make portable-wheel"):
+        with (
+            mock.patch.object(demo, "_PLACES", (Path("/nowhere"),)),
+            self.assertRaisesRegex(InputError, "make portable-wheel"),
+        ):
             demo.lessons()
 
 

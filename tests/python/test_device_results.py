@@ -25,7 +25,9 @@ analysis: {duration: 1.0, output_step: 10 ms}
 def results_of(model):
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "model.yaml").write_text(model)
-        subprocess.run([os.environ["POUNDING_PROGRAM"], "run", "model.yaml", "-q", "-o", "out.h5"], cwd=folder, check=True)
+        subprocess.run(
+            [os.environ["POUNDING_PROGRAM"], "run", "model.yaml", "-q", "-o", "out.h5"], cwd=folder, check=True
+        )
         return results.RunData.from_image((Path(folder) / "out.h5").read_bytes())
 
 
@@ -36,19 +38,24 @@ class Devices(unittest.TestCase):
 
     def test_are_read_with_their_histories_and_largest_values(self):
         device = self.results.devices["both ways"]
-        self.assertEqual((device.left, device.left_end, device.right, device.right_end), ("left", "floor 1", "right", "floor 1"))
+        self.assertEqual(
+            (device.left, device.left_end, device.right, device.right_end), ("left", "floor 1", "right", "floor 1")
+        )
         self.assertEqual((device.stiffness, device.coefficient, device.exponent), (5e6, 2e5, 0.5))
         self.assertEqual(device.force.shape, self.results.time.shape)
         least, largest = device.largest["force"]
         self.assertLessEqual(least, device.force.min())
         self.assertGreaterEqual(largest, device.force.max())
         at = np.interp(device.largest["elongation_time"], self.results.time, device.elongation)
-        np.testing.assert_allclose(at, device.largest["elongation"], rtol=3e-3)  # straight lines between the output times
+        # straight lines between the output times
+        np.testing.assert_allclose(at, device.largest["elongation"], rtol=3e-3)
         self.assertGreater(self.results.energy["devices"][-1], 0)
 
     def test_are_printed_in_three_lines(self):
         lines = str(self.results.devices["both ways"]).splitlines()
-        self.assertEqual(lines[0], "both ways: bar 5e+06 N/m, damper 2e+05 N (s/m)^0.5 between left (floor 1) and right (floor 1)")
+        self.assertEqual(
+            lines[0], "both ways: bar 5e+06 N/m, damper 2e+05 N (s/m)^0.5 between left (floor 1) and right (floor 1)"
+        )
         self.assertEqual(len(lines), 3)
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
@@ -56,26 +63,36 @@ class Devices(unittest.TestCase):
         from matplotlib.figure import Figure
 
         from pounding.pictures.histories import draw_energies
+
         axes = Figure().subplots()
         draw_energies(axes, self.results)
         self.assertIn("dampers between", [text.get_text() for text in axes.get_legend().get_texts()])
         top = max(part.get_paths()[0].vertices[:, 1].max() for part in axes.collections)
-        self.assertAlmostEqual(top, axes.lines[0].get_ydata().max(), delta=1e-3 * top, msg="the parts add up to the input")
+        self.assertAlmostEqual(
+            top, axes.lines[0].get_ydata().max(), delta=1e-3 * top, msg="the parts add up to the input"
+        )
 
-    @unittest.skipIf(importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None, "needs pandas and xarray")
+    @unittest.skipIf(
+        importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None,
+        "needs pandas and xarray",
+    )
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_are_drawn_as_loops_with_the_energy_that_they_lose(self):
         from pounding.pictures.spring_loops import loops_figure
+
         drawn = [axes for axes in loops_figure(self.results).axes if axes.axison]
         lost = sorted(self.results.summary["devices"], key=lambda one: -one["energy_lost"])
-        self.assertEqual([axes.get_title(loc="left")[4:].split(",")[0] for axes in drawn], [one["name"] for one in lost])
+        self.assertEqual(
+            [axes.get_title(loc="left")[4:].split(",")[0] for axes in drawn], [one["name"] for one in lost]
+        )
         for axes, one in zip(drawn, lost):
             device = self.results.devices[one["name"]]
             [line] = [line for line in axes.lines if len(line.get_xdata()) == self.results.time.size]
             np.testing.assert_allclose(line.get_xdata(), 1e3 * device.elongation)
-            # The area of the loop is the energy that it lost and the one that its bar still stores; straight lines between the output times miss a little.
+            # The area of the loop is the energy that it lost and the one that its bar still stores; straight lines
+            # between the output times miss a little.
             area = float(np.sum(0.5 * (device.force[1:] + device.force[:-1]) * np.diff(device.elongation)))
-            stored = 0.5 * device.stiffness * device.elongation[-1]**2
+            stored = 0.5 * device.stiffness * device.elongation[-1] ** 2
             self.assertAlmostEqual((area - stored) / one["energy_lost"], 1, delta=0.03)
 
     def test_are_tables(self):
@@ -84,7 +101,9 @@ class Devices(unittest.TestCase):
         self.assertEqual(tables.to_xarray(self.results)["devices/both ways"]["elongation"].attrs["units"], "m")
 
     def test_are_none_in_a_run_without_them(self):
-        without = results_of("".join(line + "\n" for line in MODEL.splitlines() if "devices" not in line and "both ways" not in line))
+        without = results_of(
+            "".join(line + "\n" for line in MODEL.splitlines() if "devices" not in line and "both ways" not in line)
+        )
         self.assertEqual(without.devices, {})
         self.assertNotIn("devices", without.energy)
 

@@ -1,4 +1,5 @@
-"""Every number of the schema as a factor, against a model edited by hand. The models are those of the tests of the input: one for each word."""
+"""Every number of the schema as a factor, against a model edited by hand. The models are those of the tests of the
+input: one for each word."""
 
 import collections
 import copy
@@ -58,11 +59,17 @@ class EveryNumber(unittest.TestCase):
         model = pounding.Model.from_yaml(yaml_text.emit(parts))
         model._file = str(self.folder / "model.yaml")
         has_floors = any(one.floors for one in core.layout(model._source()).structures)
-        return make_plan(model, {"keep": KEEP if has_floors else WITHOUT_FLOORS, "stop_after": "100 %", "engine": engine, **words}, self.folder)
+        return make_plan(
+            model,
+            {"keep": KEEP if has_floors else WITHOUT_FLOORS, "stop_after": "100 %", "engine": engine, **words},
+            self.folder,
+        )
 
     def row(self, plan):
         study = run_plan(plan, None, workers=0)
-        return [float(study[column][0]) for column in plan.template.kept.columns], [reason.partition("row:")[0] for reason in study.failed.values()]
+        return [float(study[column][0]) for column in plan.template.kept.columns], [
+            reason.partition("row:")[0] for reason in study.failed.values()
+        ]
 
     def fate(self, parts, keys, text, base):
         """Compares the row of a factor with that of a model edited by hand; returns what became of both."""
@@ -76,13 +83,19 @@ class EveryNumber(unittest.TestCase):
                 self.plan(parts, **words)
             return "refused"
         plan = self.plan(parts, **words)
-        self.assertEqual(core.check(core.Source(plan.yaml(0), "row"))[1], core.check(core.Source(hand.yaml(0), "row"))[1])
+        self.assertEqual(
+            core.check(core.Source(plan.yaml(0), "row"))[1], core.check(core.Source(hand.yaml(0), "row"))[1]
+        )
         values, failed = self.row(hand)
         found, reasons = self.row(plan)
         np.testing.assert_array_equal(found, values, err_msg=f"{path}: {text} -> {other}")
         self.assertEqual(reasons, failed)
-        np.testing.assert_allclose(self.row(self.plan(parts, "auto", **words))[0], values, rtol=5e-3, err_msg=f"{path}: engines")
-        return "failed" if failed else "same numbers" if np.array_equal(values, base, equal_nan=True) else "other numbers"
+        np.testing.assert_allclose(
+            self.row(self.plan(parts, "auto", **words))[0], values, rtol=5e-3, err_msg=f"{path}: engines"
+        )
+        return (
+            "failed" if failed else "same numbers" if np.array_equal(values, base, equal_nan=True) else "other numbers"
+        )
 
     def test_every_number(self):
         seen, fates = set(), collections.Counter()
@@ -91,31 +104,42 @@ class EveryNumber(unittest.TestCase):
             parts = core.parse(core.Source(file.read_text(), str(file)))
             base = None
             for keys, text in numbers(parts):
-                if word not in keys or (section, word, *keys[keys.index(word):]) in seen:
+                if word not in keys or (section, word, *keys[keys.index(word) :]) in seen:
                     continue
-                seen.add((section, word, *keys[keys.index(word):]))
+                seen.add((section, word, *keys[keys.index(word) :]))
                 with self.subTest(file.name, keys=keys):
                     if base is None:
                         base, _ = self.row(self.plan(parts))
                     fates[self.fate(parts, keys, text, base)] += 1
-        catalogue = json.loads(subprocess.run([os.environ["POUNDING_PROGRAM"], "words", "--json"], capture_output=True, check=True).stdout)
+        catalogue = json.loads(
+            subprocess.run([os.environ["POUNDING_PROGRAM"], "words", "--json"], capture_output=True, check=True).stdout
+        )
         # A word whose example is a name, as `face: auto`, has a test of its own.
-        words = {(section["name"], word["key"]) for section in catalogue for word in section["keys"]
-                 if word["kind"] in ("quantity", "integer") and word["example"] != "auto"}
+        words = {
+            (section["name"], word["key"])
+            for section in catalogue
+            for word in section["keys"]
+            if word["kind"] in ("quantity", "integer") and word["example"] != "auto"
+        }
         self.assertEqual(sorted(words - {place[:2] for place in seen}), [])
         self.assertGreater(fates["other numbers"], 200, fates)
         self.assertLess(fates["refused"] + fates["failed"], 50, fates)
 
     def test_a_face(self):
         frame = "frame: {material: {E: 30 GPa}, grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 50 t}"
-        parts = core.parse(core.Source(f"""
+        parts = core.parse(
+            core.Source(
+                f"""
 ground_motion: {{synthetic: {{seed: 1, duration: 2 s, pga: 0.4 g, soil: firm}}}}
 structures:
   left: {{{frame}}}, damping: 5 %}}
   right: {{{frame.replace("50 t", "90 t")}, origin: [6.41 m, 0]}}, damping: 5 %, face: 0.4 m}}
 links: [{{between: [left, right], floors: all, law: hertz, stiffness: 1e9}}]
 analysis: {{tolerance: 1e-3}}
-""", "faces.yaml"))
+""",
+                "faces.yaml",
+            )
+        )
         base, _ = self.row(self.plan(parts))
         self.assertEqual(self.fate(parts, ("structures", "right", "face"), "0.4 m", base), "other numbers")
 

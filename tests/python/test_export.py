@@ -53,16 +53,21 @@ class Exports(unittest.TestCase):
     def grids(self, step, place=None):
         """{structure: {what: array}} of one time."""
         path = (place or self.directory) / "out.xdmf"
-        steps = {series.get("Name"): series.findall("Grid")[step]
-                 for series in ElementTree.parse(path).getroot().findall("Domain/Grid")}
+        steps = {
+            series.get("Name"): series.findall("Grid")[step]
+            for series in ElementTree.parse(path).getroot().findall("Domain/Grid")
+        }
         times = {float(one.find("Time").get("Value")) for one in steps.values()}
         self.assertEqual(len(times), 1)
         self.time = times.pop()
-        return {name: {
-            "points": follow(one.find("Geometry/DataItem"), path.parent),
-            "lines": follow(one.find("Topology/DataItem"), path.parent),
-            **{a.get("Name"): follow(a.find("DataItem"), path.parent) for a in one.findall("Attribute")}}
-            for name, one in steps.items()}
+        return {
+            name: {
+                "points": follow(one.find("Geometry/DataItem"), path.parent),
+                "lines": follow(one.find("Topology/DataItem"), path.parent),
+                **{a.get("Name"): follow(a.find("DataItem"), path.parent) for a in one.findall("Attribute")},
+            }
+            for name, one in steps.items()
+        }
 
     def export(self, dimension=2, place=None, **options):
         frame_samples.write(self.results, dimension, **options)
@@ -78,7 +83,9 @@ class Exports(unittest.TestCase):
         for name, structure in run.structures.items():
             np.testing.assert_allclose(grids[name]["points"], scene.at_rest(name))
             np.testing.assert_array_equal(grids[name]["lines"], scene.line_models[name].members)
-            np.testing.assert_allclose(grids[name]["displacement"], node_displacements(structure, scene.line_models[name])[step])
+            np.testing.assert_allclose(
+                grids[name]["displacement"], node_displacements(structure, scene.line_models[name])[step]
+            )
         return grids
 
     def test_frames_in_space_point_into_the_results(self):
@@ -133,8 +140,9 @@ class Exports(unittest.TestCase):
         place = self.directory / "elsewhere"
         place.mkdir()
         done = subprocess.run([PROGRAM, "export", self.results], capture_output=True, text=True, cwd=place)
-        self.assertEqual((done.returncode, done.stdout, done.stderr),
-                         (0, "export       run.xdmf\nexport       run.data.h5\n", ""))
+        self.assertEqual(
+            (done.returncode, done.stdout, done.stderr), (0, "export       run.xdmf\nexport       run.data.h5\n", "")
+        )
         self.assertEqual(sorted(path.name for path in place.iterdir()), ["run.data.h5", "run.xdmf"])
         self.assertFalse((self.directory / "run.xdmf").exists())
         done = subprocess.run([PROGRAM, "export", self.results, "-o", "x.vtk"], capture_output=True, text=True)
@@ -157,7 +165,9 @@ class ReaderOfParaView(Exports):
         reader = vtkIOXdmf2.vtkXdmfReader()
         reader.SetFileName(str((place or self.directory) / "out.xdmf"))
         reader.UpdateInformation()
-        times = reader.GetOutputInformation(0).Get(vtkCommonExecutionModel.vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+        times = reader.GetOutputInformation(0).Get(
+            vtkCommonExecutionModel.vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+        )
         reader.UpdateTimeStep(times[step])
         self.time = times[step]
         blocks = reader.GetOutputDataObject(0)
@@ -165,10 +175,14 @@ class ReaderOfParaView(Exports):
         for i in range(blocks.GetNumberOfBlocks()):
             grid, cells = blocks.GetBlock(i), blocks.GetBlock(i).GetCellData()
             name = blocks.GetMetaData(i).Get(blocks.NAME())
-            found[name] = {"points": vtk_to_numpy(grid.GetPoints().GetData()),
-                           "lines": vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 2),
-                           "displacement": vtk_to_numpy(grid.GetPointData().GetArray("displacement"))}
-            found[name] |= {cells.GetArrayName(j): vtk_to_numpy(cells.GetArray(j)) for j in range(cells.GetNumberOfArrays())}
+            found[name] = {
+                "points": vtk_to_numpy(grid.GetPoints().GetData()),
+                "lines": vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 2),
+                "displacement": vtk_to_numpy(grid.GetPointData().GetArray("displacement")),
+            }
+            found[name] |= {
+                cells.GetArrayName(j): vtk_to_numpy(cells.GetArray(j)) for j in range(cells.GetNumberOfArrays())
+            }
         return found
 
 

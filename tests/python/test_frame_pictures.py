@@ -44,7 +44,10 @@ class FramePictures(unittest.TestCase):
         frame_samples.write(place / "rigid.h5", 3, compare=True, rigid=True)
         for kind in ("towers", "row"):
             subprocess.run([WRITER, kind, place / f"{kind}.h5"], check=True)
-        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "compared", "beside", "rigid", "towers", "row")}
+        cls.runs = {
+            kind: read(place / f"{kind}.h5")
+            for kind in ("plane", "space", "compared", "beside", "rigid", "towers", "row")
+        }
 
     @classmethod
     def tearDownClass(cls):
@@ -60,8 +63,10 @@ class FramePictures(unittest.TestCase):
                     self.assertGreater(picture.tell(), 3000)
 
     def test_model_in_space_is_seen_from_all_sides(self):
-        self.assertEqual(titles(model_figure(self.runs["space"])),
-                         ["(a) View", "(b) Plan", "(c) Elevation along x", "(d) Elevation along y"])
+        self.assertEqual(
+            titles(model_figure(self.runs["space"])),
+            ["(a) View", "(b) Plan", "(c) Elevation along x", "(d) Elevation along y"],
+        )
         self.assertEqual(len(model_figure(self.runs["plane"]).axes), 1)
 
     def test_map_in_plan_shows_drifts_and_the_hardest_impact(self):
@@ -69,8 +74,13 @@ class FramePictures(unittest.TestCase):
         figure = figures.figure(run, "plan")
         self.assertEqual(titles(figure)[:2], ["(a) With its neighbours", "(b) Each alone"])
         # A roof's motion in proportion to the height: every storey drifts by a fifth, or a third, of it.
-        expected = [100 * frame_samples.BETWEEN_OUTPUTS * np.abs(frame_samples.sway(name)["x"]).max() / (storeys * frame_samples.STOREY)
-                    for name, storeys in (("tall", 5), ("low", 3))]
+        expected = [
+            100
+            * frame_samples.BETWEEN_OUTPUTS
+            * np.abs(frame_samples.sway(name)["x"]).max()
+            / (storeys * frame_samples.STOREY)
+            for name, storeys in (("tall", 5), ("low", 3))
+        ]
         for axes, part in zip(figure.axes, (1.0, frame_samples.WITHOUT_LINKS)):
             numbers = [text.get_text() for text in axes.texts if text.get_text()[0].isdigit()]
             self.assertEqual(numbers, [f"{part * value:.2f}" for value in expected])
@@ -89,7 +99,9 @@ class FramePictures(unittest.TestCase):
         figures.figure(self.runs["beside"], "plan", "", (3.3, 4.5)).savefig(picture, dpi=60)
         self.assertGreater(picture.tell(), 3000)
         for kind in ("plane", "towers"):
-            with self.assertRaisesRegex(BadRequest, "no structure of this run is a frame in space. Draw --picture profiles"):
+            with self.assertRaisesRegex(
+                BadRequest, "no structure of this run is a frame in space. Draw --picture profiles"
+            ):
                 figures.figure(self.runs[kind], "plan")
         with self.assertRaisesRegex(BadRequest, "no run without links"):
             figures.figure(self.runs["space"], "plan", compare=True)
@@ -114,7 +126,11 @@ class FramePictures(unittest.TestCase):
         run = replace(run, structures=many, links={}, impacts=run.impacts[:0], envelopes={})
         figure = model_figure(run)
         axes = figure.axes[0]
-        bodies = [each for each in axes.collections if isinstance(each, PolyCollection) and each.get_facecolor().tolist() == [[1, 1, 1, 1]]]
+        bodies = [
+            each
+            for each in axes.collections
+            if isinstance(each, PolyCollection) and each.get_facecolor().tolist() == [[1, 1, 1, 1]]
+        ]
         self.assertEqual(len(bodies), 14)
         lines = {lines.get_label(): lines.get_zorder() for lines in axes.collections if lines.get_label() in many}
         self.assertGreater(lines["n6"], lines["n0"])  # the eye is at large x and small y
@@ -127,7 +143,9 @@ class FramePictures(unittest.TestCase):
     def test_every_member_and_link_is_drawn_in_place(self):
         run = self.runs["plane"]
         axes = model_figure(run).axes[0]
-        lines = {lines.get_label(): lines.get_segments() for lines in axes.collections if hasattr(lines, "get_segments")}
+        lines = {
+            lines.get_label(): lines.get_segments() for lines in axes.collections if hasattr(lines, "get_segments")
+        }
         tall = run.structures["tall"].geometry
         np.testing.assert_allclose(lines["tall"], tall.nodes[:, [0, 2]][tall.members])
         marks = next(c for c in axes.collections if len(c.get_offsets()) == 4)
@@ -135,9 +153,18 @@ class FramePictures(unittest.TestCase):
 
     def test_mark_of_a_wall_on_the_left_is_at_the_wall_where_the_frame_meets_it(self):
         run = self.runs["plane"]
-        link = replace(run.links["low.3-wall"], name="wall-tall", left="wall", right="tall", left_floor=0, right_floor=0,
-                       position=np.zeros(3))
-        run = replace(run, links={link.name: link}, structures={name: run.structures[name] for name in ("wall", "tall")})
+        link = replace(
+            run.links["low.3-wall"],
+            name="wall-tall",
+            left="wall",
+            right="tall",
+            left_floor=0,
+            right_floor=0,
+            position=np.zeros(3),
+        )
+        run = replace(
+            run, links={link.name: link}, structures={name: run.structures[name] for name in ("wall", "tall")}
+        )
         np.testing.assert_allclose(Scene(run).faces["wall-tall"], [-0.1, 0, 0])
         np.testing.assert_allclose(Scene(run, 3).faces["wall-tall"], [-0.3, 0, 0])
 
@@ -157,7 +184,9 @@ class FramePictures(unittest.TestCase):
 
     def test_legend_states_the_gaps(self):
         legend = model_figure(self.runs["plane"]).legends[0]
-        self.assertEqual([text.get_text() for text in legend.get_texts()], ["3 links, gap 25 mm", "low.3-wall, gap 100 mm"])
+        self.assertEqual(
+            [text.get_text() for text in legend.get_texts()], ["3 links, gap 25 mm", "low.3-wall, gap 100 mm"]
+        )
 
     def test_unknown_heights_have_no_scale(self):
         axes = model_figure(self.runs["towers"]).axes[0]
@@ -185,7 +214,9 @@ class FramePictures(unittest.TestCase):
         figure = profiles_figure(run)
         self.assertEqual(figure.axes[0].get_ylabel(), "Floor")
         self.assertEqual(figure.axes[1].get_xlabel(), "Storey drift [mm]")
-        np.testing.assert_allclose(figure.axes[1].lines[1].get_xdata()[::2], 1e3 * run.envelopes["slender"].drift.max[:, 0])
+        np.testing.assert_allclose(
+            figure.axes[1].lines[1].get_xdata()[::2], 1e3 * run.envelopes["slender"].drift.max[:, 0]
+        )
 
     def test_profiles_show_the_run_without_links_dashed(self):
         run = self.runs["compared"]
@@ -193,7 +224,9 @@ class FramePictures(unittest.TestCase):
         dashed = [line for line in figure.axes[0].lines if line.get_linestyle() == "--"]
         np.testing.assert_allclose(dashed[1].get_xdata()[1:], 0.7e3 * run.envelopes["tall"].displacement.max[:, 0])
         self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], ["tall", "low", "without links"])
-        self.assertEqual([line for line in profiles_figure(run, compare=False).axes[0].lines if line.get_linestyle() == "--"], [])
+        self.assertEqual(
+            [line for line in profiles_figure(run, compare=False).axes[0].lines if line.get_linestyle() == "--"], []
+        )
         with self.assertRaisesRegex(BadRequest, "add compare: no_pounding to the model"):
             profiles_figure(self.runs["plane"], compare=True)
 
@@ -201,6 +234,7 @@ class FramePictures(unittest.TestCase):
         run = self.runs["compared"]
         for picture, panel in (("displacement", 0), ("gap", 0), ("energy", 0), ("run", 1)):
             with self.subTest(picture):
+
                 def dashed(**options):
                     lines = run.plot(picture, **options).axes[panel].lines
                     return [line for line in lines if str(line.get_label()).endswith("without links")]
@@ -208,10 +242,14 @@ class FramePictures(unittest.TestCase):
                 self.assertEqual(dashed(), [])
                 [line] = dashed(compare=True)
                 self.assertEqual(line.get_linestyle(), "--")
-        opening = [line for line in run.plot("gap", compare=True).axes[0].lines if line.get_label() == "without links"][0]
+        opening = [line for line in run.plot("gap", compare=True).axes[0].lines if line.get_label() == "without links"][
+            0
+        ]
         link = run.links["tall.1-low.1"]
         apart = run.no_pounding.structures
-        np.testing.assert_allclose(opening.get_ydata(), 1e3 * (link.gap - apart["tall"].displacement[:, 0] + apart["low"].displacement[:, 0]))
+        np.testing.assert_allclose(
+            opening.get_ydata(), 1e3 * (link.gap - apart["tall"].displacement[:, 0] + apart["low"].displacement[:, 0])
+        )
         with self.assertRaisesRegex(BadRequest, "nothing to show in the picture force"):
             run.plot("force", compare=True)
 
@@ -240,34 +278,65 @@ class FramePictures(unittest.TestCase):
         """The run with rigid floors, with a third frame that links along y join to the tall one."""
         run = self.runs["rigid"]
         north = replace(run.structures["low"], name="north")
-        links = {name: replace(link, name=f"tall-north {name}", right="north", gap=0.04, direction=np.array([0, 1.0, 0]))
-                 for name, link in run.links.items()}
+        links = {
+            name: replace(link, name=f"tall-north {name}", right="north", gap=0.04, direction=np.array([0, 1.0, 0]))
+            for name, link in run.links.items()
+        }
         without = run.no_pounding
-        return replace(run, structures={**run.structures, "north": north}, links={**run.links, **{one.name: one for one in links.values()}},
-                       envelopes={**run.envelopes, "north": run.envelopes["low"]},
-                       no_pounding=replace(without, structures={**without.structures, "north": replace(without.structures["low"], name="north")},
-                                           envelopes={**without.envelopes, "north": without.envelopes["low"]}))
+        return replace(
+            run,
+            structures={**run.structures, "north": north},
+            links={**run.links, **{one.name: one for one in links.values()}},
+            envelopes={**run.envelopes, "north": run.envelopes["low"]},
+            no_pounding=replace(
+                without,
+                structures={**without.structures, "north": replace(without.structures["low"], name="north")},
+                envelopes={**without.envelopes, "north": without.envelopes["low"]},
+            ),
+        )
 
     def test_in_space_each_direction_has_a_panel(self):
         run = self.corner()
         for figure in (plots.standard_figure(run), run.plot("displacement")):
-            along = {axes.get_title(loc="left").split()[-1]: axes for axes in figure.axes if "Displacements along" in axes.get_title(loc="left")}
+            along = {
+                axes.get_title(loc="left").split()[-1]: axes
+                for axes in figure.axes
+                if "Displacements along" in axes.get_title(loc="left")
+            }
             self.assertEqual(list(along), ["x", "y"])
-            at_rest = {axis: {line.get_label(): line.get_ydata()[0] for line in axes.lines if "floor" in str(line.get_label())} for axis, axes in along.items()}
+            at_rest = {
+                axis: {line.get_label(): line.get_ydata()[0] for line in axes.lines if "floor" in str(line.get_label())}
+                for axis, axes in along.items()
+            }
             # The neighbour along y is no gap away along x.
-            self.assertEqual(at_rest["x"], {"tall, floor 3": 0, "low, floor 3": 25, "north, floor 3 (no link along x)": 0})
-            self.assertEqual(at_rest["y"], {"tall, floor 3": 0, "low, floor 3 (no link along y)": 0, "north, floor 3": 40})
+            self.assertEqual(
+                at_rest["x"], {"tall, floor 3": 0, "low, floor 3": 25, "north, floor 3 (no link along x)": 0}
+            )
+            self.assertEqual(
+                at_rest["y"], {"tall, floor 3": 0, "low, floor 3 (no link along y)": 0, "north, floor 3": 40}
+            )
         north = next(line for line in along["y"].lines if line.get_label() == "north, floor 3")
         np.testing.assert_allclose(north.get_ydata(), 40 + 1e3 * run.structures["north"].along["y"].displacement[:, 2])
 
     def test_a_link_against_an_axis_has_its_neighbour_on_the_other_side(self):
         run = self.runs["rigid"]
-        links = {name: replace(link, left="low", right="tall", left_floor=link.right_floor, right_floor=link.left_floor, direction=-link.direction)
-                 for name, link in run.links.items()}
+        links = {
+            name: replace(
+                link,
+                left="low",
+                right="tall",
+                left_floor=link.right_floor,
+                right_floor=link.left_floor,
+                direction=-link.direction,
+            )
+            for name, link in run.links.items()
+        }
         turned, given = (replace(run, links=each).plot("displacement").axes[0] for each in (links, run.links))
         lines = [{line.get_label(): line.get_ydata() for line in axes.lines} for axes in (turned, given)]
         for name in ("tall, floor 3", "low, floor 3"):
-            np.testing.assert_allclose(lines[0][name] - lines[0]["tall, floor 3"][0], lines[1][name] - lines[1]["tall, floor 3"][0])
+            np.testing.assert_allclose(
+                lines[0][name] - lines[0]["tall, floor 3"][0], lines[1][name] - lines[1]["tall, floor 3"][0]
+            )
 
     def test_rotations_have_a_panel_and_a_picture(self):
         run = self.runs["rigid"]
@@ -287,7 +356,9 @@ class FramePictures(unittest.TestCase):
         self.assertEqual(titles(figure)[8:11], ["(i) Rotation", "(j) Edges along x", "(k) Edges along y"])
         tracked = run.envelopes["tall"]
         np.testing.assert_allclose(figure.axes[8].lines[1].get_xdata()[1:], 1e3 * tracked.displacement.max[:, 2])
-        np.testing.assert_allclose(figure.axes[10].lines[0].get_xdata()[1:], 1e3 * tracked.edge_displacement.min[:, 2:].min(axis=1))
+        np.testing.assert_allclose(
+            figure.axes[10].lines[0].get_xdata()[1:], 1e3 * tracked.edge_displacement.min[:, 2:].min(axis=1)
+        )
         self.assertFalse(figure.axes[11].get_visible())
         for size in ((3.3, 9), (7.5, 8)):
             profiles_figure(run, title="", size=size).draw_without_rendering()
@@ -300,8 +371,14 @@ class FramePictures(unittest.TestCase):
     def test_comparisons_keep_every_structure(self):
         run = self.corner()
         for axes in plots.standard_figure(run, compare=True).axes[1:3]:
-            self.assertEqual(sum(line.get_linestyle() == "--" and line.get_linewidth() == 0.8 for line in axes.lines), 3, axes.get_title(loc="left"))
-        self.assertEqual(len([line for line in run.plot("gap", compare=True).axes[0].lines if line.get_linewidth() == 0.8]), 12)
+            self.assertEqual(
+                sum(line.get_linestyle() == "--" and line.get_linewidth() == 0.8 for line in axes.lines),
+                3,
+                axes.get_title(loc="left"),
+            )
+        self.assertEqual(
+            len([line for line in run.plot("gap", compare=True).axes[0].lines if line.get_linewidth() == 0.8]), 12
+        )
         # Between floors the run without links is interpolated by the height.
         run = self.runs["compared"]
         link = replace(run.links["tall.3-low.3"], right_floor=0, right_end="8 m up", position=np.array([10.0, 0, 8.0]))
@@ -313,10 +390,19 @@ class FramePictures(unittest.TestCase):
 
     def test_up_to_six_structures_are_drawn_and_compared(self):
         run = self.runs["compared"]
+
         def widened(one):
             return {f"n{i}": replace(one.structures["low"], name=f"n{i}") for i in range(6)}
-        links = {f"l{i}": replace(run.links["tall.3-low.3"], name=f"l{i}", left=f"n{i}", right=f"n{i + 1}") for i in range(5)}
-        run = replace(run, structures=widened(run), links=links, no_pounding=replace(run.no_pounding, structures=widened(run.no_pounding)))
+
+        links = {
+            f"l{i}": replace(run.links["tall.3-low.3"], name=f"l{i}", left=f"n{i}", right=f"n{i + 1}") for i in range(5)
+        }
+        run = replace(
+            run,
+            structures=widened(run),
+            links=links,
+            no_pounding=replace(run.no_pounding, structures=widened(run.no_pounding)),
+        )
         axes = run.plot("displacement", compare=True).axes[0]
         self.assertEqual(sum(line.get_linewidth() == 0.8 for line in axes.lines), 6)
         self.assertEqual(len({line.get_color() for line in axes.lines}), 6)

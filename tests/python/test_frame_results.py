@@ -88,8 +88,12 @@ class Reading(Samples):
         low, high = envelope.member("m1")["start N"]
         self.assertEqual(envelope.section("m1")["start N"], (-high, -low))
         self.assertEqual(envelope.section("m1")["end N"], envelope.member("m1")["end N"])
-        np.testing.assert_array_equal(envelope.axial_force.min, np.minimum(-envelope.member_force.max[:, 0], envelope.member_force.min[:, 6]))
-        np.testing.assert_array_equal(envelope.axial_force.max, np.maximum(-envelope.member_force.min[:, 0], envelope.member_force.max[:, 6]))
+        np.testing.assert_array_equal(
+            envelope.axial_force.min, np.minimum(-envelope.member_force.max[:, 0], envelope.member_force.min[:, 6])
+        )
+        np.testing.assert_array_equal(
+            envelope.axial_force.max, np.maximum(-envelope.member_force.min[:, 0], envelope.member_force.max[:, 6])
+        )
         np.testing.assert_array_equal(envelope.section_force.times[:, 0], envelope.member_force.times[:, 0, ::-1])
         with self.assertRaisesRegex(KeyError, "tall has no member x"):
             envelope.section("x")
@@ -125,9 +129,16 @@ class Nodes(Samples):
         return {name: node_displacements(s, line_model(s)) for name, s in run.structures.items()}
 
     def expected(self, dimension):
-        nodes = {name: frame_samples.grid(dimension, storeys, 0 if name == "tall" else 2 * frame_samples.BAY + frame_samples.GAP)[0]
-                 for name, storeys in (("tall", 5), ("low", 3))}
-        return {name: frame_samples.displacement_of(name, nodes[name], {"tall": 5, "low": 3}[name], dimension) for name in nodes}
+        nodes = {
+            name: frame_samples.grid(
+                dimension, storeys, 0 if name == "tall" else 2 * frame_samples.BAY + frame_samples.GAP
+            )[0]
+            for name, storeys in (("tall", 5), ("low", 3))
+        }
+        return {
+            name: frame_samples.displacement_of(name, nodes[name], {"tall": 5, "low": 3}[name], dimension)
+            for name in nodes
+        }
 
     def test_nodes_in_the_file_are_taken_as_they_are(self):
         for dimension in (2, 3):
@@ -140,12 +151,23 @@ class Nodes(Samples):
         tall = run.structures["tall"]
         turn = tall.along["rz"].displacement
         moved = {"x": tall.along["x"].displacement - 0.5 * turn, "y": tall.along["y"].displacement + 1.0 * turn}
-        tall = dataclasses.replace(tall, plan=tall.plan - [1, 1, 0.5, 0.5],
-                                   along={**tall.along, **{axis: dataclasses.replace(tall.along[axis], displacement=values) for axis, values in moved.items()}})
+        tall = dataclasses.replace(
+            tall,
+            plan=tall.plan - [1, 1, 0.5, 0.5],
+            along={
+                **tall.along,
+                **{axis: dataclasses.replace(tall.along[axis], displacement=values) for axis, values in moved.items()},
+            },
+        )
         np.testing.assert_allclose(tall.centre(0), [6, 2.5])
         np.testing.assert_allclose(node_displacements(tall, line_model(tall)), self.expected(3)["tall"], atol=1e-15)
-        np.testing.assert_allclose(tall.edge_displacement, frame_samples.edges_of(np.stack([run.structures["tall"].along[axis].displacement
-                                                                                              for axis in ("x", "y", "rz")], axis=-1)), atol=1e-15)
+        np.testing.assert_allclose(
+            tall.edge_displacement,
+            frame_samples.edges_of(
+                np.stack([run.structures["tall"].along[axis].displacement for axis in ("x", "y", "rz")], axis=-1)
+            ),
+            atol=1e-15,
+        )
 
     def test_nodes_follow_rigid_floors_that_turn(self):
         for dimension in (2, 3):
@@ -165,8 +187,9 @@ class Nodes(Samples):
     def test_node_between_floors_lies_between_their_motions(self):
         run = self.read(2, nodes="none")
         tall = run.structures["tall"]
-        geometry = dataclasses.replace(tall.geometry, floor_of_node=np.where(tall.geometry.floor_of_node == 1, -1,
-                                                                            tall.geometry.floor_of_node))
+        geometry = dataclasses.replace(
+            tall.geometry, floor_of_node=np.where(tall.geometry.floor_of_node == 1, -1, tall.geometry.floor_of_node)
+        )
         geometry.nodes[6:9, 2] = 4.0  # a quarter of the way from floor 1 to floor 2
         tall = dataclasses.replace(tall, geometry=geometry)
         moved = node_displacements(tall, line_model(tall))
@@ -185,7 +208,9 @@ class Scenes(Samples):
                 motion = Motion(scene, run.time[frames])
                 self.assertLess(opening[frames[0]], 0)
                 for i, frame in enumerate(frames):
-                    self.assertAlmostEqual(self.distance(scene, motion, link, i), scale * opening[frame], delta=scale * 1e-9)
+                    self.assertAlmostEqual(
+                        self.distance(scene, motion, link, i), scale * opening[frame], delta=scale * 1e-9
+                    )
 
     def distance(self, scene, motion, link, frame):
         """Between the faces of the two structures at the link, in the scene."""

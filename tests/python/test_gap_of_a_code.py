@@ -34,7 +34,9 @@ class GapsOfACode(unittest.TestCase):
         script("gaps").main(3)
         text = Path("study.yaml").read_text()
         found = pounding.study("study.yaml", workers=0, progress=False)
-        Path("needed.yaml").write_text(text.replace("keep: [impacts, force]", "keep: [required_gap, displacement]\n  without_links: yes"))
+        Path("needed.yaml").write_text(
+            text.replace("keep: [impacts, force]", "keep: [required_gap, displacement]\n  without_links: yes")
+        )
         alone = pounding.study("needed.yaml", workers=0, progress=False)
         self.assertEqual((len(found), set(found["share"])), (25 * 4 * 3 * 3, {0.5, 0.7, 1.0}))
         touch = found["impacts"] > 0
@@ -47,7 +49,9 @@ class GapsOfACode(unittest.TestCase):
         np.testing.assert_allclose(found["gap"].reshape(25, -1)[0], code, rtol=0.02)
 
     def test_a_spectrum_above_the_mean_widens_every_gap(self):
-        often = script("far_field").not_enough("model.yaml", {"synthetic": {"count": 3, "duration": "5 s", "pga": "0.35 g", "soil": "firm"}}, 16)
+        often = script("far_field").not_enough(
+            "model.yaml", {"synthetic": {"count": 3, "duration": "5 s", "pga": "0.35 g", "soil": "firm"}}, 16
+        )
         self.assertEqual(often.shape, (5, 3))
         self.assertTrue((np.diff(often, axis=0) <= 0).all() and (np.diff(often, axis=1) <= 0).all())
         # 2 x 0.5 and 1 x 1 are the same gap.

@@ -1,4 +1,5 @@
-"""Ground motions as users hold them: files in many layouts beside numpy's own readers, closed forms beside numpy's functions."""
+"""Ground motions as users hold them: files in many layouts beside numpy's own readers, closed forms beside numpy's
+functions."""
 
 import tempfile
 import unittest
@@ -15,11 +16,18 @@ NOISE = np.round(np.random.default_rng(7).normal(0, 0.2, 203), 4)
 
 def grounded(motion, duration=4.0, step=STEP):
     """The run of an oscillator beside a wall on this ground, an output every `step`."""
-    return pounding.run(pounding.Model(
-        ground_motion=motion,
-        structures={"left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}}, "right": {"wall": {}}},
-        links=[{"between": ["left", "right"], "gap": "1 m", "law": "hertz", "stiffness": 1e9}],
-        analysis={"duration": duration, "output_step": step, "tolerance": "1e-3"}), progress=False)
+    return pounding.run(
+        pounding.Model(
+            ground_motion=motion,
+            structures={
+                "left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},
+                "right": {"wall": {}},
+            },
+            links=[{"between": ["left", "right"], "gap": "1 m", "law": "hertz", "stiffness": 1e9}],
+            analysis={"duration": duration, "output_step": step, "tolerance": "1e-3"},
+        ),
+        progress=False,
+    )
 
 
 class Records(unittest.TestCase):
@@ -42,7 +50,7 @@ class Records(unittest.TestCase):
     def test_values_one_and_eight_a_line(self):
         path = self.write("# acc (g)\n" + "\n".join(map(str, NOISE)))
         self.assert_ground(np.loadtxt(path) * G, {"step": "20 ms"})
-        lines = [" ".join(f"{value:9.4f}" for value in NOISE[i:i + 8]) for i in range(0, len(NOISE), 8)]
+        lines = [" ".join(f"{value:9.4f}" for value in NOISE[i : i + 8]) for i in range(0, len(NOISE), 8)]
         path = self.write("Nowhere 1999\nunits are (g)\n" + "\n".join(lines) + "\n*** End Data ***\n")
         read = np.array(" ".join(path.read_text().splitlines()[2:-1]).split(), float)
         self.assertEqual(len(read), len(NOISE))
@@ -72,7 +80,7 @@ class Records(unittest.TestCase):
         matrix[0, :2] = STEP / 3, STEP / 6
         right[0] = (moved[1] - moved[0]) / STEP
         for i in range(1, count - 1):
-            matrix[i, i - 1:i + 2] = STEP / 6, 2 * STEP / 3, STEP / 6
+            matrix[i, i - 1 : i + 2] = STEP / 6, 2 * STEP / 3, STEP / 6
             right[i] = (moved[i + 1] - 2 * moved[i] + moved[i - 1]) / STEP
         matrix[-1, -1] = 1
         expected = np.linalg.solve(matrix, right) / 1000
@@ -81,9 +89,17 @@ class Records(unittest.TestCase):
 
     def test_wrong_words_are_told(self):
         path = self.write("0.1\n0.2\n0.3\n")
-        for words, message in (({}, "one column; time and acceleration are two, and values at a fixed step need \"step:\", such as step: 0.01 s"),
-                               ({"step": 0.01}, "the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal"),
-                               ({"step": "10 mm"}, "step: takes a time such as \"0.5 s\"; \"10 mm\" is a length")):
+        for words, message in (
+            (
+                {},
+                'one column; time and acceleration are two, and values at a fixed step need "step:", such as step: 0.01 s',
+            ),
+            (
+                {"step": 0.01},
+                'the file does not state the unit of its accelerations; add "units:" with g, m/s^2, cm/s^2 or gal',
+            ),
+            ({"step": "10 mm"}, 'step: takes a time such as "0.5 s"; "10 mm" is a length'),
+        ):
             with self.subTest(words), self.assertRaises(pounding.InputError) as caught:
                 grounded({"record": str(path), **words})
             self.assertIn(message, str(caught.exception))
@@ -94,11 +110,23 @@ class ClosedForms(unittest.TestCase):
         w, v = 2 * np.pi / 0.6, 2 * np.pi / 0.25
         phase = np.radians(40)
         for motion, expected in (
-                ({"harmonic": {"amplitude": 3, "period": 0.6, "duration": 5, "phase": "40 deg"}}, lambda t: 3 * np.sin(w * t + phase)),
-                ({"sum": [{"amplitude": 3, "period": 0.6}, {"amplitude": "0.1 g", "period": 0.25, "phase": "40 deg"}], "duration": 5,
-                  "initial_velocity": "0.1 m/s"}, lambda t: 3 * np.sin(w * t) + 0.1 * G * np.sin(v * t + phase)),
-                ({"displacement": {"harmonic": {"amplitude": "20 mm", "period": 0.6, "duration": 5, "phase": "40 deg"}}},
-                 lambda t: -w * w * 0.02 * np.sin(w * t + phase))):
+            (
+                {"harmonic": {"amplitude": 3, "period": 0.6, "duration": 5, "phase": "40 deg"}},
+                lambda t: 3 * np.sin(w * t + phase),
+            ),
+            (
+                {
+                    "sum": [{"amplitude": 3, "period": 0.6}, {"amplitude": "0.1 g", "period": 0.25, "phase": "40 deg"}],
+                    "duration": 5,
+                    "initial_velocity": "0.1 m/s",
+                },
+                lambda t: 3 * np.sin(w * t) + 0.1 * G * np.sin(v * t + phase),
+            ),
+            (
+                {"displacement": {"harmonic": {"amplitude": "20 mm", "period": 0.6, "duration": 5, "phase": "40 deg"}}},
+                lambda t: -w * w * 0.02 * np.sin(w * t + phase),
+            ),
+        ):
             with self.subTest(motion):
                 run = grounded(motion)
                 np.testing.assert_allclose(run.ground_acceleration, expected(run.time), atol=1e-12)
@@ -106,7 +134,10 @@ class ClosedForms(unittest.TestCase):
     def test_wrong_words_are_told(self):
         with self.assertRaises(pounding.InputError) as caught:
             grounded({"harmonic": {"amplitude": 3, "period": 0.6, "duration": 5, "phase": 90}})
-        self.assertIn('harmonic.phase: takes an angle from -360 deg to 360 deg such as "90 deg"; "90" is 5156.62 deg', str(caught.exception))
+        self.assertIn(
+            'harmonic.phase: takes an angle from -360 deg to 360 deg such as "90 deg"; "90" is 5156.62 deg',
+            str(caught.exception),
+        )
 
 
 if __name__ == "__main__":

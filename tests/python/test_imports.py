@@ -8,8 +8,8 @@ PACKAGE = Path(__file__).resolve().parents[2] / "python/pounding"
 
 
 def names_of(package):
-    """{module: file} of a package's folder, such as {"pounding.opensees": .../opensees/__init__.py}; of the compiled module the
-    file that declares it."""
+    """{module: file} of a package's folder, such as {"pounding.opensees": .../opensees/__init__.py}; of the compiled
+    module the file that declares it."""
     files = {}
     for file in sorted([*package.rglob("*.py"), *package.glob("*.pyi")]):
         words = [package.name, *file.relative_to(package).with_suffix("").parts]
@@ -18,8 +18,8 @@ def names_of(package):
 
 
 def imported(text, modules):
-    """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by a name that is
-    given to a function, as importlib.import_module("pounding.plots") has it."""
+    """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by a name
+    that is given to a function, as importlib.import_module("pounding.plots") has it."""
     found = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
@@ -27,13 +27,15 @@ def imported(text, modules):
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, "an import that starts with a dot"
             inner = {f"{node.module}.{alias.name}" for alias in node.names}
-            # `from pounding import records` imports the module pounding.records, `from pounding.results import Link` imports
-            # pounding.results.
+            # `from pounding import records` imports the module pounding.records, `from pounding.results import Link`
+            # imports pounding.results.
             found |= inner & modules
             if not inner <= modules:
                 found.add(node.module)
         elif isinstance(node, ast.Call):
-            found |= {word.value for word in node.args if isinstance(word, ast.Constant) and isinstance(word.value, str)}
+            found |= {
+                word.value for word in node.args if isinstance(word, ast.Constant) and isinstance(word.value, str)
+            }
     return found & modules
 
 
@@ -66,20 +68,38 @@ class Imports(unittest.TestCase):
         self.assertEqual(in_circles(self.imports), set())
 
     def test_results_know_no_picture(self):
-        self.assertEqual(reached_from("pounding.results", self.imports), {"pounding.arguments", "pounding.checked_file", "pounding.devices", "pounding.envelopes", "pounding.errors", "pounding.outputs", "pounding.springs", "pounding.texts",
-                                                                        "pounding.told"})
+        self.assertEqual(
+            reached_from("pounding.results", self.imports),
+            {
+                "pounding.arguments",
+                "pounding.checked_file",
+                "pounding.devices",
+                "pounding.envelopes",
+                "pounding.errors",
+                "pounding.outputs",
+                "pounding.springs",
+                "pounding.texts",
+                "pounding.told",
+            },
+        )
 
     def test_a_table_for_a_notebook_needs_no_picture_and_no_file(self):
         self.assertEqual(reached_from("pounding.pictures.html", self.imports), set())
 
     def test_pictures_take_results_not_runs(self):
         for module in self.imports:
-            if module.startswith("pounding.pictures") or module in ("pounding.plots", "pounding.animation", "pounding.export"):
+            if module.startswith("pounding.pictures") or module in (
+                "pounding.plots",
+                "pounding.animation",
+                "pounding.export",
+            ):
                 self.assertFalse({"pounding.runs", "pounding._native"} & reached_from(module, self.imports), module)
 
     def test_every_import_is_seen(self):
-        self.assertLessEqual({"pounding.results", "pounding.tables", "pounding.animation", "pounding.pictures.figures"},
-                             self.imports["pounding.runs"])
+        self.assertLessEqual(
+            {"pounding.results", "pounding.tables", "pounding.animation", "pounding.pictures.figures"},
+            self.imports["pounding.runs"],
+        )
         self.assertIn("pounding.opensees", self.imports["pounding.opensees.from_model"])
         self.assertIn("pounding.mode_shapes", self.imports["pounding._modes"])
 
@@ -90,8 +110,14 @@ class Reader(unittest.TestCase):
     MODULES = {"p", "p.a", "p.b", "p.b.c"}
 
     def test_sees_imports_wherever_they_stand(self):
-        for text in ("import p.a", "from p import a", "from p.a import x", "def f():\n    from p.a import x",
-                     "if TYPE_CHECKING:\n    from p.a import x", "load('numpy', 'p.a')"):
+        for text in (
+            "import p.a",
+            "from p import a",
+            "from p.a import x",
+            "def f():\n    from p.a import x",
+            "if TYPE_CHECKING:\n    from p.a import x",
+            "load('numpy', 'p.a')",
+        ):
             self.assertEqual(imported(text, self.MODULES), {"p.a"}, text)
         self.assertEqual(imported("from p.b import c, x\nimport numpy", self.MODULES), {"p.b", "p.b.c"})
 

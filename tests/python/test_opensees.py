@@ -45,7 +45,8 @@ class TwoOscillators(unittest.TestCase):
         return pounding.run(model, tolerance=1e-8)
 
     def errors(self, law, step):
-        """Root mean squares relative to the program: peak displacements, and of impacts peak force and closing speed."""
+        """Root mean squares relative to the program: peak displacements, and of impacts peak force and closing
+        speed."""
         exact = self.converged(law)
         wanted = [exact.summary["structures"][name]["peak_displacement"][0] for name in ("left", "right")]
         squares = []
@@ -59,7 +60,9 @@ class TwoOscillators(unittest.TestCase):
             self.assertLess(iterations.mean(), 2.2)
             impacts = made.impacts
             self.assertEqual(len(impacts), len(exact.impacts))
-            found = [peaks / wanted - 1] + [impacts[name] / exact.impacts[name] - 1 for name in ("peak_force", "v_approach", "impulse")]
+            found = [peaks / wanted - 1] + [
+                impacts[name] / exact.impacts[name] - 1 for name in ("peak_force", "v_approach", "impulse")
+            ]
             squares.append([np.mean(each**2) for each in found])
         return np.sqrt(np.mean(squares, axis=0))
 
@@ -71,7 +74,7 @@ class TwoOscillators(unittest.TestCase):
     # A step in which the bodies meet loses an impulse of the 5/4th power of its length.
     def test_jankowski_converges(self):
         coarse, fine = self.errors("jankowski", 2e-3), self.errors("jankowski", 5e-4)
-        np.testing.assert_array_less(4 ** 0.95, coarse / fine)
+        np.testing.assert_array_less(4**0.95, coarse / fine)
         np.testing.assert_array_less(fine, 2e-2)
 
     def test_takes_fewer_iterations_than_the_material_of_opensees(self):
@@ -83,8 +86,9 @@ class TwoOscillators(unittest.TestCase):
             return (analyse(1e-3, DURATION, (2, 4))[1] - 2).sum()
 
         def material():
-            xi = pounding.laws["jankowski"](stiffness=STIFFNESS, restitution=RESTITUTION, formula="jankowski_2006",
-                                            reduced_mass=REDUCED).describe()["damping_ratio"][0]
+            xi = pounding.laws["jankowski"](
+                stiffness=STIFFNESS, restitution=RESTITUTION, formula="jankowski_2006", reduced_mass=REDUCED
+            ).describe()["damping_ratio"][0]
             ops.uniaxialMaterial("JankowskiImpact", 9, STIFFNESS, xi, REDUCED, -GAP, 1.5)
             ops.element("zeroLength", 100, 2, 4, "-mat", 9, "-dir", 1)
 
@@ -103,7 +107,7 @@ class TwoOscillators(unittest.TestCase):
         self.assertTrue(0 < len(middle) < 5)
         analyse(1e-3, 1.5, (2, 4))
         end = made.impacts
-        np.testing.assert_array_equal(end[:len(middle)], middle)
+        np.testing.assert_array_equal(end[: len(middle)], middle)
         ops.wipe()
         np.testing.assert_array_equal(made.impacts, end)
 
@@ -130,7 +134,9 @@ class TwoOscillators(unittest.TestCase):
     def test_reduced_mass_is_that_of_the_nodes(self):
         two_oscillators()
         self.assertAlmostEqual(link().reduced_mass, REDUCED, delta=1e-9 * REDUCED)
-        self.assertEqual(opensees.link(101, 1, 4, gap=0, law="jankowski", stiffness=1e9, restitution=0.6).reduced_mass, MASSES[1])
+        self.assertEqual(
+            opensees.link(101, 1, 4, gap=0, law="jankowski", stiffness=1e9, restitution=0.6).reduced_mass, MASSES[1]
+        )
         self.assertEqual([each.tag for each in opensees.links()], [100, 101])
 
     def test_mistakes_are_told(self):
@@ -138,13 +144,19 @@ class TwoOscillators(unittest.TestCase):
         ops.node(5, 3.0)
         for message, wrong in {
             "there is no node 7": lambda: opensees.link(100, 2, 7, gap=0, law="hertz", stiffness=1e9),
-            r'unknown law "hertzz". Did you mean "hertz"': lambda: opensees.link(100, 2, 4, gap=0, law="hertzz", stiffness=1e9),
+            r'unknown law "hertzz". Did you mean "hertz"': lambda: opensees.link(
+                100, 2, 4, gap=0, law="hertzz", stiffness=1e9
+            ),
             "gap is -0.1": lambda: opensees.link(100, 2, 4, gap=-0.1, law="hertz", stiffness=1e9),
             "takes a length|length": lambda: opensees.link(100, 2, 4, gap="2 s", law="hertz", stiffness=1e9),
             "no degree of freedom 2": lambda: opensees.link(100, 2, 4, gap=0, law="hertz", stiffness=1e9, dof=2),
             "element 1 is there already": lambda: opensees.link(1, 2, 4, gap=0, law="hertz", stiffness=1e9),
-            r"node 5 at 3 stands beyond node 2.*link\(100, 2, 5": lambda: opensees.link(100, 5, 2, gap=0, law="hertz", stiffness=1e9),
-            "node 5 has no mass.*reduced_mass": lambda: opensees.link(100, 2, 5, gap=0, law="jankowski", stiffness=1e9, restitution=0.6),
+            r"node 5 at 3 stands beyond node 2.*link\(100, 2, 5": lambda: opensees.link(
+                100, 5, 2, gap=0, law="hertz", stiffness=1e9
+            ),
+            "node 5 has no mass.*reduced_mass": lambda: opensees.link(
+                100, 2, 5, gap=0, law="jankowski", stiffness=1e9, restitution=0.6
+            ),
             "jump of the velocity": lambda: opensees.link(100, 2, 4, gap=0, law="stereomechanical", restitution=0.6),
         }.items():
             with self.subTest(message), self.assertRaisesRegex(pounding.InputError, message):
@@ -172,7 +184,9 @@ def portal(*offsets, mass=(), release=(), shear=False):
         if shear:
             ops.element("ElasticTimoshenkoBeam", tag, a, b, 30e9, 12e9, 0.1 / 3, 1e-3 / 7, 0.08 / 3, axes, *mass)
         else:
-            ops.element("elasticBeamColumn", tag, a, b, 0.1 / 3, 30e9, 1e-3 / 7, axes, *mass, *(release if tag == 2 else ()))
+            ops.element(
+                "elasticBeamColumn", tag, a, b, 0.1 / 3, 30e9, 1e-3 / 7, axes, *mass, *(release if tag == 2 else ())
+            )
     ops.rigidLink("beam", 3, 5)
     ops.constraints("Transformation")
 
@@ -186,9 +200,15 @@ class Models(unittest.TestCase):
         return model
 
     def test_portals_have_the_periods_of_opensees(self):
-        cases = {"plain": {}, "shear": {"shear": True}, "released": {"release": ("-release", 1)},
-                 "released at both ends": {"release": ("-release", 3)}, "lumped mass": {"mass": ("-mass", 250.0)},
-                 "consistent mass": {"mass": ("-mass", 250.0, "-cMass")}, "mass and shear": {"mass": ("-mass", 250.0), "shear": True}}
+        cases = {
+            "plain": {},
+            "shear": {"shear": True},
+            "released": {"release": ("-release", 1)},
+            "released at both ends": {"release": ("-release", 3)},
+            "lumped mass": {"mass": ("-mass", 250.0)},
+            "consistent mass": {"mass": ("-mass", 250.0, "-cMass")},
+            "mass and shear": {"mass": ("-mass", 250.0), "shear": True},
+        }
         for case, words in cases.items():
             with self.subTest(case):
                 portal(**words)
@@ -211,8 +231,12 @@ class Models(unittest.TestCase):
         model.build()
         model.constraints()
         a0, b0 = wanted["rayleigh"]
-        made = pounding.from_opensees(rayleigh=(a0, 0.0, b0, 0.0), ground_motion=motion, names=[name], analysis={
-            "duration": 5, "tolerance": "1e-8", "output_step": "5 ms", "integrator": "esdirk4"})
+        made = pounding.from_opensees(
+            rayleigh=(a0, 0.0, b0, 0.0),
+            ground_motion=motion,
+            names=[name],
+            analysis={"duration": 5, "tolerance": "1e-8", "output_step": "5 ms", "integrator": "esdirk4"},
+        )
         tag = model.tag if hasattr(model, "tag") else model.tags.get
         nodes = {f"n{tag(node)}": node for node in model.reported_nodes}
         made.structures[name]["frame"]["report"] = {"nodes": list(nodes)}
@@ -223,17 +247,28 @@ class Models(unittest.TestCase):
         for i, node in enumerate(motion_of.names):
             stored = np.array(wanted["nodes"][nodes[node]]["history"])
             got = motion_of.displacement[::100, i].T
-            stored = stored[:, :got.shape[1]]
+            stored = stored[:, : got.shape[1]]
             for direction, history in enumerate(stored):
                 np.testing.assert_allclose(got[direction], history, rtol=0, atol=LINEAR * np.abs(stored).max())
 
     def test_plane_frames_answer_an_earthquake_as_in_opensees(self):
         for side, name in enumerate(("left", "right")):
-            self.compare(Plane(side), name, reference("plane")[name], {"record": FRAMES / "motion.txt", "units": "m/s^2"})
+            self.compare(
+                Plane(side), name, reference("plane")[name], {"record": FRAMES / "motion.txt", "units": "m/s^2"}
+            )
 
     def test_a_frame_in_space_with_rigid_floors_answers_as_in_opensees(self):
-        self.compare(Space(), "tower", reference("space")["tower"], {"components": {
-            "x": {"record": FRAMES / "motion.txt", "units": "m/s^2"}, "y": {"harmonic": {"amplitude": 1.5, "period": 0.7, "duration": 20}}}})
+        self.compare(
+            Space(),
+            "tower",
+            reference("space")["tower"],
+            {
+                "components": {
+                    "x": {"record": FRAMES / "motion.txt", "units": "m/s^2"},
+                    "y": {"harmonic": {"amplitude": 1.5, "period": 0.7, "duration": 20}},
+                }
+            },
+        )
 
     def test_rayleigh_damping_keeps_its_factors(self):
         portal()
@@ -290,7 +325,18 @@ class Arguments(unittest.TestCase):
         words = {"rayleigh": [0.1, 0, 0, 0.001], "names": ["a", "b"], "without_loads": False, "title": "A"}
         for function, given in ((opensees.link, right), (pounding.from_opensees, words)):
             for name in given:
-                for wrong in (math.nan, -1.5, 10**400, "nonsense", b"bytes", 1j, {"a": 1}, [None], [[1], [1, 2]], object()):
+                for wrong in (
+                    math.nan,
+                    -1.5,
+                    10**400,
+                    "nonsense",
+                    b"bytes",
+                    1j,
+                    {"a": 1},
+                    [None],
+                    [[1], [1, 2]],
+                    object(),
+                ):
                     with self.subTest(name=name, wrong=repr(wrong)[:40]):
                         self.assertRaises(pounding.InputError, function, **{**given, name: wrong})
 
@@ -321,7 +367,9 @@ class LinkedFrames(unittest.TestCase):
         self.build()
         motion = {"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}}
         for face, text in (("5 mm", "5 mm as typed and 5 mm as typed"), ({"left": 0.01}, "10 mm as typed")):
-            model = pounding.from_opensees(rayleigh=(0.4, 2e-3), analysis={"duration": 2.0}, ground_motion=motion, face=face)
+            model = pounding.from_opensees(
+                rayleigh=(0.4, 2e-3), analysis={"duration": 2.0}, ground_motion=motion, face=face
+            )
             del model.links[0]["gap"]
             self.assertIn(f"gap 10 mm between faces ({text})", pounding.check(model).description)
         with self.assertRaisesRegex(pounding.InputError, "there is no frame 'lefft' among left, right"):
@@ -329,11 +377,18 @@ class LinkedFrames(unittest.TestCase):
 
     def test_both_programs_come_to_the_same_impacts(self):
         self.build()
-        model = pounding.from_opensees(rayleigh=(0.4, 2e-3), analysis={"duration": 2.0, "tolerance": "1e-8"},
-                                       ground_motion={"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}})
+        model = pounding.from_opensees(
+            rayleigh=(0.4, 2e-3),
+            analysis={"duration": 2.0, "tolerance": "1e-8"},
+            ground_motion={"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}},
+        )
         exact = pounding.run(model)
-        wanted = [np.abs(exact.structures[name].nodes.displacement[:, list(exact.structures[name].nodes.names).index(node), 0]).max()
-                  for name, node in (("left", "n3"), ("right", "n12"))]
+        wanted = [
+            np.abs(
+                exact.structures[name].nodes.displacement[:, list(exact.structures[name].nodes.names).index(node), 0]
+            ).max()
+            for name, node in (("left", "n3"), ("right", "n12"))
+        ]
         self.assertGreater(len(exact.impacts), 1)
 
         def error(step):
@@ -344,13 +399,17 @@ class LinkedFrames(unittest.TestCase):
                 peaks, iterations = analyse(factor * step, 2.0, (3, 12))
                 self.assertLessEqual(iterations.max(), 5)
                 self.assertEqual(len(made.impacts), len(exact.impacts))
-                relative = {name: made.impacts[name] / exact.impacts[name] - 1 for name in ("peak_force", "impulse", "v_approach")}
+                relative = {
+                    name: made.impacts[name] / exact.impacts[name] - 1
+                    for name in ("peak_force", "impulse", "v_approach")
+                }
                 squares += [relative["peak_force"] ** 2, (peaks / wanted - 1) ** 2]
                 smooth += [relative["impulse"] ** 2, relative["v_approach"] ** 2]
             return [math.sqrt(np.concatenate(each).mean()) for each in (squares, smooth)]
 
         coarse, fine = error(2e-3), error(5e-4)
-        # Peaks are the largest at ends of steps, which miss the top by chance: of steps four times shorter only a quarter is sure.
+        # Peaks are the largest at ends of steps, which miss the top by chance: of steps four times shorter only a
+        # quarter is sure.
         np.testing.assert_array_less((4, 12), np.divide(coarse, fine))
         np.testing.assert_array_less(fine, 2e-4)
 
@@ -369,9 +428,11 @@ class EightAndSixStoreys(unittest.TestCase):
 
     def test_both_programs_come_to_the_same_impacts_at_every_floor(self):
         self.build()
-        model = pounding.from_opensees(rayleigh=self.RAYLEIGH, analysis={
-            "duration": self.DURATION, "tolerance": "1e-8", "integrator": "esdirk4"},
-            ground_motion={"harmonic": {"amplitude": 4.0, "period": 1.2, "duration": 2.0}})
+        model = pounding.from_opensees(
+            rayleigh=self.RAYLEIGH,
+            analysis={"duration": self.DURATION, "tolerance": "1e-8", "integrator": "esdirk4"},
+            ground_motion={"harmonic": {"amplitude": 4.0, "period": 1.2, "duration": 2.0}},
+        )
         exact = pounding.run(model)
         counts = [len(exact.impacts_of(name)) for name in exact.links]
         self.assertEqual(len(counts), 6)
@@ -384,26 +445,38 @@ class EightAndSixStoreys(unittest.TestCase):
             peaks, iterations = analyse(step, self.DURATION, [node for side in made.faces.values() for node in side])
             self.assertLessEqual(iterations.max(), 5)
             self.assertEqual([len(link.impacts) for link in made.links], counts)
-            wanted = np.concatenate([np.abs(structure.nodes.displacement[:, [structure.nodes.names.index(f"n{node}") for node in side], 0]
-                                            ).max(axis=0) for structure, side in zip(exact.structures.values(), made.faces.values())])
+            wanted = np.concatenate(
+                [
+                    np.abs(
+                        structure.nodes.displacement[:, [structure.nodes.names.index(f"n{node}") for node in side], 0]
+                    ).max(axis=0)
+                    for structure, side in zip(exact.structures.values(), made.faces.values())
+                ]
+            )
             found = [(peaks - wanted) / wanted.max()]
             for name in ("peak_force", "peak_penetration", "impulse", "v_approach"):
-                different = [link.impacts[name] - exact.impacts_of(ours)[name] for link, ours in zip(made.links, exact.links)]
+                different = [
+                    link.impacts[name] - exact.impacts_of(ours)[name] for link, ours in zip(made.links, exact.links)
+                ]
                 found.append(np.concatenate(different) / exact.impacts[name].max())
             return np.array([math.sqrt(np.mean(each**2)) for each in found])
 
         coarse, fine = errors(2e-3), errors(1e-3)
         np.testing.assert_array_less(3, coarse / fine)
-        # Until the frames meet Newmark at 1 ms misses the phase of the modes of 0.2 s by (w h)^2/12 w t = 3e-3; they have a part
-        # of the closing speed.
+        # Until the frames meet Newmark at 1 ms misses the phase of the modes of 0.2 s by (w h)^2/12 w t = 3e-3; they
+        # have a part of the closing speed.
         np.testing.assert_array_less(fine, 2e-3)
 
 
 class Lesson(unittest.TestCase):
     def test_prints_what_its_page_says(self):
         folder = EXAMPLES / "hosts/opensees"
-        said = re.search(r"^Expect: `([^`]+)` within (\S+) at (\d+) steps", (folder / "README.md").read_text(), re.MULTILINE)
-        done = subprocess.run([sys.executable, folder / "two_oscillators.py", said[3]], capture_output=True, text=True, timeout=300)
+        said = re.search(
+            r"^Expect: `([^`]+)` within (\S+) at (\d+) steps", (folder / "README.md").read_text(), re.MULTILINE
+        )
+        done = subprocess.run(
+            [sys.executable, folder / "two_oscillators.py", said[3]], capture_output=True, text=True, timeout=300
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         *peaks, impacts = map(float, done.stdout.split())
         *wanted, count = map(float, said[1].split())

@@ -23,9 +23,16 @@ MASSES = 100e3, 150e3
 REDUCED = MASSES[0] * MASSES[1] / sum(MASSES)
 #: Restitution 0.6 of a free impact at 1 m/s; the contact lasts some 20 ms.
 HERTZ_DAMPED = {"law": "hertz_damped", "formula": "exact", "values": {"stiffness": 2e9, "restitution": 0.6}}
-LINEAR = {"law": "kelvin_voigt_no_tension", "formula": "exact",
-          "values": {"stiffness": 1e9, "restitution": 0.6, "reduced_mass": REDUCED}}
-JANKOWSKI = {"law": "jankowski", "formula": "exact", "values": {"stiffness": 2e9, "restitution": 0.6, "reduced_mass": REDUCED}}
+LINEAR = {
+    "law": "kelvin_voigt_no_tension",
+    "formula": "exact",
+    "values": {"stiffness": 1e9, "restitution": 0.6, "reduced_mass": REDUCED},
+}
+JANKOWSKI = {
+    "law": "jankowski",
+    "formula": "exact",
+    "values": {"stiffness": 2e9, "restitution": 0.6, "reduced_mass": REDUCED},
+}
 KOMODROMOS = {**LINEAR, "law": "komodromos"}
 
 
@@ -33,8 +40,13 @@ class Element:
     """The part of GenericClient that talks."""
 
     def __init__(self, law, gap=0.01):
-        self.process = subprocess.Popen([sys.executable, str(LINK_PROCESS)], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, text=True, env=dict(os.environ))
+        self.process = subprocess.Popen(
+            [sys.executable, str(LINK_PROCESS)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=dict(os.environ),
+        )
         self.first = self.ask(json.dumps({**law, "gap": gap}))
 
     def connect(self):
@@ -85,8 +97,8 @@ class Element:
 
 
 def collide(law, step, speed=1.0, gap=0.01):
-    """Newmark of constant average acceleration, Newton with the slopes of the element. The body on the left comes at this
-    speed. Impacts, and the most iterations of a step."""
+    """Newmark of constant average acceleration, Newton with the slopes of the element. The body on the left comes at
+    this speed. Impacts, and the most iterations of a step."""
     element = Element(law, gap).connect()
     u, v, a = np.zeros(2), np.array([speed, 0.0]), np.zeros(2)
     element.trial(0.0, u, v, a)
@@ -131,7 +143,9 @@ class FreeImpact(unittest.TestCase):
 
     # The force has no corner at the touch, so that the order is the integrator's.
     def test_a_law_that_begins_smoothly_converges_with_the_second_order(self):
-        coarse, fine = self.errors(HERTZ_DAMPED, (4e-4, 1e-4), ("restitution", "peak_force", "peak_penetration", "impulse", "energy_lost"))
+        coarse, fine = self.errors(
+            HERTZ_DAMPED, (4e-4, 1e-4), ("restitution", "peak_force", "peak_penetration", "impulse", "energy_lost")
+        )
         np.testing.assert_array_less(fine, 3e-4)
         np.testing.assert_array_less(7, coarse / fine)
 
@@ -203,7 +217,9 @@ class Answers(unittest.TestCase):
         by_d = (self.force(d + 1e-7, rate) - self.force(d - 1e-7, rate)) / 2e-7
         by_rate = (self.force(d, rate + 1e-5) - self.force(d, rate - 1e-5)) / 2e-5
         for slopes, wanted in ((k, by_d), (c, by_rate)):
-            np.testing.assert_allclose(slopes.reshape(2, 2), [[wanted[0], -wanted[0]], [-wanted[0], wanted[0]]], rtol=1e-6)
+            np.testing.assert_allclose(
+                slopes.reshape(2, 2), [[wanted[0], -wanted[0]], [-wanted[0], wanted[0]]], rtol=1e-6
+            )
             self.assertGreater(wanted[0], 0)
 
     def test_force_pushes_apart_and_is_that_of_the_law(self):
@@ -233,7 +249,11 @@ class Answers(unittest.TestCase):
         self.element.trial(time, (0.01 - opening, 0.0), (rate, 0.0), (acceleration, 0.0))
         self.element.keep()
         step = 5e-3
-        self.element.trial(time + step, (0.01 - opening + rate * step + acceleration * step**2 / 2, 0.0), (rate + acceleration * step, 0.0))
+        self.element.trial(
+            time + step,
+            (0.01 - opening + rate * step + acceleration * step**2 / 2, 0.0),
+            (rate + acceleration * step, 0.0),
+        )
         self.element.keep()
         [impact] = self.element.impacts()
         at_touch = math.sqrt(rate**2 + 2 * acceleration * opening)
@@ -276,7 +296,13 @@ class Ends(unittest.TestCase):
 
 class TimeToClose(unittest.TestCase):
     def test_is_the_first_root(self):
-        for opening, rate, acceleration in ((0.1, 1.0, 2.0), (0.1, 1.0, -2.0), (0.1, -1.0, 3.0), (0.1, 1.0, 0.0), (0.0, 1.0, 1.0)):
+        for opening, rate, acceleration in (
+            (0.1, 1.0, 2.0),
+            (0.1, 1.0, -2.0),
+            (0.1, -1.0, 3.0),
+            (0.1, 1.0, 0.0),
+            (0.0, 1.0, 1.0),
+        ):
             s = time_to_close(opening, rate, acceleration)
             self.assertAlmostEqual(rate * s + acceleration * s * s / 2, opening, delta=1e-15)
             before = np.linspace(0, s, 50)[:-1]

@@ -1,7 +1,7 @@
 """OpenSees models that yield, as models of ours: hinges, members with plastic lengths, devices, walls with backfill.
 
-OpenSees steps by Newmark with Newton: its error falls with the step, against the program at a tolerance of 1e-7. Only what acts
-by mass damps here, since OpenSees' stiffness part leaves out the springs.
+OpenSees steps by Newmark with Newton: its error falls with the step, against the program at a tolerance of 1e-7. Only
+what acts by mass damps here, since OpenSees' stiffness part leaves out the springs.
 """
 
 import math
@@ -26,12 +26,28 @@ MATERIALS = {
     "elastic-plastic": ("ElasticPP", K, FY / K),
     "menegotto_pinto": ("Steel02", FY, K, 0.02, 18.5, 0.925, 0.15),
     "bouc_wen": ("BoucWen", 0.05, K, 2.0, 0.4 * (K / FY) ** 2, 0.6 * (K / FY) ** 2, 1.0, 0.0, 0.0, 0.0),
-    "peak_oriented": ("Hysteretic", FY, FY / K, 1.4 * FY, 21 * FY / K, -FY, -FY / K, -1.4 * FY, -21 * FY / K, 1.0, 1.0, 0.0, 0.0, 0.0)}
+    "peak_oriented": (
+        "Hysteretic",
+        FY,
+        FY / K,
+        1.4 * FY,
+        21 * FY / K,
+        -FY,
+        -FY / K,
+        -1.4 * FY,
+        -21 * FY / K,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+    ),
+}
 
 
 def portal(hinge=None, x=0.0, first=0, stiffer=1.0):
-    """A portal of 6 m and 3.5 m; nodes 1 to 4 from the left foot to the right one, with hinges of this material at its feet and at
-    both ends of the beam: two at a joint that both lose their stiffness would leave it loose."""
+    """A portal of 6 m and 3.5 m; nodes 1 to 4 from the left foot to the right one, with hinges of this material at its
+    feet and at both ends of the beam: two at a joint that both lose their stiffness would leave it loose."""
     for tag, (dx, y) in enumerate(((0, 0), (0, 3.5), (6, 3.5), (6, 0)), first + 1):
         ops.node(tag, x + dx, y)
     for foot in (first + 1, first + 4):
@@ -77,9 +93,12 @@ def histories(step, nodes):
 
 
 def ours(**words):
-    return pounding.from_opensees(rayleigh=(A0, 0.0), ground_motion={"harmonic": {
-        "amplitude": AMPLITUDE, "period": PERIOD, "duration": DURATION + 1}}, analysis={
-        "duration": DURATION, "tolerance": "1e-7", "output_step": "10 ms"}, **words)
+    return pounding.from_opensees(
+        rayleigh=(A0, 0.0),
+        ground_motion={"harmonic": {"amplitude": AMPLITUDE, "period": PERIOD, "duration": DURATION + 1}},
+        analysis={"duration": DURATION, "tolerance": "1e-7", "output_step": "10 ms"},
+        **words,
+    )
 
 
 def of_springs(springs):
@@ -89,12 +108,18 @@ def of_springs(springs):
 
 class Yielding(unittest.TestCase):
     def compare(self, build, nodes, limit, step=5e-4, order=1.6):
-        """The model is ours and OpenSees' alike: errors of OpenSees against ours fall with its step. `nodes`: OpenSees' by structure."""
+        """The model is ours and OpenSees' alike: errors of OpenSees against ours fall with its step. `nodes`: OpenSees'
+        by structure."""
         build()
         shaken()
         run = pounding.run(ours())
-        got = np.column_stack([run.structures[name].nodes.displacement[1:, list(run.structures[name].nodes.names).index(f"n{tag}"), 0]
-                               for name, tags in nodes.items() for tag in tags])
+        got = np.column_stack(
+            [
+                run.structures[name].nodes.displacement[1:, list(run.structures[name].nodes.names).index(f"n{tag}"), 0]
+                for name, tags in nodes.items()
+                for tag in tags
+            ]
+        )
 
         def error(of):
             build()
@@ -110,10 +135,12 @@ class Yielding(unittest.TestCase):
     def test_hinges_of_every_law_answer_an_earthquake_as_in_opensees(self):
         for law, material in MATERIALS.items():
             with self.subTest(law):
+
                 def build(material=material):
                     plane()
                     ops.uniaxialMaterial(material[0], 1, *material[1:])
                     portal(hinge=1)
+
                 run = self.compare(build, {"frame1": [3]}, 1e-3)
                 self.assertGreater(max(of_springs(run.structures["frame1"].springs)), 2.5)
                 ops.wipe()
@@ -171,9 +198,15 @@ class Yielding(unittest.TestCase):
         ops.timeSeries("Trig", 1, 0.0, DURATION + 1, PERIOD, "-factor", AMPLITUDE)
         ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
         model = pounding.from_opensees(
-            rayleigh=(A0, 0.0), analysis={"duration": DURATION, "tolerance": "1e-7", "output_step": "10 ms"}, ground_motion={"components": {
-                name: {"harmonic": {"amplitude": amplitude, "period": period, "duration": DURATION + 1}}
-                for name, amplitude, period in (("x", AMPLITUDE, PERIOD), ("y", 3.0, 0.8))}})
+            rayleigh=(A0, 0.0),
+            analysis={"duration": DURATION, "tolerance": "1e-7", "output_step": "10 ms"},
+            ground_motion={
+                "components": {
+                    name: {"harmonic": {"amplitude": amplitude, "period": period, "duration": DURATION + 1}}
+                    for name, amplitude, period in (("x", AMPLITUDE, PERIOD), ("y", 3.0, 0.8))
+                }
+            },
+        )
         hinges = model.structures["frame1"]["frame"]["hinges"]
         self.assertEqual((hinges["e1"]["at"], hinges["e1"]["axis"]), ("start", "both"))
         run = pounding.run(model)
@@ -203,15 +236,29 @@ class Yielding(unittest.TestCase):
 
         build()
         model = pounding.from_opensees(analysis={"duration": 1})
-        self.assertEqual(model.structures["left"]["frame"]["devices"], {
-            "d51": {"between": ["n1", "n3"], "bilinear": {"stiffness": 8e6, "yield_force": 40e3, "hardening": 0.05}}})
-        self.assertEqual(model.structures["right"]["frame"]["devices"]["d52"], {
-            "between": ["n21", "n23"], "bar": {"stiffness": 3e6}, "damper": {"coefficient": 2e4}})
+        self.assertEqual(
+            model.structures["left"]["frame"]["devices"],
+            {"d51": {"between": ["n1", "n3"], "bilinear": {"stiffness": 8e6, "yield_force": 40e3, "hardening": 0.05}}},
+        )
+        self.assertEqual(
+            model.structures["right"]["frame"]["devices"]["d52"],
+            {"between": ["n21", "n23"], "bar": {"stiffness": 3e6}, "damper": {"coefficient": 2e4}},
+        )
         length = math.hypot(6, 3.5)
-        np.testing.assert_allclose(list(model.structures["right"]["frame"]["devices"]["d54"]["bilinear"].values()),
-                                   [200e9 * 1.5e-4 / length, 250e6 * 1.5e-4, 0.01], rtol=1e-15)
-        self.assertEqual(model.devices, {"d53": {"between": [{"structure": "left", "node": "n3"}, {"structure": "right", "node": "n22"}],
-                                                 "damper": {"coefficient": 6e4}}})
+        np.testing.assert_allclose(
+            list(model.structures["right"]["frame"]["devices"]["d54"]["bilinear"].values()),
+            [200e9 * 1.5e-4 / length, 250e6 * 1.5e-4, 0.01],
+            rtol=1e-15,
+        )
+        self.assertEqual(
+            model.devices,
+            {
+                "d53": {
+                    "between": [{"structure": "left", "node": "n3"}, {"structure": "right", "node": "n22"}],
+                    "damper": {"coefficient": 6e4},
+                }
+            },
+        )
         run = self.compare(build, {"left": [3], "right": [22]}, 1e-3)
         self.assertGreater(max(run.structures["left"].springs.largest["ductility"]), 1.5)
 
@@ -226,8 +273,18 @@ class Yielding(unittest.TestCase):
 
         build()
         [link] = pounding.from_opensees(analysis={"duration": 1}).links
-        self.assertEqual(link, {"between": [{"structure": "frame1", "node": "n3"}, "wall51"], "gap": 0.02, "law": "backfill",
-                                "stiffness": 30e6, "unloading": 60e6, "failure_ratio": 0.7, "strength": 4e5})
+        self.assertEqual(
+            link,
+            {
+                "between": [{"structure": "frame1", "node": "n3"}, "wall51"],
+                "gap": 0.02,
+                "law": "backfill",
+                "stiffness": 30e6,
+                "unloading": 60e6,
+                "failure_ratio": 0.7,
+                "strength": 4e5,
+            },
+        )
         run = self.compare(build, {"frame1": [3]}, 2e-3, order=1.3)
         self.assertGreater(len(run.impacts), 1)
 
@@ -245,10 +302,43 @@ class Yielding(unittest.TestCase):
         self.refused(r"material 1 \(Steel01\): a1 is 0.1, and only 0 is carried over")
         frame("Hysteretic", *MATERIALS["peak_oriented"][1:-1], 0.5)
         self.refused("material 1 .*beta is 0.5")
-        frame("Hysteretic", FY, FY / K, 1.4 * FY, 21 * FY / K, -0.8 * FY, -FY / K, -1.4 * FY, -21 * FY / K, 1.0, 1.0, 0.0, 0.0, 0.0)
+        frame(
+            "Hysteretic",
+            FY,
+            FY / K,
+            1.4 * FY,
+            21 * FY / K,
+            -0.8 * FY,
+            -FY / K,
+            -1.4 * FY,
+            -21 * FY / K,
+            1.0,
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+        )
         self.refused("its two sides differ")
-        frame("Hysteretic", 0.4 * FY, 0.4 * FY / K, FY, 3 * FY / K, 1.1 * FY, 21 * FY / K, -0.4 * FY, -0.4 * FY / K, -FY, -3 * FY / K,
-              -1.1 * FY, -21 * FY / K, 1.0, 1.0, 0.0, 0.0, 0.0)
+        frame(
+            "Hysteretic",
+            0.4 * FY,
+            0.4 * FY / K,
+            FY,
+            3 * FY / K,
+            1.1 * FY,
+            21 * FY / K,
+            -0.4 * FY,
+            -0.4 * FY / K,
+            -FY,
+            -3 * FY / K,
+            -1.1 * FY,
+            -21 * FY / K,
+            1.0,
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+        )
         self.refused("three lines")
         frame("BoucWen", 0.05, K, 2.0, 1e3, 1e3, 0.5, 0.0, 0.0, 0.0)
         self.refused("Ao is 0.5")

@@ -20,10 +20,21 @@ BLOCK = runpy.run_path(str(LESSON / "city_block.py"))
 
 
 def house(bays=(2, 1), width="5 m", storeys=2):
-    return {"frame": {"material": {"E": "30 GPa"},
-                      "grid": {"storeys": storeys, "bays": list(bays), "storey_height": "3 m", "bay_width": width,
-                               "columns": {"rectangle": [0.4, 0.4]}, "beams": {"rectangle": [0.3, 0.5]}, "floor_mass": "60 t"}},
-            "damping": "5 %"}
+    return {
+        "frame": {
+            "material": {"E": "30 GPa"},
+            "grid": {
+                "storeys": storeys,
+                "bays": list(bays),
+                "storey_height": "3 m",
+                "bay_width": width,
+                "columns": {"rectangle": [0.4, 0.4]},
+                "beams": {"rectangle": [0.3, 0.5]},
+                "floor_mass": "60 t",
+            },
+        },
+        "damping": "5 %",
+    }
 
 
 def plane(bays=2):
@@ -55,7 +66,9 @@ class Rows(unittest.TestCase):
         raised = house()
         raised["frame"]["origin"] = ["7 m", 3, "1.5 m"]
         self.assertEqual(plan.extent({"a": raised}), (7.0, 17.0, 3.0, 8.0))
-        self.assertEqual(origins(plan.row({"a": raised, "b": house()}, 0.1)), {"a": [0.0, 0.0, "1.5 m"], "b": [10.1, 0.0]})
+        self.assertEqual(
+            origins(plan.row({"a": raised, "b": house()}, 0.1)), {"a": [0.0, 0.0, "1.5 m"], "b": [10.1, 0.0]}
+        )
 
     def test_of_plane_frames_have_no_depth(self):
         raised = plane(3)
@@ -68,8 +81,14 @@ class Rows(unittest.TestCase):
         drawn = {"a": {**house(), "face": "0.2 m"}, "b": house(), "c": house()}
         drawn["b"]["frame"]["face"] = 0.25
         self.assertEqual(origins(plan.row(drawn, "30 mm")), {"a": [0.0, 0.0], "b": [10.48, 0.0], "c": [20.76, 0.0]})
-        model = pounding.Model(plan.row(drawn, "30 mm"), [{"between": "neighbours", "law": "hertz", "stiffness": 1e9}], analysis={"duration": 1})
-        self.assertIn("gap 30 mm between faces (200 mm as typed and 250 mm as typed)", pounding.check(model).description)
+        model = pounding.Model(
+            plan.row(drawn, "30 mm"),
+            [{"between": "neighbours", "law": "hertz", "stiffness": 1e9}],
+            analysis={"duration": 1},
+        )
+        self.assertIn(
+            "gap 30 mm between faces (200 mm as typed and 250 mm as typed)", pounding.check(model).description
+        )
         drawn["a"]["face"] = "auto"
         with self.assertRaisesRegex(pounding.InputError, "structures.a.face: a row needs the distance from the axes"):
             plan.row(drawn, "30 mm")
@@ -87,9 +106,19 @@ class Rows(unittest.TestCase):
 
         refused('along: takes x or y; "z" was given', {"a": house()}, 0.1, along="z")
         refused('align: takes low or high; "left" was given', {"a": house()}, 0.1, align="left")
-        refused("gap: takes one gap, or a list of 1, one after each frame but the last; 2 were given", {"a": house(), "b": house()}, [0.1, 0.2])
-        refused("gap: takes distances of at least 0; frames that overlap cannot be linked", {"a": house(), "b": house()}, "-1 mm")
-        refused('structures.o: has no place in plan; only frames have: {"frame": {...}}', {"o": {"oscillator": {}}}, 0.1)
+        refused(
+            "gap: takes one gap, or a list of 1, one after each frame but the last; 2 were given",
+            {"a": house(), "b": house()},
+            [0.1, 0.2],
+        )
+        refused(
+            "gap: takes distances of at least 0; frames that overlap cannot be linked",
+            {"a": house(), "b": house()},
+            "-1 mm",
+        )
+        refused(
+            'structures.o: has no place in plan; only frames have: {"frame": {...}}', {"o": {"oscillator": {}}}, 0.1
+        )
         refused("structures.a: is a plane frame, and these stand in rows along x", {"a": plane()}, 0.1, along="y")
         refused("structures.a.frame: has neither grid nor nodes, and so no size in plan", {"a": {"frame": {}}}, 0.1)
         with self.assertRaisesRegex(pounding.InputError, "there is none"):
@@ -111,7 +140,9 @@ class Neighbours(unittest.TestCase):
     def test_linked_by_a_word_and_by_hand_give_the_same_bits(self):
         law = {"points": 2, "law": "hertz_damped", "stiffness": 1.4e9, "restitution": 0.65}
         found = pounding.run(self.corner([{"between": "neighbours", **law}]))
-        by_hand = pounding.run(self.corner([{"between": ["corner", other], "floors": "all", **law} for other in ("south1", "west1")]))
+        by_hand = pounding.run(
+            self.corner([{"between": ["corner", other], "floors": "all", **law} for other in ("south1", "west1")])
+        )
         self.assertGreater(found.impacts.size, 20)
         self.assertEqual(found.resolved_yaml, by_hand.resolved_yaml)
         np.testing.assert_array_equal(found.impacts, by_hand.impacts)
@@ -120,7 +151,9 @@ class Neighbours(unittest.TestCase):
                 np.testing.assert_array_equal(found.structures[name].along[axis].displacement, motion.displacement)
 
     def test_of_a_run_that_is_resumed_give_the_same_bits(self):
-        model = self.corner([{"between": "neighbours", "points": 2, "law": "hertz_damped", "stiffness": 1.4e9, "restitution": 0.65}])
+        model = self.corner(
+            [{"between": "neighbours", "points": 2, "law": "hertz_damped", "stiffness": 1.4e9, "restitution": 0.65}]
+        )
         file, cut = self.folder / "m.yaml", self.folder / "cut.h5"
         file.write_text(model.to_yaml())
         subprocess.run([PROGRAM, "run", file, "-q", "-o", cut, "-pounding_ts_max_steps", "500"], capture_output=True)
@@ -129,10 +162,14 @@ class Neighbours(unittest.TestCase):
         whole = pounding.run(model)
         self.assertEqual(resumed.status, "done")
         np.testing.assert_array_equal(resumed.impacts, whole.impacts)
-        np.testing.assert_array_equal(resumed.structures["corner"].displacement, whole.structures["corner"].displacement)
+        np.testing.assert_array_equal(
+            resumed.structures["corner"].displacement, whole.structures["corner"].displacement
+        )
 
     def test_are_printed_by_a_model(self):
-        self.assertIn("links: neighbours (hertz_damped, gap not given)", str(BLOCK["model"](BLOCK["corner"](), "corner")))
+        self.assertIn(
+            "links: neighbours (hertz_damped, gap not given)", str(BLOCK["model"](BLOCK["corner"](), "corner"))
+        )
 
 
 class Lesson(unittest.TestCase):
@@ -144,10 +181,28 @@ class Lesson(unittest.TestCase):
         """Every building has two neighbours, those that stand before and behind it around the courtyard."""
         made = BLOCK["model"](BLOCK["ring"](4, 3), "block", tolerance="1e-3")
         self.assertEqual(len(made.structures), 14)
-        names = [line.split(":")[0].removeprefix("link ") for line in pounding.check(made).description.splitlines() if line.startswith("link ")]
+        names = [
+            line.split(":")[0].removeprefix("link ")
+            for line in pounding.check(made).description.splitlines()
+            if line.startswith("link ")
+        ]
         pairs = {frozenset(end.split(".")[0] for end in name.split("#")[0].split("-")) for name in names}
-        ring = ["south_west", "south1", "south2", "south_east", "east1", "east2", "east3", "north_east", "north2", "north1", "north_west",
-                "west3", "west2", "west1"]
+        ring = [
+            "south_west",
+            "south1",
+            "south2",
+            "south_east",
+            "east1",
+            "east2",
+            "east3",
+            "north_east",
+            "north2",
+            "north1",
+            "north_west",
+            "west3",
+            "west2",
+            "west1",
+        ]
         self.assertEqual(pairs, {frozenset(pair) for pair in zip(ring, ring[1:] + ring[:1])})
         self.assertEqual(set(made.structures), set(ring))
 

@@ -11,7 +11,8 @@ PROGRAM = os.environ["POUNDING_PROGRAM"]
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 ADVICE = (
     "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
-    "environment variable POUNDING_PYTHON to a Python that has them.")
+    "environment variable POUNDING_PYTHON to a Python that has them."
+)
 
 
 class PlotCommand(unittest.TestCase):
@@ -25,8 +26,14 @@ class PlotCommand(unittest.TestCase):
 
     def plot(self, *arguments, python=None):
         environment = dict(os.environ, **({"POUNDING_PYTHON": str(python)} if python else {}))
-        return subprocess.run([PROGRAM, "plot", *map(str, arguments)], env=environment, cwd=self.directory,
-                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        return subprocess.run(
+            [PROGRAM, "plot", *map(str, arguments)],
+            env=environment,
+            cwd=self.directory,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+        )
 
     def false_python(self, script):
         path = self.directory / "python"
@@ -50,9 +57,13 @@ class PlotCommand(unittest.TestCase):
 
     def test_arguments_reach_python_unchanged(self):
         python = self.false_python('printf "%s\\n" "$@" > arguments\n')
-        self.assertEqual(self.plot("--title", "a 'b' $c", "-o", "x y.png", "--", "-run.h5", python=python).returncode, 0)
-        self.assertEqual((self.directory / "arguments").read_text().splitlines(),
-                         ["-m", "pounding.plots", "-o", "x y.png", "--title=a 'b' $c", "--", "-run.h5"])
+        self.assertEqual(
+            self.plot("--title", "a 'b' $c", "-o", "x y.png", "--", "-run.h5", python=python).returncode, 0
+        )
+        self.assertEqual(
+            (self.directory / "arguments").read_text().splitlines(),
+            ["-m", "pounding.plots", "-o", "x y.png", "--title=a 'b' $c", "--", "-run.h5"],
+        )
 
     def test_other_pictures_have_names_of_their_own(self):
         for kind in ("model", "profiles"):
@@ -74,9 +85,18 @@ class PlotCommand(unittest.TestCase):
     def test_an_input_file_is_told_from_results(self):
         (self.directory / "model.yaml").write_text("title: a\n")
         for command in ("plot", "animate", "export"):
-            done = subprocess.run([PROGRAM, command, "model.yaml"], cwd=self.directory, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            done = subprocess.run(
+                [PROGRAM, command, "model.yaml"],
+                cwd=self.directory,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+            )
             self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertIn("model.yaml is an input file; type pounding run model.yaml -o model.h5, and name model.h5 here\n", done.stderr)
+            self.assertIn(
+                "model.yaml is an input file; type pounding run model.yaml -o model.h5, and name model.h5 here\n",
+                done.stderr,
+            )
         (self.directory / "picture.png").write_bytes(b"PNG")
         self.assertIn("picture.png is not a results file of pounding", self.plot("picture.png").stderr)
 
@@ -86,7 +106,9 @@ class PlotCommand(unittest.TestCase):
         self.assertIn(f'"/no/python" cannot be started: No such file or directory. {ADVICE}', done.stderr)
 
     def test_missing_package_says_what_to_install(self):
-        python = self.false_python("echo Traceback >&2\necho \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1\n")
+        python = self.false_python(
+            "echo Traceback >&2\necho \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1\n"
+        )
         done = self.plot(self.results, python=python)
         self.assertEqual(done.returncode, 2)
         self.assertIn(f"{python}: ModuleNotFoundError: No module named 'h5py'. {ADVICE}", done.stderr)

@@ -54,7 +54,10 @@ class Pictures(unittest.TestCase):
         code = "import matplotlib\nmatplotlib.__version_info__ = (3, 6, 3)\nimport pounding.plots"
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: pictures need matplotlib 3.7 or newer, and .*: type python3 -m pip install --upgrade")
+        self.assertRegex(
+            done.stderr.splitlines()[-1],
+            "^ImportError: pictures need matplotlib 3.7 or newer, and .*: type python3 -m pip install --upgrade",
+        )
 
     def test_every_kind_of_run_is_drawn(self):
         for kind in KINDS:
@@ -64,23 +67,37 @@ class Pictures(unittest.TestCase):
                 self.assertGreater(picture.tell(), 10000)
 
     def test_panels_are_those_that_the_run_has(self):
-        self.assertEqual(titles(self.figure("two")), [
-            "(a) Ground", "(b) Displacements", "(c) Opening of the links", "(d) Contact forces", "(e) Energy",
-            "(f) Error of the energy balance", "(g) Strongest impact", "(h) Restitution of each impact"])
-        self.assertEqual(titles(self.figure("alone")), [
-            "(a) Ground", "(b) Displacements", "(c) Energy", "(d) Error of the energy balance"])
+        self.assertEqual(
+            titles(self.figure("two")),
+            [
+                "(a) Ground",
+                "(b) Displacements",
+                "(c) Opening of the links",
+                "(d) Contact forces",
+                "(e) Energy",
+                "(f) Error of the energy balance",
+                "(g) Strongest impact",
+                "(h) Restitution of each impact",
+            ],
+        )
+        self.assertEqual(
+            titles(self.figure("alone")),
+            ["(a) Ground", "(b) Displacements", "(c) Energy", "(d) Error of the energy balance"],
+        )
 
     def test_lines_meet_when_the_structures_touch(self):
         run = read(self.files["two"])
-        left, right = [line.get_ydata() for line in axes_titled(self.figure("two"), "Displacements").lines
-                       if line.get_label() in ("left", "right")]
+        left, right = [
+            line.get_ydata()
+            for line in axes_titled(self.figure("two"), "Displacements").lines
+            if line.get_label() in ("left", "right")
+        ]
         opening = np.interp(run.time, run.links["left.1-right.1"].time, -run.links["left.1-right.1"].penetration)
         np.testing.assert_allclose(right - left, 1e3 * opening, atol=1.0)
         self.assertAlmostEqual(right[0] - left[0], 20)
 
     def test_a_row_stands_gap_beside_gap(self):
-        lines = {line.get_label(): line.get_ydata()
-                 for line in axes_titled(self.figure("row"), "Displacements").lines}
+        lines = {line.get_label(): line.get_ydata() for line in axes_titled(self.figure("row"), "Displacements").lines}
         self.assertAlmostEqual(lines["right"][0], 20)
         self.assertAlmostEqual(lines["far right"][0], 50)
 
@@ -100,34 +117,44 @@ class Pictures(unittest.TestCase):
         del run.links["slender.6-stiff.6"]
         run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != "slender.6-stiff.6"])
         axes = axes_titled(plots.standard_figure(run), "Displacements")
-        self.assertEqual(axes.get_legend_handles_labels()[1], [
-            "slender, floor 5", "slender, top", "stiff, floor 5", "stiff, top", "gap, 40 mm at rest"])
+        self.assertEqual(
+            axes.get_legend_handles_labels()[1],
+            ["slender, floor 5", "slender, top", "stiff, floor 5", "stiff, top", "gap, 40 mm at rest"],
+        )
 
     def test_floors_can_be_chosen(self):
         run = read(self.files["towers"])
         axes = axes_titled(self.figure("towers", floors={"stiff": "2"}), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
         # The neighbour is shown at the floor that faces it.
-        self.assertEqual(axes.get_legend_handles_labels()[1],
-                         ["slender, floor 2", "slender, top", "stiff, floor 2", "gap, 40 mm at rest"])
+        self.assertEqual(
+            axes.get_legend_handles_labels()[1],
+            ["slender, floor 2", "slender, top", "stiff, floor 2", "gap, 40 mm at rest"],
+        )
         np.testing.assert_allclose(lines["stiff, floor 2"], 40 + 1e3 * run.structures["stiff"].displacement[:, 1])
 
     def test_a_floor_against_a_column_faces_the_column_at_its_height(self):
         run = read(self.files["towers"])
         last = run.links.pop("slender.6-stiff.6")
-        run.links["slender.6-stiff"] = dataclasses.replace(last, name="slender.6-stiff", right_floor=0, right_end="17 m up")
+        run.links["slender.6-stiff"] = dataclasses.replace(
+            last, name="slender.6-stiff", right_floor=0, right_end="17 m up"
+        )
         run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != last.name])
         axes = axes_titled(plots.standard_figure(run), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
-        self.assertEqual(axes.get_legend_handles_labels()[1],
-                         ["slender, floor 6", "stiff, 17 m up", "stiff, top", "gap, 40 mm at rest"])
+        self.assertEqual(
+            axes.get_legend_handles_labels()[1],
+            ["slender, floor 6", "stiff, 17 m up", "stiff, top", "gap, 40 mm at rest"],
+        )
         opening = -np.interp(run.time, last.time, last.penetration)
         np.testing.assert_allclose(lines["stiff, 17 m up"] - lines["slender, floor 6"], 1e3 * opening, atol=1e-9)
 
     def test_no_gap_is_shaded_between_places_that_no_link_joins(self):
         run = read(self.files["two"])
         link = run.links["left.1-right.1"]
-        run.links["left.1-right.1"] = dataclasses.replace(link, left_floor=0, left_end="node a", right_floor=0, right_end="node b")
+        run.links["left.1-right.1"] = dataclasses.replace(
+            link, left_floor=0, left_end="node a", right_floor=0, right_end="node b"
+        )
         axes = axes_titled(plots.standard_figure(run), "Displacements")
         self.assertEqual(axes.get_legend_handles_labels()[1], ["left", "right"])
 
@@ -139,8 +166,14 @@ class Pictures(unittest.TestCase):
         axes = axes_titled(plots.standard_figure(run), "Restitution")
         self.assertIn("asked 0.65", [each.get_text() for each in axes.texts])
         self.assertIn("1 above 1.5, up to 6.3", [each.get_text() for each in axes.texts])
-        self.assertEqual([line.get_ydata()[0] for line in axes.lines if len(set(line.get_ydata())) == 1 and line.get_linestyle() == "--"],
-                         [0.65])
+        self.assertEqual(
+            [
+                line.get_ydata()[0]
+                for line in axes.lines
+                if len(set(line.get_ydata())) == 1 and line.get_linestyle() == "--"
+            ],
+            [0.65],
+        )
         self.assertEqual(axes.get_ylim(), (0, 1.5))
 
     def test_an_impact_that_lasts_has_a_loop(self):
@@ -156,15 +189,18 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         for picture in (*figures.WHOLE, *figures.PANELS):
             for size in ((3.3, 2.4), None):
-                if picture == "profiles" and size or picture in ("springs", "hinges", "plan", "rotation"):  # nothing yields or rotates here, and nothing has a plan: other tests draw these
+                # nothing yields or rotates here, and nothing has a plan: other tests draw these
+                if picture == "profiles" and size or picture in ("springs", "hinges", "plan", "rotation"):
                     continue
                 figure = figures.figure(run, picture, "", size)
                 figure.draw_without_rendering()
                 for legend in [*figure.legends, *(axes.get_legend() for axes in figure.axes)]:
                     if legend is not None:
                         box = legend.get_window_extent().transformed(figure.transFigure.inverted())
-                        self.assertTrue(box.x0 >= -0.001 and box.x1 <= 1.001 and box.y0 >= -0.001 and box.y1 <= 1.001,
-                                        (picture, size, box))
+                        self.assertTrue(
+                            box.x0 >= -0.001 and box.x1 <= 1.001 and box.y0 >= -0.001 and box.y1 <= 1.001,
+                            (picture, size, box),
+                        )
 
     def test_a_small_figure_has_the_panels_that_fit(self):
         run = read(self.files["towers"])
@@ -175,16 +211,19 @@ class Pictures(unittest.TestCase):
             self.assertEqual(figure.axes[-1].get_xlabel().split()[0], "Time" if count < 8 else "Closing")
 
     def test_floors_that_do_not_exist_are_refused(self):
-        for floors, words in (({"stif": "1"}, "there is no structure stif; there is slender, stiff"),
-                              ({"stiff": "7"}, "stiff has no floor 7; it has 1, 2, 3, 4, 5, 6")):
+        for floors, words in (
+            ({"stif": "1"}, "there is no structure stif; there is slender, stiff"),
+            ({"stiff": "7"}, "stiff has no floor 7; it has 1, 2, 3, 4, 5, 6"),
+        ):
             with self.assertRaises(BadRequest) as caught:
                 self.figure("towers", floors=floors)
             self.assertEqual(str(caught.exception), words)
 
     def test_touches_are_marked(self):
         run = read(self.files["two"])
-        marks = next(line for line in axes_titled(self.figure("two"), "Opening").lines
-                     if line.get_label().startswith("touch"))
+        marks = next(
+            line for line in axes_titled(self.figure("two"), "Opening").lines if line.get_label().startswith("touch")
+        )
         np.testing.assert_array_equal(marks.get_xdata(), run.impacts["t_start"])
 
     def test_forces_are_drawn_in_meganewtons(self):

@@ -28,8 +28,13 @@ class Printing(unittest.TestCase):
             self.assertIn(word, str(thing))
 
     def test_results(self):
-        self.assert_told(self.results, "Two oscillators under a harmonic ground motion", "done, 0 to 3 s", "left (1 floor)",
-                         "left-right (5 impacts, at most 7.178e+06 N)")
+        self.assert_told(
+            self.results,
+            "Two oscillators under a harmonic ground motion",
+            "done, 0 to 3 s",
+            "left (1 floor)",
+            "left-right (5 impacts, at most 7.178e+06 N)",
+        )
         self.assertEqual(repr(self.results).split()[0], "<pounding.Run")
         self.assertNotIn("still pressed", str(self.results))
 
@@ -47,7 +52,9 @@ class Printing(unittest.TestCase):
 
     def test_parts_of_results(self):
         structure = next(one for one in self.frames.structures.values() if one.nodes and one.members)
-        self.assert_told(structure, f"{structure.name}: frame in space, 5 floors", "m high", "along rz", "nodes", "members")
+        self.assert_told(
+            structure, f"{structure.name}: frame in space, 5 floors", "m high", "along rz", "nodes", "members"
+        )
         self.assert_told(structure.along["x"], "time", "floors", "displacement", "storey shear")
         self.assert_told(structure.nodes, "directions x, y, z, rx, ry, rz", "m/s^2")
         self.assert_told(structure.members, "members", "start N", "N m")
@@ -56,7 +63,12 @@ class Printing(unittest.TestCase):
         self.assert_told(link, "left-right: jankowski, gap 20 mm, left", "largest force 7.178e+06 N", "to 3 s")
 
     def test_models_modes_and_films(self):
-        self.assert_told(two_oscillators(), "2 structures, 1 link, ground motion harmonic", "left (oscillator)", "jankowski, gap 20 mm")
+        self.assert_told(
+            two_oscillators(),
+            "2 structures, 1 link, ground motion harmonic",
+            "left (oscillator)",
+            "jankowski, gap 20 mm",
+        )
         self.assert_told(pounding.Model({}), "0 structures")
         modes = pounding.modes(TWO_OSCILLATORS)
         self.assert_told(modes, "1 mode of left", "right: T = 0.4 s")
@@ -65,7 +77,9 @@ class Printing(unittest.TestCase):
 
     def test_laws(self):
         law = pounding.laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)
-        self.assert_told(law, 'laws["jankowski"](restitution=0.65, reduced_mass=60000.0, stiffness=2750000000.0)', "F = k d^1.5")
+        self.assert_told(
+            law, 'laws["jankowski"](restitution=0.65, reduced_mass=60000.0, stiffness=2750000000.0)', "F = k d^1.5"
+        )
         self.assert_told(law.free_impact(0.5), "restitution 0.65", "peak force")
         self.assert_told(law.free_impact([0.1 * i for i in range(1, 20)]), "(19 values)")
 

@@ -30,8 +30,14 @@ def run():
 
 
 def python(code, *launcher, **environment):
-    done = subprocess.run([*launcher, sys.executable, "-c", RUN + textwrap.dedent(code)], capture_output=True, text=True,
-                          timeout=120, env={**os.environ, **environment}, stdin=subprocess.DEVNULL)
+    done = subprocess.run(
+        [*launcher, sys.executable, "-c", RUN + textwrap.dedent(code)],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+    )
     if done.returncode != 0:
         raise AssertionError(f"{done.returncode}: {done.stderr}")
     return done.stdout
@@ -56,12 +62,15 @@ class Importing(unittest.TestCase):
         self.assertEqual(python(code), f"{not WITHOUT_MPI}\n")
 
     def test_the_package_runs_the_program(self):
-        done = subprocess.run([sys.executable, "-m", "pounding", "--version"], capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [sys.executable, "-m", "pounding", "--version"], capture_output=True, text=True, timeout=60
+        )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(done.stdout, python("import pounding; print('pounding', pounding.__version__)"))
 
     def test_links_for_opensees_are_there_without_opensees(self):
-        self.assertEqual(python("""
+        self.assertEqual(
+            python("""
             import sys
             sys.modules["openseespy"] = None
             import pounding
@@ -74,19 +83,26 @@ class Importing(unittest.TestCase):
                 assert "python3 -m pip install openseespy" in str(error)
             else:
                 raise AssertionError("a link without a model")
-        """), "")
+        """),
+            "",
+        )
 
     def test_public_modules_are_attributes(self):
         for module in ("animation", "contact", "models", "opensees", "results"):
-            self.assertEqual(python(f"import pounding; print(pounding.{module}.__name__)").strip(), f"pounding.{module}")
+            self.assertEqual(
+                python(f"import pounding; print(pounding.{module}.__name__)").strip(), f"pounding.{module}"
+            )
 
     def test_unknown_names_are_no_attributes(self):
-        self.assertEqual(python("""
+        self.assertEqual(
+            python("""
             import pounding
             assert not hasattr(pounding, "lawz")
             assert {"laws", "run", "Model"} <= set(dir(pounding))
             assert pounding.__version__.count(".") == 2
-        """), "")
+        """),
+            "",
+        )
 
     @unittest.skipUnless((ROOT / "python").exists(), "the sources are not here")
     def test_pictures_do_without_the_compiled_part(self):
@@ -127,7 +143,9 @@ class OneProcess(unittest.TestCase):
     def test_mpi4py_before_after_and_ending_mpi_itself(self):
         python("from mpi4py import MPI; run(); assert MPI.COMM_WORLD.size == 1 and not MPI.Is_finalized()")
         python("run(); from mpi4py import MPI; assert MPI.Is_initialized() and MPI.COMM_WORLD.size == 1; run()")
-        python("import mpi4py; mpi4py.rc.initialize = False; from mpi4py import MPI; run(); assert MPI.Is_initialized()")
+        python(
+            "import mpi4py; mpi4py.rc.initialize = False; from mpi4py import MPI; run(); assert MPI.Is_initialized()"
+        )
 
     def test_the_host_keeps_its_signals_and_variables(self):
         python("""
@@ -150,21 +168,33 @@ class OneProcess(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
     def test_mpirun_can_be_started_afterwards(self):
-        said = python("""
+        said = python(
+            """
             import subprocess
             run()
             command = ["mpirun", "--oversubscribe", "-n", "2", "sh", "-c", "echo here"]
             print(subprocess.run(command, capture_output=True, text=True, check=True, stdin=subprocess.DEVNULL).stdout)
-        """, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        """,
+            OMPI_ALLOW_RUN_AS_ROOT="1",
+            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        )
         self.assertEqual(said.split(), ["here", "here"])
 
     @unittest.skipUnless(shutil.which("mpirun") and not WITHOUT_MPI, "mpirun is not installed, or without MPI")
     def test_two_processes_run_one_model(self):
-        said = python("""
+        said = python(
+            """
             import sys
             # In one piece: mpirun mixes those of two processes.
             sys.stdout.write(repr(float(run().impacts["peak_force"][0])) + "\\n")
-        """, "mpirun", "--oversubscribe", "-n", "2", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        """,
+            "mpirun",
+            "--oversubscribe",
+            "-n",
+            "2",
+            OMPI_ALLOW_RUN_AS_ROOT="1",
+            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        )
         first, second = said.split()
         self.assertEqual(first, second)
         self.assertEqual(python('print(repr(float(run().impacts["peak_force"][0])))').split(), [first])
@@ -172,7 +202,15 @@ class OneProcess(unittest.TestCase):
 
 class InterruptedStudy(unittest.TestCase):
     def setUp(self):
-        self.words = (os.environ["POUNDING_PROGRAM"], "study", EXAMPLES / "24_fragility_curve" / "study.yaml", "-o", "table.h5", "-j", "2")
+        self.words = (
+            os.environ["POUNDING_PROGRAM"],
+            "study",
+            EXAMPLES / "24_fragility_curve" / "study.yaml",
+            "-o",
+            "table.h5",
+            "-j",
+            "2",
+        )
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.how = {"cwd": folder.name, "env": os.environ | {"POUNDING_PYTHON": sys.executable}}
@@ -180,21 +218,29 @@ class InterruptedStudy(unittest.TestCase):
     def interrupt_at(self, come):
         """The exit code of a study that gets Ctrl-C, as a terminal sends it, when come(process) returns."""
         Path(self.how["cwd"], "table.h5").unlink(missing_ok=True)
-        study = subprocess.Popen(self.words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True, **self.how)
+        study = subprocess.Popen(
+            self.words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True, **self.how
+        )
         come(study)
         os.killpg(study.pid, signal.SIGINT)
         told, _ = study.communicate(timeout=120)
         self.assertNotIn("Traceback", told)
         if study.returncode == 3:
-            self.assertEqual(told, "pounding: stopped; rows that were finished are kept. Type the same command again to go on\n")
+            self.assertEqual(
+                told, "pounding: stopped; rows that were finished are kept. Type the same command again to go on\n"
+            )
         return study.returncode
 
     def test_ctrl_c_at_any_time_is_told_in_one_line(self):
-        """While modules are imported, workers start, rows run and all ends: never where in the code of Python it was."""
+        """While modules are imported, workers start, rows run and all ends: never where in the code of Python it
+        was."""
         whole = time.monotonic()
         subprocess.run(self.words, capture_output=True, check=True, **self.how)
         whole = time.monotonic() - whole
-        fates = Counter(self.interrupt_at(lambda _, part=part: time.sleep(part * whole)) for part in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05))
+        fates = Counter(
+            self.interrupt_at(lambda _, part=part: time.sleep(part * whole))
+            for part in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05)
+        )
         self.assertLessEqual(set(fates), {0, 3, -signal.SIGINT}, fates)
 
     def test_ctrl_c_while_workers_start_is_told_in_one_line(self):
@@ -206,7 +252,9 @@ class InterruptedStudy(unittest.TestCase):
                 pass
 
         # The process that cleans up behind the workers, and the workers.
-        fates = Counter(self.interrupt_at(lambda process, count=count: has(count, process)) for count in (1, 2, 3) for _ in range(2))
+        fates = Counter(
+            self.interrupt_at(lambda process, count=count: has(count, process)) for count in (1, 2, 3) for _ in range(2)
+        )
         self.assertIn(3, fates)
         self.assertLessEqual(set(fates), {0, 3}, fates)
 
@@ -234,8 +282,10 @@ class Readme(unittest.TestCase):
     @unittest.skipUnless((ROOT / "README.md").exists(), "the sources are not here")
     def test_the_example_prints_what_it_says(self):
         text = (ROOT / "README.md").read_text()
-        block = text[text.index("```python"):]
-        code, printed = (part.split("\n", 1)[1].split("```")[0] for part in (block, block[block.index("```\n\n```") + 5:]))
+        block = text[text.index("```python") :]
+        code, printed = (
+            part.split("\n", 1)[1].split("```")[0] for part in (block, block[block.index("```\n\n```") + 5 :])
+        )
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(EXAMPLES, Path(folder) / "examples")
             done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, timeout=60)

@@ -11,8 +11,13 @@ from pathlib import Path
 LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 MODEL = Path(os.environ["POUNDING_EXAMPLES"]) / "02_two_oscillators/model.yaml"
 #: Open MPI refuses root and more processes than cores unless it is told.
-SURROUNDINGS = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
+SURROUNDINGS = {
+    **os.environ,
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+}
 PATIENCE = 100  # [s]; one that hangs fails its test
 #: Each process tells what it met in one piece, because mpirun mixes those of two.
 BEGIN = f"""
@@ -37,8 +42,14 @@ def run(**words):
 @unittest.skipUnless(LAUNCHER, "there is no mpiexec")
 class Processes(unittest.TestCase):
     def on_two(self, code):
-        return subprocess.run([LAUNCHER, "-n", "2", sys.executable, "-c", BEGIN + textwrap.dedent(code)], text=True,
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, env=SURROUNDINGS)
+        return subprocess.run(
+            [LAUNCHER, "-n", "2", sys.executable, "-c", BEGIN + textwrap.dedent(code)],
+            text=True,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=PATIENCE,
+            env=SURROUNDINGS,
+        )
 
     def told(self, code):
         """Lines that each process prints, in order."""
@@ -59,7 +70,9 @@ class Raised(Processes):
         """)
         self.assertEqual(first, second)
         done, refused = first
-        self.assertRegex(refused, r'^InputError: process 2 of 2 failed alone: .*unknown law "jankowsky". Did you mean "jankowski"')
+        self.assertRegex(
+            refused, r'^InputError: process 2 of 2 failed alone: .*unknown law "jankowsky". Did you mean "jankowski"'
+        )
         self.assertEqual(done, "5 impacts")
 
     def test_by_all_is_what_one_process_raises(self):
@@ -72,7 +85,7 @@ class Raised(Processes):
         first, second = self.told('tell(lambda: pounding.run("none.yaml" if second else model))')
         self.assertEqual(first, second)
         self.assertRegex(first[0], "^InputError: process 2 of 2 failed alone: none.yaml: ")
-        first, second = self.told('tell(lambda: run(options=5 if second else None))')
+        first, second = self.told("tell(lambda: run(options=5 if second else None))")
         self.assertEqual(first, second)
         self.assertRegex(first[0], "^InputError: process 2 of 2 failed alone: options: takes a map")
 
@@ -89,10 +102,15 @@ class Raised(Processes):
                     raise ValueError("enough")
             tell(lambda: run(progress=progress))
         """)
-        self.assertEqual((first, second), (["SolverError: process 2 of 2 failed alone: ValueError: enough"], ["ValueError: enough"]))
+        self.assertEqual(
+            (first, second), (["SolverError: process 2 of 2 failed alone: ValueError: enough"], ["ValueError: enough"])
+        )
 
     def test_different_models_are_refused(self):
-        for different in ('model.links[0]["gap"] = 0.02 + 0.01 * second', 'words["options"] = {"ts_max_steps": 10 + second}'):
+        for different in (
+            'model.links[0]["gap"] = 0.02 + 0.01 * second',
+            'words["options"] = {"ts_max_steps": 10 + second}',
+        ):
             with self.subTest(different):
                 first, second = self.told(f"words = {{}}; {different}; tell(lambda: run(**words))")
                 self.assertEqual(first, second)

@@ -14,15 +14,27 @@ import numpy as np
 import pounding
 
 TOWERS = {
-    "old": {"shear_building": {"storeys": 2, "mass": "100 t", "stiffness": "100 MN/m", "yield_force": "1 MN", "hardening": 0.1,
-                               "height": "3 m"}, "damping": "5 %"},
+    "old": {
+        "shear_building": {
+            "storeys": 2,
+            "mass": "100 t",
+            "stiffness": "100 MN/m",
+            "yield_force": "1 MN",
+            "hardening": 0.1,
+            "height": "3 m",
+        },
+        "damping": "5 %",
+    },
     "stiff": {"oscillator": {"mass": "100 t", "period": 0.2, "damping": "5 %"}},
 }
 
 
 def model():
-    return pounding.Model(structures=copy.deepcopy(TOWERS), ground_motion={"harmonic": {"amplitude": 3, "period": 0.6, "duration": 3}},
-                          analysis={"duration": 1})
+    return pounding.Model(
+        structures=copy.deepcopy(TOWERS),
+        ground_motion={"harmonic": {"amplitude": 3, "period": 0.6, "duration": 3}},
+        analysis={"duration": 1},
+    )
 
 
 class Pushover(unittest.TestCase):
@@ -32,7 +44,8 @@ class Pushover(unittest.TestCase):
 
     def test_gives_the_curve_of_two_storeys_in_series(self):
         found = pounding.pushover(model(), to="2 % roof")
-        # Masses alike, heights 3 and 6 m: the upper storey carries two thirds. The lower one yields at 1 MN, the upper one at 1.5 MN.
+        # Masses alike, heights 3 and 6 m: the upper storey carries two thirds. The lower one yields at 1 MN, the upper
+        # one at 1.5 MN.
         first = 10e-3 + 2 / 3 * 10e-3
         np.testing.assert_allclose(found.displacement[:2], [0, first], rtol=1e-12)
         np.testing.assert_allclose(found.base_shear[1], 1e6, rtol=1e-12)
@@ -46,16 +59,20 @@ class Pushover(unittest.TestCase):
 
     def test_takes_numbers_lists_and_cycles(self):
         same = pounding.pushover(model(), "old", to=0.12, load=[1, 2])
-        np.testing.assert_allclose(same.base_shear, pounding.pushover(model(), "old", to="120 mm").base_shear, rtol=1e-12)
+        np.testing.assert_allclose(
+            same.base_shear, pounding.pushover(model(), "old", to="120 mm").base_shear, rtol=1e-12
+        )
         cycles = pounding.pushover(model(), "old", cyclic=["1 %", -0.06], to=0.12)
         np.testing.assert_allclose(cycles.summary["targets"], [0.06, -0.06, 0.12], rtol=1e-15)
         self.assertIsNone(cycles.bilinear)
 
     def test_says_what_is_wrong(self):
-        for message, arguments in (("structure: unknown structure", {"structure": "odl", "to": 0.1}),
-                                   ("to: a displacement of the roof is missing", {}),
-                                   ("structures.stiff: nothing in it yields", {"structure": "stiff", "to": 0.1}),
-                                   ("load: the list holds 3 numbers, and the structure has 2 floors", {"to": 0.1, "load": [1, 2, 3]})):
+        for message, arguments in (
+            ("structure: unknown structure", {"structure": "odl", "to": 0.1}),
+            ("to: a displacement of the roof is missing", {}),
+            ("structures.stiff: nothing in it yields", {"structure": "stiff", "to": 0.1}),
+            ("load: the list holds 3 numbers, and the structure has 2 floors", {"to": 0.1, "load": [1, 2, 3]}),
+        ):
             with self.subTest(arguments=arguments), self.assertRaises(pounding.InputError) as raised:
                 pounding.pushover(model(), **arguments)
             self.assertIn(message, str(raised.exception))
@@ -92,6 +109,7 @@ class Drawn(unittest.TestCase):
     def test_by_plot_from_its_file(self):
         from pounding import plots
         from pounding.checked_file import HoldsPushover
+
         with tempfile.TemporaryDirectory() as folder:
             path, picture = Path(folder) / "curve.h5", Path(folder) / "curve.png"
             pounding.pushover(model(), to="2 % roof", output=path)

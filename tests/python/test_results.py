@@ -47,15 +47,26 @@ class ResultsFile(unittest.TestCase):
         self.file.visititems(collect)
         energies = ("input", "kinetic", "strain", "damping", "hysteretic", "impact", "error")
         expected = {
-            "time": "s", "summary": "text", "impacts": None, "ground/acceleration": "m/s^2", "energy/time": "s",
-            "input/model.yaml": "text", "input/resolved.yaml": "text",
+            "time": "s",
+            "summary": "text",
+            "impacts": None,
+            "ground/acceleration": "m/s^2",
+            "energy/time": "s",
+            "input/model.yaml": "text",
+            "input/resolved.yaml": "text",
             **{f"energy/{name}": "J" for name in energies},
             **{f"solver/{name}": "1" for name in ("steps", "rejected", "events", "iterations")},
             **{f"solver/{name}": "s" for name in ("wall_seconds", "wall_setup", "wall_solve", "wall_output")},
         }
         for name in ("slender", "stiff"):
-            motion = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N",
-                      "base_shear": "N"}
+            motion = {
+                "displacement": "m",
+                "velocity": "m/s",
+                "acceleration": "m/s^2",
+                "drift": "m",
+                "storey_shear": "N",
+                "base_shear": "N",
+            }
             expected |= {f"structures/{name}/{key}": unit for key, unit in motion.items()}
             del motion["velocity"]
             expected |= {f"envelopes/structures/{name}/{key}": unit for key, unit in motion.items()}
@@ -96,8 +107,22 @@ class ResultsFile(unittest.TestCase):
         impacts = self.file["impacts"][:]
         self.assertEqual(
             impacts.dtype.names,
-            ("link", "t_start", "t_end", "t_release", "v_approach", "v_separation", "restitution", "peak_force",
-             "t_peak", "peak_penetration", "impulse", "energy_lost", "energy_stored"))
+            (
+                "link",
+                "t_start",
+                "t_end",
+                "t_release",
+                "v_approach",
+                "v_separation",
+                "restitution",
+                "peak_force",
+                "t_peak",
+                "peak_penetration",
+                "impulse",
+                "energy_lost",
+                "energy_stored",
+            ),
+        )
         self.assertEqual(len(self.file["impacts"].attrs["units"]), len(impacts.dtype.names))
         self.assertGreater(len(impacts), 3)
         self.assertTrue(np.all(impacts["t_start"] < impacts["t_peak"]))

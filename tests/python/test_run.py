@@ -27,17 +27,23 @@ from test_models import TWO_OSCILLATORS, two_oscillators
 FRAMES = TWO_OSCILLATORS.parents[1] / "07_plane_frames/model.yaml"
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 #: No step resolves a contact as stiff as this.
-UNSOLVABLE = pounding.Model(structures={"a": {"body": {"mass": "100 t"}, "initial_velocity": "1 m/s"},
-                                        "b": {"body": {"mass": "150 t"}}},
-                            links=[{"between": ["a", "b"], "gap": "10 mm", "law": "hertz", "stiffness": 1e300}],
-                            analysis={"duration": 0.2})
+UNSOLVABLE = pounding.Model(
+    structures={"a": {"body": {"mass": "100 t"}, "initial_velocity": "1 m/s"}, "b": {"body": {"mass": "150 t"}}},
+    links=[{"between": ["a", "b"], "gap": "10 mm", "law": "hertz", "stiffness": 1e300}],
+    analysis={"duration": 0.2},
+)
 
 
 def long_model(duration=500.0):
     """Longer than any test waits, unless told otherwise."""
     model = two_oscillators()
     model.ground_motion["harmonic"]["duration"] = duration
-    model.analysis = {"duration": duration, "tolerance": "1e-7", "output_step": "10 ms", "integrator": "generalized_alpha"}
+    model.analysis = {
+        "duration": duration,
+        "tolerance": "1e-7",
+        "output_step": "10 ms",
+        "integrator": "generalized_alpha",
+    }
     return model
 
 
@@ -63,8 +69,11 @@ class RunTest(unittest.TestCase):
             compared = [place for place in places if not place.startswith("solver/wall") and place != "summary"]
             self.assertGreater(len(compared), 20)
             for place in compared:
-                self.assertEqual(a[place][()].tobytes() if a[place].shape else a[place][()],
-                                 b[place][()].tobytes() if b[place].shape else b[place][()], place)
+                self.assertEqual(
+                    a[place][()].tobytes() if a[place].shape else a[place][()],
+                    b[place][()].tobytes() if b[place].shape else b[place][()],
+                    place,
+                )
 
 
 class SameAsTheProgram(RunTest):
@@ -99,10 +108,16 @@ class SameAsTheProgram(RunTest):
 
     def test_a_run_in_memory_is_copied_whole(self):
         results = pounding.run(two_oscillators())
-        for other in (copy.copy(results), pickle.loads(pickle.dumps(results)), copy.deepcopy(pounding.run(two_oscillators()))):
+        for other in (
+            copy.copy(results),
+            pickle.loads(pickle.dumps(results)),
+            copy.deepcopy(pounding.run(two_oscillators())),
+        ):
             np.testing.assert_array_equal(other.time, results.time)
-            self.assertEqual(without_times(dict(other.summary, solver=dict(other.summary["solver"]))),
-                             without_times(dict(results.summary, solver=dict(results.summary["solver"]))))
+            self.assertEqual(
+                without_times(dict(other.summary, solver=dict(other.summary["solver"]))),
+                without_times(dict(results.summary, solver=dict(results.summary["solver"]))),
+            )
 
     def test_arrays_may_be_made_while_another_run_shows_its_progress(self):
         results, seen = pounding.run(two_oscillators()), []
@@ -114,13 +129,17 @@ class SameAsTheProgram(RunTest):
         model.structures = {"Büro 1": model.structures["left"], "right": model.structures["right"]}
         model.links[0]["between"] = ["Büro 1", "right"]
         model.structures["wall"] = {"wall": {}}
-        model.links.append({"between": ["right", "wall"], "gap": "10 mm", "law": "hertz", "stiffness": 1e9, "name": "ω"})
+        model.links.append(
+            {"between": ["right", "wall"], "gap": "10 mm", "law": "hertz", "stiffness": 1e9, "name": "ω"}
+        )
         results = pounding.run(model, tolerance=1e-3, output=self.folder / "out.h5")
         for run in (results, pounding.read(self.folder / "out.h5")):
             self.assertEqual(set(run.impacts["link"].tolist()), {"Büro 1-right", "ω"})
             for name, link in run.links.items():
                 self.assertEqual(np.count_nonzero(run.impacts["link"] == name), len(run.impacts_of(name)))
-                self.assertEqual((type(name), type(link.left), type(link.law), type(link.left_end)), (str, str, str, str))
+                self.assertEqual(
+                    (type(name), type(link.left), type(link.law), type(link.left_end)), (str, str, str, str)
+                )
             self.assertEqual(len(run.impacts_of("ω")) + len(run.impacts_of("Büro 1-right")), len(run.impacts))
             self.assertEqual({type(structure.kind) for structure in run.structures.values()}, {str})
             self.assertEqual(set(run.to_pandas()["impacts"]["link"]), {"Büro 1-right", "ω"})
@@ -143,19 +162,31 @@ class SameAsTheProgram(RunTest):
             inside = (link.time > impact["t_start"]) & (link.time < impact["t_release"])
             force = law.force(link.penetration[inside], link.velocity[inside], impact["v_approach"], in_order=True)
             self.assertGreater(force.size, 100)
-            # The last iteration of a step moves the state by less than this; the largest penetration, which the memory of
-            # bilinear_hertz keeps, lies between two samples.
+            # The last iteration of a step moves the state by less than this; the largest penetration, which the memory
+            # of bilinear_hertz keeps, lies between two samples.
             rtol = 1e-6 if name == "bilinear_hertz" else 1e-8
-            np.testing.assert_allclose(force, link.force[inside], rtol=rtol, atol=1e-9 * impact["peak_force"], err_msg=name)
+            np.testing.assert_allclose(
+                force, link.force[inside], rtol=rtol, atol=1e-9 * impact["peak_force"], err_msg=name
+            )
 
     def test_tolerance_and_options_reach_the_run(self):
         rough = pounding.run(two_oscillators(), tolerance=1e-3)
         # A thousandfold tolerance: 5.6 times fewer steps by the order of the scheme, if it were not for impacts.
         self.assertLess(rough.solver["steps"], pounding.run(two_oscillators()).solver["steps"] / 3)
         self.assertIn("tolerance: 0.001", rough.model_yaml)
-        done = self.program("run", TWO_OSCILLATORS, "--json", "-pounding_ts_rtol", "0.001", "-pounding_ts_pounding_scheme", "generalized_alpha")
+        done = self.program(
+            "run",
+            TWO_OSCILLATORS,
+            "--json",
+            "-pounding_ts_rtol",
+            "0.001",
+            "-pounding_ts_pounding_scheme",
+            "generalized_alpha",
+        )
         with self.assertWarns(pounding.AccuracyWarning):
-            by_option = pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
+            by_option = pounding.run(
+                TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"}
+            )
         printed = without_times(json.loads(done.stdout))
         self.assertIn("the energies do not close", printed["warnings"][0])
         self.assertEqual(without_times(by_option.summary), printed)
@@ -166,8 +197,10 @@ class SameAsTheProgram(RunTest):
     def test_modes_are_those_of_the_command(self):
         modes = pounding.modes(TWO_OSCILLATORS)
         printed = json.loads(self.program("modes", TWO_OSCILLATORS, "--json").stdout)
-        self.assertEqual({name: [mode.period for mode in modes[name]] for name in modes},
-                         {name: [mode["period"] for mode in found] for name, found in printed.items()})
+        self.assertEqual(
+            {name: [mode.period for mode in modes[name]] for name in modes},
+            {name: [mode["period"] for mode in found] for name, found in printed.items()},
+        )
         self.assertAlmostEqual(modes["left"][0].period, 0.8, delta=1e-12)
         self.assertEqual((modes["left"][0].participation.shape, modes["left"][0].shape.shape), ((1,), (1,)))
         self.assertEqual(len(modes.plot().axes), 4)
@@ -211,7 +244,15 @@ class Failures(RunTest):
 
     def test_energies_that_do_not_close_warn_as_in_the_program(self):
         # The option loosens the steps, not what the model promises.
-        done = self.program("run", TWO_OSCILLATORS, "-q", "-pounding_ts_rtol", "0.001", "-pounding_ts_pounding_scheme", "generalized_alpha")
+        done = self.program(
+            "run",
+            TWO_OSCILLATORS,
+            "-q",
+            "-pounding_ts_rtol",
+            "0.001",
+            "-pounding_ts_pounding_scheme",
+            "generalized_alpha",
+        )
         with self.assertWarnsRegex(pounding.AccuracyWarning, "the energies do not close") as caught:
             pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
         self.assertEqual(f"pounding: warning: {caught.warning}\n", done.stderr)
@@ -371,7 +412,9 @@ class Stopping(RunTest):
         with mock.patch.dict("sys.modules", {"IPython": ipython, "IPython.display": ipython.display}):
             self.interrupted(long_model())
         [shown] = ipython.display.display.call_args_list
-        self.assertRegex(shown.args[0]["text/html"], r'^<progress value="[\d.e-]+" max="500.0"></progress> \d+\.\d\d of 500\.00 s')
+        self.assertRegex(
+            shown.args[0]["text/html"], r'^<progress value="[\d.e-]+" max="500.0"></progress> \d+\.\d\d of 500\.00 s'
+        )
         updates = [call.args[0] for call in ipython.display.display.return_value.update.call_args_list]
         self.assertRegex(updates[0]["text/plain"], r"^\d+\.\d\d of 500.00 s, \d+ impacts$")
         self.assertEqual(updates[-1], {"text/plain": "", "text/html": ""})
@@ -458,7 +501,9 @@ class Pictures(RunTest):
         self.assertIn("<b>Two oscillators", page)
         [link] = self.results.summary["links"]
         self.assertIn(f"<td>left-right</td><td>5</td><td>{link['peak_force'] / 1e3:.4g}</td>", page)
-        self.assertIn(f"<td>left</td><td>{1e3 * np.abs(self.results.structures['left'].displacement).max():.4g}</td>", page)
+        self.assertIn(
+            f"<td>left</td><td>{1e3 * np.abs(self.results.structures['left'].displacement).max():.4g}</td>", page
+        )
         self.assertIn(f"input {self.results.energy['input'][-1] / 1e3:.4g} = kinetic", page)
         model = two_oscillators()
         model.title = "<b> & co"
@@ -494,17 +539,30 @@ class Tables(RunTest):
     @classmethod
     def setUpClass(cls):
         model = two_oscillators()
-        model.structures["left"] = {"shear_building": {"storeys": 2, "mass": "50 t", "stiffness": "20 MN/m", "height": 3.0},
-                                    "damping": "5 %"}
+        model.structures["left"] = {
+            "shear_building": {"storeys": 2, "mass": "50 t", "stiffness": "20 MN/m", "height": 3.0},
+            "damping": "5 %",
+        }
         model.links[0]["between"] = ["left.2", "right"]
         cls.results = pounding.run(model, tolerance=1e-4)
 
     def test_pandas(self):
         tables = self.results.to_pandas()
-        self.assertEqual(list(tables), ["impacts", "ground", "energy", f"links/{next(iter(self.results.links))}",
-                                        "structures/left", "structures/right"])
+        self.assertEqual(
+            list(tables),
+            [
+                "impacts",
+                "ground",
+                "energy",
+                f"links/{next(iter(self.results.links))}",
+                "structures/left",
+                "structures/right",
+            ],
+        )
         left = tables["structures/left"]
-        np.testing.assert_array_equal(left["displacement", "2", "x"].to_numpy(), self.results.structures["left"].displacement[:, 1])
+        np.testing.assert_array_equal(
+            left["displacement", "2", "x"].to_numpy(), self.results.structures["left"].displacement[:, 1]
+        )
         np.testing.assert_array_equal(left.index, self.results.time)
         self.assertEqual(tables["impacts"]["link"][0], "left.2-right")
         np.testing.assert_array_equal(tables["impacts"]["restitution"], self.results.impacts["restitution"])
@@ -533,7 +591,9 @@ class Tables(RunTest):
             moved, forces = structure.nodes.velocity[:, -1, 1], structure.members.end_forces[:, -1, 2]
             np.testing.assert_array_equal(tables[f"structures/{name}/nodes"]["velocity", node, direction], moved)
             np.testing.assert_array_equal(tables[f"structures/{name}/members"][member, component], forces)
-            np.testing.assert_array_equal(sets[f"structures/{name}/nodes"]["velocity"].sel(node=node, direction=direction), moved)
+            np.testing.assert_array_equal(
+                sets[f"structures/{name}/nodes"]["velocity"].sel(node=node, direction=direction), moved
+            )
             found = sets[f"structures/{name}/members"]["end_forces"]
             np.testing.assert_array_equal(found.sel(member=member, component=component), forces)
             self.assertEqual(found.dims, ("time", "member", "component"))

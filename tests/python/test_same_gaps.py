@@ -11,21 +11,35 @@ from study_samples import bents, blocks, pair, write_records
 
 NAMES = [f"r{i}.csv" for i in range(6)]
 SYNTHETIC = "records: {synthetic: {count: 8, duration: 0.8 s, pga: 0.3 g}}"
-STUDIES = {"the model's motion": (pair(), "{}"),
-           "files": (pair(), "records: {files: r*.csv}"),
-           "files for a model with a strength": (pair(ground_motion={"record": "r0.csv", "pga": "0.6 g"}), "records: {files: r*.csv}"),
-           "a level of pga": (pair(), "records: {files: r*.csv}\n  intensity: {measure: pga, levels: [0.5 g]}"),
-           "a level of sa": (pair(), "records: {files: r*.csv}\n  intensity: {measure: sa, period: 0.8 s, levels: [0.5 g]}"),
-           "the model's motion at a level": (pair(), "intensity: {measure: pga, levels: [0.7 g]}"),
-           "a seed": (pair(), f"seed: 3\n  {SYNTHETIC}"),
-           "another seed": (pair(), f"seed: 4\n  {SYNTHETIC}"),
-           "a factor": (pair(), "factors: {T: {of: structures.left.oscillator.period, list: [1.1 s]}}\n  records: {files: r*.csv}"),
-           "samples": (pair(), "seed: 5\n  factors: {T: {of: structures.left.oscillator.period, uniform: {from: 0.7 s, to: 1 s}}}\n"
-                               "  sampling: {sobol: 4}\n  records: {files: r*.csv}"),
-           "a factor of the motion": (pair(), "factors: {pga: {of: ground_motion.synthetic.pga, list: [0.7 g]}}"),
-           "a wave": (bents(record="r0.csv", wave={"velocity": "300 m/s"}), "records: {files: r*.csv}"),
-           "components": (blocks(components={"x": {"record": "r0.csv"}, "y": {"record": "r1.csv"}}), "records: {x: [r0.csv, r2.csv], y: [r1.csv, r3.csv]}"),
-           "the solver": (pair(), "engine: solver\n  records: {files: r*.csv}")}
+STUDIES = {
+    "the model's motion": (pair(), "{}"),
+    "files": (pair(), "records: {files: r*.csv}"),
+    "files for a model with a strength": (
+        pair(ground_motion={"record": "r0.csv", "pga": "0.6 g"}),
+        "records: {files: r*.csv}",
+    ),
+    "a level of pga": (pair(), "records: {files: r*.csv}\n  intensity: {measure: pga, levels: [0.5 g]}"),
+    "a level of sa": (pair(), "records: {files: r*.csv}\n  intensity: {measure: sa, period: 0.8 s, levels: [0.5 g]}"),
+    "the model's motion at a level": (pair(), "intensity: {measure: pga, levels: [0.7 g]}"),
+    "a seed": (pair(), f"seed: 3\n  {SYNTHETIC}"),
+    "another seed": (pair(), f"seed: 4\n  {SYNTHETIC}"),
+    "a factor": (
+        pair(),
+        "factors: {T: {of: structures.left.oscillator.period, list: [1.1 s]}}\n  records: {files: r*.csv}",
+    ),
+    "samples": (
+        pair(),
+        "seed: 5\n  factors: {T: {of: structures.left.oscillator.period, uniform: {from: 0.7 s, to: 1 s}}}\n"
+        "  sampling: {sobol: 4}\n  records: {files: r*.csv}",
+    ),
+    "a factor of the motion": (pair(), "factors: {pga: {of: ground_motion.synthetic.pga, list: [0.7 g]}}"),
+    "a wave": (bents(record="r0.csv", wave={"velocity": "300 m/s"}), "records: {files: r*.csv}"),
+    "components": (
+        blocks(components={"x": {"record": "r0.csv"}, "y": {"record": "r1.csv"}}),
+        "records: {x: [r0.csv, r2.csv], y: [r1.csv, r3.csv]}",
+    ),
+    "the solver": (pair(), "engine: solver\n  records: {files: r*.csv}"),
+}
 
 
 def gap_of(model):
@@ -47,7 +61,16 @@ class SameFile(unittest.TestCase):
     def test_the_table_shows_the_number_of_every_sample(self):
         one = {"required": 0.1, "abs": 0.1, "srss": 0.1, "ddc": 0.1}
         names = [f"RSN1690_NORTH151_SYL090-hor1.AT2, sample {i}" for i in range(2)]
-        lines = table_of({"records": [{"record": name, **one} for name in names], "mean": one, "required": {}, "codes": [], "floors_align": True, "collapsed": []})
+        lines = table_of(
+            {
+                "records": [{"record": name, **one} for name in names],
+                "mean": one,
+                "required": {},
+                "codes": [],
+                "floors_align": True,
+                "collapsed": [],
+            }
+        )
         for name in names:
             self.assertRegex(lines, f"{name} +100.0 +100.0")
 
@@ -56,7 +79,10 @@ class SameFile(unittest.TestCase):
         for name, (model, words) in STUDIES.items():
             inner = "{}" if words == "{}" else f"\n  {words}\n  keep: [required_gap, gap_srss]"
             self.write("model.yaml", model.to_yaml())
-            for file in (self.write("beside.yaml", f"model: model.yaml\nstudy: {inner}\n"), self.write("inside.yaml", f"{model.to_yaml()}study: {inner}\n")):
+            for file in (
+                self.write("beside.yaml", f"model: model.yaml\nstudy: {inner}\n"),
+                self.write("inside.yaml", f"{model.to_yaml()}study: {inner}\n"),
+            ):
                 with self.subTest(name, file=file.name):
                     if words == "{}":
                         file.write_text(file.read_text().replace("{}", "{keep: [required_gap, gap_srss]}"))
@@ -66,19 +92,33 @@ class SameFile(unittest.TestCase):
                     self.assertEqual(found["required"]["84 %"]["gap"], study.gaps().percentile(84)[0])
                     self.assertGreater(study["required_gap"].min(), 0)
                     for row in (0, len(study) - 1):
-                        self.assertAlmostEqual(study["required_gap"][row] / gap_of(pounding.Model.from_yaml(study.model_of(row))), 1, delta=2e-3)
+                        self.assertAlmostEqual(
+                            study["required_gap"][row] / gap_of(pounding.Model.from_yaml(study.model_of(row))),
+                            1,
+                            delta=2e-3,
+                        )
                     gaps.setdefault(name, study["required_gap"]).sort()
         # Every study but the last one, which only names the engine, has its own gaps.
-        self.assertEqual(len({tuple(values) for name, values in gaps.items() if name != "the solver"}), len(STUDIES) - 1)
+        self.assertEqual(
+            len({tuple(values) for name, values in gaps.items() if name != "the solver"}), len(STUDIES) - 1
+        )
 
     def test_a_model_without_a_study(self):
         for model in (pair(), bents(record="r0.csv", wave={"velocity": "300 m/s"})):
             file = self.write("model.yaml", model.to_yaml())
-            self.assertAlmostEqual(separation(file)["records"][0]["required"] / gap_of(pounding.Model.from_file(file)), 1, delta=2e-3)
+            self.assertAlmostEqual(
+                separation(file)["records"][0]["required"] / gap_of(pounding.Model.from_file(file)), 1, delta=2e-3
+            )
 
     def test_records_of_the_command_line_keep_the_rest_of_the_study(self):
-        named = self.write("a.yaml", f"{pair().to_yaml()}study:\n  records: {{files: r3.csv}}\n  intensity: {{measure: pga, levels: [0.5 g]}}\n")
-        every = self.write("b.yaml", f"{pair().to_yaml()}study:\n  records: {{files: [r1.csv, r2.csv]}}\n  intensity: {{measure: pga, levels: [0.5 g]}}\n")
+        named = self.write(
+            "a.yaml",
+            f"{pair().to_yaml()}study:\n  records: {{files: r3.csv}}\n  intensity: {{measure: pga, levels: [0.5 g]}}\n",
+        )
+        every = self.write(
+            "b.yaml",
+            f"{pair().to_yaml()}study:\n  records: {{files: [r1.csv, r2.csv]}}\n  intensity: {{measure: pga, levels: [0.5 g]}}\n",
+        )
         self.assertEqual(separation(named, [self.folder / "r1.csv", self.folder / "r2.csv"]), separation(every))
 
     def refused(self, said, words, model=None, records=None):
@@ -90,14 +130,26 @@ class SameFile(unittest.TestCase):
 
     def test_what_a_separation_cannot_use_is_an_error(self):
         records = "records: {files: r*.csv}"
-        self.refused("study.limits: a separation does not use it; leave it out, or type pounding study", f"{records}\n  limits: {{force: 5 MN}}")
-        self.refused("study.factors.gap: a separation has one gap, and this list or range would mix several",
-                     f"{records}\n  factors: {{gap: {{of: structures.left.oscillator.period, list: [0.7 s, 0.8 s]}}}}")
-        self.refused("study.intensity.levels: a separation has one gap, and 2 levels would mix", f"{records}\n  intensity: {{measure: pga, levels: [0.1 g, 0.2 g]}}")
+        self.refused(
+            "study.limits: a separation does not use it; leave it out, or type pounding study",
+            f"{records}\n  limits: {{force: 5 MN}}",
+        )
+        self.refused(
+            "study.factors.gap: a separation has one gap, and this list or range would mix several",
+            f"{records}\n  factors: {{gap: {{of: structures.left.oscillator.period, list: [0.7 s, 0.8 s]}}}}",
+        )
+        self.refused(
+            "study.intensity.levels: a separation has one gap, and 2 levels would mix",
+            f"{records}\n  intensity: {{measure: pga, levels: [0.1 g, 0.2 g]}}",
+        )
         self.refused('unknown key "sede". Did you mean "seed"?', "sede: 3")
         self.refused('there is no quantity "displacment". Did you mean "displacement"?', "keep: [displacment]")
-        self.refused("name a file for every component", "seed: 1", blocks(components={"x": {"record": "r0.csv"}, "y": {"record": "r1.csv"}}),
-                     [self.folder / "r2.csv"])
+        self.refused(
+            "name a file for every component",
+            "seed: 1",
+            blocks(components={"x": {"record": "r0.csv"}, "y": {"record": "r1.csv"}}),
+            [self.folder / "r2.csv"],
+        )
 
 
 if __name__ == "__main__":

@@ -31,16 +31,21 @@ PORTAL = """\
       hinges: {{columns: {{at: both, yield_moment: 80 kN m, hardening: 3 %, ultimate_rotation: 0.0005}}}}
     damping: 5 %
 """
-FRAMES = ("ground_motion: {harmonic: {amplitude: 4.0, period: 0.5, duration: 2.0}}\nstructures:\n" + PORTAL.format(name="left", origin=0, mass=90) +
-          PORTAL.format(name="right", origin=6.02, mass=30) +
-          "links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
-          "analysis: {duration: 2.5, output_step: 5 ms}\n")
+FRAMES = (
+    "ground_motion: {harmonic: {amplitude: 4.0, period: 0.5, duration: 2.0}}\nstructures:\n"
+    + PORTAL.format(name="left", origin=0, mass=90)
+    + PORTAL.format(name="right", origin=6.02, mass=30)
+    + "links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+    "analysis: {duration: 2.5, output_step: 5 ms}\n"
+)
 
 
 def results_of(model):
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "model.yaml").write_text(model)
-        subprocess.run([os.environ["POUNDING_PROGRAM"], "run", "model.yaml", "-q", "-o", "out.h5"], cwd=folder, check=True)
+        subprocess.run(
+            [os.environ["POUNDING_PROGRAM"], "run", "model.yaml", "-q", "-o", "out.h5"], cwd=folder, check=True
+        )
         return results.RunData.from_image((Path(folder) / "out.h5").read_bytes())
 
 
@@ -55,7 +60,11 @@ class Springs(unittest.TestCase):
         self.assertEqual(self.left.laws, ["bilinear"] * 4)
         self.assertEqual(self.left.deformation.shape, (self.results.time.size, 4))
         np.testing.assert_allclose(self.left.deformation, self.results.structures["left"].drift, atol=1e-5)
-        self.assertTrue((np.abs(self.left.largest["peak_deformation"]) >= np.abs(self.left.deformation).max(axis=0) * (1 - 1e-9)).all())
+        self.assertTrue(
+            (
+                np.abs(self.left.largest["peak_deformation"]) >= np.abs(self.left.deformation).max(axis=0) * (1 - 1e-9)
+            ).all()
+        )
         self.assertEqual(self.left.number("storey 3"), 2)
         with self.assertRaisesRegex(KeyError, "storey 4"):
             self.left.number("storey 5")
@@ -66,7 +75,10 @@ class Springs(unittest.TestCase):
         self.assertEqual(len(lines), 3)
         self.assertIn("of 4 parts yielded; largest ductility", lines[1])
 
-    @unittest.skipIf(importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None, "needs pandas and xarray")
+    @unittest.skipIf(
+        importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None,
+        "needs pandas and xarray",
+    )
     def test_are_tables(self):
         frame = tables.to_pandas(self.results)["structures/left/springs"]
         self.assertTrue((frame["force", "storey 2"].to_numpy() == self.left.force[:, 1]).all())
@@ -76,10 +88,15 @@ class Springs(unittest.TestCase):
     def test_are_drawn_as_the_loops_of_the_six_that_lose_most(self):
         from pounding.pictures.spring_loops import loops_figure
         from pounding.pictures.style import BadRequest
+
         figure = loops_figure(self.results)
         drawn = [axes for axes in figure.axes if axes.axison]
-        lost = sorted((-lost, f"{name}, {part}") for name, one in self.results.structures.items() if one.springs is not None
-                      for part, lost in zip(one.springs.names, one.springs.largest["hysteretic"]))
+        lost = sorted(
+            (-lost, f"{name}, {part}")
+            for name, one in self.results.structures.items()
+            if one.springs is not None
+            for part, lost in zip(one.springs.names, one.springs.largest["hysteretic"])
+        )
         self.assertEqual([axes.get_title(loc="left")[4:] for axes in drawn], [name for _, name in lost[:6]])
         [line] = [line for line in drawn[0].lines if len(line.get_xdata()) == self.results.time.size]
         name, part = lost[0][1].split(", ")
@@ -87,13 +104,18 @@ class Springs(unittest.TestCase):
         np.testing.assert_allclose(line.get_xdata(), 1e3 * springs.deformation[:, springs.number(part)])
         chosen = loops_figure(self.results, parts=[("right", "storey 1")], size=(3.5, 3.0))
         self.assertEqual(chosen.axes[0].get_title(loc="left"), "(a) right, storey 1")
-        for wrong, words in ((("other", "storey 1"), "there is left"), (("left", "storey 9"), "storey 4"), (("third", "storey 1"), "elastic")):
+        for wrong, words in (
+            (("other", "storey 1"), "there is left"),
+            (("left", "storey 9"), "storey 4"),
+            (("third", "storey 1"), "elastic"),
+        ):
             with self.assertRaisesRegex(BadRequest, words):
                 loops_figure(self.results, parts=[wrong])
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_show_their_residual_drifts_in_the_run_picture(self):
         from pounding.pictures.run_picture import standard_figure
+
         [axes] = [axes for axes in standard_figure(self.results).axes if "at the end" in axes.get_title(loc="left")]
         heights = [patch.get_height() for patch in axes.patches]
         summary = self.results.summary["structures"]["left"]
@@ -104,14 +126,21 @@ class Springs(unittest.TestCase):
     def test_are_storeys_of_a_map_coloured_by_ductility(self):
         from matplotlib.colors import to_rgba
         from pounding.pictures.hinge_map import COLOURS, hinges_figure
+
         figure = hinges_figure(self.results)
         axes, bar = figure.axes
         self.assertEqual(bar.get_ylabel(), "Ductility")
-        largest = max(one.springs.largest["ductility"].max() for one in self.results.structures.values() if one.springs is not None)
+        largest = max(
+            one.springs.largest["ductility"].max()
+            for one in self.results.structures.values()
+            if one.springs is not None
+        )
         np.testing.assert_allclose(bar.get_ylim(), (1, largest))
         colours = {to_rgba(line.get_color()) for line in axes.lines}
         for one in self.results.structures.values():
-            for ductility, state in zip(one.springs.largest["ductility"], one.springs.states) if one.springs is not None else ():
+            for ductility, state in (
+                zip(one.springs.largest["ductility"], one.springs.states) if one.springs is not None else ()
+            ):
                 expected = COLOURS((ductility - 1) / (largest - 1)) if state == "yielded" else to_rgba("white")
                 self.assertIn(expected, colours)
         numbers = {text.get_text() for text in axes.texts}
@@ -123,6 +152,7 @@ class Springs(unittest.TestCase):
     def test_a_map_needs_something_that_yields(self):
         from pounding.pictures.hinge_map import hinges_figure
         from pounding.pictures.style import BadRequest
+
         elastic = dataclasses.replace(self.results, structures={"third": self.results.structures["third"]})
         with self.assertRaisesRegex(BadRequest, "every structure of this run stays elastic"):
             hinges_figure(elastic)
@@ -137,21 +167,28 @@ class HingeMap(unittest.TestCase):
     def marks(self):
         from pounding.pictures.hinge_map import APART, _marks, measure_of
         from pounding.pictures.model_picture import spread_scene
+
         scene = spread_scene(self.results, APART)
         return scene, {(mark.structure, mark.name): mark for mark in _marks(scene, measure_of(self.results))}
 
     def test_hinges_stand_at_the_ends_of_their_members(self):
         scene, marks = self.marks()
         self.assertEqual(len(marks), 8)
-        # The columns are 3 m high, and the circles 7 % of that off their ends; the frames begin 0 and 6.02 m from the origin.
+        # The columns are 3 m high, and the circles 7 % of that off their ends; the frames begin 0 and 6.02 m from the
+        # origin.
         apart = scene.scale * 0.02
-        for (structure, name), place in ((("left", "column 1.0 start"), (0, 0.21)), (("left", "column 1.1 end"), (6, 2.79)),
-                                         (("right", "column 1.0 start"), (6 + apart, 0.21)), (("right", "column 1.1 start"), (12 + apart, 0.21))):
+        for (structure, name), place in (
+            (("left", "column 1.0 start"), (0, 0.21)),
+            (("left", "column 1.1 end"), (6, 2.79)),
+            (("right", "column 1.0 start"), (6 + apart, 0.21)),
+            (("right", "column 1.1 start"), (12 + apart, 0.21)),
+        ):
             np.testing.assert_allclose(marks[structure, name].points, [[place[0], 0, place[1]]], atol=1e-9)
         self.assertGreater(apart, 0.5)
 
     def test_hinges_with_an_ultimate_rotation_are_coloured_by_it(self):
         from pounding.pictures.hinge_map import hinges_figure
+
         _, marks = self.marks()
         for name, one in self.results.structures.items():
             for i, part in enumerate(one.springs.names):
@@ -162,20 +199,27 @@ class HingeMap(unittest.TestCase):
             self.assertEqual(figure.axes[1].get_ylabel(), "Plastic rotation over ultimate")
             [legend] = figure.legends
             words = [text.get_text() for text in legend.get_texts()]
-            self.assertTrue(any(each.startswith("impacts, at most ") for each in words) and "beyond its ultimate rotation" in words, words)
+            self.assertTrue(
+                any(each.startswith("impacts, at most ") for each in words) and "beyond its ultimate rotation" in words,
+                words,
+            )
             legends_fit(self, figure)
 
     def test_hinges_without_one_are_coloured_by_plastic_rotation(self):
         from pounding.pictures.hinge_map import hinges_figure
+
         results = results_of(FRAMES.replace(", ultimate_rotation: 0.0005", ""))
         figure = hinges_figure(results)
         self.assertEqual(figure.axes[1].get_ylabel(), "Plastic rotation (mrad)")
-        largest = max(one.springs.largest["peak_plastic"].max() for one in results.structures.values() if one.springs is not None)
+        largest = max(
+            one.springs.largest["peak_plastic"].max() for one in results.structures.values() if one.springs is not None
+        )
         np.testing.assert_allclose(figure.axes[1].get_ylim(), (0, 1e3 * largest))
         self.assertIn(f"{1e3 * largest:.3g}", {text.get_text() for text in figure.axes[0].texts})
 
     def test_a_star_tells_how_often_a_link_was_hit(self):
         from pounding.pictures.hinge_map import hinges_figure
+
         figure = hinges_figure(self.results)
         self.assertIn(str(self.results.impacts.size), [text.get_text() for text in figure.axes[0].texts])
 

@@ -23,19 +23,63 @@ from pounding.studies.study import run_plan
 from pounding.studies.summary import summary
 
 #: Two storeys that yield, next to a stiff neighbour.
-MODEL = {"structures": {"left": {"shear_building": {"storeys": 2, "mass": "200 t", "stiffness": "60 MN/m", "height": "3 m", "yield_force": ["0.9 MN", "2 MN"],
-                                                    "hardening": "0.02"}, "damping": "5 %"},
-                        "right": {"oscillator": {"mass": "100 t", "period": "0.4 s", "damping": "5 %"}}},
-         "links": [{"between": ["left.1", "right"], "gap": "200 mm", "law": "hertz_damped", "stiffness": "2.75e9", "restitution": "0.65"}],
-         "analysis": {"collapse_drift": "2 %", "tolerance": "1e-3"}}
+MODEL = {
+    "structures": {
+        "left": {
+            "shear_building": {
+                "storeys": 2,
+                "mass": "200 t",
+                "stiffness": "60 MN/m",
+                "height": "3 m",
+                "yield_force": ["0.9 MN", "2 MN"],
+                "hardening": "0.02",
+            },
+            "damping": "5 %",
+        },
+        "right": {"oscillator": {"mass": "100 t", "period": "0.4 s", "damping": "5 %"}},
+    },
+    "links": [
+        {
+            "between": ["left.1", "right"],
+            "gap": "200 mm",
+            "law": "hertz_damped",
+            "stiffness": "2.75e9",
+            "restitution": "0.65",
+        }
+    ],
+    "analysis": {"collapse_drift": "2 %", "tolerance": "1e-3"},
+}
 LEVELS = ["0.2 g", "0.4 g", "1 g"]
-WORDS = {"intensity": {"measure": "pga", "levels": LEVELS}, "without_links": "yes",
-         "keep": ["drift", "acceleration", "force", "impacts", "impulse", "required_gap", "gap_srss", "collapsed"]}
+WORDS = {
+    "intensity": {"measure": "pga", "levels": LEVELS},
+    "without_links": "yes",
+    "keep": ["drift", "acceleration", "force", "impacts", "impulse", "required_gap", "gap_srss", "collapsed"],
+}
 #: Between stiff neighbours the building stands; without them it collapses.
-GUARDED = {**MODEL, "structures": {"left": MODEL["structures"]["left"], "guard": {"oscillator": {"mass": "2000 t", "period": "0.2 s", "damping": "5 %"}},
-                                   "rest": {"oscillator": {"mass": "2000 t", "period": "0.2 s", "damping": "5 %"}}},
-           "links": [{"between": ["left.1", "guard"], "gap": "10 mm", "law": "hertz_damped", "stiffness": "1e9", "restitution": "0.6"},
-                     {"between": ["rest", "left.1"], "gap": "10 mm", "law": "hertz_damped", "stiffness": "1e9", "restitution": "0.6"}]}
+GUARDED = {
+    **MODEL,
+    "structures": {
+        "left": MODEL["structures"]["left"],
+        "guard": {"oscillator": {"mass": "2000 t", "period": "0.2 s", "damping": "5 %"}},
+        "rest": {"oscillator": {"mass": "2000 t", "period": "0.2 s", "damping": "5 %"}},
+    },
+    "links": [
+        {
+            "between": ["left.1", "guard"],
+            "gap": "10 mm",
+            "law": "hertz_damped",
+            "stiffness": "1e9",
+            "restitution": "0.6",
+        },
+        {
+            "between": ["rest", "left.1"],
+            "gap": "10 mm",
+            "law": "hertz_damped",
+            "stiffness": "1e9",
+            "restitution": "0.6",
+        },
+    ],
+}
 
 
 def write_records(folder):
@@ -43,7 +87,9 @@ def write_records(folder):
     for number, period in enumerate((0.7, 1.2, 2.0)):
         times = np.arange(0, 2.005, 0.01)
         values = np.where(times <= period, np.sin(2 * np.pi * times / period), 0) * 0.2
-        (folder / f"r{number}.csv").write_text("time,acc (g)\n" + "".join(f"{t:.2f},{a:.6f}\n" for t, a in zip(times, values)))
+        (folder / f"r{number}.csv").write_text(
+            "time,acc (g)\n" + "".join(f"{t:.2f},{a:.6f}\n" for t, a in zip(times, values))
+        )
 
 
 class Collapse(unittest.TestCase):
@@ -62,10 +108,21 @@ class Collapse(unittest.TestCase):
         cls.temporary.cleanup()
 
     def run_of(self, model, **words):
-        return run_plan(make_plan(pounding.Model(**model), {**WORDS, "records": {"files": "recs"}, **words}, self.folder), None, workers=0, progress=False)
+        return run_plan(
+            make_plan(pounding.Model(**model), {**WORDS, "records": {"files": "recs"}, **words}, self.folder),
+            None,
+            workers=0,
+            progress=False,
+        )
 
     def command(self, *words):
-        done = subprocess.run([sys.executable, "-m", "pounding", *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(
+            [sys.executable, "-m", "pounding", *map(str, words)],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
@@ -77,12 +134,16 @@ class Collapse(unittest.TestCase):
             np.testing.assert_array_equal(np.isinf(study[column]), fallen, column)
         # Whether the run without links collapses is another matter.
         for row in range(len(study)):
-            alone = json.loads(json.dumps(pounding.run(pounding.Model.from_yaml(study.model_of(row))).summary))["no_pounding"]
+            alone = json.loads(json.dumps(pounding.run(pounding.Model.from_yaml(study.model_of(row))).summary))[
+                "no_pounding"
+            ]
             self.assertEqual(np.isinf(study["drift.left.alone"][row]), alone["status"] != "done", row)
             self.assertEqual(np.isinf(study["required_gap"][row]), alone["status"] != "done", row)
         whole = ~fallen & np.isfinite(study["drift.left.alone"])
         np.testing.assert_array_equal(~np.isnan(study["drift.left.ratio"]), whole)
-        np.testing.assert_array_equal(study["drift.left.ratio"][whole], study["drift.left"][whole] / study["drift.left.alone"][whole])
+        np.testing.assert_array_equal(
+            study["drift.left.ratio"][whole], study["drift.left"][whole] / study["drift.left.alone"][whole]
+        )
 
     def test_the_reason_says_where_and_when(self):
         self.assertEqual(list(self.study.collapsed), np.flatnonzero(self.fallen).tolist())
@@ -137,9 +198,17 @@ class Collapse(unittest.TestCase):
         found = json.loads(self.command("study", "show", "s.h5", "--json", "--column", "collapsed"))
         self.assertEqual(found["status"]["collapsed"], int(self.fallen.sum()))
         drift = found["columns"]["drift.left"]
-        self.assertEqual((drift["infinite"], drift["max"], drift["mean"], drift["share above 0"]), (int(self.fallen.sum()), None, None, 1.0))
-        self.assertEqual(found["columns"]["drift.left.ratio"]["undefined"], int(np.isnan(self.study["drift.left.ratio"]).sum()))
-        self.assertEqual(list(found["fragility"]["share"].values()), [self.fallen[self.study["im"] == im].mean() for im in np.unique(self.study["im"])])
+        self.assertEqual(
+            (drift["infinite"], drift["max"], drift["mean"], drift["share above 0"]),
+            (int(self.fallen.sum()), None, None, 1.0),
+        )
+        self.assertEqual(
+            found["columns"]["drift.left.ratio"]["undefined"], int(np.isnan(self.study["drift.left.ratio"]).sum())
+        )
+        self.assertEqual(
+            list(found["fragility"]["share"].values()),
+            [self.fallen[self.study["im"] == im].mean() for im in np.unique(self.study["im"])],
+        )
         self.assertNotIn("Infinity", json.dumps(found))
 
     def test_other_programs_get_them(self):
@@ -155,9 +224,15 @@ class Collapse(unittest.TestCase):
             self.study.to_parquet(self.folder / "s.parquet")
 
     def test_pictures_show_them(self):
-        for picture, column, options in (("fragility", "drift.left", {"limit": "80 mm"}), ("fragility", "collapsed", {}), ("ida", "drift.left", {}), ("gap", None, {}),
-                                         ("map", "drift.left", {"across": "im", "along": "record"}), ("map", "drift.left.ratio", {"across": "im", "along": "record"}),
-                                         ("map", "collapsed", {"across": "im", "along": "record"})):
+        for picture, column, options in (
+            ("fragility", "drift.left", {"limit": "80 mm"}),
+            ("fragility", "collapsed", {}),
+            ("ida", "drift.left", {}),
+            ("gap", None, {}),
+            ("map", "drift.left", {"across": "im", "along": "record"}),
+            ("map", "drift.left.ratio", {"across": "im", "along": "record"}),
+            ("map", "collapsed", {"across": "im", "along": "record"}),
+        ):
             figure = self.study.plot(picture, column, **options)
             figure.savefig(self.folder / f"{picture}.svg")
             if picture == "ida":
@@ -167,7 +242,9 @@ class Collapse(unittest.TestCase):
         self.command("study", "plot", "s.h5", "--picture", "fragility", "--column", "collapsed", "-o", "c.png")
 
     def test_factors_of_collapsed_rows_may_be_drawn_and_their_indices_are_those_of_collapse(self):
-        study = self.run_of(MODEL, factors={"strength": {"of": "structures.left.shear_building.hardening", "list": [0.001, 0.3]}})
+        study = self.run_of(
+            MODEL, factors={"strength": {"of": "structures.left.shear_building.hardening", "list": [0.001, 0.3]}}
+        )
         self.assertIn(COLLAPSED, study["status"])
         study.plot("tornado", "drift.left").savefig(self.folder / "tornado.svg")
         study.plot("tornado", "drift.right").savefig(self.folder / "tornado.svg")
@@ -191,34 +268,53 @@ class Collapse(unittest.TestCase):
 
     def test_a_separation_says_for_which_records_no_gap_is_enough(self):
         model = {**GUARDED, "analysis": {**MODEL["analysis"]}}
-        (self.folder / "guarded.yaml").write_text(pounding.yaml_text.emit(pounding.yaml_text.plain({**model, "ground_motion": {"record": "recs/r2.csv", "scale": "5"}})))
+        (self.folder / "guarded.yaml").write_text(
+            pounding.yaml_text.emit(
+                pounding.yaml_text.plain({**model, "ground_motion": {"record": "recs/r2.csv", "scale": "5"}})
+            )
+        )
         strong = []
         for name in ("r0.csv", "r2.csv"):
             text = (self.folder / "recs" / name).read_text().splitlines()
             strong.append(self.folder / f"strong_{name}")
             rows = [line.split(",") for line in text[1:]]
-            strong[-1].write_text("time,acc (g)\n" + "".join(f"{t},{(0.1 if name == 'r0.csv' else 5) * float(a)!r}\n" for t, a in rows))
+            strong[-1].write_text(
+                "time,acc (g)\n" + "".join(f"{t},{(0.1 if name == 'r0.csv' else 5) * float(a)!r}\n" for t, a in rows)
+            )
         found = json.loads(self.command("separation", "guarded.yaml", "--json", "--records", *strong, "-j", "0"))
         self.assertEqual(found["collapsed"], ["strong_r2.csv"])
         self.assertEqual([one["required"] is None for one in found["records"]], [False, True])
         self.assertEqual((found["mean"]["srss"], found["required"]["84 %"]["gap"]), (None, None))
         told = self.command("separation", "guarded.yaml", "--records", *strong, "-j", "0")
-        self.assertIn("Without links 1 of 2 records bring a structure to collapse (strong_r2.csv): no gap is enough for them", told)
+        self.assertIn(
+            "Without links 1 of 2 records bring a structure to collapse (strong_r2.csv): no gap is enough for them",
+            told,
+        )
         self.assertNotIn("inf", told)
 
     def test_evaluate_gives_infinite_columns(self):
-        study = self.run_of(MODEL, factors={"strength": {"of": "structures.left.shear_building.hardening", "list": [0.02]}})
+        study = self.run_of(
+            MODEL, factors={"strength": {"of": "structures.left.shear_building.hardening", "list": [0.02]}}
+        )
         np.testing.assert_array_equal(study.evaluate({"strength": 0.02})["drift.left"], study["drift.left"])
 
     def test_collapse_needs_a_model_that_can(self):
         model = {**MODEL, "analysis": {"tolerance": "1e-3"}}
         study = self.run_of(model, intensity={"measure": "pga", "levels": ["0.1 g"]}, keep=["drift"])
-        with self.assertRaisesRegex(InputError, "no row of this study can collapse: its model has no analysis: .collapse_drift"):
+        with self.assertRaisesRegex(
+            InputError, "no row of this study can collapse: its model has no analysis: .collapse_drift"
+        ):
             study.fragility("collapsed")
-        with self.assertRaisesRegex(InputError, 'a fragility of drift.left needs its limit, as in fragility."drift.left", "80 mm".'):
+        with self.assertRaisesRegex(
+            InputError, 'a fragility of drift.left needs its limit, as in fragility."drift.left", "80 mm".'
+        ):
             study.fragility("drift.left")
         with self.assertRaisesRegex(InputError, "study.factors.collapsed: the table has a column of this name"):
-            make_plan(pounding.Model(**MODEL), {"factors": {"collapsed": {"of": "links.*.gap", "list": [1]}}, "records": {"files": "recs"}}, self.folder)
+            make_plan(
+                pounding.Model(**MODEL),
+                {"factors": {"collapsed": {"of": "links.*.gap", "list": [1]}}, "records": {"files": "recs"}},
+                self.folder,
+            )
 
     def test_the_amplification_of_a_run_compares_complete_runs(self):
         row = int(np.flatnonzero(self.fallen)[0])
@@ -242,7 +338,10 @@ class Collapse(unittest.TestCase):
             copy["rows/status"].attrs["labels"] = list(STATUSES[:6])
             copy["rows/status"][:] = [1, 2, 3, 4, 5, 1, 1, 1, 1]
         write_study(old, image.getvalue())
-        with self.assertWarnsRegex(pounding.ImplausibleWarning, "old.h5 was made by version 0.2.0, which counted rows that end by collapse_drift as done"):
+        with self.assertWarnsRegex(
+            pounding.ImplausibleWarning,
+            "old.h5 was made by version 0.2.0, which counted rows that end by collapse_drift as done",
+        ):
             study = pounding.Study.open(old)
         self.assertEqual(study["status"].tolist(), [1, 2, 3, 4, 5, 1, 1, 1, 1])
         with self.assertRaisesRegex(InputError, "of version 0.2.0 does not say which rows collapsed"):
@@ -260,8 +359,12 @@ class OfSummaries(unittest.TestCase):
         kept = Kept(("drift.a", "drift.a.alone", "drift.a.ratio", "required_gap"))
         fates = {"done": (0.1, 0.1, 1.0, 0.02), "done: collapse": (math.inf, 0.1, math.nan, 0.02)}
         for status, expected in fates.items():
-            summary = {"status": status, "structures": {"a": one}, "links": [],
-                       "no_pounding": {"status": "done", "structures": {"a": one}, "separations": [{"enough": 0.02}]}}
+            summary = {
+                "status": status,
+                "structures": {"a": one},
+                "links": [],
+                "no_pounding": {"status": "done", "structures": {"a": one}, "separations": [{"enough": 0.02}]},
+            }
             np.testing.assert_array_equal(kept.of(summary), expected)
         summary["no_pounding"]["status"] = "done: collapse at t = 1 s"
         summary["status"] = "done"

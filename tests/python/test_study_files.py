@@ -1,4 +1,5 @@
-"""Files of a study: their contents make the plan, wherever the folder is and whatever happens to the files while rows run."""
+"""Files of a study: their contents make the plan, wherever the folder is and whatever happens to the files while rows
+run."""
 
 import json
 import math
@@ -20,14 +21,29 @@ from pounding.studies.study import run_plan
 from pounding.studies.table import Table
 from study_samples import pair, write_records
 
-FORCED = {"left": {"oscillator": {"mass": "100 t", "period": "0.8 s", "damping": "5 %"}, "forces": [{"record": "recs/force.csv", "units": "kN"}]},
-          "right": {"oscillator": {"mass": "150 t", "period": "0.4 s", "damping": "5 %"}}}
-STUDIES = {"own.yaml": (pair(ground_motion={"record": "recs/r0.csv"}), "{keep: [displacement, required_gap]}"),
-           "force.yaml": (pair(structures=FORCED), "{keep: [displacement], records: {files: [recs/r1.csv, recs/r2.csv]}}"),
-           "records.yaml": (pair(), "{keep: [displacement], records: {files: recs/r*.csv}, intensity: {measure: sa, period: 1 s, levels: [0.2 g, 0.4 g]}}"),
-           "labels.yaml": (pair(ground_motion={"record": "recs/r0.csv"}),
-                           "{keep: [displacement], factors: {motion: {of: ground_motion.record, list: [recs/r1.csv, recs/r2.csv]}}}"),
-           "table.yaml": (pair(), "{keep: [displacement], factors: {gap: {of: links.*.gap, column: gap}}, sampling: {table: recs/table.csv}}")}
+FORCED = {
+    "left": {
+        "oscillator": {"mass": "100 t", "period": "0.8 s", "damping": "5 %"},
+        "forces": [{"record": "recs/force.csv", "units": "kN"}],
+    },
+    "right": {"oscillator": {"mass": "150 t", "period": "0.4 s", "damping": "5 %"}},
+}
+STUDIES = {
+    "own.yaml": (pair(ground_motion={"record": "recs/r0.csv"}), "{keep: [displacement, required_gap]}"),
+    "force.yaml": (pair(structures=FORCED), "{keep: [displacement], records: {files: [recs/r1.csv, recs/r2.csv]}}"),
+    "records.yaml": (
+        pair(),
+        "{keep: [displacement], records: {files: recs/r*.csv}, intensity: {measure: sa, period: 1 s, levels: [0.2 g, 0.4 g]}}",
+    ),
+    "labels.yaml": (
+        pair(ground_motion={"record": "recs/r0.csv"}),
+        "{keep: [displacement], factors: {motion: {of: ground_motion.record, list: [recs/r1.csv, recs/r2.csv]}}}",
+    ),
+    "table.yaml": (
+        pair(),
+        "{keep: [displacement], factors: {gap: {of: links.*.gap, column: gap}}, sampling: {table: recs/table.csv}}",
+    ),
+}
 
 
 class FilesOfAStudy(unittest.TestCase):
@@ -37,7 +53,9 @@ class FilesOfAStudy(unittest.TestCase):
         self.folder = Path(folder.name) / "one"
         (self.folder / "recs").mkdir(parents=True)
         write_records(self.folder / "recs", ["r0.csv", "r1.csv", "r2.csv"])
-        (self.folder / "recs" / "force.csv").write_text("".join(f"{0.01 * i!r},{300 * math.sin(0.1 * i)!r}\n" for i in range(80)))
+        (self.folder / "recs" / "force.csv").write_text(
+            "".join(f"{0.01 * i!r},{300 * math.sin(0.1 * i)!r}\n" for i in range(80))
+        )
         (self.folder / "recs" / "table.csv").write_text("gap (mm)\n1\n2\n3\n4\n")
         for name, (model, study) in STUDIES.items():
             (self.folder / f"model_of_{name}").write_text(model.to_yaml())
@@ -53,10 +71,21 @@ class FilesOfAStudy(unittest.TestCase):
             plan = read_plan(self.folder / name, self.folder / "store")
             self.assertEqual(plan.digest(), read_plan(other / name, other / "store").digest(), name)
             run_plan(plan, self.folder / "study.h5", workers=0)
-            self.assertNotIn(str(self.folder).encode(), (self.folder / "study.h5").read_bytes() if name != "labels.yaml" else b"", name)
+            self.assertNotIn(
+                str(self.folder).encode(),
+                (self.folder / "study.h5").read_bytes() if name != "labels.yaml" else b"",
+                name,
+            )
             (self.folder / "study.h5").unlink()
-        # Another content under the same name: of the model's own record, of a record of forces, of a record of the study, of a sample.
-        for name, file in (("own.yaml", "r0.csv"), ("force.yaml", "force.csv"), ("records.yaml", "r2.csv"), ("labels.yaml", "r2.csv"), ("table.yaml", "table.csv")):
+        # Another content under the same name: of the model's own record, of a record of forces, of a record of the
+        # study, of a sample.
+        for name, file in (
+            ("own.yaml", "r0.csv"),
+            ("force.yaml", "force.csv"),
+            ("records.yaml", "r2.csv"),
+            ("labels.yaml", "r2.csv"),
+            ("table.yaml", "table.csv"),
+        ):
             text = (other / "recs" / file).read_text()
             before = read_plan(other / name).digest()
             (other / "recs" / file).write_text(text[:-1] + "1\n")
@@ -65,7 +94,13 @@ class FilesOfAStudy(unittest.TestCase):
             self.assertEqual(read_plan(other / name).digest(), before, name)
         # The model's own record is of no account where records replace it.
         own = read_plan(self.folder / "own.yaml")
-        self.assertEqual([len(read_plan(self.folder / name).files.digests(read_plan(self.folder / name).description())) for name in STUDIES], [1, 3, 3, 3, 0])
+        self.assertEqual(
+            [
+                len(read_plan(self.folder / name).files.digests(read_plan(self.folder / name).description()))
+                for name in STUDIES
+            ],
+            [1, 3, 3, 3, 0],
+        )
         self.assertEqual(len(own.template.files), 1)
 
     def test_a_copied_folder_resumes_and_merges(self):
@@ -92,7 +127,11 @@ class FilesOfAStudy(unittest.TestCase):
             shutil.rmtree(self.folder)
             for study in (whole, here):
                 run = pounding.run(pounding.Model.from_yaml(study.model_of(copy.count - 1)))
-                self.assertAlmostEqual(study["displacement.left"][-1] / max(run.summary["structures"]["left"]["peak_displacement"]), 1, delta=1e-3)
+                self.assertAlmostEqual(
+                    study["displacement.left"][-1] / max(run.summary["structures"]["left"]["peak_displacement"]),
+                    1,
+                    delta=1e-3,
+                )
             shutil.copytree(other, self.folder)
             for each in self.folder.glob("*.h5*"):
                 shutil.rmtree(each) if each.is_dir() else each.unlink()
@@ -119,8 +158,10 @@ class FilesOfAStudy(unittest.TestCase):
 
     def test_every_file_is_read_once(self):
         for name in STUDIES:
-            with mock.patch.object(core, "read_record", side_effect=core.read_record) as read, \
-                    mock.patch.object(core, "read_file", side_effect=core.read_file) as opened:
+            with (
+                mock.patch.object(core, "read_record", side_effect=core.read_record) as read,
+                mock.patch.object(core, "read_file", side_effect=core.read_file) as opened,
+            ):
                 plan = read_plan(self.folder / name)
                 run_plan(plan, None, workers=0)
             for calls in (read, opened):
@@ -129,8 +170,13 @@ class FilesOfAStudy(unittest.TestCase):
 
     def test_the_description_is_plain(self):
         plan = read_plan(self.folder / "records.yaml")
-        self.assertEqual(json.loads(json.dumps(plan.description()))["files"], {str((self.folder / "recs" / f"r{i}.csv").resolve()): motion.digest
-                                                                                for i, motion in enumerate(plan.template.motions)})
+        self.assertEqual(
+            json.loads(json.dumps(plan.description()))["files"],
+            {
+                str((self.folder / "recs" / f"r{i}.csv").resolve()): motion.digest
+                for i, motion in enumerate(plan.template.motions)
+            },
+        )
 
 
 if __name__ == "__main__":

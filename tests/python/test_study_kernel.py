@@ -1,4 +1,5 @@
 """The kernel of studies from Python: columns in, columns out, a reason for a row that cannot be run."""
+
 import threading
 import unittest
 
@@ -14,13 +15,22 @@ ROWS = 40
 
 def pairs():
     part = np.linspace(0, 1, ROWS)
-    return {"mass_left": 1e5, "mass_right": 1.5e5, "period_left": 0.3 + part, "period_right": 1.1 - 0.8 * part ** 2, "damping_left": 0.05,
-            "damping_right": 0.05, "gap": 0.03 * part}
+    return {
+        "mass_left": 1e5,
+        "mass_right": 1.5e5,
+        "period_left": 0.3 + part,
+        "period_right": 1.1 - 0.8 * part**2,
+        "damping_left": 0.05,
+        "damping_right": 0.05,
+        "gap": 0.03 * part,
+    }
 
 
 def run(columns, parameters=None, **options):
     given = parameters or {"stiffness": 2.75e9, "restitution": 0.65}
-    return _core.study_pairs(columns, options.pop("law", "hertz_damped"), options.pop("formula", ""), given, GROUND, 0.02, **options)
+    return _core.study_pairs(
+        columns, options.pop("law", "hertz_damped"), options.pop("formula", ""), given, GROUND, 0.02, **options
+    )
 
 
 class StudyKernel(unittest.TestCase):
@@ -45,19 +55,33 @@ class StudyKernel(unittest.TestCase):
 
     def test_TheRequiredGapKeepsAThousandPairsApart(self):
         generator = np.random.default_rng(17)
-        columns = {"mass_left": 1e5, "mass_right": 1e5 * 4 ** (generator.random(1000) - 0.5), "period_left": 0.2 * 10 ** generator.random(1000),
-                   "period_right": 0.2 * 10 ** generator.random(1000), "damping_left": 0.1 * generator.random(1000), "damping_right": 0.05, "gap": 0.01}
+        columns = {
+            "mass_left": 1e5,
+            "mass_right": 1e5 * 4 ** (generator.random(1000) - 0.5),
+            "period_left": 0.2 * 10 ** generator.random(1000),
+            "period_right": 0.2 * 10 ** generator.random(1000),
+            "damping_left": 0.1 * generator.random(1000),
+            "damping_right": 0.05,
+            "gap": 0.01,
+        }
         need = run(columns, required_gap=True)["required_gap"]
         self.assertEqual(run({**columns, "gap": need * (1 + 1e-6)})["impacts"].max(), 0)
         self.assertGreaterEqual(run({**columns, "gap": need * (1 - 1e-6)})["impacts"].min(), 1)
 
     def test_AFactorScalesTheRecordAndADampingOfItsOwnARow(self):
         one = run({**pairs(), "factor": 2.0})
-        other = _core.study_pairs(pairs(), "hertz_damped", "", {"stiffness": 2.75e9, "restitution": 0.65}, 2 * GROUND, 0.02)
+        other = _core.study_pairs(
+            pairs(), "hertz_damped", "", {"stiffness": 2.75e9, "restitution": 0.65}, 2 * GROUND, 0.02
+        )
         np.testing.assert_array_equal(one["peak_force"], other["peak_force"])
         soft = run(pairs(), {"stiffness": 2.75e9, "restitution": np.linspace(0.4, 0.9, ROWS)})
-        self.assertEqual(soft["peak_force"][12], run({k: v[12] if np.ndim(v) else v for k, v in pairs().items()},
-                                                     {"stiffness": 2.75e9, "restitution": np.linspace(0.4, 0.9, ROWS)[12]})["peak_force"][0])
+        self.assertEqual(
+            soft["peak_force"][12],
+            run(
+                {k: v[12] if np.ndim(v) else v for k, v in pairs().items()},
+                {"stiffness": 2.75e9, "restitution": np.linspace(0.4, 0.9, ROWS)[12]},
+            )["peak_force"][0],
+        )
 
     def test_ARowThatIsRefusedHasAReasonAndCostsNoOther(self):
         columns = pairs()
@@ -70,9 +94,11 @@ class StudyKernel(unittest.TestCase):
         np.testing.assert_array_equal(np.delete(found["peak_force"], 7), np.delete(whole["peak_force"], 7))
 
     def test_WrongColumnsAreRefusedBeforeAnyRow(self):
-        for columns, text in (({**pairs(), "gap": np.ones(3)}, "gap: 3 numbers for 40 rows"),
-                              ({**pairs(), "mass": 1.0}, '"mass" is no column of a pair'),
-                              ({k: v for k, v in pairs().items() if k != "gap"}, 'the column "gap" is missing')):
+        for columns, text in (
+            ({**pairs(), "gap": np.ones(3)}, "gap: 3 numbers for 40 rows"),
+            ({**pairs(), "mass": 1.0}, '"mass" is no column of a pair'),
+            ({k: v for k, v in pairs().items() if k != "gap"}, 'the column "gap" is missing'),
+        ):
             with self.assertRaisesRegex(InputError, text):
                 run(columns)
         with self.assertRaisesRegex(InputError, 'Did you mean "hertz_damped"'):
@@ -94,13 +120,30 @@ analysis: {duration: 1.0}
         factors = np.array([0.5, 1.0, 2.0])
         found = _core.study_model(model, GROUND, 0.02, factors)
         self.assertEqual(found["outputs"].shape, (3, 6))
-        expected = run({"mass_left": 1e5, "mass_right": 1.5e5, "period_left": 0.8, "period_right": 0.4, "damping_left": 0.05, "damping_right": 0.05,
-                        "gap": 0.02, "factor": factors}, accelerations=True)
+        expected = run(
+            {
+                "mass_left": 1e5,
+                "mass_right": 1.5e5,
+                "period_left": 0.8,
+                "period_right": 0.4,
+                "damping_left": 0.05,
+                "damping_right": 0.05,
+                "gap": 0.02,
+                "factor": factors,
+            },
+            accelerations=True,
+        )
         # Modes of the model are rounded otherwise than those of the pair.
-        left, right = ([expected["displacement"][:, k], expected["displacement"][:, k], expected["acceleration"][:, k]] for k in (0, 1))
+        left, right = (
+            [expected["displacement"][:, k], expected["displacement"][:, k], expected["acceleration"][:, k]]
+            for k in (0, 1)
+        )
         np.testing.assert_allclose(found["outputs"], np.column_stack([*left, *right]), rtol=1e-6)
         np.testing.assert_allclose(found["peak_force"], expected["peak_force"], rtol=1e-6)
-        self.assertIn("takes the solver", self.refusal(text.replace("law: hertz_damped, stiffness: 2.75e9", "law: stereomechanical")))
+        self.assertIn(
+            "takes the solver",
+            self.refusal(text.replace("law: hertz_damped, stiffness: 2.75e9", "law: stereomechanical")),
+        )
 
     def refusal(self, text):
         with self.assertRaises(InputError) as caught:

@@ -1,4 +1,5 @@
-"""Limits of studies: quantities that a model does not have are refused, and bare numbers that are usual in other units are doubted."""
+"""Limits of studies: quantities that a model does not have are refused, and bare numbers that are usual in other units
+are doubted."""
 
 import tempfile
 import unittest
@@ -15,10 +16,19 @@ from pounding.studies.study import run_plan
 from study_samples import WORDS, pair
 
 RIGID = {"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}
-BALL = {"structures": {"ball": {"body": {"mass": "10 t"}, "initial_velocity": "1 m/s"}, "w": {"wall": {}}},
-        "links": [{"between": ["ball", "w"], "gap": "1 mm", "law": "hertz", "stiffness": "2.75e9"}], "analysis": {"duration": "0.1 s"}, "ground_motion": None}
-ROW = {"structures": {**pair().structures, "third": {"oscillator": {"mass": "150 t", "period": "0.6 s", "damping": "5 %"}}},
-       "links": [RIGID, {**pair().links[0], "between": ["right", "third"]}]}
+BALL = {
+    "structures": {"ball": {"body": {"mass": "10 t"}, "initial_velocity": "1 m/s"}, "w": {"wall": {}}},
+    "links": [{"between": ["ball", "w"], "gap": "1 mm", "law": "hertz", "stiffness": "2.75e9"}],
+    "analysis": {"duration": "0.1 s"},
+    "ground_motion": None,
+}
+ROW = {
+    "structures": {
+        **pair().structures,
+        "third": {"oscillator": {"mass": "150 t", "period": "0.6 s", "damping": "5 %"}},
+    },
+    "links": [RIGID, {**pair().links[0], "between": ["right", "third"]}],
+}
 
 
 class Undefined(unittest.TestCase):
@@ -32,27 +42,53 @@ class Undefined(unittest.TestCase):
         self.refused("study.limits: force: " + instead, {"limits": {"force": "5 MN"}}, links=[RIGID])
         self.refused("study.keep: force: " + instead + ", or force.right-third$", {"keep": ["force", "impacts"]}, **ROW)
         self.refused("keep impulse.left-right instead$", {"keep": ["force.left-right"]}, **ROW)
-        self.assertIn("force.right-third", make_plan(pair(**ROW), {"keep": ["force.right-third"]}, Path()).template.kept.columns)
+        self.assertIn(
+            "force.right-third", make_plan(pair(**ROW), {"keep": ["force.right-third"]}, Path()).template.kept.columns
+        )
 
     def test_the_default_takes_the_impulse_instead(self):
-        self.assertEqual(make_plan(pair(links=[RIGID]), {}, Path()).template.kept.columns, ("displacement.left", "displacement.right", "impulse", "impacts"))
+        self.assertEqual(
+            make_plan(pair(links=[RIGID]), {}, Path()).template.kept.columns,
+            ("displacement.left", "displacement.right", "impulse", "impacts"),
+        )
         self.assertIn("force", make_plan(pair(), {}, Path()).template.kept.columns)
         study = run_plan(make_plan(pair(links=[RIGID]), {"limits": {"impulse": "1 N s"}}, Path()), None, workers=0)
         self.assertFalse(np.isnan(study["impulse"]).any())
         self.assertNotIn(DONE, study["status"])
 
     def test_a_body_has_no_drift(self):
-        for words, place in (({"keep": ["drift"]}, "keep"), ({"keep": ["drift.ball"]}, "keep"), ({"limits": {"drift": "30 mm"}}, "limits")):
-            self.refused(f"study.{place}: drift is the motion of a floor relative to the one below, and ball has no storeys; keep displacement instead", words, **BALL)
+        for words, place in (
+            ({"keep": ["drift"]}, "keep"),
+            ({"keep": ["drift.ball"]}, "keep"),
+            ({"limits": {"drift": "30 mm"}}, "limits"),
+        ):
+            self.refused(
+                f"study.{place}: drift is the motion of a floor relative to the one below, and ball has no storeys; keep displacement instead",
+                words,
+                **BALL,
+            )
         # The others keep theirs.
         both = {**pair().structures, "ball": {"body": {"mass": "10 t"}}}
         kept = make_plan(pair(structures=both), {"keep": ["drift", "displacement.ball"]}, Path()).template.kept
         self.assertEqual(kept.columns, ("drift.left", "drift.right", "displacement.ball"))
 
     def test_a_frame_without_floors_has_no_floor(self):
-        frame = {"frame": {"material": {"E": "30 GPa", "density": "2500 kg/m^3"}, "sections": {"c": {"circle": "0.4 m"}}, "nodes": {"a": [0, 0], "b": [0, 3]},
-                           "members": {"c": {"between": ["a", "b"], "section": "c"}}, "supports": {"a": "fixed"}}, "damping": "5 %"}
-        self.refused("displacement is that of floors, and mast has none; name them", {"keep": ["displacement"]}, structures={"mast": frame}, links=[])
+        frame = {
+            "frame": {
+                "material": {"E": "30 GPa", "density": "2500 kg/m^3"},
+                "sections": {"c": {"circle": "0.4 m"}},
+                "nodes": {"a": [0, 0], "b": [0, 3]},
+                "members": {"c": {"between": ["a", "b"], "section": "c"}},
+                "supports": {"a": "fixed"},
+            },
+            "damping": "5 %",
+        }
+        self.refused(
+            "displacement is that of floors, and mast has none; name them",
+            {"keep": ["displacement"]},
+            structures={"mast": frame},
+            links=[],
+        )
 
     def test_links_that_are_not_there_have_no_gap(self):
         self.refused("required_gap is the gap of a link, and the model has none", {"keep": ["required_gap"]}, links=[])
@@ -62,12 +98,29 @@ class Undefined(unittest.TestCase):
         # In any order of the links: the first has none, the second one has.
         for links in ([("left", "ball"), ("right", "left")], [("right", "left"), ("left", "ball")]):
             structures = {**pair().structures, "ball": {"body": {"mass": "10 t"}}}
-            model = pair(structures=structures, links=[{**pair().links[0], "between": list(between)} for between in links])
+            model = pair(
+                structures=structures, links=[{**pair().links[0], "between": list(between)} for between in links]
+            )
             for engine in ("solver", "auto"):
-                study = run_plan(make_plan(model, {"keep": ["gap_ddc", "gap_srss"], "engine": engine}, Path()), None, workers=0)
-                self.assertTrue(np.isnan(study["gap_ddc"]).all() and (study["gap_srss"] > 0).all(), (engine, study.table))
-                study = run_plan(make_plan(model, {"keep": ["gap_srss"], "limits": {"gap_ddc": "1 mm"}, "engine": engine, "stop_after": "100 %"}, Path()), None, workers=0)
-                self.assertEqual(list(study.failed.values()), ["study.limits: gap_ddc is undefined in this row, so it cannot be compared with its limit"])
+                study = run_plan(
+                    make_plan(model, {"keep": ["gap_ddc", "gap_srss"], "engine": engine}, Path()), None, workers=0
+                )
+                self.assertTrue(
+                    np.isnan(study["gap_ddc"]).all() and (study["gap_srss"] > 0).all(), (engine, study.table)
+                )
+                study = run_plan(
+                    make_plan(
+                        model,
+                        {"keep": ["gap_srss"], "limits": {"gap_ddc": "1 mm"}, "engine": engine, "stop_after": "100 %"},
+                        Path(),
+                    ),
+                    None,
+                    workers=0,
+                )
+                self.assertEqual(
+                    list(study.failed.values()),
+                    ["study.limits: gap_ddc is undefined in this row, so it cannot be compared with its limit"],
+                )
 
     def test_readings_of_earlier_tables_do_not_count_it_as_survival(self):
         study = run_plan(make_plan(pair(), {**WORDS, "keep": ["force"]}, Path()), None, workers=0)
@@ -77,18 +130,32 @@ class Undefined(unittest.TestCase):
         self.assertEqual(study.percentiles("force").count.sum(), 3)
         study.columns["force"][:] = np.nan
         for reading in (lambda: study.fragility("force", "1 N"), lambda: study.percentiles("force")):
-            with self.assertRaisesRegex(InputError, "force is undefined in all of these rows .rigid links have no force: keep impulse"):
+            with self.assertRaisesRegex(
+                InputError, "force is undefined in all of these rows .rigid links have no force: keep impulse"
+            ):
                 reading()
 
 
 class Bare(unittest.TestCase):
     def test_readings_doubt_them_too(self):
-        study = run_plan(make_plan(pair(), {**WORDS, "keep": ["acceleration", "drift", "impacts", "required_gap"]}, Path()), None, workers=0)
-        for call in (lambda: study.fragility("acceleration.left", 0.4, bootstrap=0), lambda: study.fragility("acceleration.left", "0.4", bootstrap=0),
-                     lambda: study.gaps().exceedance(20)):
-            with self.assertWarnsRegex(pounding.ImplausibleWarning, "a bare (0.4|20) is in m(/s.2)?; if (0.4 g|20 mm) was meant, type its unit"):
+        study = run_plan(
+            make_plan(pair(), {**WORDS, "keep": ["acceleration", "drift", "impacts", "required_gap"]}, Path()),
+            None,
+            workers=0,
+        )
+        for call in (
+            lambda: study.fragility("acceleration.left", 0.4, bootstrap=0),
+            lambda: study.fragility("acceleration.left", "0.4", bootstrap=0),
+            lambda: study.gaps().exceedance(20),
+        ):
+            with self.assertWarnsRegex(
+                pounding.ImplausibleWarning, "a bare (0.4|20) is in m(/s.2)?; if (0.4 g|20 mm) was meant, type its unit"
+            ):
                 call()
-        with self.assertWarnsRegex(pounding.ImplausibleWarning, "a bare 0.02 is in m; the drift of a study is a length, and no ratio .* as in 20 mm"):
+        with self.assertWarnsRegex(
+            pounding.ImplausibleWarning,
+            "a bare 0.02 is in m; the drift of a study is a length, and no ratio .* as in 20 mm",
+        ):
             study.fragility("drift.left", "0.02", bootstrap=0)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -115,8 +182,16 @@ class Bare(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             run_plan(make_plan(pair(), {**WORDS, "keep": ["acceleration"]}, Path()), Path(folder) / "s.h5", workers=0)
             with redirect_stderr(StringIO()) as told, redirect_stdout(StringIO()):
-                self.assertEqual(command.main(["study", "show", f"{folder}/s.h5", "--json", "--column", "acceleration.left", "--limit", "0.4"]), 0)
-        self.assertEqual(told.getvalue(), "warning: limit of acceleration.left: a bare 0.4 is in m/s^2; if 0.4 g was meant, type its unit\n")
+                self.assertEqual(
+                    command.main(
+                        ["study", "show", f"{folder}/s.h5", "--json", "--column", "acceleration.left", "--limit", "0.4"]
+                    ),
+                    0,
+                )
+        self.assertEqual(
+            told.getvalue(),
+            "warning: limit of acceleration.left: a bare 0.4 is in m/s^2; if 0.4 g was meant, type its unit\n",
+        )
 
 
 if __name__ == "__main__":

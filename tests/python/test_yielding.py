@@ -1,4 +1,5 @@
 """Laws of yielding along numpy paths."""
+
 import pickle
 import unittest
 
@@ -17,13 +18,21 @@ class Yielding(unittest.TestCase):
 
     def test_EveryLawForgetsWhereAWayIsCut(self):
         for name, kind in pounding.hysteresis.items():
-            law = kind(**{p.name: p.typical for p in kind.parameters if p.need in ("required", "optional", "or others instead")})
+            law = kind(
+                **{
+                    p.name: p.typical
+                    for p in kind.parameters
+                    if p.need in ("required", "optional", "or others instead")
+                }
+            )
             turns = np.array([2.5, -1.2, 0.4, -3.6, 1.0]) * law.yield_deformation
             fine = np.concatenate([np.linspace(a, b, 8)[1:] for a, b in zip([0, *turns[:-1]], turns)])
             coarse, cut = law.follow(turns), law.follow(fine)
             size = np.abs(coarse.force).max()
             np.testing.assert_allclose(cut.force[6::7], coarse.force, rtol=0, atol=1e-11 * size, err_msg=name)
-            np.testing.assert_allclose(cut.work[6::7], coarse.work, rtol=0, atol=1e-10 * coarse.work.max(), err_msg=name)
+            np.testing.assert_allclose(
+                cut.work[6::7], coarse.work, rtol=0, atol=1e-10 * coarse.work.max(), err_msg=name
+            )
             self.assertGreater(coarse.lost[-1], 0)
 
     def test_RowsArePathsOfTheirOwn(self):
@@ -36,7 +45,9 @@ class Yielding(unittest.TestCase):
                 np.testing.assert_array_equal(loop.force[i, j], law.follow(paths[i, j]).force)
 
     def test_WhatIsWrongIsRefused(self):
-        with self.assertRaisesRegex(pounding.InputError, 'unknown law of yielding "bouc_wenn". Did you mean "bouc_wen"?'):
+        with self.assertRaisesRegex(
+            pounding.InputError, 'unknown law of yielding "bouc_wenn". Did you mean "bouc_wen"?'
+        ):
             pounding.hysteresis["bouc_wenn"]
         with self.assertRaisesRegex(pounding.InputError, "yield_force is -1, but must be finite and positive"):
             pounding.hysteresis["bilinear"](stiffness=1, yield_force=-1)

@@ -1,8 +1,8 @@
 /// The numbers of `pounding reproduce` against those of independent computations and of the paper, copied here.
 ///
-/// Sources: "paper", Naderpour, Barros & Khatami 2015; "reference", an independent script (8th-order Runge-Kutta at 1e-12 and
-/// closed forms; two oscillators also by a fixed-step Runge-Kutta of 2e-7 s). A value is compared to half a unit of the last digit
-/// printed there, plus 1e-6 of it for the time integration unless said.
+/// Sources: "paper", Naderpour, Barros & Khatami 2015; "reference", an independent script (8th-order Runge-Kutta at
+/// 1e-12 and closed forms; two oscillators also by a fixed-step Runge-Kutta of 2e-7 s). A value is compared to half a
+/// unit of the last digit printed there, plus 1e-6 of it for the time integration unless said.
 
 #include <gtest/gtest.h>
 
@@ -28,16 +28,22 @@ namespace reproduce_test {
 
 using reference::half_unit;
 
-const char* const independent = "an independent script: 8th-order Runge-Kutta at 1e-12, closed forms, the paper's own formulas";
-const char* const as_printed = "half a unit of the last digit printed, and 1e-6 of it for the time integration (1e-5 where five impacts follow each other)";
+const char* const independent =
+    "an independent script: 8th-order Runge-Kutta at 1e-12, closed forms, the paper's own formulas";
+const char* const as_printed =
+    "half a unit of the last digit printed, and 1e-6 of it for the time integration (1e-5 where five impacts follow "
+    "each other)";
 
-void expect_printed(test::Book& book, const Table& table, const std::string& row, const std::string& heading, double value,
-                    int decimals, double relative = 1e-6, std::source_location at = std::source_location::current()) {
+void expect_printed(test::Book& book, const Table& table, const std::string& row, const std::string& heading,
+                    double value, int decimals, double relative = 1e-6,
+                    std::source_location at = std::source_location::current()) {
   SCOPED_TRACE(row);
   const auto column = std::ranges::find(table.headings, heading, &Table::Heading::name);
   const std::string unit = column == table.headings.end() || column->unit.empty() ? "-" : column->unit;
-  const bool is_asked = heading.find_first_not_of("0123456789.") == std::string::npos;  // a column for each restitution asked
-  book.near(fmt::format("{} [{}]", is_asked ? "error where " + heading + " is asked" : heading, unit), table.at(row, heading), value, half_unit(decimals) + relative * std::abs(value), at);
+  const bool is_asked =
+      heading.find_first_not_of("0123456789.") == std::string::npos;  // a column for each restitution asked
+  book.near(fmt::format("{} [{}]", is_asked ? "error where " + heading + " is asked" : heading, unit),
+            table.at(row, heading), value, half_unit(decimals) + relative * std::abs(value), at);
 }
 
 void expect_judgement(const Item& item, const char* place, Judgement judgement) {
@@ -59,7 +65,8 @@ void expect_complete(const Item& item) {
       }
     }
   for (const Verdict& v : item.verdicts)
-    for (const std::string* text : {&v.place, &v.claim, &v.printed, &v.ours, &v.reason}) EXPECT_FALSE(text->empty()) << v.place;
+    for (const std::string* text : {&v.place, &v.claim, &v.printed, &v.ours, &v.reason})
+      EXPECT_FALSE(text->empty()) << v.place;
 }
 
 TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
@@ -76,7 +83,8 @@ TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
   }
   EXPECT_GT(std::abs(contacts.at("two oscillators", "restitution") - 0.65), 1e-3);
 
-  // k = m (2 pi/T)^2 and c = 2 (5 %) sqrt(k m), with s = 93.5 MN/m and c = 2 zeta sqrt(s m) of the link [MN/m], [kN s/m].
+  // k = m (2 pi/T)^2 and c = 2 (5 %) sqrt(k m), with s = 93.5 MN/m and c = 2 zeta sqrt(s m) of the link [MN/m], [kN
+  // s/m].
   const double k1 = 0.1 * std::pow(2 * std::numbers::pi / 0.8, 2), k2 = 0.15 * std::pow(2 * std::numbers::pi / 0.4, 2);
   const double c1 = 0.1 * std::sqrt(k1 * 1e6 * 100e3) / 1e3, c2 = 0.1 * std::sqrt(k2 * 1e6 * 150e3) / 1e3;
   const double c = 2 * zeta * std::sqrt(9.35e7 * 60e3) / 1e3;
@@ -135,7 +143,8 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
   expect_complete(item);
   test::Book book("The paper: the example of 755.76 (Eqs. 15-17, Table 2, Fig. 6)", independent, as_printed);
   const Table& example = item.table("example");
-  constexpr const char* names[] = {"Eq. 12, Lankarani", "Eq. 13, Ye 2008", "Eq. 14, Ye 2009", "Eq. 16, proposed", "exact"};
+  constexpr const char* names[] = {"Eq. 12, Lankarani", "Eq. 13, Ye 2008", "Eq. 14, Ye 2009", "Eq. 16, proposed",
+                                   "exact"};
   for (std::size_t i = 0; i < std::size(names); ++i) {
     const reference::Section5Row& row = reference::section_5::rows[i];
     expect_printed(book, example, names[i], "a", row.factor, 6);
@@ -150,13 +159,14 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
   constexpr reference::Nine obtained{0.0665, 0.1503, 0.2474, 0.3532, 0.4656, 0.5860, 0.7115, 0.8334, 0.9346};
   for (std::size_t i = 0; i < 9; ++i)
     expect_printed(book, item.table("rows"), fmt::format("{:.1f}", paper::restitutions[i]), "k in kN", obtained[i], 4);
-  // Independent scan of k/v: least error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v = 2.8e12;
-  // from a = 1.432751, N - 1 = 0.0115 at 0.5: 0.043.
+  // Independent scan of k/v: least error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v
+  // = 2.8e12; from a = 1.432751, N - 1 = 0.0115 at 0.5: 0.043.
   const Verdict& table = item.verdict("Table 2");
   EXPECT_NE(table.reason.find("The best is 1.52, with 2.3 % RMS"), std::string::npos) << table.reason;
   EXPECT_NE(table.reason.find("from 0.043"), std::string::npos) << table.reason;
   EXPECT_NE(table.reason.find("to 3e+12"), std::string::npos) << table.reason;
-  EXPECT_NE(item.verdict("Section 5, mass").ours.find("2889 kJ"), std::string::npos) << item.verdict("Section 5, mass").ours;
+  EXPECT_NE(item.verdict("Section 5, mass").ours.find("2889 kJ"), std::string::npos)
+      << item.verdict("Section 5, mass").ours;
   expect_judgement(item, "Section 5, mass", Judgement::disagrees);
   expect_judgement(item, "Fig. 6", Judgement::cannot_be_checked);
 }
@@ -186,7 +196,8 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
   const Table& runs = item.table("runs");
   for (const reference::Section51Row& row : reference::section_5_1::rows) {
     const std::string formula(row.formula), law(row.law);
-    const std::string name = law == "jankowski" ? (formula == "exact" ? "Jankowski's law, exact" : "Eq. 10, Jankowski 2005")
+    const std::string name = law == "jankowski"
+                                 ? (formula == "exact" ? "Jankowski's law, exact" : "Eq. 10, Jankowski 2005")
                              : formula == "exact"               ? "exact"
                              : formula == "naderpour_2015"      ? "Eq. 16, proposed"
                              : formula == "lankarani_nikravesh" ? "Eq. 12, Lankarani"
@@ -216,8 +227,8 @@ TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
   const struct {
     const char* e;
     double v;
-  } curve[] = {{"0.1", 68.680}, {"0.2", 39.289}, {"0.3", 22.481}, {"0.4", 13.429}, {"0.45", 10.626}, {"0.5", 8.490},
-               {"0.6", 5.210},  {"0.7", 2.319},  {"0.8", -0.265}, {"0.9", -1.438}};
+  } curve[] = {{"0.1", 68.680}, {"0.2", 39.289}, {"0.3", 22.481}, {"0.4", 13.429}, {"0.45", 10.626},
+               {"0.5", 8.490},  {"0.6", 5.210},  {"0.7", 2.319},  {"0.8", -0.265}, {"0.9", -1.438}};
   for (const auto& [e, v] : curve) expect_printed(book, item.table("velocities"), e, "Eq. 19", v, 3);
   const std::string& range = item.verdict("Eq. 19, range").ours;
   EXPECT_NE(range.find("negative for 0.7882 < $CR$ < 0.9765"), std::string::npos) << range;
@@ -260,25 +271,34 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
     expect_printed(book, ratios, row, "Eq. 38, proposed, obtained", by_eq38[i], 4);
   }
   const Table& forces = item.table("forces");
-  for (const auto& [row, e] : {std::pair{"Eq. 38, proposed, 0.4", 0.0863}, {"Eq. 38, proposed, 0.5", 0.1606}, {"Eq. 38, proposed, 0.6", 0.2823},
-                               {"Eq. 38, proposed, 0.9", 0.9175}, {"Mahmoud, 0.5", 0.5582}, {"exact, 0.5", 0.5}, {"exact, 0.9", 0.9}})
+  for (const auto& [row, e] : {std::pair{"Eq. 38, proposed, 0.4", 0.0863},
+                               {"Eq. 38, proposed, 0.5", 0.1606},
+                               {"Eq. 38, proposed, 0.6", 0.2823},
+                               {"Eq. 38, proposed, 0.9", 0.9175},
+                               {"Mahmoud, 0.5", 0.5582},
+                               {"exact, 0.5", 0.5},
+                               {"exact, 0.9", 0.9}})
     expect_printed(book, forces, row, "restitution", e, 4);
   // Closed form: with zeta above 1/2 the largest force is c v at the touch.
-  EXPECT_NEAR(forces.at("Eq. 38, proposed, 0.5", "peak force"), 2 * 2.86479 * std::sqrt(9.35e7 * 60e3) * 0.5 / 1e3, 0.1);
+  EXPECT_NEAR(forces.at("Eq. 38, proposed, 0.5", "peak force"), 2 * 2.86479 * std::sqrt(9.35e7 * 60e3) * 0.5 / 1e3,
+              0.1);
   // Reference: 61 belongs to 0.142, Eq. 38 lies between the two others from 0.870 to 0.883.
-  EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("0.142"), std::string::npos) << item.verdict("Fig. 12, Eq. 38").reason;
+  EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("0.142"), std::string::npos)
+      << item.verdict("Fig. 12, Eq. 38").reason;
   EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("62.4"), std::string::npos);
-  EXPECT_NE(item.verdict("Section 7, between").ours.find("$CR$ < 0.870, between them from there to 0.883"), std::string::npos);
+  EXPECT_NE(item.verdict("Section 7, between").ours.find("$CR$ < 0.870, between them from there to 0.883"),
+            std::string::npos);
   // Eq. 35 with the ratio of Eq. 38: what the derivation loses is Eq. 18.
   for (const double e : paper::restitutions)
-    EXPECT_NEAR(item.table("derivation").at(fmt::format("{:.1f}", e), "Eq. 34, energy lost"), 0.5 * 60 * (1 - e * e) * 0.25, 1e-9);
+    EXPECT_NEAR(item.table("derivation").at(fmt::format("{:.1f}", e), "Eq. 34, energy lost"),
+                0.5 * 60 * (1 - e * e) * 0.25, 1e-9);
   expect_judgement(item, "Fig. 12, Jankowski", Judgement::agrees);
   expect_judgement(item, "Fig. 12, Mahmoud", Judgement::agrees);
   expect_judgement(item, "Fig. 12, Eq. 38", Judgement::disagrees);
 }
 
-// Reference: two oscillators by two integrators that agree to six decimals of the displacements and 1e-6 of forces. Forces to 1e-5,
-// the error that the tolerance of 1e-7 leaves in the fifth impact.
+// Reference: two oscillators by two integrators that agree to six decimals of the displacements and 1e-6 of forces.
+// Forces to 1e-5, the error that the tolerance of 1e-7 leaves in the fifth impact.
 TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
   const Item item = beyond::make();
   expect_complete(item);
@@ -304,7 +324,8 @@ TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
     EXPECT_EQ(t.at(row.row, "impacts"), 5) << row.row;
   }
   EXPECT_NEAR(t.at("Hertz damped, exact", "free impact"), 0.65, 1e-9);
-  // Frames: an elastic spring loses nothing, and who damps less in a free impact (0.725, 0.5; less than 0.48) damps less here.
+  // Frames: an elastic spring loses nothing, and who damps less in a free impact (0.725, 0.5; less than 0.48) damps
+  // less here.
   const Table& frames = item.table("frames");
   EXPECT_NEAR(frames.at("no damping", "energy lost"), 0, 1e-3);
   EXPECT_GT(frames.at("Eq. 12", "in the run"), frames.at("exact", "in the run") + 0.1);

@@ -91,7 +91,8 @@ TEST(Extremes, AreFoundOnTheParabolaThroughBothEndsAndTheMiddle) {
   EXPECT_EQ(straight.max[0], 2);
 }
 
-// A step that brings nothing new is found by few operations. Extremes without a value before follow each step to its end.
+// A step that brings nothing new is found by few operations. Extremes without a value before follow each step to its
+// end.
 TEST(Extremes, OfManyStepsAreThoseOfEachStepAlone) {
   std::mt19937 random(3);
   std::normal_distribution<double> any;
@@ -101,7 +102,8 @@ TEST(Extremes, OfManyStepsAreThoseOfEachStepAlone) {
     cubics.update(0, time, begin);
     parabolas.update(0, time, begin);
     for (int step = 0; step < 20; ++step) {
-      const double h = 0.1, end = any(random), rate_end = 20 * any(random), middle = 0.5 * (begin + end) + 0.5 * any(random);
+      const double h = 0.1, end = any(random), rate_end = 20 * any(random),
+                   middle = 0.5 * (begin + end) + 0.5 * any(random);
       cubics.update(0, time, h, begin, rate, end, rate_end);
       parabolas.update(0, time, h, begin, middle, end);
       Extremes alone[2] = {Extremes(1), Extremes(1)};

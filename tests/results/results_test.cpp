@@ -168,7 +168,9 @@ class Reader {
     return without_zeros(read);
   }
 
-  std::string text_attribute(const std::string& object, const char* name) const { return text_attributes(object, name).at(0); }
+  std::string text_attribute(const std::string& object, const char* name) const {
+    return text_attributes(object, name).at(0);
+  }
 
   std::vector<std::string> text_attributes(const std::string& object, const char* name) const {
     const hid_t found = attribute(object, name), type = H5Tcopy(H5T_C_S1);
@@ -196,15 +198,15 @@ class Reader {
   std::vector<std::string> members(const std::string& group) const {
     const hid_t opened = H5Gopen2(file_, group.c_str(), H5P_DEFAULT);
     std::vector<std::string> names;
-    H5Literate(opened, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr,
-               [](hid_t, const char* name, const H5L_info_t*, void* target) -> herr_t {
-                 static_cast<std::vector<std::string>*>(target)->emplace_back(name);
-                 return 0;
-               },
-               &names);
+    H5Literate(
+        opened, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr,
+        [](hid_t, const char* name, const H5L_info_t*, void* target) -> herr_t {
+          static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+          return 0;
+        },
+        &names);
     return names;
   }
-
 
   hid_t open(const std::string& name) const {
     const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
@@ -278,9 +280,9 @@ TEST_F(ResultsFile, ImpactsAreOneTable) {
   const Reader file(path);
   ASSERT_EQ(file.shape("/impacts"), (Shape{2}));
   const std::pair<const char*, double> expected[] = {
-      {"t_start", 0.4},     {"t_end", 0.5},        {"t_release", 0.49}, {"v_approach", 0.5},
-      {"v_separation", 0.3}, {"restitution", 0.6},  {"peak_force", 4e6}, {"t_peak", 0.45},
-      {"peak_penetration", 1e-3}, {"impulse", 2e5}, {"energy_lost", 400}, {"energy_stored", 30}};
+      {"t_start", 0.4},           {"t_end", 0.5},       {"t_release", 0.49},  {"v_approach", 0.5},
+      {"v_separation", 0.3},      {"restitution", 0.6}, {"peak_force", 4e6},  {"t_peak", 0.45},
+      {"peak_penetration", 1e-3}, {"impulse", 2e5},     {"energy_lost", 400}, {"energy_stored", 30}};
   for (const auto& [field, value] : expected) EXPECT_EQ(file.impact_field(field).at(0), value) << field;
   EXPECT_TRUE(std::isnan(file.impact_field("restitution").at(1))) << "a touch at rest";
   EXPECT_EQ(file.text_attributes("/impacts", "units"),
@@ -358,7 +360,8 @@ TEST_F(ResultsFile, LargeHistoriesAreUnchangedAndInChunksThatAreFull) {
   write_results(run, path);
   const Reader file(path);
   EXPECT_EQ(file.values("/structures/tower/drift"), tower.drift);
-  EXPECT_LT(fs::file_size(path), 1.03 * samples * (5 * floors + 2) * sizeof(double)) << "five histories, the time and the ground";
+  EXPECT_LT(fs::file_size(path), 1.03 * samples * (5 * floors + 2) * sizeof(double))
+      << "five histories, the time and the ground";
 }
 
 TEST_F(ResultsFile, ZerosInFrontAreReadAndTakeNoRoom) {
@@ -372,7 +375,8 @@ TEST_F(ResultsFile, ZerosInFrontAreReadAndTakeNoRoom) {
   const Reader file(path);
   EXPECT_EQ(file.values("/time"), run.time);
   EXPECT_EQ(file.values("/ground/acceleration"), run.ground_acceleration);
-  EXPECT_LT(fs::file_size(path), 0.8 * samples * sizeof(double)) << "the times are zeros, as the first half of the ground's accelerations is";
+  EXPECT_LT(fs::file_size(path), 0.8 * samples * sizeof(double))
+      << "the times are zeros, as the first half of the ground's accelerations is";
 }
 
 TEST_F(ResultsFile, RunWithoutLinksStandsInTheOtherOne) {
@@ -423,7 +427,8 @@ TEST_F(ResultsFile, SymbolicLinkToAFileThatIsNotThereYetStaysALink) {
 TEST_F(ResultsFile, SymbolicLinkInACircleIsRefused) {
   fs::create_symlink("other.h5", path);
   fs::create_symlink("run.h5", directory / "other.h5");
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "Too many levels of symbolic links. Name a file: -o results.h5", refusal(path));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "Too many levels of symbolic links. Name a file: -o results.h5",
+                      refusal(path));
   EXPECT_TRUE(fs::is_symlink(path));
 }
 
@@ -438,7 +443,8 @@ TEST_F(ResultsFile, LeftoversOfDeadProcessesOfThisHostAreRemovedAndOthersKept) {
   const std::string living = here + std::to_string(getppid()) + ".tmp";
   const std::string of_another_host = ".run.h5.another-host." + std::to_string(dead) + ".tmp";
   Texts kept{living, of_another_host, here + "notes.tmp", "run.h5.tmp", "run.h5"};
-  for (const std::string& name : {leftover, kept[0], kept[1], kept[2], kept[3]}) std::ofstream(directory / name) << "half a file";
+  for (const std::string& name : {leftover, kept[0], kept[1], kept[2], kept[3]})
+    std::ofstream(directory / name) << "half a file";
   write_results(small_run(), path);
   std::sort(kept.begin(), kept.end());
   EXPECT_EQ(names_in_directory(), kept);
@@ -462,7 +468,8 @@ TEST_F(ResultsFile, LimitOnTheSizeOfFilesLeavesTheEarlierFile) {
 
 TEST_F(ResultsFile, PlaceOfAnotherRunIsRefusedUntilThatEnds) {
   const FileImage image = results_image(small_run());
-  const std::string busy = "cannot write \"" + path + "\": another run writes it now. Wait for its end, or name another file: -o other.h5";
+  const std::string busy =
+      "cannot write \"" + path + "\": another run writes it now. Wait for its end, or name another file: -o other.h5";
   {
     ReplacedFile one(path);
     one.replace(image);
@@ -491,8 +498,10 @@ TEST_F(ResultsFile, OnlyResultsAreReplaced) {
   const hid_t foreign = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(foreign);
   const auto size = fs::file_size(path);
-  EXPECT_EQ(refusal(path), "cannot write \"" + path + "\": a file of this name exists and holds no results of pounding. "
-                           "Name another file: -o results.h5, or first type: rm " + path);
+  EXPECT_EQ(refusal(path), "cannot write \"" + path +
+                               "\": a file of this name exists and holds no results of pounding. "
+                               "Name another file: -o results.h5, or first type: rm " +
+                               path);
   EXPECT_EQ(fs::file_size(path), size);
   std::ofstream(path, std::ios::trunc).close();
   EXPECT_EQ(refusal(path), "nothing was thrown") << "an empty file holds nothing";
@@ -512,7 +521,8 @@ TEST_F(ResultsFile, EveryChangedByteIsSeen) {
     std::ofstream(path, std::ios::binary) << damaged;
     EXPECT_THROW(require_whole(path), InputError) << place;
   }
-  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{511}, std::size_t{512}, std::size_t{600}, whole.size() - 1}) {
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{1}, std::size_t{511}, std::size_t{512}, std::size_t{600}, whole.size() - 1}) {
     std::ofstream(path, std::ios::binary) << whole.substr(0, length);
     EXPECT_THROW(require_whole(path), InputError) << length;
   }
@@ -521,9 +531,11 @@ TEST_F(ResultsFile, EveryChangedByteIsSeen) {
   std::ofstream(path, std::ios::binary) << whole.substr(checked_block_size);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "has no checksum", whole_or_not(path)) << "as files of earlier versions";
   std::ofstream(path, std::ios::binary) << "study of pounding\n" << std::string(494, ' ') << whole.substr(512);
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "is the table of a study and holds no run; type pounding study show", whole_or_not(path));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "is the table of a study and holds no run; type pounding study show",
+                      whole_or_not(path));
   std::ofstream(path, std::ios::binary) << whole.substr(0, 1000);
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "it has 1000 of its " + std::to_string(whole.size()) + " bytes", whole_or_not(path));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "it has 1000 of its " + std::to_string(whole.size()) + " bytes",
+                      whole_or_not(path));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "is a directory", whole_or_not(directory.string()));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "no such file", whole_or_not(path + ".none"));
 }
@@ -532,13 +544,14 @@ TEST_F(ResultsFile, PlacesThatCannotHoldAFileAreRefusedWithAdvice) {
   EXPECT_EQ(refusal(directory.string()), "cannot write \"" + directory.string() +
                                              "\": it is a directory. Name a file in it: -o " + directory.string() +
                                              "/results.h5");
-  EXPECT_EQ(refusal("/dev/null"),
-            "cannot write \"/dev/null\": it is not a regular file. Name a file: -o results.h5");
+  EXPECT_EQ(refusal("/dev/null"), "cannot write \"/dev/null\": it is not a regular file. Name a file: -o results.h5");
   EXPECT_EQ(refusal(""), "cannot write \"\": the name is empty. Name a file: -o results.h5");
   const std::string missing = (directory / "none").string();
   EXPECT_EQ(refusal(missing + "/run.h5"),
-            "cannot write \"" + missing + "/run.h5\": No such file or directory. Name a file in an existing directory "
-            "that you may write to: -o results.h5, or first type: mkdir -p " + missing);
+            "cannot write \"" + missing +
+                "/run.h5\": No such file or directory. Name a file in an existing directory "
+                "that you may write to: -o results.h5, or first type: mkdir -p " +
+                missing);
 }
 
 TEST_F(ResultsFile, NamesThatCannotBeGroupsAreRefused) {

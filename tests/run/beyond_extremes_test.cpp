@@ -30,7 +30,8 @@ TEST(BeyondExtremes, AreFoundWhereverTheyAre) {
     const Batch evaluated = random_batch(count, random);
     const Eigen::VectorXd values = Eigen::VectorXd::NullaryExpr(count, [&] { return any(random); });
     const Eigen::VectorXd rates = Eigen::VectorXd::NullaryExpr(count, [&] { return any(random); });
-    const Eigen::Array<double, batch, 1> third = Eigen::Array<double, batch, 1>::NullaryExpr([&] { return 0.1 * std::abs(any(random)); });
+    const Eigen::Array<double, batch, 1> third =
+        Eigen::Array<double, batch, 1>::NullaryExpr([&] { return 0.1 * std::abs(any(random)); });
     const double third_begin = third[0];
     Extremes extremes(count);
     std::vector<int> wanted;
@@ -61,7 +62,8 @@ TEST(LinearQuantities, AreTheSameOneByOneAndInBatches) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> by_unknowns(rows, unknowns);
   by_unknowns.setFromTriplets(entries.begin(), entries.end());
   const Eigen::VectorXd at_rest = Eigen::VectorXd::NullaryExpr(rows, [&] { return any(random); });
-  const LinearQuantities quantities(by_unknowns, unknowns, first, at_rest, Eigen::MatrixXd(rows, 0), [](int) { return true; }, false);
+  const LinearQuantities quantities(
+      by_unknowns, unknowns, first, at_rest, Eigen::MatrixXd(rows, 0), [](int) { return true; }, false);
   const Batch motions = random_batch(first + unknowns, random);
   const std::vector<double> times(batch, 0.0);
   Batch together;

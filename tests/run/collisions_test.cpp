@@ -44,11 +44,12 @@ INSTANTIATE_TEST_SUITE_P(EveryLaw, TwoBodies, testing::ValuesIn(test::every_law)
 
 /// Two bodies that meet at 1 m/s after 10 ms, by this law, in a run that ends in the middle of their impact.
 Outcome ended_in_contact(const std::string& law, double duration) {
-  return run_text("structures:\n"
-                  "  a: {body: {mass: 100 t}, initial_velocity: 1.2 m/s}\n"
-                  "  b: {body: {mass: 150 t}, initial_velocity: 0.2 m/s}\n"
-                  "links:\n  - {between: [a, b], gap: 10 mm, law: " +
-                  law + "}\nanalysis: {duration: " + fmt::format("{}", duration) + ", tolerance: 1e-7}\n");
+  return run_text(
+      "structures:\n"
+      "  a: {body: {mass: 100 t}, initial_velocity: 1.2 m/s}\n"
+      "  b: {body: {mass: 150 t}, initial_velocity: 0.2 m/s}\n"
+      "links:\n  - {between: [a, b], gap: 10 mm, law: " +
+      law + "}\nanalysis: {duration: " + fmt::format("{}", duration) + ", tolerance: 1e-7}\n");
 }
 
 TEST(AContactThatStillPresses, OfASpringHasLostNothing) {
@@ -100,9 +101,8 @@ TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
   ASSERT_GT(alone.results.impacts.size(), 2u);
   for (std::size_t i = 0; i < alone.results.impacts.size(); ++i) {
     book.near("touch [s]", pair.results.impacts[i].t_start, alone.results.impacts[i].t_start, 1e-12);
-    book.near("peak force [N]",
-              pair.results.impacts[i].peak_force, alone.results.impacts[i].peak_force,
-                1e-11 * alone.results.impacts[0].peak_force);
+    book.near("peak force [N]", pair.results.impacts[i].peak_force, alone.results.impacts[i].peak_force,
+              1e-11 * alone.results.impacts[0].peak_force);
   }
   const auto &a = pair.results.structures[0].displacement, &b = pair.results.structures[1].displacement,
              &single = alone.results.structures[0].displacement;
@@ -118,13 +118,15 @@ class MirroredProblem : public testing::TestWithParam<const char*> {};
 
 TEST_P(MirroredProblem, HasTheMirroredSolution) {
   const auto problem = [](double direction) {
-    const std::string left = fmt::format("  left: {{oscillator: {{mass: 100 t, period: 0.8, damping: 5 %}}, initial_velocity: {}}}\n",
-                                         0.2 * direction),
+    const std::string left = fmt::format(
+                          "  left: {{oscillator: {{mass: 100 t, period: 0.8, damping: 5 %}}, initial_velocity: {}}}\n",
+                          0.2 * direction),
                       right = "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
-    return run_text(fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: 0.6, duration: 1.5}}}}\n", 3.0 * direction) +
-                    "structures:\n" + (direction > 0 ? left + right : right + left) + "links: [{between: " +
-                    (direction > 0 ? "[left, right]" : "[right, left]") + ", gap: 20 mm, law: " + GetParam() +
-                    "}]\nanalysis: {duration: 1.5, tolerance: 1e-4}\n");
+    return run_text(
+        fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: 0.6, duration: 1.5}}}}\n", 3.0 * direction) +
+        "structures:\n" + (direction > 0 ? left + right : right + left) +
+        "links: [{between: " + (direction > 0 ? "[left, right]" : "[right, left]") +
+        ", gap: 20 mm, law: " + GetParam() + "}]\nanalysis: {duration: 1.5, tolerance: 1e-4}\n");
   };
   const Outcome one = problem(1), other = problem(-1);
   ASSERT_EQ(one.results.impacts.size(), other.results.impacts.size());
@@ -141,12 +143,13 @@ TEST_P(MirroredProblem, HasTheMirroredSolution) {
 INSTANTIATE_TEST_SUITE_P(EveryLaw, MirroredProblem, testing::ValuesIn(test::every_law), test::law_name);
 
 TEST(IdenticalOscillators, NeverTouchAtZeroGap) {
-  const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
-                               "structures:\n"
-                               "  a: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
-                               "  b: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
-                               "links:\n  - {between: [a, b], gap: 0, law: hertz_damped, stiffness: 2.75e9, restitution: "
-                               "0.65}\nanalysis: {duration: 4}\n");
+  const Outcome run = run_text(
+      "ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
+      "structures:\n"
+      "  a: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
+      "  b: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
+      "links:\n  - {between: [a, b], gap: 0, law: hertz_damped, stiffness: 2.75e9, restitution: "
+      "0.65}\nanalysis: {duration: 4}\n");
   EXPECT_TRUE(run.results.impacts.empty());
   EXPECT_GT(run.summary.structures[0].peak_displacement[0], 0.01);
 }
@@ -156,14 +159,15 @@ TEST(RowOfBodies, PassesTheSpeedOn) {
   test::Book book("Collisions whose outcome is known without integration",
                   "Newton's cradle with elastic links and gaps: equal bodies pass the speed to the last one",
                   "run at tolerance 1e-7");
-  const Outcome run = run_text("structures:\n"
-                               "  a: {body: {mass: 10 t}, initial_velocity: 1 m/s}\n"
-                               "  b: {body: {mass: 10 t}}\n"
-                               "  c: {body: {mass: 10 t}}\n"
-                               "links:\n"
-                               "  - {between: [a, b], gap: 50 mm, law: hertz, stiffness: 2.75e9}\n"
-                               "  - {between: [b, c], gap: 50 mm, law: hertz, stiffness: 2.75e9}\n"
-                               "analysis: {duration: 0.3, tolerance: 1e-7}\n");
+  const Outcome run = run_text(
+      "structures:\n"
+      "  a: {body: {mass: 10 t}, initial_velocity: 1 m/s}\n"
+      "  b: {body: {mass: 10 t}}\n"
+      "  c: {body: {mass: 10 t}}\n"
+      "links:\n"
+      "  - {between: [a, b], gap: 50 mm, law: hertz, stiffness: 2.75e9}\n"
+      "  - {between: [b, c], gap: 50 mm, law: hertz, stiffness: 2.75e9}\n"
+      "analysis: {duration: 0.3, tolerance: 1e-7}\n");
   EXPECT_EQ(run.results.impacts.size(), 2u);
   book.near("speed of the first body [m/s]", run.results.structures[0].velocity.back(), 0, 1e-6);
   book.near("speed of the second body [m/s]", run.results.structures[1].velocity.back(), 0, 1e-6);
@@ -173,20 +177,25 @@ TEST(RowOfBodies, PassesTheSpeedOn) {
 // Naderpour, Barros & Khatami 2015, Eq. 2: [m1 0; 0 m2], [c1 + c, -c; -c, c2 + c], [k1 + s, -s; -s, k2 + s]. (The paper
 // prints c2 and k2 without the link's share in the lower right corner; Newton's third law puts it there.)
 TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
-  const Model model = model_of("structures:\n"
-                               "  left:  {oscillator: {mass: 100 t, stiffness: 6 MN/m, damping: 5 %}}\n"
-                               "  right: {oscillator: {mass: 150 t, stiffness: 37 MN/m, damping: 3 %}}\n"
-                               "links:\n  - {between: [left, right], gap: 20 mm, law: kelvin_voigt, stiffness: 93.5 MN/m, "
-                               "damping_ratio: 0.14}\nanalysis: {duration: 1}\n");
+  const Model model = model_of(
+      "structures:\n"
+      "  left:  {oscillator: {mass: 100 t, stiffness: 6 MN/m, damping: 5 %}}\n"
+      "  right: {oscillator: {mass: 150 t, stiffness: 37 MN/m, damping: 3 %}}\n"
+      "links:\n  - {between: [left, right], gap: 20 mm, law: kelvin_voigt, stiffness: 93.5 MN/m, "
+      "damping_ratio: 0.14}\nanalysis: {duration: 1}\n");
   const System system = assemble(model);
   const double c1 = 0.1 * std::sqrt(6e6 * 1e5), c2 = 0.06 * std::sqrt(37e6 * 1.5e5);
   const double s = 93.5e6, c = 2 * 0.14 * std::sqrt(s * 6e4);
   Contact& link = *model.links[0].contact;
   link.on_event(0, 0.0, {0.0, 1.0});
   const laws::Response slopes = link.evaluate({1e-3, 0.5});
-  const Eigen::MatrixXd stiffness = system.stiffness + slopes.by_penetration * system.gap_jacobian * system.gap_jacobian.transpose();
-  const Eigen::MatrixXd damping = system.damping + slopes.by_rate * system.gap_jacobian * system.gap_jacobian.transpose();
-  const auto near = [](const Eigen::MatrixXd& a, const Eigen::Matrix2d& b) { return (a - b).norm() <= 1e-12 * b.norm(); };
+  const Eigen::MatrixXd stiffness =
+      system.stiffness + slopes.by_penetration * system.gap_jacobian * system.gap_jacobian.transpose();
+  const Eigen::MatrixXd damping =
+      system.damping + slopes.by_rate * system.gap_jacobian * system.gap_jacobian.transpose();
+  const auto near = [](const Eigen::MatrixXd& a, const Eigen::Matrix2d& b) {
+    return (a - b).norm() <= 1e-12 * b.norm();
+  };
   EXPECT_TRUE(near(system.mass, Eigen::Matrix2d{{1e5, 0}, {0, 1.5e5}})) << system.mass;
   EXPECT_TRUE(near(stiffness, Eigen::Matrix2d{{6e6 + s, -s}, {-s, 37e6 + s}})) << stiffness;
   EXPECT_TRUE(near(damping, Eigen::Matrix2d{{c1 + c, -c}, {-c, c2 + c}})) << damping;
@@ -195,17 +204,22 @@ TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
 // A body that a force presses against a wall after a touch at 4 mm/s.
 TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
   const auto pressed = [](const std::string& more) {
-    return test::run_text("ground_motion: {pulse: {shape: rectangle, amplitude: -9.81, duration: 20}}\n"
-                          "structures: {a: {body: {mass: 60 t}}, w: {wall: {}}}\n"
-                          "links: [{between: [a, w], gap: 1e-6, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.5" + more + "}]\n"
-                          "analysis: {duration: 10, tolerance: 1e-4}\naccept: [penetration]\n");
+    return test::run_text(
+        "ground_motion: {pulse: {shape: rectangle, amplitude: -9.81, duration: 20}}\n"
+        "structures: {a: {body: {mass: 60 t}}, w: {wall: {}}}\n"
+        "links: [{between: [a, w], gap: 1e-6, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.5" +
+        more +
+        "}]\n"
+        "analysis: {duration: 10, tolerance: 1e-4}\naccept: [penetration]\n");
   };
   try {
     pressed("");
     ADD_FAILURE() << "not refused";
   } catch (const FailedRun& failed) {
     EXPECT_NE(std::string(failed.what()).find("at link a-w"), std::string::npos) << failed.what();
-    EXPECT_NE(std::string(failed.what()).find("bilinear_hertz takes its stiffness from the closing speed"), std::string::npos) << failed.what();
+    EXPECT_NE(std::string(failed.what()).find("bilinear_hertz takes its stiffness from the closing speed"),
+              std::string::npos)
+        << failed.what();
   }
   const Outcome run = pressed(", impact_velocity: 0.14 m/s");
   EXPECT_LT(run.summary.links[0].peak_penetration, 2e-2);

@@ -1,5 +1,5 @@
-// Models that run at once on communicators which share no process. On one process there is one half only; CMake runs this program on
-// two processes as well.
+// Models that run at once on communicators which share no process. On one process there is one half only; CMake runs
+// this program on two processes as well.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,8 @@ class Option {
   const char* name_;
 };
 
-// Models of different size, length and number of impacts: halves that waited for each other would deadlock or mix their numbers.
+// Models of different size, length and number of impacts: halves that waited for each other would deadlock or mix their
+// numbers.
 std::string model_of_half(int number) {
   const std::string law = "law: jankowski, stiffness: 2.75e9, restitution: 0.65";
   if (number == 0) return test::two_oscillators(law.substr(5), 1e-4, 1.2);
@@ -55,7 +56,9 @@ std::string model_of_half(int number) {
          "structures:\n"
          "  left: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m, damping: {modal: {ratio: 5 %}}}}\n"
          "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m, damping: {modal: {ratio: 5 %}}}}\n"
-         "links: [{between: [left, right], floors: all, gap: 5 mm, " + law + "}]\n"
+         "links: [{between: [left, right], floors: all, gap: 5 mm, " +
+         law +
+         "}]\n"
          "compare: no_pounding\n"
          "analysis: {duration: 2}\n";
 }
@@ -69,7 +72,8 @@ void expect_same(const Results& one, const Results& other) {
     EXPECT_EQ(one.structures[k].acceleration, other.structures[k].acceleration);
   }
   ASSERT_EQ(one.impacts.size(), other.impacts.size());
-  for (std::size_t i = 0; i < one.impacts.size(); ++i) EXPECT_EQ(one.impacts[i].peak_force, other.impacts[i].peak_force);
+  for (std::size_t i = 0; i < one.impacts.size(); ++i)
+    EXPECT_EQ(one.impacts[i].peak_force, other.impacts[i].peak_force);
 }
 
 class TwoHalves : public testing::TestWithParam<const char*> {};
@@ -81,7 +85,8 @@ TEST_P(TwoHalves, RunDifferentModelsAtOnce) {
   MPI_Comm_rank(half.comm(), &rank);
   MPI_Comm_size(half.comm(), &size);
   MPI_Comm_size(MPI_COMM_WORLD, &processes);
-  const std::string name = "half_" + std::to_string(half.number()) + "_of_" + std::to_string(processes) + "_" + GetParam() + ".h5";
+  const std::string name =
+      "half_" + std::to_string(half.number()) + "_of_" + std::to_string(processes) + "_" + GetParam() + ".h5";
   const auto file = std::filesystem::temp_directory_path() / name;
   if (rank == 0) std::filesystem::remove(file);
   const std::string yaml = model_of_half(half.number());

@@ -21,23 +21,24 @@ TEST(Devices, HoldAMassByALinearDamperBehindASpring) {
   constexpr double m = 1e5, k = 4e6, c = 1e6, v = 0.3;
   const double decay = k / (2 * c), w = std::sqrt(k / m - decay * decay);
   for (const char* scheme : schemes) {
-    const Outcome run = test::run_text(fmt::format(
-        "structures: {{a: {{body: {{mass: 100 t}}, initial_velocity: {} m/s}}, w: {{wall: {{}}}}}}\n"
-        "devices: {{tie: {{between: [w, a], damper: {{coefficient: 1 MN s/m, stiffness: 4 MN/m}}}}}}\n"
-        "analysis: {{duration: 2, tolerance: 1e-7, output_step: 10 ms, integrator: {}}}\n",
-        v, scheme));
+    const Outcome run = test::run_text(
+        fmt::format("structures: {{a: {{body: {{mass: 100 t}}, initial_velocity: {} m/s}}, w: {{wall: {{}}}}}}\n"
+                    "devices: {{tie: {{between: [w, a], damper: {{coefficient: 1 MN s/m, stiffness: 4 MN/m}}}}}}\n"
+                    "analysis: {{duration: 2, tolerance: 1e-7, output_step: 10 ms, integrator: {}}}\n",
+                    v, scheme));
     const DeviceHistory& tie = run.results.devices[0];
     const double largest = k * v / std::sqrt(k / m);
     for (std::size_t i = 0; i < tie.force.size(); ++i) {
       const double t = run.results.time[i];
-      ASSERT_NEAR(tie.force[i], k * v / w * std::exp(-decay * t) * std::sin(w * t), 1e-6 * largest) << scheme << " at " << t;
+      ASSERT_NEAR(tie.force[i], k * v / w * std::exp(-decay * t) * std::sin(w * t), 1e-6 * largest)
+          << scheme << " at " << t;
     }
     EXPECT_LT(run.summary.energy.error, 1e-6) << scheme;
   }
 }
 
-// A body that is too heavy to move stands in a ground that goes away by A T^2/(2 pi) and stops. Held so, the force of a Maxwell element falls
-// as f = (f0^(1-q) + (q-1) k t/c^q)^(1/(1-q)) with q = 1/a.
+// A body that is too heavy to move stands in a ground that goes away by A T^2/(2 pi) and stops. Held so, the force of a
+// Maxwell element falls as f = (f0^(1-q) + (q-1) k t/c^q)^(1/(1-q)) with q = 1/a.
 TEST(Devices, RelaxAsAPowerOfTime) {
   constexpr double k = 4e6, c = 2e5;
   for (const char* scheme : schemes)
@@ -60,8 +61,8 @@ TEST(Devices, RelaxAsAPowerOfTime) {
     }
 }
 
-// Two equal oscillators that start against each other stretch a brace between them by twice their displacement: each moves as by itself
-// with a brace to the ground that is twice as stiff.
+// Two equal oscillators that start against each other stretch a brace between them by twice their displacement: each
+// moves as by itself with a brace to the ground that is twice as stiff.
 TEST(Devices, BetweenMirroredStructuresAreTwoToTheGround) {
   const char* const analysis = "analysis: {duration: 3, tolerance: 1e-7, output_step: 10 ms}\n";
   for (const char* law : {"bilinear", "bouc_wen", "menegotto_pinto", "peak_oriented"}) {
@@ -70,17 +71,20 @@ TEST(Devices, BetweenMirroredStructuresAreTwoToTheGround) {
         "  b: {{oscillator: {{mass: 100 t, period: 0.5, damping: 2 %}}, initial_velocity: 0.4}}\n"
         "devices: {{brace: {{between: [a, b], {}: {{stiffness: 10 MN/m, yield_force: 100 kN, hardening: 0.05}}}}}}\n{}",
         law, analysis));
-    const Outcome one = test::run_text(fmt::format(
-        "structures:\n  b: {{oscillator: {{mass: 100 t, period: 0.5, damping: 2 %, devices: {{brace: {{storey: 1, {}: {{stiffness: 20 MN/m, "
-        "yield_force: 100 kN, hardening: 0.05}}}}}}}}, initial_velocity: 0.4}}\n{}",
-        law, analysis));
+    const Outcome one =
+        test::run_text(fmt::format("structures:\n  b: {{oscillator: {{mass: 100 t, period: 0.5, damping: 2 %, devices: "
+                                   "{{brace: {{storey: 1, {}: {{stiffness: 20 MN/m, "
+                                   "yield_force: 100 kN, hardening: 0.05}}}}}}}}, initial_velocity: 0.4}}\n{}",
+                                   law, analysis));
     const std::vector<double>&a = pair.results.structures[0].displacement, &b = pair.results.structures[1].displacement;
     const double peak = one.summary.structures[0].peak_displacement[0];
     for (std::size_t i = 0; i < a.size(); ++i) {
       ASSERT_NEAR(a[i], -b[i], 1e-12) << law;
-      ASSERT_NEAR(b[i], one.results.structures[0].displacement[i], 1e-6 * peak) << law << " at " << pair.results.time[i];
+      ASSERT_NEAR(b[i], one.results.structures[0].displacement[i], 1e-6 * peak)
+          << law << " at " << pair.results.time[i];
     }
-    EXPECT_NEAR(pair.summary.devices[0].energy_lost / (2 * one.summary.structures[0].springs[0].energy_lost), 1, 1e-6) << law;
+    EXPECT_NEAR(pair.summary.devices[0].energy_lost / (2 * one.summary.structures[0].springs[0].energy_lost), 1, 1e-6)
+        << law;
     EXPECT_NEAR(pair.summary.energy.hysteretic / (2 * one.summary.energy.hysteretic), 1, 1e-6) << law;
     EXPECT_GT(one.summary.structures[0].springs[0].ductility, 2) << law;
   }

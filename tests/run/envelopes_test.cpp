@@ -23,22 +23,27 @@ namespace envelopes_test {
 constexpr double pi = std::numbers::pi;
 
 // Two frames of different height with a row of storeys to hit, their members and reactions reported.
-std::string frames(const std::string& links, const std::string& analysis, const std::string& left = "", const std::string& right = "",
-                   const std::string& right_height = "3 m") {
+std::string frames(const std::string& links, const std::string& analysis, const std::string& left = "",
+                   const std::string& right = "", const std::string& right_height = "3 m") {
   return fmt::format(
       "ground_motion: {{synthetic: {{seed: 1940, duration: 3 s, pga: 0.6 g, soil: firm}}}}\n"
       "structures:\n"
-      "  left: {{frame: {{material: {{E: 30 GPa, density: 2500}}, grid: {{storeys: 3, bays: 2, storey_height: 3 m, bay_width: 5 m,\n"
-      "    columns: {{rectangle: [0.4 m, 0.4 m]}}, beams: {{rectangle: [0.3 m, 0.5 m]}}, floor_mass: 90 t}}, report: {{members: all}}{}}},\n"
+      "  left: {{frame: {{material: {{E: 30 GPa, density: 2500}}, grid: {{storeys: 3, bays: 2, storey_height: 3 m, "
+      "bay_width: 5 m,\n"
+      "    columns: {{rectangle: [0.4 m, 0.4 m]}}, beams: {{rectangle: [0.3 m, 0.5 m]}}, floor_mass: 90 t}}, report: "
+      "{{members: all}}{}}},\n"
       "    damping: 5 %}}\n"
-      "  right: {{frame: {{origin: [10.01 m, 0 m], material: {{E: 30 GPa, density: 2500}}, grid: {{storeys: 2, bays: 1, storey_height: {}, bay_width: 5 m,\n"
-      "    columns: {{rectangle: [0.5 m, 0.5 m]}}, beams: {{rectangle: [0.3 m, 0.6 m]}}, floor_mass: 60 t}}, report: {{members: all}}{}}},\n"
+      "  right: {{frame: {{origin: [10.01 m, 0 m], material: {{E: 30 GPa, density: 2500}}, grid: {{storeys: 2, bays: "
+      "1, storey_height: {}, bay_width: 5 m,\n"
+      "    columns: {{rectangle: [0.5 m, 0.5 m]}}, beams: {{rectangle: [0.3 m, 0.6 m]}}, floor_mass: 60 t}}, report: "
+      "{{members: all}}{}}},\n"
       "    damping: 5 %}}\n"
       "{}analysis: {{duration: 3{}}}\n",
       left, right_height, right, links, analysis);
 }
 
-const std::string facing = "links: [{between: [left, right], floors: all, gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n";
+const std::string facing =
+    "links: [{between: [left, right], floors: all, gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n";
 
 // Extremes of a history [time, quantity].
 Extremes extremes_of(const std::vector<double>& history, const std::vector<double>& time, std::size_t count) {
@@ -48,10 +53,10 @@ Extremes extremes_of(const std::vector<double>& history, const std::vector<doubl
   return extremes;
 }
 
-// Every extreme of the run is that of the dense outputs, within `relative` of the largest absolute value of the quantity, and within
-// 1e-6 of the largest of all where that is round-off.
-void expect_extremes(const Extremes& run, const std::vector<double>& history, const std::vector<double>& time, double relative,
-                     const std::string& what) {
+// Every extreme of the run is that of the dense outputs, within `relative` of the largest absolute value of the
+// quantity, and within 1e-6 of the largest of all where that is round-off.
+void expect_extremes(const Extremes& run, const std::vector<double>& history, const std::vector<double>& time,
+                     double relative, const std::string& what) {
   ASSERT_GT(run.size(), 0u) << what;
   ASSERT_EQ(history.size(), run.size() * time.size()) << what;
   const Extremes dense = extremes_of(history, time, run.size());
@@ -66,7 +71,8 @@ void expect_extremes(const Extremes& run, const std::vector<double>& history, co
 }
 
 // Runs a model at its default outputs and at outputs every 0.1 ms.
-void expect_extremes_of_dense_outputs(const std::function<std::string(const std::string& output_step)>& yaml, double relative) {
+void expect_extremes_of_dense_outputs(const std::function<std::string(const std::string& output_step)>& yaml,
+                                      double relative) {
   const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));
   const std::vector<double>& time = dense.results.time;
   ASSERT_GT(time.size(), 10 * coarse.results.time.size());
@@ -75,7 +81,8 @@ void expect_extremes_of_dense_outputs(const std::function<std::string(const std:
     const StructureHistory& history = dense.results.structures[k];
     const StructureEnvelope &envelope = coarse.results.structures[k].envelope, &same = history.envelope;
     expect_extremes(envelope.displacement, history.displacement, time, relative, history.name + ": displacement");
-    // Accelerations change within a contact much faster than forces; between outputs every 0.1 ms they are found to 1 %.
+    // Accelerations change within a contact much faster than forces; between outputs every 0.1 ms they are found to 1
+    // %.
     expect_extremes(envelope.acceleration, history.acceleration, time, 1e-2, history.name + ": acceleration");
     expect_extremes(envelope.drift, history.drift, time, relative, history.name + ": drift");
     expect_extremes(envelope.storey_shear, history.storey_shear, time, relative, history.name + ": storey shear");
@@ -90,7 +97,8 @@ void expect_extremes_of_dense_outputs(const std::function<std::string(const std:
 // Velocity and acceleration jump at the end of a step: the next one begins with what is there then.
 TEST(Envelopes, OfABodyThatBouncesAreThoseOfDenseOutputs) {
   const Outcome run = test::run_text(
-      "structures: {ball: {oscillator: {mass: 100 t, period: 1 s, damping: 50 %}, initial_velocity: 1 m/s}, wall: {wall: {}}}\n"
+      "structures: {ball: {oscillator: {mass: 100 t, period: 1 s, damping: 50 %}, initial_velocity: 1 m/s}, wall: "
+      "{wall: {}}}\n"
       "links: [{between: [ball, wall], gap: 50 mm, law: stereomechanical, restitution: 0.8}]\n"
       "analysis: {duration: 3, output_step: 0.1 ms}\n");
   ASSERT_GT(run.results.impacts.size(), 0u);
@@ -104,20 +112,24 @@ TEST(Envelopes, OfAFramePairAreThoseOfDenseOutputs) {
 }
 
 TEST(Envelopes, OfFramesThatCarryTheirWeightAreThoseOfDenseOutputs) {
-  expect_extremes_of_dense_outputs([](const std::string& outputs) {
-    return frames(facing, outputs, ", gravity: true, geometry: p_delta", ", gravity: true, geometry: p_delta");
-  }, 1e-3);
+  expect_extremes_of_dense_outputs(
+      [](const std::string& outputs) {
+        return frames(facing, outputs, ", gravity: true, geometry: p_delta", ", gravity: true, geometry: p_delta");
+      },
+      1e-3);
 }
 
 TEST(Envelopes, OfMembersThatTurnAreThoseOfDenseOutputs) {
-  expect_extremes_of_dense_outputs([](const std::string& outputs) {
-    return frames(facing, outputs, ", gravity: true, geometry: corotational");
-  }, 1e-3);
+  expect_extremes_of_dense_outputs(
+      [](const std::string& outputs) { return frames(facing, outputs, ", gravity: true, geometry: corotational"); },
+      1e-3);
 }
 
 // A right frame of lower storeys hits the columns of the left one between their ends; beams have these hinges.
 std::string hit_columns(const std::string& outputs, const std::string& hinges = "") {
-  const std::string hit = "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
+  const std::string hit =
+      "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: "
+      "1e8, restitution: 0.6}]\n";
   return frames(hit, outputs, ", mass: consistent" + hinges, ", mass: consistent" + hinges, "2.4 m");
 }
 
@@ -126,7 +138,9 @@ TEST(Envelopes, OfAColumnThatIsHitBetweenItsEndsAreThoseOfDenseOutputs) {
 }
 
 TEST(Envelopes, OfHitColumnsBesideHingesThatYieldAreThoseOfDenseOutputs) {
-  const auto yaml = [](const std::string& outputs) { return hit_columns(outputs, ", hinges: {beams: {at: both, yield_moment: 300 kN m, hardening: 2 %}}"); };
+  const auto yaml = [](const std::string& outputs) {
+    return hit_columns(outputs, ", hinges: {beams: {at: both, yield_moment: 300 kN m, hardening: 2 %}}");
+  };
   const Outcome run = test::run_text(yaml(""));
   double lost = 0;
   for (const StructureHistory& structure : run.results.structures)
@@ -136,12 +150,16 @@ TEST(Envelopes, OfHitColumnsBesideHingesThatYieldAreThoseOfDenseOutputs) {
 }
 
 TEST(Envelopes, OfHitColumnsAreTheSameBesideHingesThatNeverYield) {
-  const Outcome without = test::run_text(hit_columns("")), never = test::run_text(hit_columns("", ", hinges: {beams: {at: both, yield_moment: 1e12, hardening: 2 %}}"));
+  const Outcome without = test::run_text(hit_columns("")),
+                never = test::run_text(
+                    hit_columns("", ", hinges: {beams: {at: both, yield_moment: 1e12, hardening: 2 %}}"));
   ASSERT_GT(never.results.impacts.size(), 1u);
   for (int k = 0; k < 2; ++k) {
     const StructureEnvelope &a = never.results.structures[k].envelope, &b = without.results.structures[k].envelope;
     ASSERT_FALSE(never.results.structures[k].springs.names.empty());
-    for (const auto& [mine, other] : {std::pair(&a.member_force, &b.member_force), std::pair(&a.storey_shear, &b.storey_shear), std::pair(&a.reaction, &b.reaction)}) {
+    for (const auto& [mine, other] :
+         {std::pair(&a.member_force, &b.member_force), std::pair(&a.storey_shear, &b.storey_shear),
+          std::pair(&a.reaction, &b.reaction)}) {
       ASSERT_GT(mine->size(), 0u);
       EXPECT_EQ(mine->min, other->min);
       EXPECT_EQ(mine->max, other->max);
@@ -152,43 +170,61 @@ TEST(Envelopes, OfHitColumnsAreTheSameBesideHingesThatNeverYield) {
 }
 
 TEST(Envelopes, AfterRigidImpactsAreThoseOfDenseOutputs) {
-  const std::string rigid = "links: [{between: [left, right], floors: all, gap: 10 mm, law: stereomechanical, restitution: 0.6}]\n";
+  const std::string rigid =
+      "links: [{between: [left, right], floors: all, gap: 10 mm, law: stereomechanical, restitution: 0.6}]\n";
   const auto yaml = [&](const std::string& outputs) { return frames(rigid, outputs); };
   const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));
   ASSERT_GT(coarse.results.impacts.size(), 1u);
   for (int k = 0; k < 2; ++k)
-    expect_extremes(coarse.results.structures[k].envelope.member_force, dense.results.structures[k].end_forces, dense.results.time, 1e-3,
-                    "member force");
+    expect_extremes(coarse.results.structures[k].envelope.member_force, dense.results.structures[k].end_forces,
+                    dense.results.time, 1e-3, "member force");
 }
 
 TEST(Envelopes, OfStoreysThatYieldAreThoseOfDenseOutputs) {
-  expect_extremes_of_dense_outputs([](const std::string& outputs) {
-    return "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
-           "structures:\n"
-           "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05}, damping: 5 %}\n"
-           "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m}, damping: 3 %}\n"
-           "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
-           "analysis: {duration: 4" + outputs + "}\n";
-  }, 1e-3);
+  expect_extremes_of_dense_outputs(
+      [](const std::string& outputs) {
+        return "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
+               "structures:\n"
+               "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, "
+               "hardening: 0.05}, damping: 5 %}\n"
+               "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m}, damping: 3 %}\n"
+               "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, "
+               "restitution: 0.65}]\n"
+               "analysis: {duration: 4" +
+               outputs + "}\n";
+      },
+      1e-3);
 }
 
 TEST(Envelopes, WithFeetThatMoveDifferentlyAreThoseOfDenseOutputs) {
-  expect_extremes_of_dense_outputs([](const std::string& outputs) {
-    return frames(facing, outputs, ", supports: {\"0.0\": fixed, \"0.1\": {fix: fixed, delay: 20 ms}, \"0.2\": {fix: fixed, delay: 40 ms}}");
-  }, 1e-3);
+  expect_extremes_of_dense_outputs(
+      [](const std::string& outputs) {
+        return frames(
+            facing, outputs,
+            ", supports: {\"0.0\": fixed, \"0.1\": {fix: fixed, delay: 20 ms}, \"0.2\": {fix: fixed, delay: 40 ms}}");
+      },
+      1e-3);
 }
 
 TEST(Envelopes, InSpaceAreThoseOfDenseOutputs) {
-  expect_extremes_of_dense_outputs([](const std::string& outputs) {
-    return "ground_motion: {components: {x: {harmonic: {amplitude: 4, period: 0.5, duration: 1.2}}, y: {harmonic: {amplitude: 2, period: 0.3, duration: 1.2}}}}\n"
-           "structures:\n"
-           "  a: {frame: {material: {E: 30 GPa, poisson: 0.2}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: {x: 6 m, y: 4 m},\n"
-           "    columns: {circle: 0.25}, beams: {circle: 0.5}, floor_mass: 40 t}, report: {members: all}}, damping: 5 %}\n"
-           "  b: {frame: {origin: [6.01, 1], material: {E: 30 GPa, poisson: 0.2}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: {x: 6 m, y: 4 m},\n"
-           "    columns: {circle: 0.35}, beams: {circle: 0.5}, floor_mass: 60 t}, report: {members: all}}, damping: 5 %}\n"
-           "links: [{between: [a, b], gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n"
-           "analysis: {duration: 1.2" + outputs + "}\n";
-  }, 1e-3);
+  expect_extremes_of_dense_outputs(
+      [](const std::string& outputs) {
+        return "ground_motion: {components: {x: {harmonic: {amplitude: 4, period: 0.5, duration: 1.2}}, y: {harmonic: "
+               "{amplitude: 2, period: 0.3, duration: 1.2}}}}\n"
+               "structures:\n"
+               "  a: {frame: {material: {E: 30 GPa, poisson: 0.2}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 "
+               "m, bay_width: {x: 6 m, y: 4 m},\n"
+               "    columns: {circle: 0.25}, beams: {circle: 0.5}, floor_mass: 40 t}, report: {members: all}}, "
+               "damping: 5 %}\n"
+               "  b: {frame: {origin: [6.01, 1], material: {E: 30 GPa, poisson: 0.2}, grid: {storeys: 1, bays: [1, 1], "
+               "storey_height: 3 m, bay_width: {x: 6 m, y: 4 m},\n"
+               "    columns: {circle: 0.35}, beams: {circle: 0.5}, floor_mass: 60 t}, report: {members: all}}, "
+               "damping: 5 %}\n"
+               "links: [{between: [a, b], gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n"
+               "analysis: {duration: 1.2" +
+               outputs + "}\n";
+      },
+      1e-3);
 }
 
 // Sum of the reactions of a structure in one direction at each output time.
@@ -219,16 +255,20 @@ TEST(Reactions, HoldTheLowestStoreyAndTheWeight) {
 
 // A single column ends at each foot.
 TEST(Reactions, HoldTheColumnThatIsHitBetweenItsEnds) {
-  const std::string hit = "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
+  const std::string hit =
+      "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: "
+      "1e8, restitution: 0.6}]\n";
   const Outcome run = test::run_text(frames(hit, "", ", mass: consistent", ", mass: consistent", "1.2 m"));
   ASSERT_GT(run.results.impacts.size(), 1u);
   const StructureHistory& left = run.results.structures[0];
   const StructureEnvelope& envelope = left.envelope;
   const std::size_t members = envelope.members.size(), components = envelope.components.size();
   for (std::size_t foot = 0; foot < 3; ++foot) {
-    const auto column = std::find(envelope.members.begin(), envelope.members.end(), fmt::format("column 1.{}", foot)) - envelope.members.begin();
+    const auto column = std::find(envelope.members.begin(), envelope.members.end(), fmt::format("column 1.{}", foot)) -
+                        envelope.members.begin();
     for (std::size_t t = 0; t < run.results.time.size(); ++t) {
-      const double shear = left.end_forces[(t * members + column) * components + 1], reaction = left.reaction[(t * 3 + foot) * 3];
+      const double shear = left.end_forces[(t * members + column) * components + 1],
+                   reaction = left.reaction[(t * 3 + foot) * 3];
       EXPECT_NEAR(std::abs(shear), std::abs(reaction), 1e-6) << foot << ", output " << t;
     }
     const std::size_t of_column = column * components + 1, of_foot = foot * 3;
@@ -242,7 +282,8 @@ TEST(Reactions, OfASpringToTheGroundPushAgainstTheDisplacement) {
       "structures:\n"
       "  a: {frame: {material: {E: 30 GPa}, sections: {s: {area: 0.2, inertia_y: 1e-3}},\n"
       "    nodes: {foot: [0, 0], top: [0, 3]}, members: {c: {between: [foot, top], section: s}},\n"
-      "    supports: {foot: fixed}, springs: [{node: top, dof: ux, stiffness: 2e6}], masses: {top: 20 t}, floors: [{nodes: [top]}]}, damping: 2 %}\n"
+      "    supports: {foot: fixed}, springs: [{node: top, dof: ux, stiffness: 2e6}], masses: {top: 20 t}, floors: "
+      "[{nodes: [top]}]}, damping: 2 %}\n"
       "analysis: {duration: 1}\n");
   const StructureHistory& a = run.results.structures[0];
   ASSERT_EQ(a.envelope.supports, (std::vector<std::string>{"foot", "top"}));
@@ -256,10 +297,12 @@ TEST(Separation, ThatIsEnoughIsTheLargestApproachOfTheRunWithoutLinks) {
            "structures:\n"
            "  left:  {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
            "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 2 %}}\n"
-           "  wall: {wall: {}}\n" + more;
+           "  wall: {wall: {}}\n" +
+           more;
   };
-  const std::string links = "links:\n  - {between: [left, right], gap: 20 mm, law: hertz, stiffness: 1e9}\n"
-                            "  - {between: [right, wall], gap: 30 mm, law: hertz, stiffness: 1e9}\n";
+  const std::string links =
+      "links:\n  - {between: [left, right], gap: 20 mm, law: hertz, stiffness: 1e9}\n"
+      "  - {between: [right, wall], gap: 30 mm, law: hertz, stiffness: 1e9}\n";
   const Summary compared = test::run_text(yaml(links + "compare: no_pounding\nanalysis: {duration: 5}\n")).summary;
   const Outcome apart = test::run_text(yaml("analysis: {duration: 5, output_step: 0.1 ms}\n"));
   const std::vector<double>&u = apart.results.structures[0].displacement, &v = apart.results.structures[1].displacement;
@@ -302,15 +345,18 @@ double correlation(double period_a, double damping_a, double period_b, double da
 }
 
 TEST(Separation, CombinesByTheCorrelationUnderWhiteNoise) {
-  test::Book book("Gap that is enough", "the correlation of two oscillators under white noise, integrated over the frequency",
+  test::Book book("Gap that is enough",
+                  "the correlation of two oscillators under white noise, integrated over the frequency",
                   "the midpoint rule up to 4000 rad/s in steps of 2e-3");
   struct Pair {
     double period_a, damping_a, period_b, damping_b;
   };
-  for (const Pair& p : {Pair{0.8, 0.05, 0.4, 0.05}, Pair{1.0, 0.05, 0.9, 0.02}, Pair{0.5, 0.1, 0.55, 0.05}, Pair{0.4, 0.02, 1.2, 0.1}})
-    book.near(fmt::format("correlation, {:g} s {:g} and {:g} s {:g} [-]", p.period_a, p.damping_a, p.period_b, p.damping_b),
-              double_difference(p.period_a, p.damping_a, p.period_b, p.damping_b),
-              correlation(p.period_a, p.damping_a, p.period_b, p.damping_b), 1e-5);
+  for (const Pair& p :
+       {Pair{0.8, 0.05, 0.4, 0.05}, Pair{1.0, 0.05, 0.9, 0.02}, Pair{0.5, 0.1, 0.55, 0.05}, Pair{0.4, 0.02, 1.2, 0.1}})
+    book.near(
+        fmt::format("correlation, {:g} s {:g} and {:g} s {:g} [-]", p.period_a, p.damping_a, p.period_b, p.damping_b),
+        double_difference(p.period_a, p.damping_a, p.period_b, p.damping_b),
+        correlation(p.period_a, p.damping_a, p.period_b, p.damping_b), 1e-5);
   EXPECT_NEAR(double_difference(0.7, 0.05, 0.7, 0.05), 1, 1e-15) << "equal structures move together";
   EXPECT_TRUE(std::isnan(double_difference(std::numeric_limits<double>::infinity(), 0.05, 0.7, 0.05)));
 }

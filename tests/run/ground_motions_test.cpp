@@ -22,8 +22,11 @@ Outcome portal_on(const std::string& motion, double duration) {
       "structures:\n"
       "  p: {frame: {material: {E: 30 GPa}, sections: {s: {area: 0.2, inertia_y: 0.004}},\n"
       "    nodes: {a: [0, 0], b: [0, 3], c: [5, 3], d: [5, 0]},\n"
-      "    members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}},\n"
-      "    supports: {a: fixed, b: {fix: [uz, ry]}, c: {fix: [uz, ry]}, d: {fix: fixed, ground_motion: " + motion + "}},\n"
+      "    members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, "
+      "c], section: s}},\n"
+      "    supports: {a: fixed, b: {fix: [uz, ry]}, c: {fix: [uz, ry]}, d: {fix: fixed, ground_motion: " +
+      motion +
+      "}},\n"
       "    masses: {b: 50 t, c: 50 t}, floors: [{nodes: [b, c], rigid: true}], report: {members: all}}, damping: 5 %}\n"
       "  w: {wall: {}}\n"
       "links: [{between: [p.1, w], gap: 1 m, law: hertz, stiffness: 1e9}]\n" +
@@ -47,12 +50,14 @@ struct Moved {
 
 TEST(DisplacementsOfTheGround, MoveAFootByHarmonics) {
   const double w = 2 * pi / 0.8;
-  expect_foot(portal_on("{displacement: {harmonic: {amplitude: 20 mm, period: 0.8, duration: 2, phase: 30 deg}}}", 1.5), [&](double t) {
-    return Moved{0.02 * std::sin(w * t + pi / 6), 0.02 * w * std::cos(w * t + pi / 6)};
-  });
-  expect_foot(portal_on("{displacement: {sum: [{amplitude: 20 mm, period: 0.8, phase: 90 deg}, {amplitude: 1 cm, period: 2}], duration: 2}}", 1.5),
+  expect_foot(portal_on("{displacement: {harmonic: {amplitude: 20 mm, period: 0.8, duration: 2, phase: 30 deg}}}", 1.5),
+              [&](double t) { return Moved{0.02 * std::sin(w * t + pi / 6), 0.02 * w * std::cos(w * t + pi / 6)}; });
+  expect_foot(portal_on("{displacement: {sum: [{amplitude: 20 mm, period: 0.8, phase: 90 deg}, {amplitude: 1 cm, "
+                        "period: 2}], duration: 2}}",
+                        1.5),
               [&](double t) {
-                return Moved{0.02 * std::cos(w * t) + 0.01 * std::sin(pi * t), -0.02 * w * std::sin(w * t) + 0.01 * pi * std::cos(pi * t)};
+                return Moved{0.02 * std::cos(w * t) + 0.01 * std::sin(pi * t),
+                             -0.02 * w * std::sin(w * t) + 0.01 * pi * std::cos(pi * t)};
               });
 }
 
@@ -75,11 +80,13 @@ TEST(DisplacementsOfTheGround, MoveAFootByARecord) {
 TEST(DisplacementsOfTheGround, InitialVelocityKeepsAFootFromDrifting) {
   // a = A cos(w t) from rest does not drift; a = A sin(w t) does not with -A/w.
   const double a = 2, w = 2 * pi / 0.5;
-  expect_foot(portal_on("{harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90 deg}}", 1.5), [&](double t) {
-    return Moved{a / (w * w) * (1 - std::cos(w * t)), a / w * std::sin(w * t)};
-  });
-  expect_foot(portal_on(fmt::format("{{harmonic: {{amplitude: 2, period: 0.5, duration: 3, initial_velocity: {:.17g}}}}}", -a / w), 1.5),
-              [&](double t) { return Moved{-a / (w * w) * std::sin(w * t), -a / w * std::cos(w * t)}; });
+  expect_foot(portal_on("{harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90 deg}}", 1.5),
+              [&](double t) { return Moved{a / (w * w) * (1 - std::cos(w * t)), a / w * std::sin(w * t)}; });
+  expect_foot(
+      portal_on(
+          fmt::format("{{harmonic: {{amplitude: 2, period: 0.5, duration: 3, initial_velocity: {:.17g}}}}}", -a / w),
+          1.5),
+      [&](double t) { return Moved{-a / (w * w) * std::sin(w * t), -a / w * std::cos(w * t)}; });
 }
 
 TEST(DisplacementsOfTheGround, DriveAWallIntoABody) {
@@ -99,7 +106,8 @@ TEST(DisplacementsOfTheGround, OffsetsOpenOrCloseTheGapFromTheStart) {
   // The wall stands 20 mm closer at the start and goes back: of the gap of 30 mm 10 mm are left to the body.
   const Outcome run = test::run_text(
       "structures:\n"
-      "  w: {wall: {}, ground_motion: {displacement: {harmonic: {amplitude: 20 mm, period: 50 s, duration: 60 s, phase: 90 deg}}}}\n"
+      "  w: {wall: {}, ground_motion: {displacement: {harmonic: {amplitude: 20 mm, period: 50 s, duration: 60 s, "
+      "phase: 90 deg}}}}\n"
       "  b: {body: {mass: 100 t}, initial_velocity: -1 m/s}\n"
       "links: [{between: [w, b], gap: 30 mm, law: hertz_damped, stiffness: 2e9, restitution: 0.6}]\n"
       "analysis: {duration: 0.05, tolerance: 1e-6}\n");
@@ -111,11 +119,13 @@ TEST(DisplacementsOfTheGround, OffsetsOpenOrCloseTheGapFromTheStart) {
 
 TEST(AnInitialVelocityOfTheGround, LeavesAMotionRelativeToItAlone) {
   const auto run = [](const std::string& velocity) {
-    return test::run_text("ground_motion: {sum: [{amplitude: 2, period: 0.5}, {amplitude: 1, period: 0.2, phase: 1}], duration: 2" + velocity +
-                          "}\nstructures:\n  a: {oscillator: {mass: 100 t, period: 0.6, damping: 5 %}}\n"
-                          "  b: {oscillator: {mass: 150 t, period: 0.3, damping: 5 %}}\n"
-                          "links: [{between: [a, b], gap: 5 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n"
-                          "analysis: {duration: 2}\n");
+    return test::run_text(
+        "ground_motion: {sum: [{amplitude: 2, period: 0.5}, {amplitude: 1, period: 0.2, phase: 1}], duration: 2" +
+        velocity +
+        "}\nstructures:\n  a: {oscillator: {mass: 100 t, period: 0.6, damping: 5 %}}\n"
+        "  b: {oscillator: {mass: 150 t, period: 0.3, damping: 5 %}}\n"
+        "links: [{between: [a, b], gap: 5 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n"
+        "analysis: {duration: 2}\n");
   };
   const Outcome rest = run(""), moving = run(", initial_velocity: 0.3");
   ASSERT_GT(rest.results.impacts.size(), 1u);

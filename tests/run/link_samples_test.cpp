@@ -13,7 +13,12 @@ namespace pounding {
 namespace link_samples_test {
 
 LinkSample sample(double time) {
-  return {.time = time, .penetration = 1e-3 * time, .velocity = 0.5, .force = 100 + time, .energy = 2 * time, .friction = {7, 8}};
+  return {.time = time,
+          .penetration = 1e-3 * time,
+          .velocity = 0.5,
+          .force = 100 + time,
+          .energy = 2 * time,
+          .friction = {7, 8}};
 }
 
 TEST(ImpactSamples, BeginWithZeroForceAtTheTouch) {
@@ -45,7 +50,8 @@ TEST(ImpactSamples, OfALongImpactStayBoundedAndKeepBothEnds) {
   EXPECT_TRUE(std::ranges::is_sorted(history.time));
   // Evenly: no gap is much longer than another.
   double longest = 0;
-  for (std::size_t i = 2; i < history.time.size(); ++i) longest = std::max(longest, history.time[i] - history.time[i - 1]);
+  for (std::size_t i = 2; i < history.time.size(); ++i)
+    longest = std::max(longest, history.time[i] - history.time[i - 1]);
   EXPECT_LE(longest, 2.0 * count / (ImpactSamples::max_count / 2));
 }
 
@@ -78,8 +84,8 @@ TEST(ImpactSamples, GoOnAlikeFromAnArchive) {
   EXPECT_EQ(whole.force, continued.force);
 }
 
-// Bodies that hardly move as a motion of the ground begins: between the ends of a first step the path of their contact is so flat that the formula
-// of the law would pull there, by half a percent of the greatest force so far.
+// Bodies that hardly move as a motion of the ground begins: between the ends of a first step the path of their contact
+// is so flat that the formula of the law would pull there, by half a percent of the greatest force so far.
 TEST(LinkSamples, InsideAStepShowNoPullOfALawThatNeverPulls) {
   for (const double restitution : {0.05, 0.1, 0.5}) {
     const Outcome run = test::run_text(fmt::format(
@@ -87,7 +93,8 @@ TEST(LinkSamples, InsideAStepShowNoPullOfALawThatNeverPulls) {
         "structures:\n  a: {{body: {{mass: 3500}}}}\n  b: {{body: {{mass: 2200}}}}\n  w: {{wall: {{}}}}\n"
         "links:\n  - {{between: [a, b], gap: 0, law: kelvin_voigt_no_tension, stiffness: 4.7e5, restitution: {}}}\n"
         "  - {{between: [b, w], gap: 0, law: viscous_hertz, stiffness: 2.5e9, restitution: 0.1}}\n"
-        "analysis: {{duration: 1, tolerance: 1e-3}}\n", restitution));
+        "analysis: {{duration: 1, tolerance: 1e-3}}\n",
+        restitution));
     for (const LinkHistory& link : run.results.links) {
       ASSERT_GT(link.force.size(), 20u);
       EXPECT_GE(*std::ranges::min_element(link.force), 0) << link.name << ", restitution " << restitution;

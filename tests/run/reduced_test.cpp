@@ -1,13 +1,14 @@
-// Runs of frames in a few coordinates against runs in all natural modes, and the errors that such runs tell of themselves.
+// Runs of frames in a few coordinates against runs in all natural modes, and the errors that such runs tell of
+// themselves.
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,23 +23,27 @@ struct Pair {
   int storeys = 20, bays = 3;
   std::string damping = "5 %";
   std::string law = "hertz_damped, stiffness: 2.75e9, restitution: 0.65";
-  double tolerance = 1e-5, duration = 4, gap = 20;  // [s], [mm]
-  std::string own = "";  // beside the left frame
-  double amplitude = 3, period = 1.5;  // of the ground [m/s^2], [s]
+  double tolerance = 1e-5, duration = 4, gap = 20;   // [s], [mm]
+  std::string own = "";                              // beside the left frame
+  double amplitude = 3, period = 1.5;                // of the ground [m/s^2], [s]
   std::string inside = "", devices = "", wave = "";  // the left frame; beside the links; in the ground motion
 
   // Two plane frames that are hit at three floors: 160 unknowns with mass each, as many rotations without.
   std::string text(const std::string& reduction) const {
     const auto frame = [&](const std::string& name, double origin, double mass, const std::string& beside) {
-      return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, bay_width: 6, columns: "
-                         "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}{}}}, damping: {}{}}}\n",
-                         name, origin, storeys, bays, mass, name == "left" ? inside : "", damping, beside);
+      return fmt::format(
+          "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, "
+          "bay_width: 6, columns: "
+          "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}{}}}, damping: {}{}}}\n",
+          name, origin, storeys, bays, mass, name == "left" ? inside : "", damping, beside);
     };
     std::string links;
     for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
       links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: {1} mm, law: {2}}}\n", floor, gap, law);
-    return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 4}}{}}}\nstructures:\n", amplitude, period, wave) + frame("left", 0, 40.0 * bays, own) +
-           frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" + links + devices +
+    return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 4}}{}}}\nstructures:\n",
+                       amplitude, period, wave) +
+           frame("left", 0, 40.0 * bays, own) + frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" +
+           links + devices +
            fmt::format("analysis: {{duration: {}, tolerance: {}{}}}\n", duration, tolerance, reduction);
   }
   Outcome run(const std::string& reduction) const { return test::run_text(text(reduction)); }
@@ -68,7 +73,8 @@ double history_error(const std::vector<double>& found, const std::vector<double>
 }
 
 bool says(const Outcome& outcome, const std::string& text) {
-  return std::ranges::any_of(outcome.summary.warnings, [&](const std::string& line) { return line.find(text) != std::string::npos; });
+  return std::ranges::any_of(outcome.summary.warnings,
+                             [&](const std::string& line) { return line.find(text) != std::string::npos; });
 }
 
 class ReducedRun : public testing::Test {
@@ -91,15 +97,19 @@ TEST_F(ReducedRun, TellsMoreThanItsErrors) {
     for (std::size_t k = 0; k < 2; ++k) {
       const ReducedStructure& s = reduced.summary.reduced[k];
       told = std::max(told, s.error_force);
-      const double displacement = history_error(reduced.results.structures[k].displacement, all_modes().results.structures[k].displacement);
-      const double shear = history_error(reduced.results.structures[k].storey_shear, all_modes().results.structures[k].storey_shear);
+      const double displacement =
+          history_error(reduced.results.structures[k].displacement, all_modes().results.structures[k].displacement);
+      const double shear =
+          history_error(reduced.results.structures[k].storey_shear, all_modes().results.structures[k].storey_shear);
       EXPECT_LT(displacement, s.error_displacement + floor) << links << s.name;
       EXPECT_LT(s.error_displacement, 500 * (displacement + floor)) << links << s.name;
       EXPECT_LT(shear, s.error_members + 10 * floor) << links << s.name;
-      EXPECT_LT(history_error(reduced.results.structures[k].reaction, all_modes().results.structures[k].reaction), s.error_members + 10 * floor)
+      EXPECT_LT(history_error(reduced.results.structures[k].reaction, all_modes().results.structures[k].reaction),
+                s.error_members + 10 * floor)
           << links << s.name;
       EXPECT_GT(s.error_acceleration, 0) << links << s.name;
-      RecordProperty(fmt::format("{}_{}", s.name, links), fmt::format("{} | {:.1e} {:.1e}", s.error_text(), displacement, shear));
+      RecordProperty(fmt::format("{}_{}", s.name, links),
+                     fmt::format("{} | {:.1e} {:.1e}", s.error_text(), displacement, shear));
     }
     const double force = force_error(reduced, all_modes());
     EXPECT_LT(force, told + floor) << links;
@@ -127,12 +137,14 @@ TEST_F(ReducedRun, SaysWhereNothingEstimatesItsErrors) {
 // Modes alone have no shadow, and yet are found out; blocks are found out however small their estimate is.
 TEST_F(ReducedRun, TellsWhatAllUnknownsDoInItsHardestImpacts) {
   for (const std::string how : {"{modes: 30", "{links: 1, ground: 4", "{links: 3, ground: 12"}) {
-    const Outcome checked = Pair{}.run(", reduction: " + how + ", check: true}"), usual = Pair{}.run(", reduction: " + how + "}");
+    const Outcome checked = Pair{}.run(", reduction: " + how + ", check: true}"),
+                  usual = Pair{}.run(", reduction: " + how + "}");
     EXPECT_EQ(checked.results.links[0].force, usual.results.links[0].force) << how;
     double told = 0;
     for (const ReducedStructure& s : checked.summary.reduced) {
       EXPECT_EQ(s.checked_windows, 3) << how;
-      EXPECT_NE(s.check_text().find("all unknowns in the 3 hardest impacts: forces "), std::string::npos) << s.check_text();
+      EXPECT_NE(s.check_text().find("all unknowns in the 3 hardest impacts: forces "), std::string::npos)
+          << s.check_text();
       told = std::max(told, s.check_force);
       EXPECT_GT(s.check_displacement, 0) << how;
     }
@@ -147,7 +159,8 @@ TEST_F(ReducedRun, TellsWhatAllUnknownsDoInItsHardestImpacts) {
 
 // The closing between two structures lacks what one of them lacks: both are told of it.
 TEST_F(ReducedRun, IsCheckedByTheClosingsOfAllItsStructures) {
-  const Outcome checked = Pair{.own = ", reduction: {links: 1, ground: 4, check: true}"}.run(", reduction: {links: 5, ground: 20, check: true}");
+  const Outcome checked = Pair{.own = ", reduction: {links: 1, ground: 4, check: true}"}.run(
+      ", reduction: {links: 5, ground: 20, check: true}");
   const double truth = force_error(checked, all_modes());
   RecordProperty("told", fmt::format("{:.2e}, truth {:.2e}", checked.summary.reduced[0].check_force, truth));
   EXPECT_GT(checked.summary.reduced[0].check_force, truth / 10);
@@ -210,7 +223,9 @@ TEST_F(ReducedRun, IsCheckedAfterAStopInItsCheck) {
     run(model, options);
     ADD_FAILURE() << "the check does not stop";
   } catch (const FailedRun& stopped) {
-    EXPECT_NE(std::string(stopped.what()).find("stopped by the user while all unknowns were stepped"), std::string::npos) << stopped.what();
+    EXPECT_NE(std::string(stopped.what()).find("stopped by the user while all unknowns were stepped"),
+              std::string::npos)
+        << stopped.what();
     EXPECT_TRUE(stopped.outcome().resumable);
   }
   const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
@@ -226,9 +241,12 @@ TEST_F(ReducedRun, IsCheckedAfterAStopInItsCheck) {
 }
 
 // Frames of 600 unknowns with mass, which `auto` reduces. The left one starts towards the right one.
-const Pair large{.storeys = 30, .bays = 9, .tolerance = 1e-3, .duration = 1, .gap = 2, .own = ", initial_velocity: 0.3"};
+const Pair large{
+    .storeys = 30, .bays = 9, .tolerance = 1e-3, .duration = 1, .gap = 2, .own = ", initial_velocity: 0.3"};
 
-int blocks(const Outcome& outcome) { return outcome.summary.reduced.empty() ? 0 : outcome.summary.reduced[0].link_blocks; }
+int blocks(const Outcome& outcome) {
+  return outcome.summary.reduced.empty() ? 0 : outcome.summary.reduced[0].link_blocks;
+}
 
 TEST(AutomaticReduction, GoesDeeperUntilItsErrorsAreSmallEnough) {
   const Outcome wide = large.run(", reduction: {error: 0.05}"), narrow = large.run(", reduction: {error: 1e-6}");
@@ -253,7 +271,8 @@ TEST(AutomaticReduction, GoesOnAtTheDepthThatItHadReached) {
     const Model model = test::model_of(yaml);
     RunOptions options{.output = file};
     std::filesystem::file_time_type last{};
-    // In the second run, after an impact. The file is written where a run begins; a fast run is not looked at often enough to see that its contacts are new.
+    // In the second run, after an impact. The file is written where a run begins; a fast run is not looked at often
+    // enough to see that its contacts are new.
     options.stop = [&] {
       const auto written = std::filesystem::last_write_time(file);
       if (last != std::filesystem::file_time_type{} && written != last) ++begun;
@@ -274,18 +293,22 @@ TEST(AutomaticReduction, GoesOnAtTheDepthThatItHadReached) {
 TEST(AutomaticReduction, GoesDeeperForLightDamping) {
   Pair light = large;
   light.damping = "{rayleigh: {ratio: 3 %, periods: [1.5, 0.02]}}";
-  const Outcome usual = large.run(", reduction: auto"), deep = light.run(", reduction: auto"), fixed = light.run(", reduction: {links: 5, ground: 20}");
+  const Outcome usual = large.run(", reduction: auto"), deep = light.run(", reduction: auto"),
+                fixed = light.run(", reduction: {links: 5, ground: 20}");
   ASSERT_GT(deep.results.impacts.size(), 1u);
   EXPECT_TRUE(says(fixed, "The reduction may cost more than 0.3 of the tolerance 0.001"));
-  EXPECT_TRUE(deep.summary.reduced.empty() || blocks(deep) > blocks(usual)) << blocks(deep) << " after " << blocks(usual);
+  EXPECT_TRUE(deep.summary.reduced.empty() || blocks(deep) > blocks(usual))
+      << blocks(deep) << " after " << blocks(usual);
   EXPECT_TRUE(!deep.summary.reduced.empty() || says(deep, "the links need so many blocks that all modes were taken"));
-  RecordProperty("blocks", fmt::format("usual {}, light {}, fixed {}", blocks(usual), blocks(deep), fixed.summary.reduced[0].error_text()));
+  RecordProperty("blocks", fmt::format("usual {}, light {}, fixed {}", blocks(usual), blocks(deep),
+                                       fixed.summary.reduced[0].error_text()));
 }
 
 double peak_displacement_error(const Outcome& found, const Outcome& exact) {
   double worst = 0;
   for (std::size_t k = 0; k < exact.results.structures.size(); ++k)
-    worst = std::max(worst, history_error(found.results.structures[k].displacement, exact.results.structures[k].displacement));
+    worst = std::max(worst,
+                     history_error(found.results.structures[k].displacement, exact.results.structures[k].displacement));
   return worst;
 }
 
@@ -302,9 +325,10 @@ struct Told {
 
 void record(const Outcome& found, const Outcome& exact, const std::string& name) {
   const Told told(found);
-  testing::Test::RecordProperty(name, fmt::format("forces {:.1e} told {:.1e}, displacements {:.1e} told {:.1e}, coordinates {}", force_error(found, exact),
-                                                  told.force, peak_displacement_error(found, exact), told.displacement,
-                                                  found.summary.reduced.empty() ? 0 : found.summary.reduced[0].coordinates));
+  testing::Test::RecordProperty(
+      name, fmt::format("forces {:.1e} told {:.1e}, displacements {:.1e} told {:.1e}, coordinates {}",
+                        force_error(found, exact), told.force, peak_displacement_error(found, exact), told.displacement,
+                        found.summary.reduced.empty() ? 0 : found.summary.reduced[0].coordinates));
 }
 
 void expect_right(const Outcome& found, const Outcome& exact, double tolerance, const std::string& name) {
@@ -348,7 +372,8 @@ TEST_F(ModalDampingReduced, HitsAsHardAsAllModes) {
 
 TEST_F(ModalDampingReduced, SaysThatAllModesAreNeededWhereTheyRing) {
   const Outcome exact = pair("5 %", 1e-5).run(", reduction: all modes");
-  const Outcome fixed = pair("5 %", 1e-3).run(", reduction: {links: 5, ground: 20}"), found = pair("5 %", 1e-3).run(", reduction: auto");
+  const Outcome fixed = pair("5 %", 1e-3).run(", reduction: {links: 5, ground: 20}"),
+                found = pair("5 %", 1e-3).run(", reduction: auto");
   EXPECT_TRUE(says(fixed, "The reduction may cost more than 0.3 of the tolerance 0.001"));
   EXPECT_TRUE(found.summary.reduced.empty());
   EXPECT_TRUE(says(found, "the links need so many blocks that all modes were taken"));
@@ -373,7 +398,9 @@ TEST(SeveralSupports, AreGroundsOfTheChains) {
     EXPECT_FALSE(says(found, "reduc"));
     expect_right(found, exact, tolerance, fmt::format("supports_{:g}", tolerance));
   }
-  for (const int links : {2, 4}) expect_told(run(1e-6, fmt::format("{{links: {}, ground: 3}}", links)), exact, fmt::format("supports_{}_blocks", links));
+  for (const int links : {2, 4})
+    expect_told(run(1e-6, fmt::format("{{links: {}, ground: 3}}", links)), exact,
+                fmt::format("supports_{}_blocks", links));
 }
 
 // The largest difference of the peaks of friction, as a part of the largest force of all links.
@@ -432,7 +459,8 @@ TEST_P(FrictionReduced, SticksAndSlipsAsInAllModes) {
     EXPECT_FALSE(says(found, "reduc"));
     expect_right(found, exact, tolerance, fmt::format("friction_{:g}", tolerance));
     EXPECT_LT(friction_error(found, exact), tolerance);
-    EXPECT_NE(found.summary.reduced[0].size_text().find(" x 6, 3 of them friction, ground "), std::string::npos) << found.summary.reduced[0].size_text();
+    EXPECT_NE(found.summary.reduced[0].size_text().find(" x 6, 3 of them friction, ground "), std::string::npos)
+        << found.summary.reduced[0].size_text();
   }
   for (const int links : {2, 3, 4, 5}) {
     const Outcome fixed = GetParam().run(1e-6, fmt::format("{{links: {}, ground: 20}}", links));
@@ -443,16 +471,20 @@ TEST_P(FrictionReduced, SticksAndSlipsAsInAllModes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Links, FrictionReduced, testing::Values(Rubbing(0.2, 1.0, 6), Rubbing(0.6, 1.5, 5)),
-                         [](const testing::TestParamInfo<Rubbing>& test) { return test.param.coefficient < 0.5 ? "ThatSlide" : "ThatStick"; });
+                         [](const testing::TestParamInfo<Rubbing>& test) {
+                           return test.param.coefficient < 0.5 ? "ThatSlide" : "ThatStick";
+                         });
 
 // The largest difference of peak forces of devices, as a part of the largest force of all links.
 double device_error(const Outcome& found, const Outcome& exact) {
   double worst = 0;
   for (std::size_t i = 0; i < exact.summary.devices.size(); ++i)
-    worst = std::max(worst, std::abs(found.summary.devices[i].extremes.peak(1) - exact.summary.devices[i].extremes.peak(1)));
+    worst = std::max(worst,
+                     std::abs(found.summary.devices[i].extremes.peak(1) - exact.summary.devices[i].extremes.peak(1)));
   for (std::size_t k = 0; k < exact.summary.structures.size(); ++k)
     for (std::size_t i = 0; i < exact.summary.structures[k].springs.size(); ++i)
-      worst = std::max(worst, std::abs(found.summary.structures[k].springs[i].peak_force - exact.summary.structures[k].springs[i].peak_force));
+      worst = std::max(worst, std::abs(found.summary.structures[k].springs[i].peak_force -
+                                       exact.summary.structures[k].springs[i].peak_force));
   return worst / peak_force(exact);
 }
 
@@ -480,14 +512,17 @@ TEST_P(DevicesReduced, ActAsInAllModes) {
     EXPECT_FALSE(says(found, "reduc"));
     expect_right(found, exact, tolerance, fmt::format("devices_{:g}", tolerance));
     EXPECT_LT(device_error(found, exact), tolerance);
-    EXPECT_NE(found.summary.reduced[0].size_text().find(fmt::format(" x {}, {} of them devices, ground ", 3 + coupled.inputs, coupled.inputs)), std::string::npos)
+    EXPECT_NE(found.summary.reduced[0].size_text().find(
+                  fmt::format(" x {}, {} of them devices, ground ", 3 + coupled.inputs, coupled.inputs)),
+              std::string::npos)
         << found.summary.reduced[0].size_text();
   }
   for (const int links : {2, 4}) {
     const Outcome fixed = coupled.run(1e-6, fmt::format("{{links: {}, ground: 20}}", links));
     expect_told(fixed, exact, fmt::format("devices_{}_blocks", links));
     EXPECT_LT(device_error(fixed, exact), Told(fixed).force + floor) << links;
-    RecordProperty(fmt::format("forces_of_devices_{}_blocks", links), fmt::format("{:.1e}", device_error(fixed, exact)));
+    RecordProperty(fmt::format("forces_of_devices_{}_blocks", links),
+                   fmt::format("{:.1e}", device_error(fixed, exact)));
   }
 }
 
@@ -509,20 +544,39 @@ TEST_P(DevicesReduced, MoveAndLoadTheFrameAsWithAllUnknowns) {
 // Nonlinear dampers, a bar with a damper, and what yields; on points with mass and on one without.
 INSTANTIATE_TEST_SUITE_P(
     Pairs, DevicesReduced,
-    testing::Values(Coupled{"DamperBetween", "", "devices: {top: {between: [left.30, right.30], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}\n", 1},
-                    Coupled{"BarBetween", "", "devices: {tie: {between: [left.20, right.20], bar: {stiffness: 20 MN/m}, damper: {coefficient: 20 MN s/m}}}\n", 1},
-                    Coupled{"BraceAndDamperInside", ", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, yield_force: 300 kN, hardening: 0.02}}, dash: {between: "
-                                                    "[\"15.9\", ground], axis: x, damper: {coefficient: 2 MN s/m}}}", "", 2},
-                    Coupled{"OnAPointWithoutMass", ", members: {column 16.0: {parts: 2}}, report: {nodes: [column 16.0/1]}, devices: {stop: {between: [column 16.0/1, ground], axis: x, "
-                                                   "bilinear: {stiffness: 100 MN/m, yield_force: 300 kN, hardening: 0.02}}}", "", 1}),
+    testing::Values(Coupled{"DamperBetween", "",
+                            "devices: {top: {between: [left.30, right.30], damper: {coefficient: 400 kN (s/m)^0.35, "
+                            "exponent: 0.35, stiffness: 60 MN/m}}}\n",
+                            1},
+                    Coupled{"BarBetween", "",
+                            "devices: {tie: {between: [left.20, right.20], bar: {stiffness: 20 MN/m}, damper: "
+                            "{coefficient: 20 MN s/m}}}\n",
+                            1},
+                    Coupled{"BraceAndDamperInside",
+                            ", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, "
+                            "yield_force: 300 kN, hardening: 0.02}}, dash: {between: "
+                            "[\"15.9\", ground], axis: x, damper: {coefficient: 2 MN s/m}}}",
+                            "", 2},
+                    Coupled{"OnAPointWithoutMass",
+                            ", members: {column 16.0: {parts: 2}}, report: {nodes: [column 16.0/1]}, devices: {stop: "
+                            "{between: [column 16.0/1, ground], axis: x, "
+                            "bilinear: {stiffness: 100 MN/m, yield_force: 300 kN, hardening: 0.02}}}",
+                            "", 1}),
     [](const testing::TestParamInfo<Coupled>& test) { return test.param.name; });
 
-// Frames of 280 unknowns with mass. The left one yields at its feet and at the ends of all beams of its lowest two floors: 31 hinges.
+// Frames of 280 unknowns with mass. The left one yields at its feet and at the ends of all beams of its lowest two
+// floors: 31 hinges.
 struct Hinged {
   std::string name, law;
 
   Pair pair(double tolerance) const {
-    Pair made{.bays = 6, .tolerance = tolerance, .duration = 1.5, .gap = 3, .own = ", initial_velocity: 0.3", .amplitude = 6, .period = 1};
+    Pair made{.bays = 6,
+              .tolerance = tolerance,
+              .duration = 1.5,
+              .gap = 3,
+              .own = ", initial_velocity: 0.3",
+              .amplitude = 6,
+              .period = 1};
     made.inside = hinges(6, 2);
     return made;
   }
@@ -550,7 +604,9 @@ TEST_P(HingesReduced, YieldAsInAllModes) {
   const Outcome exact = GetParam().pair(1e-5).run("");
   ASSERT_GT(exact.results.impacts.size(), 2u);
   ASSERT_EQ(exact.summary.structures[0].springs.size(), 31u);
-  EXPECT_GT(std::ranges::count_if(exact.summary.structures[0].springs, [](const SpringSummary& s) { return s.ductility > 1; }), 10);
+  EXPECT_GT(std::ranges::count_if(exact.summary.structures[0].springs,
+                                  [](const SpringSummary& s) { return s.ductility > 1; }),
+            10);
   for (const int links : {2, 5}) {
     const Outcome found = GetParam().pair(1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
     expect_told(found, exact, fmt::format("hinges_{}_blocks", links));
@@ -558,25 +614,32 @@ TEST_P(HingesReduced, YieldAsInAllModes) {
     EXPECT_EQ(left.parts, 31);
     EXPECT_NE(left.size_text().find(", parts that yield 2 x 31, ground "), std::string::npos) << left.size_text();
     EXPECT_LT(rotation_error(found, exact), left.error_displacement + 10 * floor);
-    EXPECT_LT(history_error(found.results.structures[0].storey_shear, exact.results.structures[0].storey_shear), left.error_members + 10 * floor);
-    EXPECT_LT(history_error(found.results.structures[0].reaction, exact.results.structures[0].reaction), left.error_members + 10 * floor);
-    RecordProperty(fmt::format("rotations_{}_blocks", links), fmt::format("{:.1e}, members told {:.1e}", rotation_error(found, exact), left.error_members));
+    EXPECT_LT(history_error(found.results.structures[0].storey_shear, exact.results.structures[0].storey_shear),
+              left.error_members + 10 * floor);
+    EXPECT_LT(history_error(found.results.structures[0].reaction, exact.results.structures[0].reaction),
+              left.error_members + 10 * floor);
+    RecordProperty(fmt::format("rotations_{}_blocks", links),
+                   fmt::format("{:.1e}, members told {:.1e}", rotation_error(found, exact), left.error_members));
   }
   const Outcome coarse = GetParam().pair(1e-3).run(", reduction: {links: 5, ground: 20}");
   expect_right(coarse, exact, 1e-3, "hinges_at_1e-3");
   EXPECT_LT(rotation_error(coarse, exact), 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, HingesReduced,
-                         testing::Values(Hinged{"RigidPlastic", "yield_moment: 150 kN m, hardening: 3 %"},
-                                         Hinged{"Smooth", "menegotto_pinto: {yield_moment: 150 kN m, spring_hardening: 0.01, stiffness_factor: 10}"}),
-                         [](const testing::TestParamInfo<Hinged>& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Laws, HingesReduced,
+    testing::Values(Hinged{"RigidPlastic", "yield_moment: 150 kN m, hardening: 3 %"},
+                    Hinged{"Smooth",
+                           "menegotto_pinto: {yield_moment: 150 kN m, spring_hardening: 0.01, stiffness_factor: 10}"}),
+    [](const testing::TestParamInfo<Hinged>& test) { return test.param.name; });
 
 // The left frame slides on isolators under its four feet.
 Pair isolated(double tolerance) {
   Pair pair{.tolerance = tolerance, .duration = 3, .gap = 10, .amplitude = 6, .period = 1};
-  pair.inside = ", masses: {0.0: 60 t, 0.1: 60 t, 0.2: 60 t, 0.3: 60 t}, supports: {feet: {isolator: {lead_rubber: {strength: 60 kN, yield_displacement: 10 mm, "
-                "post_yield_stiffness: 1.5 MN/m}}}}";
+  pair.inside =
+      ", masses: {0.0: 60 t, 0.1: 60 t, 0.2: 60 t, 0.3: 60 t}, supports: {feet: {isolator: {lead_rubber: {strength: 60 "
+      "kN, yield_displacement: 10 mm, "
+      "post_yield_stiffness: 1.5 MN/m}}}}";
   return pair;
 }
 
@@ -603,12 +666,15 @@ struct Stopped {
 class ReducedWithParts : public testing::TestWithParam<Stopped> {};
 
 TEST_P(ReducedWithParts, GoOnWithTheSameBits) {
-  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_{}.h5", getpid(), GetParam().name)).string();
+  const std::string file =
+      (std::filesystem::temp_directory_path() / fmt::format("{}_{}.h5", getpid(), GetParam().name)).string();
   const std::string yaml = GetParam().pair.text(", reduction: {links: 3, ground: 10}");
   {
     const Model model = test::model_of(yaml);
     RunOptions options{.output = file};
-    options.stop = [&] { return std::ranges::any_of(model.links, [](const Link& link) { return !link.contact->impacts().empty(); }); };
+    options.stop = [&] {
+      return std::ranges::any_of(model.links, [](const Link& link) { return !link.contact->impacts().empty(); });
+    };
     EXPECT_THROW(run(model, options), FailedRun);
   }
   const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
@@ -621,15 +687,19 @@ TEST_P(ReducedWithParts, GoOnWithTheSameBits) {
     EXPECT_EQ(continued.summary.reduced[k].error_text(), whole.summary.reduced[k].error_text());
     EXPECT_EQ(continued.summary.reduced[k].error_members, whole.summary.reduced[k].error_members);
   }
-  for (std::size_t i = 0; i < whole.results.links.size(); ++i) EXPECT_EQ(continued.results.links[i].force, whole.results.links[i].force);
-  const std::vector<SpringSummary>&springs = continued.summary.structures[0].springs, &of_whole = whole.summary.structures[0].springs;
+  for (std::size_t i = 0; i < whole.results.links.size(); ++i)
+    EXPECT_EQ(continued.results.links[i].force, whole.results.links[i].force);
+  const std::vector<SpringSummary>&springs = continued.summary.structures[0].springs,
+        &of_whole = whole.summary.structures[0].springs;
   ASSERT_EQ(springs.size(), of_whole.size());
   for (std::size_t i = 0; i < springs.size(); ++i) {
     EXPECT_EQ(springs[i].peak, of_whole[i].peak);
     EXPECT_EQ(springs[i].energy_lost, of_whole[i].energy_lost);
   }
-  EXPECT_TRUE(std::ranges::any_of(of_whole, [](const SpringSummary& s) { return s.ductility > 1; }) || !whole.summary.devices.empty());
-  for (std::size_t i = 0; i < whole.summary.devices.size(); ++i) EXPECT_EQ(continued.summary.devices[i].energy_lost, whole.summary.devices[i].energy_lost);
+  EXPECT_TRUE(std::ranges::any_of(of_whole, [](const SpringSummary& s) { return s.ductility > 1; }) ||
+              !whole.summary.devices.empty());
+  for (std::size_t i = 0; i < whole.summary.devices.size(); ++i)
+    EXPECT_EQ(continued.summary.devices[i].energy_lost, whole.summary.devices[i].energy_lost);
 }
 
 Pair braced(const std::string& inside, const std::string& devices) {
@@ -640,10 +710,15 @@ Pair braced(const std::string& inside, const std::string& devices) {
 
 INSTANTIATE_TEST_SUITE_P(
     Pairs, ReducedWithParts,
-    testing::Values(Stopped{"Hinges", Hinged{"", "yield_moment: 150 kN m, hardening: 3 %"}.pair(1e-4)}, Stopped{"Isolators", isolated(1e-4)},
-                    Stopped{"Damper", braced("", "devices: {top: {between: [left.15, right.15], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}\n")},
-                    Stopped{"Braces", braced(", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, yield_force: 300 kN, hardening: 0.02}}, dash: {between: "
-                                             "[\"15.3\", ground], axis: x, damper: {coefficient: 2 MN s/m}}}", "")}),
+    testing::Values(Stopped{"Hinges", Hinged{"", "yield_moment: 150 kN m, hardening: 3 %"}.pair(1e-4)},
+                    Stopped{"Isolators", isolated(1e-4)},
+                    Stopped{"Damper", braced("",
+                                             "devices: {top: {between: [left.15, right.15], damper: {coefficient: 400 "
+                                             "kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}\n")},
+                    Stopped{"Braces", braced(", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: "
+                                             "200 MN/m, yield_force: 300 kN, hardening: 0.02}}, dash: {between: "
+                                             "[\"15.3\", ground], axis: x, damper: {coefficient: 2 MN s/m}}}",
+                                             "")}),
     [](const testing::TestParamInfo<Stopped>& test) { return test.param.name; });
 
 // 600 unknowns with mass: 82 hinges are reduced, 172 are too many, and their frame takes all its modes.

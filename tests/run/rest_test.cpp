@@ -19,15 +19,18 @@ namespace rest_test {
 
 constexpr const char* schemes[] = {"esdirk4", "generalized_alpha"};
 
-// A beam of 6 m between two walls under 10 kN/m, qL^2/12 = 30 kN m. Both its ends turn by t in their hinges: the law's moment is
-// qL^2/12 - 2EI t/L, and the middle sinks by qL^4/(384 EI) + t L/8.
+// A beam of 6 m between two walls under 10 kN/m, qL^2/12 = 30 kN m. Both its ends turn by t in their hinges: the law's
+// moment is qL^2/12 - 2EI t/L, and the middle sinks by qL^4/(384 EI) + t L/8.
 TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
-  constexpr double length = 6, load = 10e3, bending = 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12, fixed = load * length * length / 12;
+  constexpr double length = 6, load = 10e3, bending = 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12,
+                   fixed = load * length * length / 12;
   const std::vector<std::pair<std::string, hysteresis::Settings>> laws{
       {"bouc_wen: {yield_moment: 17 kN m, spring_hardening: 0.02, stiffness: 20 MN m, exponent: 2}",
-       {.law = "bouc_wen", .values = {{"yield_force", 17e3}, {"hardening", 0.02}, {"stiffness", 20e6}, {"exponent", 2}}}},
+       {.law = "bouc_wen",
+        .values = {{"yield_force", 17e3}, {"hardening", 0.02}, {"stiffness", 20e6}, {"exponent", 2}}}},
       {"menegotto_pinto: {yield_moment: 15 kN m, spring_hardening: 0.02, stiffness: 20 MN m, R0: 14}",
-       {.law = "menegotto_pinto", .values = {{"yield_force", 15e3}, {"hardening", 0.02}, {"stiffness", 20e6}, {"R0", 14}}}}};
+       {.law = "menegotto_pinto",
+        .values = {{"yield_force", 15e3}, {"hardening", 0.02}, {"stiffness", 20e6}, {"R0", 14}}}}};
   for (const auto& [words, settings] : laws) {
     const double turn = std::visit(
         []<class L>(const L& law) {
@@ -44,17 +47,20 @@ TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
     ASSERT_GT(20e6 * turn, 1.02 * moment) << "the law must be bent";
     for (const char* scheme : schemes) {
       const Outcome run = test::run_text(fmt::format(
-          "structures:\n  beam:\n    frame:\n      material: {{E: 30 GPa}}\n      nodes: {{l: [0, 0], m: [3 m, 0], r: [6 m, 0]}}\n"
+          "structures:\n  beam:\n    frame:\n      material: {{E: 30 GPa}}\n      nodes: {{l: [0, 0], m: [3 m, 0], r: "
+          "[6 m, 0]}}\n"
           "      members:\n"
           "        one: {{between: [l, m], section: {{rectangle: [0.4, 0.4], shear: false}}, load: [0, -10 kN/m]}}\n"
           "        two: {{between: [m, r], section: {{rectangle: [0.4, 0.4], shear: false}}, load: [0, -10 kN/m]}}\n"
           "      masses: {{m: 10 t}}\n      supports: {{l: fixed, r: fixed}}\n"
           "      hinges: {{one: {{at: start, {0}}}, two: {{at: end, {0}}}}}\n      gravity: false\n    damping: 0\n"
-          "analysis: {{duration: 0.5 s, tolerance: 1e-6, output_step: 10 ms, integrator: {1}}}\n", words, scheme));
+          "analysis: {{duration: 0.5 s, tolerance: 1e-6, output_step: 10 ms, integrator: {1}}}\n",
+          words, scheme));
       const SpringHistory& hinges = run.results.structures[0].springs;
       ASSERT_EQ(hinges.size(), 2u);
       for (std::size_t i = 0; i < hinges.force.size(); ++i) {
-        ASSERT_NEAR(std::abs(hinges.force[i]), moment, 1e-9 * moment) << words << ", " << scheme << ", output " << i / 2;
+        ASSERT_NEAR(std::abs(hinges.force[i]), moment, 1e-9 * moment)
+            << words << ", " << scheme << ", output " << i / 2;
         ASSERT_NEAR(std::abs(hinges.deformation[i]), turn, 1e-9 * turn);
       }
       EXPECT_NEAR(run.summary.energy.hysteretic, 0, 1e-9) << "nothing moves";
@@ -62,7 +68,8 @@ TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
   }
 }
 
-// A frame with everything that gravity may strain. Nothing shakes it, and nothing moves; a device that is put in afterwards stays without force.
+// A frame with everything that gravity may strain. Nothing shakes it, and nothing moves; a device that is put in
+// afterwards stays without force.
 TEST(FramesAtRest, StayThere) {
   for (const char* law : {"bouc_wen: {yield_moment: 120 kN m, hardening: 0.02, stiffness_factor: 10, exponent: 1.5}",
                           "menegotto_pinto: {yield_moment: 120 kN m, hardening: 0.02, stiffness_factor: 10, R0: 14}",
@@ -70,13 +77,16 @@ TEST(FramesAtRest, StayThere) {
     for (const char* scheme : schemes) {
       const Outcome run = test::run_text(fmt::format(
           "structures:\n  a:\n    frame:\n      material: {{E: 30 GPa, density: 2500 kg/m^3}}\n      gravity: true\n"
-          "      grid: {{storeys: 2, bays: 2, storey_height: 3.2 m, bay_width: [5 m, 7 m], columns: {{rectangle: [0.4, 0.4]}}, "
+          "      grid: {{storeys: 2, bays: 2, storey_height: 3.2 m, bay_width: [5 m, 7 m], columns: {{rectangle: [0.4, "
+          "0.4]}}, "
           "beams: {{rectangle: [0.3, 0.5]}}, floor_mass: 40 t}}\n"
           "      members: {{beams: {{load: [0, -20 kN/m]}}}}\n"
           "      hinges: {{beams: {{at: both, {0}}}, columns: {{at: feet, {0}}}}}\n"
-          "      devices: {{brace: {{between: [\"0.0\", \"1.1\"], bilinear: {{stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}}}}}\n"
+          "      devices: {{brace: {{between: [\"0.0\", \"1.1\"], bilinear: {{stiffness: 80 MN/m, yield_force: 600 kN, "
+          "hardening: 0.02}}}}}}\n"
           "    damping: 5 %\n"
-          "analysis: {{duration: 0.5 s, tolerance: 1e-6, output_step: 10 ms, integrator: {1}}}\n", law, scheme));
+          "analysis: {{duration: 0.5 s, tolerance: 1e-6, output_step: 10 ms, integrator: {1}}}\n",
+          law, scheme));
       const StructureHistory& a = run.results.structures[0];
       const auto largest = [](const std::vector<double>& values) {
         double most = 0;

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
-#include <unistd.h>
 
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/results/results.hpp>
@@ -44,7 +44,8 @@ Bits bits_of(const std::vector<double>& values) {
 // Everything that does not tell the time of day, by name.
 std::map<std::string, Bits> bits_of(Outcome outcome) {
   std::map<std::string, Bits> all;
-  visit_histories(outcome.results, [&](const std::string& place, std::vector<double>& values) { all[place] = bits_of(values); });
+  visit_histories(outcome.results,
+                  [&](const std::string& place, std::vector<double>& values) { all[place] = bits_of(values); });
   for (const ImpactRow& row : outcome.results.impacts) {
     const Bits values = bits_of({static_cast<double>(row.link), row.t_start, row.t_end, row.t_release, row.v_approach,
                                  row.v_separation, row.restitution, row.peak_force, row.t_peak, row.peak_penetration,
@@ -53,8 +54,8 @@ std::map<std::string, Bits> bits_of(Outcome outcome) {
     impacts.insert(impacts.end(), values.begin(), values.end());
   }
   for (const StructureHistory& s : outcome.results.structures)
-    for (const Extremes* extremes : {&s.envelope.displacement, &s.envelope.acceleration, &s.envelope.drift, &s.envelope.storey_shear,
-                                     &s.envelope.member_force, &s.envelope.reaction})
+    for (const Extremes* extremes : {&s.envelope.displacement, &s.envelope.acceleration, &s.envelope.drift,
+                                     &s.envelope.storey_shear, &s.envelope.member_force, &s.envelope.reaction})
       for (const std::vector<double>* values : {&extremes->min, &extremes->max, &extremes->t_min, &extremes->t_max}) {
         const Bits bits = bits_of(*values);
         all["envelope " + s.name].insert(all["envelope " + s.name].end(), bits.begin(), bits.end());
@@ -103,8 +104,8 @@ void expect_to_go_on(const std::string& yaml, StopWhen when) {
   EXPECT_THROW(read_interrupted_run(file.path()), InputError) << "a run that is done cannot go on";
 }
 
-constexpr const char* schemes[] = {"integrator: generalized_alpha, spectral_radius: 1", "integrator: generalized_alpha, spectral_radius: 0.8",
-                                   "integrator: esdirk4"};
+constexpr const char* schemes[] = {"integrator: generalized_alpha, spectral_radius: 1",
+                                   "integrator: generalized_alpha, spectral_radius: 0.8", "integrator: esdirk4"};
 
 // The benchmark with this line more in its analysis.
 std::string two_oscillators(const std::string& law, const std::string& scheme) {
@@ -156,11 +157,13 @@ TEST(ResumeInAShortPulse, GivesTheSameBits) {
   for (const std::string scheme : schemes) {
     SCOPED_TRACE(scheme);
     const std::string tolerance = scheme == "integrator: esdirk4" ? "1e-10" : "1e-5";
-    expect_to_go_on("ground_motion: {pulse: {shape: sine, amplitude: -300, start: 0.2, duration: 0.02}}\n"
-                    "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, w: {wall: {}}}\n"
-                    "links: [{between: [a, w], gap: 5 mm, law: hertz, stiffness: 2.75e9}]\n"
-                    "analysis: {duration: 2, tolerance: " + tolerance + ", " + scheme + "}\n",
-                    pressed);
+    expect_to_go_on(
+        "ground_motion: {pulse: {shape: sine, amplitude: -300, start: 0.2, duration: 0.02}}\n"
+        "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, w: {wall: {}}}\n"
+        "links: [{between: [a, w], gap: 5 mm, law: hertz, stiffness: 2.75e9}]\n"
+        "analysis: {duration: 2, tolerance: " +
+            tolerance + ", " + scheme + "}\n",
+        pressed);
   }
 }
 
@@ -177,9 +180,13 @@ struct Recorded {
   double wanted = 1e-3;
 
   explicit Recorded(const std::string& yaml)
-      : model(test::model_of(yaml)), system(assemble(model)), solver(system),
-        stepper(system, solver, {.tolerance = model.analysis.tolerance, .scheme = model.analysis.scheme, .max_step = 0.02}),
-        controller(stepper), recorder(model, stepper, results) {
+      : model(test::model_of(yaml)),
+        system(assemble(model)),
+        solver(system),
+        stepper(system, solver,
+                {.tolerance = model.analysis.tolerance, .scheme = model.analysis.scheme, .max_step = 0.02}),
+        controller(stepper),
+        recorder(model, stepper, results) {
     stepper.start(0, Eigen::VectorXd::Zero(system.size()), Eigen::VectorXd::Zero(system.size()));
     recorder.begin();
   }
@@ -212,8 +219,10 @@ TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
     continued.step();
     ++compared;
     for (int k = 0; k < 2; ++k) {
-      EXPECT_EQ(whole.results.structures[k].envelope.acceleration.min, continued.results.structures[k].envelope.acceleration.min);
-      EXPECT_EQ(whole.results.structures[k].envelope.acceleration.max, continued.results.structures[k].envelope.acceleration.max);
+      EXPECT_EQ(whole.results.structures[k].envelope.acceleration.min,
+                continued.results.structures[k].envelope.acceleration.min);
+      EXPECT_EQ(whole.results.structures[k].envelope.acceleration.max,
+                continued.results.structures[k].envelope.acceleration.max);
     }
   }
   EXPECT_GT(compared, 20);
@@ -223,12 +232,16 @@ TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
 TEST(ResumeWithASpentBudgetOfEnergy, GivesTheSameBits) {
   for (const std::string scheme : schemes) {
     SCOPED_TRACE(scheme);
-    const StopWhen late = [](const Contact& contact) { return contact.impacts().size() > 60 && presses(contact.phase()); };
-    expect_to_go_on("ground_motion: {pulse: {shape: rectangle, amplitude: -3.7245309099735495, duration: 2.5}}\n"
-                    "structures: {a: {body: {mass: 17133.6901071129}}, w: {wall: {}}}\n"
-                    "links: [{between: [a, w], gap: 1e-9, law: linear_spring, stiffness: 6185090576.35574}]\n"
-                    "analysis: {duration: 1, tolerance: 1e-4, " + scheme + "}\n",
-                    late);
+    const StopWhen late = [](const Contact& contact) {
+      return contact.impacts().size() > 60 && presses(contact.phase());
+    };
+    expect_to_go_on(
+        "ground_motion: {pulse: {shape: rectangle, amplitude: -3.7245309099735495, duration: 2.5}}\n"
+        "structures: {a: {body: {mass: 17133.6901071129}}, w: {wall: {}}}\n"
+        "links: [{between: [a, w], gap: 1e-9, law: linear_spring, stiffness: 6185090576.35574}]\n"
+        "analysis: {duration: 1, tolerance: 1e-4, " +
+            scheme + "}\n",
+        late);
   }
 }
 
@@ -237,13 +250,17 @@ TEST(ResumeUnderForces, GivesTheSameBits) {
   for (const std::string scheme : schemes)
     for (const StopWhen when : {pressed, apart}) {
       SCOPED_TRACE(scheme);
-      expect_to_go_on("structures:\n"
-                      "  a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}, forces: [{harmonic: {amplitude: 300 kN, period: 0.6, duration: 3}},\n"
-                      "      {pulse: {shape: sine, amplitude: 9 MN, start: 0.2, duration: 5 ms}}, {step_force: {amplitude: 50 kN, start: 0.1, rise: 0.3}}]}\n"
-                      "  b: {body: {mass: 50 t, gravity: -0.1 m/s^2}}\n"
-                      "links: [{between: [a, b], gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.6}]\n"
-                      "analysis: {duration: 2, tolerance: " + std::string(scheme == "integrator: esdirk4" ? "1e-10" : "1e-5") + ", " + scheme + "}\n",
-                      when);
+      expect_to_go_on(
+          "structures:\n"
+          "  a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}, forces: [{harmonic: {amplitude: 300 kN, period: "
+          "0.6, duration: 3}},\n"
+          "      {pulse: {shape: sine, amplitude: 9 MN, start: 0.2, duration: 5 ms}}, {step_force: {amplitude: 50 kN, "
+          "start: 0.1, rise: 0.3}}]}\n"
+          "  b: {body: {mass: 50 t, gravity: -0.1 m/s^2}}\n"
+          "links: [{between: [a, b], gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.6}]\n"
+          "analysis: {duration: 2, tolerance: " +
+              std::string(scheme == "integrator: esdirk4" ? "1e-10" : "1e-5") + ", " + scheme + "}\n",
+          when);
     }
 }
 
@@ -251,7 +268,8 @@ TEST(ResumeUnderForces, GivesTheSameBits) {
 constexpr const char* buildings =
     "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
     "structures:\n"
-    "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05, damping: {rayleigh: {ratio: 5 %, modes: [1, 3]}}}}\n"
+    "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05, "
+    "damping: {rayleigh: {ratio: 5 %, modes: [1, 3]}}}}\n"
     "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m, damping: {modal: {ratio: 3 %}}}}\n"
     "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
     "compare: no_pounding\n"
@@ -263,17 +281,20 @@ TEST(ResumeOfBuildings, GivesTheSameBits) { expect_to_go_on(buildings, touched);
 constexpr const char* with_devices =
     "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
     "structures:\n"
-    "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05, damping: 5 %, devices: "
+    "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05, "
+    "damping: 5 %, devices: "
     "{fluid: {storey: 1, damper: {coefficient: 200 kN (s/m)^0.35, exponent: 0.35, stiffness: 40 MN/m}}, "
     "brace: {between: [1, 3], bouc_wen: {stiffness: 80 MN/m, yield_force: 300 kN}}}}}\n"
     "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m, damping: 3 %}}\n"
     "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
-    "devices: {tie: {between: [left.1, right.1], bilinear: {stiffness: 60 MN/m, yield_force: 200 kN}, damper: {coefficient: 100 kN (s/m)^0.5, "
+    "devices: {tie: {between: [left.1, right.1], bilinear: {stiffness: 60 MN/m, yield_force: 200 kN}, damper: "
+    "{coefficient: 100 kN (s/m)^0.5, "
     "exponent: 0.5, stiffness: 30 MN/m}}}\n"
     "analysis: {duration: 4}\n";
 
 TEST(ResumeWithDevices, GivesTheSameBits) {
-  for (const char* scheme : {"duration: 4, integrator: generalized_alpha, spectral_radius: 0.8", "duration: 4, integrator: esdirk4"}) {
+  for (const char* scheme :
+       {"duration: 4, integrator: generalized_alpha, spectral_radius: 0.8", "duration: 4, integrator: esdirk4"}) {
     std::string yaml = with_devices;
     expect_to_go_on(yaml.replace(yaml.find("duration: 4}"), 11, scheme), touched);
   }
@@ -284,15 +305,23 @@ TEST(ResumeWithHinges, GivesTheSameBits) {
   for (const char* moment : {"100 MN m", "150 kN m"})
     for (const char* scheme : schemes) {
       SCOPED_TRACE(std::string(moment) + ", " + scheme);
-      const std::string frame = "{material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: {rectangle: [0.4 m, 0.4 m]}, "
-                                "beams: {rectangle: [0.3 m, 0.5 m]}, floor_mass: 40 t}, hinges: {beams: {at: both, yield_moment: " + std::string(moment) + "}}}";
-      expect_to_go_on("ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
-                      "structures:\n"
-                      "  left: {frame: " + frame + ", damping: 5 %}\n"
-                      "  right: {shear_building: {storeys: 2, height: 3.2 m, mass: 150 t, stiffness: 9e5 kN/m, damping: 3 %}}\n"
-                      "links: [{between: [left, right], floors: all, gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
-                      "analysis: {duration: 3, output_step: 0.3 s, " + std::string(scheme) + "}\n",
-                      touched);
+      const std::string frame =
+          "{material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: "
+          "{rectangle: [0.4 m, 0.4 m]}, "
+          "beams: {rectangle: [0.3 m, 0.5 m]}, floor_mass: 40 t}, hinges: {beams: {at: both, yield_moment: " +
+          std::string(moment) + "}}}";
+      expect_to_go_on(
+          "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
+          "structures:\n"
+          "  left: {frame: " +
+              frame +
+              ", damping: 5 %}\n"
+              "  right: {shear_building: {storeys: 2, height: 3.2 m, mass: 150 t, stiffness: 9e5 kN/m, damping: 3 %}}\n"
+              "links: [{between: [left, right], floors: all, gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, "
+              "restitution: 0.65}]\n"
+              "analysis: {duration: 3, output_step: 0.3 s, " +
+              std::string(scheme) + "}\n",
+          touched);
     }
 }
 
@@ -301,11 +330,15 @@ constexpr const char* isolated =
     "ground_motion: {harmonic: {amplitude: 4 m/s^2, period: 1.2, duration: 4}}\n"
     "structures:\n"
     "  west: {wall: {}}\n"
-    "  a: {shear_building: {storeys: 3, mass: 250 t, stiffness: 3e5 kN/m, isolator: {friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}}, damping: 2 %}\n"
-    "  b: {shear_building: {storeys: 3, mass: 250 t, stiffness: 3e5 kN/m, isolator: {lead_rubber: {strength: 300 kN, yield_displacement: 10 mm, post_yield_stiffness: 3 MN/m}}}, damping: 2 %}\n"
+    "  a: {shear_building: {storeys: 3, mass: 250 t, stiffness: 3e5 kN/m, isolator: {friction_pendulum: {radius: 2 m, "
+    "friction: [4 %, 8 %], rate: 60 s/m}}}, damping: 2 %}\n"
+    "  b: {shear_building: {storeys: 3, mass: 250 t, stiffness: 3e5 kN/m, isolator: {lead_rubber: {strength: 300 kN, "
+    "yield_displacement: 10 mm, post_yield_stiffness: 3 MN/m}}}, damping: 2 %}\n"
     "links:\n"
-    "  - {between: [west, a.1], gap: 40 mm, law: backfill, stiffness: 100 MN/m, unloading: 300 MN/m, failure_ratio: 0.75, strength: 3 MN}\n"
-    "  - {between: [a.1, b.1], gap: 30 mm, law: backfill, stiffness: 100 MN/m, unloading: 300 MN/m, failure_ratio: 0.75, strength: 3 MN}\n"
+    "  - {between: [west, a.1], gap: 40 mm, law: backfill, stiffness: 100 MN/m, unloading: 300 MN/m, failure_ratio: "
+    "0.75, strength: 3 MN}\n"
+    "  - {between: [a.1, b.1], gap: 30 mm, law: backfill, stiffness: 100 MN/m, unloading: 300 MN/m, failure_ratio: "
+    "0.75, strength: 3 MN}\n"
     "analysis: {duration: 4, tolerance: 1e-4, output_step: 1e-2}\n";
 
 TEST(ResumeOfIsolatedBuildings, GivesTheSameBits) {
@@ -317,8 +350,12 @@ TEST(ResumeOfIsolatedBuildings, GivesTheSameBits) {
 constexpr const char* frames =
     "ground_motion: {synthetic: {seed: 7, duration: 2 s, pga: 0.6 g}}\n"
     "structures:\n"
-    "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 5 m, columns: {circle: 0.4}, beams: {circle: 0.5}, floor_mass: 60 t}, report: {members: all}}, damping: 5 %}\n"
-    "  right: {frame: {origin: [5.001 m, 0 m], material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 1, bays: 1, storey_height: 2 m, bay_width: 5 m, columns: {circle: 0.6}, beams: {circle: 0.5}, floor_mass: 60 t}}, damping: 5 %}\n"
+    "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 2, bays: 1, "
+    "storey_height: 3 m, bay_width: 5 m, columns: {circle: 0.4}, beams: {circle: 0.5}, floor_mass: 60 t}, report: "
+    "{members: all}}, damping: 5 %}\n"
+    "  right: {frame: {origin: [5.001 m, 0 m], material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: "
+    "1, bays: 1, storey_height: 2 m, bay_width: 5 m, columns: {circle: 0.6}, beams: {circle: 0.5}, floor_mass: 60 t}}, "
+    "damping: 5 %}\n"
     "links: [{between: [left, right], floors: any, gap: 1 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n"
     "analysis: {duration: 2}\n";
 
@@ -331,7 +368,8 @@ TEST(ResumeOfFrames, GivesTheSameBits) {
 }
 
 TEST(ResumeTwice, GivesTheSameBits) {
-  const std::string yaml = two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", "integrator: generalized_alpha, spectral_radius: 0.8");
+  const std::string yaml = two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65",
+                                           "integrator: generalized_alpha, spectral_radius: 0.8");
   const File first("first"), second("second");
   stop(test::model_of(yaml), {.output = first.path()}, pressed);
   stop(test::model_of(yaml), {.output = second.path(), .resume = first.path()}, apart);

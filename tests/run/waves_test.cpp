@@ -1,4 +1,5 @@
-// A travelling wave reaches what has no place in plan where it is linked: walls at each face, structures along x at theirs.
+// A travelling wave reaches what has no place in plan where it is linked: walls at each face, structures along x at
+// theirs.
 
 #include <gtest/gtest.h>
 
@@ -16,13 +17,18 @@ namespace pounding {
 namespace waves_test {
 
 std::string moved(const std::string& wave = "velocity: 200 m/s, direction: x") {
-  return "ground_motion: {harmonic: {amplitude: 3 m/s^2, period: 0.5, duration: 2}, wave: {" + wave + "}}\nstructures:\n";
+  return "ground_motion: {harmonic: {amplitude: 3 m/s^2, period: 0.5, duration: 2}, wave: {" + wave +
+         "}}\nstructures:\n";
 }
 
 // A frame of 6 m.
-std::string frame(const std::string& name, const std::string& origin, const std::string& bays = "1", const std::string& more = "") {
-  return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 2, bays: {}, storey_height: 3 m, bay_width: 6 m, columns: {{rectangle: [0.4, 0.4]}}, "
-                     "beams: {{rectangle: [0.3, 0.5]}}, floor_mass: 50 t, rigid_floors: true}}{}}}, damping: 5 %}}\n", name, origin, bays, more);
+std::string frame(const std::string& name, const std::string& origin, const std::string& bays = "1",
+                  const std::string& more = "") {
+  return fmt::format(
+      "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 2, bays: {}, storey_height: 3 m, "
+      "bay_width: 6 m, columns: {{rectangle: [0.4, 0.4]}}, "
+      "beams: {{rectangle: [0.3, 0.5]}}, floor_mass: 50 t, rigid_floors: true}}{}}}, damping: 5 %}}\n",
+      name, origin, bays, more);
 }
 
 std::string link(const std::string& between, const std::string& more = "gap: 20 mm") {
@@ -41,37 +47,47 @@ std::vector<double> arrivals(const Model& model, int structure) {
 
 TEST(Waves, ReachAWallAtTheFaceItIsLinkedTo) {
   const auto impacts = [](double origin) {
-    Outcome run = test::run_text(moved() + frame("left", fmt::format("{} m, 0", origin)) + "  moat: {wall: {}}\nlinks:\n" + link("[left.1, moat]", "gap: 5 mm") + end);
+    Outcome run = test::run_text(moved() + frame("left", fmt::format("{} m, 0", origin)) +
+                                 "  moat: {wall: {}}\nlinks:\n" + link("[left.1, moat]", "gap: 5 mm") + end);
     return run;
   };
   const Outcome at_zero = impacts(0), far = impacts(100), west = impacts(-400);
   ASSERT_GT(at_zero.results.impacts.size(), 0u);
   EXPECT_EQ(far.results.impacts.size(), at_zero.results.impacts.size()) << "the place of the whole is no matter";
   EXPECT_EQ(west.results.impacts.size(), at_zero.results.impacts.size());
-  EXPECT_NEAR(far.summary.links[0].peak_force, at_zero.summary.links[0].peak_force, 1e-6 * at_zero.summary.links[0].peak_force);
-  const Model model = test::model_of(moved() + frame("left", "100 m, 0") + "  moat: {wall: {}}\nlinks:\n" + link("[left.1, moat]") + end);
+  EXPECT_NEAR(far.summary.links[0].peak_force, at_zero.summary.links[0].peak_force,
+              1e-6 * at_zero.summary.links[0].peak_force);
+  const Model model = test::model_of(moved() + frame("left", "100 m, 0") + "  moat: {wall: {}}\nlinks:\n" +
+                                     link("[left.1, moat]") + end);
   EXPECT_EQ(arrivals(model, 1), std::vector<double>{106.0 / 200});
 }
 
 TEST(Waves, ReachAWallAtEachOfItsFaces) {
-  const Model model = test::model_of(moved() + frame("left", "100 m, 0", "1", ", face: 0.2 m") + frame("right", "108 m, 0") +
-                                     "  wall: {wall: {}}\n  far: {wall: {}}\nlinks:\n" + link("[left.1, wall]") + link("[wall, right.1]") + link("[wall, left.2]") + link("[right.2, far]") + end);
-  EXPECT_EQ(arrivals(model, 2), (std::vector<double>{106.0 / 200, 108.0 / 200, 100.0 / 200})) << "links of a typed gap are from face to face";
+  const Model model =
+      test::model_of(moved() + frame("left", "100 m, 0", "1", ", face: 0.2 m") + frame("right", "108 m, 0") +
+                     "  wall: {wall: {}}\n  far: {wall: {}}\nlinks:\n" + link("[left.1, wall]") +
+                     link("[wall, right.1]") + link("[wall, left.2]") + link("[right.2, far]") + end);
+  EXPECT_EQ(arrivals(model, 2), (std::vector<double>{106.0 / 200, 108.0 / 200, 100.0 / 200}))
+      << "links of a typed gap are from face to face";
   EXPECT_EQ(arrivals(model, 3), std::vector<double>{114.0 / 200});
   // Each side moves as the ground there: as two walls do.
   const std::string parts = moved() + frame("left", "100 m, 0") + frame("right", "108 m, 0");
-  const Outcome one = test::run_text(parts + "  w: {wall: {}}\nlinks:\n" + link("[left.1, w]", "gap: 4 mm") + link("[w, right.1]", "gap: 4 mm") + end);
-  const Outcome two = test::run_text(parts + "  w: {wall: {}}\n  v: {wall: {}}\nlinks:\n" + link("[left.1, w]", "gap: 4 mm") + link("[v, right.1]", "gap: 4 mm") + end);
+  const Outcome one = test::run_text(parts + "  w: {wall: {}}\nlinks:\n" + link("[left.1, w]", "gap: 4 mm") +
+                                     link("[w, right.1]", "gap: 4 mm") + end);
+  const Outcome two = test::run_text(parts + "  w: {wall: {}}\n  v: {wall: {}}\nlinks:\n" +
+                                     link("[left.1, w]", "gap: 4 mm") + link("[v, right.1]", "gap: 4 mm") + end);
   ASSERT_GT(one.summary.links[1].impacts, 0);
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(one.summary.links[i].impacts, two.summary.links[i].impacts);
-    EXPECT_NEAR(one.summary.links[i].peak_force, two.summary.links[i].peak_force, 1e-9 * two.summary.links[i].peak_force);
+    EXPECT_NEAR(one.summary.links[i].peak_force, two.summary.links[i].peak_force,
+                1e-9 * two.summary.links[i].peak_force);
   }
 }
 
 TEST(Waves, ReachAWallInSpaceObliquely) {
-  const Model model = test::model_of(moved("velocity: 500 m/s, direction: [0.6, 0.8]") + frame("house", "30 m, 40 m", "[1, 1]") + "  w: {wall: {}, delay: 0.1 s}\nlinks:\n" +
-                                     link("[house.1, w]") + end);
+  const Model model =
+      test::model_of(moved("velocity: 500 m/s, direction: [0.6, 0.8]") + frame("house", "30 m, 40 m", "[1, 1]") +
+                     "  w: {wall: {}, delay: 0.1 s}\nlinks:\n" + link("[house.1, w]") + end);
   const std::vector<double> found = arrivals(model, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0], 0.1 + (0.6 * 36 + 0.8 * 43) / 500, 1e-12) << "in the middle of the face";
@@ -79,18 +95,27 @@ TEST(Waves, ReachAWallInSpaceObliquely) {
 
 TEST(Waves, ReachStructuresWithoutAPlaceAtTheFaceTheyMeet) {
   const std::string oscillator = ": {oscillator: {mass: 100 t, period: 0.4}, damping: 5 %}\n";
-  const Model model = test::model_of(moved() + frame("left", "100 m, 0") + "  b" + oscillator + "  c" + oscillator + "  w: {wall: {}}\nlinks:\n" +
-                                     link("[c, w]") + link("[b, c]") + link("[left.1, b]") + end);
-  for (const int structure : {1, 2, 3}) EXPECT_EQ(arrivals(model, structure), std::vector<double>{106.0 / 200}) << structure;
-  test::refused(moved() + frame("left", "0, 0") + "  b" + oscillator + frame("right", "8 m, 0") + "links:\n" + link("[left.1, b]") + link("[b, right.1]") + end,
-                "4:6: structures.b: b has no place in plan, and the wave reaches the faces that it meets one after the other, at 6 m and 8 m along its "
+  const Model model =
+      test::model_of(moved() + frame("left", "100 m, 0") + "  b" + oscillator + "  c" + oscillator +
+                     "  w: {wall: {}}\nlinks:\n" + link("[c, w]") + link("[b, c]") + link("[left.1, b]") + end);
+  for (const int structure : {1, 2, 3})
+    EXPECT_EQ(arrivals(model, structure), std::vector<double>{106.0 / 200}) << structure;
+  test::refused(moved() + frame("left", "0, 0") + "  b" + oscillator + frame("right", "8 m, 0") + "links:\n" +
+                    link("[left.1, b]") + link("[b, right.1]") + end,
+                "4:6: structures.b: b has no place in plan, and the wave reaches the faces that it meets one after the "
+                "other, at 6 m and 8 m along its "
                 "way; draw it as a frame, or give it a ground_motion of its own");
-  const std::string own = "  b: {oscillator: {mass: 100 t, period: 0.4}, damping: 5 %, ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 2}}}\n";
-  EXPECT_NO_THROW(test::model_of(moved() + frame("left", "0, 0") + own + frame("right", "8 m, 0") + "links:\n" + link("[left.1, b]") + link("[b, right.1]") + end));
+  const std::string own =
+      "  b: {oscillator: {mass: 100 t, period: 0.4}, damping: 5 %, ground_motion: {harmonic: {amplitude: 3, period: "
+      "0.5, duration: 2}}}\n";
+  EXPECT_NO_THROW(test::model_of(moved() + frame("left", "0, 0") + own + frame("right", "8 m, 0") + "links:\n" +
+                                 link("[left.1, b]") + link("[b, right.1]") + end));
 }
 
 TEST(Waves, ReachADeviceAtAWallThere) {
-  const Model model = test::model_of(moved() + frame("left", "100 m, 0") + "  w: {wall: {}}\ndevices:\n  d: {between: [left.1, w], damper: {coefficient: 100 kN s/m}}\n" + end);
+  const Model model = test::model_of(
+      moved() + frame("left", "100 m, 0") +
+      "  w: {wall: {}}\ndevices:\n  d: {between: [left.1, w], damper: {coefficient: 100 kN s/m}}\n" + end);
   EXPECT_EQ(arrivals(model, 1), std::vector<double>{106.0 / 200});
 }
 

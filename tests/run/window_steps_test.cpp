@@ -1,4 +1,5 @@
-// All unknowns of reduced structures, stepped through the impacts of a run: against runs in all natural modes from the same state.
+// All unknowns of reduced structures, stepped through the impacts of a run: against runs in all natural modes from the
+// same state.
 
 #include <gtest/gtest.h>
 
@@ -24,19 +25,24 @@ namespace window_steps_test {
 
 constexpr double tolerance = 1e-7;
 
-// Two plane frames of 96 unknowns with mass and as many rotations as nodes; the left one flies at the right one, which it hits at two floors.
+// Two plane frames of 96 unknowns with mass and as many rotations as nodes; the left one flies at the right one, which
+// it hits at two floors.
 struct Pair {
   std::string name, inside = "", devices = "";
 
   std::string text() const {
-    const auto frame = [&](const std::string& of, double origin, double mass, const std::string& more, const std::string& beside) {
-      return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {{rectangle: [0.6, 0.6]}}, "
-                         "beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}{}}}, damping: 5 %{}}}\n",
-                         of, origin, mass, more, beside);
+    const auto frame = [&](const std::string& of, double origin, double mass, const std::string& more,
+                           const std::string& beside) {
+      return fmt::format(
+          "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 12, bays: 3, storey_height: 3.2, "
+          "bay_width: 6, columns: {{rectangle: [0.6, 0.6]}}, "
+          "beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}{}}}, damping: 5 %{}}}\n",
+          of, origin, mass, more, beside);
     };
-    return "ground_motion: {harmonic: {amplitude: 3, period: 0.9, duration: 2}}\nstructures:\n" + frame("left", 0, 120, inside, ", initial_velocity: 0.3") +
-           frame("right", 18.002, 60, "", "") +
-           "links:\n  - {between: [left.12, right.12], gap: 2 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}\n"
+    return "ground_motion: {harmonic: {amplitude: 3, period: 0.9, duration: 2}}\nstructures:\n" +
+           frame("left", 0, 120, inside, ", initial_velocity: 0.3") + frame("right", 18.002, 60, "", "") +
+           "links:\n  - {between: [left.12, right.12], gap: 2 mm, law: hertz_damped, stiffness: 2.75e9, restitution: "
+           "0.65}\n"
            "  - {between: [left.6, right.6], gap: 2 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}\n" +
            devices + "analysis: {duration: 2}\n";
   }
@@ -45,15 +51,20 @@ struct Pair {
 std::vector<Pair> pairs() {
   return {{"Elastic"},
           {"Hinges", ", hinges: {columns: {at: feet, yield_moment: 20 kN m, hardening: 3 %}}"},
-          {"Devices", ", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, yield_force: 20 kN, hardening: 0.02}}}",
-           "devices: {top: {between: [left.9, right.9], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}\n"}};
+          {"Devices",
+           ", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, yield_force: 20 kN, "
+           "hardening: 0.02}}}",
+           "devices: {top: {between: [left.9, right.9], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, "
+           "stiffness: 60 MN/m}}}\n"}};
 }
 
 using Groups = std::vector<std::optional<ReducedGroup>>;
 
 // All natural modes, as blocks that take every unknown.
 ReducedGroup with_everything(const System& system, const Group& group) {
-  const auto block = [&](const SparseMatrix& whole) { return SparseMatrix(whole.block(group.first, group.first, group.count, group.count)); };
+  const auto block = [&](const SparseMatrix& whole) {
+    return SparseMatrix(whole.block(group.first, group.first, group.count, group.count));
+  };
   petsc::ReducedInputs inputs;
   inputs.links.setIdentity(group.count, group.count);
   petsc::ReducedModes modes(block(system.mass), block(system.stiffness), inputs);
@@ -67,8 +78,8 @@ struct Followed {
   std::unique_ptr<ModalSolver> solver;
   std::unique_ptr<Stepper> stepper;
   std::unique_ptr<ImpactWindows> windows;
-  std::vector<double> forces;  // largest of the contacts in each step [N]
-  double largest = 0;        // displacement of all floors [m]
+  std::vector<double> forces;           // largest of the contacts in each step [N]
+  double largest = 0;                   // displacement of all floors [m]
   std::vector<Eigen::VectorXd> floors;  // at ends of steps
   std::vector<double> times;
 
@@ -89,14 +100,17 @@ struct Followed {
     solver = std::make_unique<ModalSolver>(system, groups);
     stepper = std::make_unique<Stepper>(system, *solver, StepperOptions{.tolerance = tolerance, .max_step = 0.01});
     stepper->start(time, u, v);
-    windows = std::make_unique<ImpactWindows>(*stepper, std::vector<bool>(static_cast<std::size_t>(system.contact_count()), true));
+    windows = std::make_unique<ImpactWindows>(
+        *stepper, std::vector<bool>(static_cast<std::size_t>(system.contact_count()), true));
   }
   // Largest forces in the first impact of every contact [N].
   Eigen::VectorXd first_peaks() const {
     Eigen::VectorXd first(system.contact_count());
     for (int i = 0; i < system.contact_count(); ++i) {
       EXPECT_FALSE(system.contacts[static_cast<std::size_t>(i)]->impacts().empty());
-      first[i] = system.contacts[static_cast<std::size_t>(i)]->impacts().empty() ? 0 : system.contacts[static_cast<std::size_t>(i)]->impacts()[0].peak_force;
+      first[i] = system.contacts[static_cast<std::size_t>(i)]->impacts().empty()
+                     ? 0
+                     : system.contacts[static_cast<std::size_t>(i)]->impacts()[0].peak_force;
     }
     return first;
   }
@@ -127,7 +141,7 @@ std::vector<int> all_outputs(const System& system) {
 }
 
 struct Found {
-  Eigen::VectorXd forces;  // largest differences of peaks, by contact [N]
+  Eigen::VectorXd forces;                    // largest differences of peaks, by contact [N]
   double closing = 0, rate = 0, floors = 0;  // largest differences [m], [m/s], [m]
 };
 
@@ -141,7 +155,8 @@ Found differences(const Followed& run, const ImpactWindow& window) {
       if (f.link >= run.system.contact_count()) continue;
       const auto at = static_cast<Eigen::Index>(k);
       own[f.link] = std::max(own[f.link], f.end);
-      of_all[f.link] = std::max(of_all[f.link], f.end + f.by_penetration * closings(f.link, at) + f.by_rate * rates(f.link, at));
+      of_all[f.link] =
+          std::max(of_all[f.link], f.end + f.by_penetration * closings(f.link, at) + f.by_rate * rates(f.link, at));
     }
   return {(of_all - own).cwiseAbs(), closings.cwiseAbs().maxCoeff(), rates.cwiseAbs().maxCoeff(),
           std::max(left.outputs.cwiseAbs().maxCoeff(), right.outputs.cwiseAbs().maxCoeff())};
@@ -165,8 +180,9 @@ TEST_P(Windows, HoldNothingButRoundingWhereTheBasisHasEverything) {
   }
 }
 
-// The first impact, up to which all natural modes move as the run does but for what its basis lacks. In the window the forces are given and the closings of the contacts
-// differ; in truth the forces give way, too: the one is of the order of the other.
+// The first impact, up to which all natural modes move as the run does but for what its basis lacks. In the window the
+// forces are given and the closings of the contacts differ; in truth the forces give way, too: the one is of the order
+// of the other.
 TEST_P(Windows, TellTheErrorOfTheirImpact) {
   constexpr double order = 10;  // a peak may err by little because it errs by as much before and behind it
   double last = 1;
@@ -179,12 +195,18 @@ TEST_P(Windows, TellTheErrorOfTheirImpact) {
     ASSERT_EQ(run.windows->hardest().size(), 1u);
     const Found found = differences(run, run.windows->hardest()[0]);
     exact.follow(run.windows->hardest()[0].end());
-    const double peak = exact.first_peaks().maxCoeff(), truth = (run.first_peaks() - exact.first_peaks()).cwiseAbs().maxCoeff(), told = found.forces.maxCoeff();
+    const double peak = exact.first_peaks().maxCoeff(),
+                 truth = (run.first_peaks() - exact.first_peaks()).cwiseAbs().maxCoeff(),
+                 told = found.forces.maxCoeff();
     const auto after = std::ranges::find(run.times, exact.times.back());
     ASSERT_NE(after, run.times.end());
-    const double floors = (run.floors[static_cast<std::size_t>(after - run.times.begin())] - exact.floors.back()).cwiseAbs().maxCoeff();
-    RecordProperty(fmt::format("forces_{}", links), fmt::format("told {:.2e}, truth {:.2e}, ratio {:.2f}", told / peak, truth / peak, told / truth));
-    RecordProperty(fmt::format("floors_{}", links), fmt::format("told {:.2e}, truth at the end {:.2e}, ratio {:.2f}", found.floors / run.largest, floors / run.largest, found.floors / floors));
+    const double floors =
+        (run.floors[static_cast<std::size_t>(after - run.times.begin())] - exact.floors.back()).cwiseAbs().maxCoeff();
+    RecordProperty(fmt::format("forces_{}", links),
+                   fmt::format("told {:.2e}, truth {:.2e}, ratio {:.2f}", told / peak, truth / peak, told / truth));
+    RecordProperty(fmt::format("floors_{}", links),
+                   fmt::format("told {:.2e}, truth at the end {:.2e}, ratio {:.2f}", found.floors / run.largest,
+                               floors / run.largest, found.floors / floors));
     EXPECT_LT(told, order * truth) << links;
     EXPECT_GT(told, truth / order) << links;
     EXPECT_LT(found.floors, order * floors) << links;
@@ -194,7 +216,8 @@ TEST_P(Windows, TellTheErrorOfTheirImpact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, Windows, testing::ValuesIn(pairs()), [](const testing::TestParamInfo<Pair>& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Pairs, Windows, testing::ValuesIn(pairs()),
+                         [](const testing::TestParamInfo<Pair>& test) { return test.param.name; });
 
 TEST(ImpactWindowsOfARun, AreTheHardestOfAllInOrder) {
   Followed run(pairs()[0]);
@@ -203,13 +226,16 @@ TEST(ImpactWindowsOfARun, AreTheHardestOfAllInOrder) {
   run.follow(2);
   const std::vector<ImpactWindow>& hardest = run.windows->hardest();
   ASSERT_EQ(hardest.size(), ImpactWindows::most);
-  const auto holds = [](const ImpactWindow& window, double time) { return window.begin() < time && time <= window.end(); };
+  const auto holds = [](const ImpactWindow& window, double time) {
+    return window.begin() < time && time <= window.end();
+  };
   for (std::size_t i = 0; i < hardest.size(); ++i) {
     if (i > 0) {
       EXPECT_LE(hardest[i].force, hardest[i - 1].force);
     }
     EXPECT_LT(hardest[i].end() - hardest[i].begin(), 0.1 + 0.01);
-    for (std::size_t k = 1; k < hardest[i].steps.size(); ++k) EXPECT_EQ(hardest[i].steps[k].begin, hardest[i].steps[k - 1].end);
+    for (std::size_t k = 1; k < hardest[i].steps.size(); ++k)
+      EXPECT_EQ(hardest[i].steps[k].begin, hardest[i].steps[k - 1].end);
     double force = 0;
     for (std::size_t k = 0; k < run.times.size(); ++k)
       if (holds(hardest[i], run.times[k])) force = std::max(force, run.forces[k]);
@@ -218,7 +244,8 @@ TEST(ImpactWindowsOfARun, AreTheHardestOfAllInOrder) {
   // Every other force is smaller.
   for (std::size_t k = 0; k < run.times.size(); ++k) {
     if (run.forces[k] <= hardest.back().force) continue;
-    EXPECT_TRUE(std::ranges::any_of(hardest, [&](const ImpactWindow& window) { return holds(window, run.times[k]); })) << run.times[k];
+    EXPECT_TRUE(std::ranges::any_of(hardest, [&](const ImpactWindow& window) { return holds(window, run.times[k]); }))
+        << run.times[k];
   }
 }
 

@@ -17,12 +17,12 @@ using test::every_law;
 class Energy : public testing::TestWithParam<const char*> {};
 
 TEST_P(Energy, ClosesBelowTheToleranceOfTheRun) {
-  test::Book book("Energies",
-                  "input = kinetic + strain + damping + impact, two oscillators by every law",
+  test::Book book("Energies", "input = kinetic + strain + damping + impact, two oscillators by every law",
                   "the tolerance of the run");
   const double coarse = test::run_text(test::two_oscillators(GetParam(), 1e-4)).summary.energy.error;
   const Outcome fine = test::run_text(test::two_oscillators(GetParam(), 1e-6));
-  book.below(test::law_of(GetParam()) + ": imbalance of the energies over the input [-]", fine.summary.energy.error, 1e-6);
+  book.below(test::law_of(GetParam()) + ": imbalance of the energies over the input [-]", fine.summary.energy.error,
+             1e-6);
   EXPECT_LT(fine.summary.energy.error, 0.1 * coarse) << "the imbalance falls with the tolerance";
   EXPECT_GE(fine.results.impacts.size(), 3u);
   EXPECT_GT(fine.summary.energy.input, 1e5);
@@ -39,13 +39,14 @@ TEST(Energy, LostInTheLinkIsTheSumOverItsImpacts) {
 }
 
 TEST(Energy, OfTheInitialVelocityIsPartOfTheInput) {
-  const Outcome run = test::run_text("structures: {a: {body: {mass: 2 t}, initial_velocity: 3 m/s}}\nanalysis: {duration: 1}\n");
+  const Outcome run =
+      test::run_text("structures: {a: {body: {mass: 2 t}, initial_velocity: 3 m/s}}\nanalysis: {duration: 1}\n");
   EXPECT_DOUBLE_EQ(run.summary.energy.input, 9000.0);
   EXPECT_DOUBLE_EQ(run.summary.energy.kinetic, 9000.0);
 }
 
-// A body, or an oscillator, that the ground presses on a wall 1 nm away, by an elastic contact: hundreds of bounces, each of which gains or
-// loses a tenth of the tolerance with the same sign.
+// A body, or an oscillator, that the ground presses on a wall 1 nm away, by an elastic contact: hundreds of bounces,
+// each of which gains or loses a tenth of the tolerance with the same sign.
 constexpr const char* bouncing[] = {
     "ground_motion: {pulse: {shape: rectangle, amplitude: -3.7245309099735495, duration: 2.5}}\n"
     "structures: {a: {body: {mass: 17133.6901071129}}, w: {wall: {}}}\n"
@@ -104,7 +105,8 @@ TEST(EnergyBudget, LetsTheLeastEnergyCountLessWithEveryAudit) {
   EXPECT_DOUBLE_EQ(budget.share(), std::pow(EnergyBudget::shortest_part, 4));
 }
 
-// A body of 1.8 t on a stiff spring at the wall, which the ground presses: 2,034 vibrations between 0 and 2 m a/k = 0.23 um.
+// A body of 1.8 t on a stiff spring at the wall, which the ground presses: 2,034 vibrations between 0 and 2 m a/k =
+// 0.23 um.
 TEST(Energy, ClosesOverThousandsOfSmallVibrations) {
   const double m = 1795.1043268305666, a = 4.618567519154774, k = 73382944985.9216;
   const Outcome run = test::run_text(

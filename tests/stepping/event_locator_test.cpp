@@ -28,7 +28,8 @@ Path uniform(double at_begin, double rate) {
 }
 /// As uniform, but accelerated.
 Path thrown(double at_begin, double rate, double acceleration) {
-  return [=](double t) { return LinkMotion{at_begin + rate * t + 0.5 * acceleration * t * t, rate + acceleration * t}; };
+  return
+      [=](double t) { return LinkMotion{at_begin + rate * t + 0.5 * acceleration * t * t, rate + acceleration * t}; };
 }
 
 struct Formulas {
@@ -41,8 +42,8 @@ struct Formulas {
   Instant now;
   Trial trial;
   int trials = 0;
-  double unsolved_below = 0;  // steps shorter than this fail
-  double wild_below = 0;      // steps shorter than this have an error without measure
+  double unsolved_below = 0;                 // steps shorter than this fail
+  double wild_below = 0;                     // steps shorter than this have an error without measure
   static constexpr double longest_step = 1;  // [s]
 
   Contact& add(double gap, Path path) {
@@ -58,7 +59,8 @@ struct Formulas {
     for (int i = 0; i < count; ++i) {
       constexpr double shortly = 1e-6;
       const LinkMotion m = paths[i](t);
-      x.relative.row(i) << m.penetration, m.rate, (paths[i](t + shortly).rate - paths[i](t - shortly).rate) / (2 * shortly);
+      x.relative.row(i) << m.penetration, m.rate,
+          (paths[i](t + shortly).rate - paths[i](t - shortly).rate) / (2 * shortly);
     }
   }
   bool try_step(double h, std::optional<double> end) {
@@ -81,7 +83,8 @@ struct Formulas {
     write(0, now);
     try_step(h, end);
     trials = 0;
-    return locator.locate(now, trial, true, [this](double length, std::optional<double> at) { return try_step(length, at); });
+    return locator.locate(now, trial, true,
+                          [this](double length, std::optional<double> at) { return try_step(length, at); });
   }
 };
 
@@ -177,8 +180,8 @@ TEST(EventLocator, WaitsForBodiesThatPartAndComeBack) {
   EXPECT_NEAR(located->step, 0.05, 1e-11);
 }
 
-// Apart by less than the round-off of the motion, then back: no step sees the bounce of a rigid contact there. A compliant one would
-// begin and end in place, and keep its speed.
+// Apart by less than the round-off of the motion, then back: no step sees the bounce of a rigid contact there. A
+// compliant one would begin and end in place, and keep its speed.
 TEST(EventLocator, WaitsInRoundOffForCompliantContactsOnly) {
   const auto hop = thrown(0, -1e-8, 1e-2);  // 5e-15 m wide, over after 2 us
   Formulas f;
@@ -220,8 +223,9 @@ TEST(EventLocator, FailsWithoutATrialThatCanBeKept) {
     f.locate(0.1);
     FAIL();
   } catch (const SolverError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance");
   }
 }
 
@@ -235,7 +239,8 @@ TEST(EventLocator, FindsTheEndOfATinyHop) {
   EXPECT_LE(f.trials, 40);
 }
 
-// Stage equations with several solutions: a part of a good step that is far off is none. Of fixed steps nobody says what is good.
+// Stage equations with several solutions: a part of a good step that is far off is none. Of fixed steps nobody says
+// what is good.
 TEST(EventLocator, DoesNotTakeAnotherSolutionForTheMotion) {
   Formulas f;
   f.add(0.02, uniform(0, 0.5));

@@ -19,9 +19,10 @@ using test::run_text;
 
 // 10 kg at 20 m/s on a stiff wall: the contact lasts a hundredth of the first free step.
 TEST(ShortContact, IsFoundByAStepMuchLongerThanIt) {
-  const Outcome run = run_text("structures:\n  a: {body: {mass: 10 kg}, initial_velocity: 20 m/s}\n  w: {wall: {}}\n"
-                               "links: [{between: [a, w], gap: 10 m, law: linear_spring, stiffness: 1e9}]\n"
-                               "analysis: {duration: 1, tolerance: 1e-6}\n");
+  const Outcome run = run_text(
+      "structures:\n  a: {body: {mass: 10 kg}, initial_velocity: 20 m/s}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 10 m, law: linear_spring, stiffness: 1e9}]\n"
+      "analysis: {duration: 1, tolerance: 1e-6}\n");
   ASSERT_EQ(run.results.impacts.size(), 1u);
   EXPECT_NEAR(run.results.impacts[0].t_start, 0.5, 1e-12);
   EXPECT_NEAR(run.results.impacts[0].t_end - run.results.impacts[0].t_start, M_PI * std::sqrt(10.0 / 1e9), 1e-9);
@@ -33,10 +34,12 @@ class ShortContactAtSpeed : public testing::TestWithParam<double> {};
 
 TEST_P(ShortContactAtSpeed, GivesBackTheSpeedOfALightBody) {
   const double v = GetParam();
-  const Outcome run = run_text(fmt::format("structures:\n  a: {{body: {{mass: 0.01 kg}}, initial_velocity: {0}}}\n"
-                                           "  w: {{wall: {{}}}}\n"
-                                           "links: [{{between: [a, w], gap: {1}, law: linear_spring, stiffness: 1e9}}]\n"
-                                           "analysis: {{duration: 1, tolerance: 1e-6}}\n", v, v / 2));
+  const Outcome run =
+      run_text(fmt::format("structures:\n  a: {{body: {{mass: 0.01 kg}}, initial_velocity: {0}}}\n"
+                           "  w: {{wall: {{}}}}\n"
+                           "links: [{{between: [a, w], gap: {1}, law: linear_spring, stiffness: 1e9}}]\n"
+                           "analysis: {{duration: 1, tolerance: 1e-6}}\n",
+                           v, v / 2));
   ASSERT_EQ(run.results.impacts.size(), 1u);
   EXPECT_NEAR(run.results.impacts[0].t_start, 0.5, 1e-12);
   EXPECT_NEAR(run.results.impacts[0].peak_force, v * std::sqrt(1e9 * 0.01), 1e-5 * v * std::sqrt(1e9 * 0.01));
@@ -49,8 +52,8 @@ INSTANTIATE_TEST_SUITE_P(Speeds, ShortContactAtSpeed, testing::Values(0.01, 1.0,
 Outcome grazing(double excess) {
   const double w = 2 * M_PI / 0.5;
   return run_text("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}, initial_velocity: " +
-                  fmt::format("{}", w * 0.02) + "}\n  w: {wall: {}}\nlinks: [{between: [a, w], gap: " +
-                  fmt::format("{}", 0.02 * (1 - excess)) +
+                  fmt::format("{}", w * 0.02) +
+                  "}\n  w: {wall: {}}\nlinks: [{between: [a, w], gap: " + fmt::format("{}", 0.02 * (1 - excess)) +
                   ", law: hertz, stiffness: 2.75e9}]\nanalysis: {duration: 0.4, tolerance: 1e-6}\n");
 }
 
@@ -64,13 +67,15 @@ TEST(Grazing, TouchesOnceWhenTheGapIsAHairTooSmall) {
 
 TEST(Grazing, DoesNotTouchWhenTheGapIsAHairTooLarge) { EXPECT_TRUE(grazing(-1e-4).results.impacts.empty()); }
 
-// A rigid ball that a constant ground acceleration presses on a wall bounces ever lower: with e = 0.5 and a = 2 m/s^2 from
-// rest 10 mm away the touch comes at t1 = sqrt(2 g/a) at v1 = a t1, and all bounces end at t1 + 2 (v1/a) e/(1 - e) = 3 t1.
+// A rigid ball that a constant ground acceleration presses on a wall bounces ever lower: with e = 0.5 and a = 2 m/s^2
+// from rest 10 mm away the touch comes at t1 = sqrt(2 g/a) at v1 = a t1, and all bounces end at t1 + 2 (v1/a) e/(1 - e)
+// = 3 t1.
 TEST(RestingContact, FollowsInfinitelyManyBounces) {
-  const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 2 s}}\n"
-                               "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
-                               "links: [{between: [a, w], gap: 10 mm, law: stereomechanical, restitution: 0.5}]\n"
-                               "analysis: {duration: 2, tolerance: 1e-5}\n");
+  const Outcome run = run_text(
+      "ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 2 s}}\n"
+      "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 10 mm, law: stereomechanical, restitution: 0.5}]\n"
+      "analysis: {duration: 2, tolerance: 1e-5}\n");
   const double t1 = std::sqrt(2 * 0.01 / 2.0);
   ASSERT_GT(run.results.impacts.size(), 5u);
   ASSERT_LT(run.results.impacts.size(), 40u);
@@ -84,10 +89,11 @@ TEST(RestingContact, FollowsInfinitelyManyBounces) {
 }
 
 TEST(RestingContact, OpensWhenTheGroundTurns) {
-  const Outcome run = run_text("ground_motion: {pulse: {shape: sine, amplitude: -2.0, duration: 2 s}}\n"
-                               "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
-                               "links: [{between: [a, w], gap: 0, law: stereomechanical, restitution: 0.5}]\n"
-                               "analysis: {duration: 2, tolerance: 1e-6}\n");
+  const Outcome run = run_text(
+      "ground_motion: {pulse: {shape: sine, amplitude: -2.0, duration: 2 s}}\n"
+      "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 0, law: stereomechanical, restitution: 0.5}]\n"
+      "analysis: {duration: 2, tolerance: 1e-6}\n");
   // Pressed for the first second, then free: v(2) = -integral of 2 sin(pi t) from 1 to 2 ... = -4/pi.
   EXPECT_NEAR(run.results.structures[0].velocity.back(), -4 / M_PI, 1e-5);
   EXPECT_NEAR(run.results.impacts.back().t_end, 1.0, 1e-5);
@@ -95,10 +101,11 @@ TEST(RestingContact, OpensWhenTheGroundTurns) {
 
 // A compliant contact settles at the penetration that carries the push.
 TEST(RestingContact, SettlesAtTheStaticPenetration) {
-  const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 5 s}}\n"
-                               "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
-                               "links: [{between: [a, w], gap: 0, law: kelvin_voigt_no_tension, stiffness: 50 MN/m, "
-                               "restitution: 0.3}]\nanalysis: {duration: 5}\n");
+  const Outcome run = run_text(
+      "ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 5 s}}\n"
+      "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 0, law: kelvin_voigt_no_tension, stiffness: 50 MN/m, "
+      "restitution: 0.3}]\nanalysis: {duration: 5}\n");
   EXPECT_NEAR(run.results.structures[0].displacement.back(), 1e5 * 2.0 / 50e6, 1e-7);
 }
 
@@ -108,8 +115,8 @@ class NearlySimultaneousContacts : public testing::TestWithParam<const char*> {
   static long steps(double difference) {
     std::string structures = "structures:\n  w: {wall: {}}\n", links = "links:\n";
     for (int i = 0; i < 8; ++i) {
-      structures +=
-          fmt::format("  a{}: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}, initial_velocity: 1 m/s}}\n", i);
+      structures += fmt::format(
+          "  a{}: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}, initial_velocity: 1 m/s}}\n", i);
       links += fmt::format("  - {{between: [a{}, w], gap: {}, law: {}}}\n", i, 0.02 + i * difference, GetParam());
     }
     const Outcome run = run_text(structures + links + "analysis: {duration: 2}\n");
@@ -121,7 +128,8 @@ class NearlySimultaneousContacts : public testing::TestWithParam<const char*> {
 TEST_P(NearlySimultaneousContacts, DoNotMultiplyTheSteps) { EXPECT_LT(steps(1e-6), 2 * steps(0)); }
 
 INSTANTIATE_TEST_SUITE_P(Laws, NearlySimultaneousContacts,
-                         testing::Values("hertz, stiffness: 2.75e9", "hertz_damped, stiffness: 2.75e9, restitution: 0.65",
+                         testing::Values("hertz, stiffness: 2.75e9",
+                                         "hertz_damped, stiffness: 2.75e9, restitution: 0.65",
                                          "kelvin_voigt, stiffness: 9.35e7, restitution: 0.65",
                                          "stereomechanical, restitution: 0.65"),
                          test::law_name);
@@ -131,9 +139,11 @@ TEST(TouchesAtTheStart, AreOneLanding) {
   const auto run = [](int count) {
     std::string structures = "structures:\n  w: {wall: {}}\n", links = "links:\n";
     for (int i = 0; i < count; ++i) {
-      structures += fmt::format("  a{}: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}, initial_velocity: {} m/s}}\n",
-                                i, 1 + 0.01 * i);
-      links += fmt::format("  - {{between: [a{}, w], gap: 0, law: kelvin_voigt, stiffness: 93.5 MN/m, restitution: 0.65}}\n", i);
+      structures +=
+          fmt::format("  a{}: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}, initial_velocity: {} m/s}}\n",
+                      i, 1 + 0.01 * i);
+      links += fmt::format(
+          "  - {{between: [a{}, w], gap: 0, law: kelvin_voigt, stiffness: 93.5 MN/m, restitution: 0.65}}\n", i);
     }
     return run_text(structures + links + "analysis: {duration: 0.01}\n");
   };
@@ -146,12 +156,13 @@ TEST(TouchesAtTheStart, AreOneLanding) {
 }
 
 TEST(ZeroGap, StaysUnilateral) {
-  const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
-                               "structures:\n"
-                               "  a: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
-                               "  b: {oscillator: {mass: 150 t, period: 0.3, damping: 5 %}}\n"
-                               "links: [{between: [a, b], gap: 0, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
-                               "restitution: 0.65}]\nanalysis: {duration: 4}\n");
+  const Outcome run = run_text(
+      "ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
+      "structures:\n"
+      "  a: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
+      "  b: {oscillator: {mass: 150 t, period: 0.3, damping: 5 %}}\n"
+      "links: [{between: [a, b], gap: 0, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
+      "restitution: 0.65}]\nanalysis: {duration: 4}\n");
   EXPECT_GT(run.results.impacts.size(), 3u);
   const LinkHistory& link = run.results.links[0];
   double widest = 0;
@@ -179,14 +190,15 @@ TEST(RigidContactsAtOneInstant, AreAsOne) {
 
 // A body that hits another and a wall at the same instant leaves both.
 TEST(RigidContactsAtOneInstant, LetABodyLeaveAWallAndAnotherBody) {
-  const Outcome run = run_text("structures:\n"
-                               "  a: {body: {mass: 1 t}, initial_velocity: 1 m/s}\n"
-                               "  b: {body: {mass: 1 t}}\n"
-                               "  w: {wall: {}}\n"
-                               "links:\n"
-                               "  - {between: [a, b], gap: 10 mm, law: stereomechanical, restitution: 0.6}\n"
-                               "  - {between: [a, w], gap: 10 mm, law: stereomechanical, restitution: 0.6}\n"
-                               "analysis: {duration: 0.1}\n");
+  const Outcome run = run_text(
+      "structures:\n"
+      "  a: {body: {mass: 1 t}, initial_velocity: 1 m/s}\n"
+      "  b: {body: {mass: 1 t}}\n"
+      "  w: {wall: {}}\n"
+      "links:\n"
+      "  - {between: [a, b], gap: 10 mm, law: stereomechanical, restitution: 0.6}\n"
+      "  - {between: [a, w], gap: 10 mm, law: stereomechanical, restitution: 0.6}\n"
+      "analysis: {duration: 0.1}\n");
   EXPECT_LT(run.results.structures[0].velocity.back(), 0);
   for (const ImpactRow& row : run.results.impacts) EXPECT_FALSE(std::isnan(row.t_end));
   EXPECT_LT(run.summary.energy.error, 1e-12);
@@ -206,8 +218,8 @@ TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
   EXPECT_NEAR(run.results.structures[3].velocity.back(), 1, 1e-12);
 }
 
-// Problems as small as they get at which an engine stumbled: light bodies between heavy ones, contacts at rest, and jumps
-// of the velocity beside pressed contacts.
+// Problems as small as they get at which an engine stumbled: light bodies between heavy ones, contacts at rest, and
+// jumps of the velocity beside pressed contacts.
 
 constexpr const char* push = "ground_motion: {pulse: {shape: rectangle, amplitude: -4.0, duration: 1.0}}\n";
 
@@ -225,14 +237,16 @@ void expect_sound(const Outcome& run, double tolerance) {
 
 // STEP falls faster than the spring: a released contact presses again before the bodies part.
 TEST(ReleasedContact, PressesAgainBeforeItParts) {
-  const Outcome run = run_text("structures:\n  a: {body: {mass: 1e5}, initial_velocity: 2.0}\n  b: {body: {mass: 1e5}}\n"
-                               "links: [{between: [a, b], gap: 0, law: adams_impact, stiffness: 1e11, depth: 0.003, "
-                               "restitution: 0.05}]\nanalysis: {duration: 0.3, tolerance: 1e-5}\n");
+  const Outcome run = run_text(
+      "structures:\n  a: {body: {mass: 1e5}, initial_velocity: 2.0}\n  b: {body: {mass: 1e5}}\n"
+      "links: [{between: [a, b], gap: 0, law: adams_impact, stiffness: 1e11, depth: 0.003, "
+      "restitution: 0.05}]\nanalysis: {duration: 0.3, tolerance: 1e-5}\n");
   ASSERT_EQ(run.results.impacts.size(), 1u);
   EXPECT_NEAR(run.results.impacts[0].restitution, 0.05, 1e-4);
 }
 
-// A released contact presses again: a trial long enough to pass over that sees nothing of it, until another touch shortens it.
+// A released contact presses again: a trial long enough to pass over that sees nothing of it, until another touch
+// shortens it.
 TEST(ReleasedContact, PressesAgainThoughALongTrialPassesOverIt) {
   const Outcome run = run_text(
       "structures:\n  b0: {body: {mass: 2930.792081235971}, initial_velocity: 0.9069193061762009}\n"
@@ -240,14 +254,18 @@ TEST(ReleasedContact, PressesAgainThoughALongTrialPassesOverIt) {
       "  b2: {body: {mass: 1035.4403963447048}, initial_velocity: -0.25658658132249146}\n"
       "  b3: {body: {mass: 211711.28108783916}, initial_velocity: -0.12584687996890231}\n"
       "  b4: {body: {mass: 3958.719706243838}, initial_velocity: -0.7250283803595077}\nlinks:\n"
-      "  - {between: [b0, b1], gap: 0.04765522908381816, law: bilinear_hertz, stiffness: 17203662.69930779, restitution: 0.65, "
+      "  - {between: [b0, b1], gap: 0.04765522908381816, law: bilinear_hertz, stiffness: 17203662.69930779, "
+      "restitution: 0.65, "
       "formula: muthukumar_desroches}\n"
-      "  - {between: [b1, b2], gap: 0, law: modified_linear_viscoelastic, stiffness: 984471736.0854828, restitution: 0.1}\n"
+      "  - {between: [b1, b2], gap: 0, law: modified_linear_viscoelastic, stiffness: 984471736.0854828, restitution: "
+      "0.1}\n"
       "  - {between: [b2, b3], gap: 0, law: adams_impact, stiffness: 45570985690.39583, depth: 0.00027057851722426743, "
       "restitution: 0.3, impact_velocity: 0.031604114170162186}\n"
-      "  - {between: [b3, b4], gap: 0.023701554862004703, law: hertz_damped, stiffness: 71868979.71570522, restitution: 0.5, "
+      "  - {between: [b3, b4], gap: 0.023701554862004703, law: hertz_damped, stiffness: 71868979.71570522, "
+      "restitution: 0.5, "
       "impact_velocity: 2.993531470949195}\nanalysis: {duration: 0.3, tolerance: 1e-5}\n");
-  double gained = 1035.4403963447048 * (run.results.structures[2].velocity.back() + 0.25658658132249146), given = 0, total = 0;
+  double gained = 1035.4403963447048 * (run.results.structures[2].velocity.back() + 0.25658658132249146), given = 0,
+         total = 0;
   for (const ImpactRow& row : run.results.impacts) {
     if (row.link == 1) given += row.impulse;
     if (row.link == 2) given -= row.impulse;
@@ -258,11 +276,12 @@ TEST(ReleasedContact, PressesAgainThoughALongTrialPassesOverIt) {
 
 // A contact that a rigid one tears apart would pull if it went on as in the approach.
 TEST(JumpOfTheVelocity, ReversesAPressedContactBesideIt) {
-  const Outcome run = run_text("structures:\n  a: {body: {mass: 1.0}, initial_velocity: 1.0}\n  b: {body: {mass: 1.0}}\n"
-                               "links:\n"
-                               "  - {between: [a, b], gap: 0.037, law: limited_damper, stiffness: 1.0, restitution: 0.1}\n"
-                               "  - {between: [a, b], gap: 0.04, law: stereomechanical, restitution: 1.0, name: beside}\n"
-                               "analysis: {duration: 0.1, tolerance: 1e-4}\n");
+  const Outcome run = run_text(
+      "structures:\n  a: {body: {mass: 1.0}, initial_velocity: 1.0}\n  b: {body: {mass: 1.0}}\n"
+      "links:\n"
+      "  - {between: [a, b], gap: 0.037, law: limited_damper, stiffness: 1.0, restitution: 0.1}\n"
+      "  - {between: [a, b], gap: 0.04, law: stereomechanical, restitution: 1.0, name: beside}\n"
+      "analysis: {duration: 0.1, tolerance: 1e-4}\n");
   ASSERT_EQ(run.results.impacts.size(), 2u);
   for (const double force : run.results.links[0].force) EXPECT_GE(force, 0);
   EXPECT_GE(run.results.impacts[0].impulse, 0);
@@ -280,7 +299,8 @@ TEST(RestingContact, EndsHopsThatNoStepCouldSee) {
   EXPECT_NEAR(impulse, 4.0, 1e-6);
 }
 
-// Rows that come to rest: they touch, and part, at speeds that leave no penetration beside the round-off of their motion.
+// Rows that come to rest: they touch, and part, at speeds that leave no penetration beside the round-off of their
+// motion.
 class TouchesInRoundOff : public testing::TestWithParam<const char*> {};
 
 TEST_P(TouchesInRoundOff, TakeTime) {
@@ -289,58 +309,66 @@ TEST_P(TouchesInRoundOff, TakeTime) {
   EXPECT_LT(run.summary.solver.steps, 2000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, TouchesInRoundOff, testing::Values(
-    "ground_motion: {pulse: {shape: sine, amplitude: -1.5766867448399593, start: 0.0, duration: 1.0}}\n"
-    "structures:\n"
-    "  a: {oscillator: {mass: 787270.2189307639, period: 0.15054238912323856, damping: 0.05}}\n"
-    "  w: {wall: {}}\n"
-    "links: [{between: [a, w], gap: 0, law: modified_linear_viscoelastic, stiffness: 74266794058.09273, damping_ratio: 3.9053186018392827}]\n"
-    "analysis: {duration: 2.0, tolerance: 0.001}\n",
-    "ground_motion: {pulse: {shape: sine, amplitude: -3.9703557119392032, start: 0.0, duration: 2.5}}\n"
-    "structures:\n"
-    "  a: {oscillator: {mass: 1251.1399089128977, period: 1.534474334880143, damping: 0.05}}\n"
-    "  b: {oscillator: {mass: 871103.6867257797, period: 0.07189141164425848, damping: 0}}\n"
-    "  w: {wall: {}}\n"
-    "links:\n"
-    "  - {between: [a, b], gap: 0, law: komodromos, stiffness: 145594975.66907328, restitution: 0.3}\n"
-    "  - {between: [b, w], gap: 0, law: hertz, stiffness: 3818242400.489604}\n"
-    "analysis: {duration: 2.0, tolerance: 0.001}\n",
-    "ground_motion: {pulse: {shape: half_sine, amplitude: -1.6749683568450386, start: 0.0, duration: 1.0}}\n"
-    "structures:\n"
-    "  a: {body: {mass: 1259.6998424150443}}\n"
-    "  b: {body: {mass: 1572.4761318339097}}\n"
-    "  c: {body: {mass: 4723.322725683341}}\n"
-    "  d: {body: {mass: 5002.2748551343175}}\n"
-    "  w: {wall: {}}\n"
-    "links:\n"
-    "  - {between: [a, b], gap: 0, law: hertz_damped, stiffness: 5112492.335688482, restitution: 0.3, formula: gonthier}\n"
-    "  - {between: [b, c], gap: 0, law: modified_linear_viscoelastic, stiffness: 82260875544.46341, restitution: 0.05}\n"
-    "  - {between: [c, d], gap: 0, law: komodromos, stiffness: 138040799.85348383, restitution: 0.05}\n"
-    "  - {between: [d, w], gap: 0, law: modified_kelvin, stiffness: 2133935.936728552, restitution: 0.3}\n"
-    "analysis: {duration: 2.0, tolerance: 0.0001}\n"));
+INSTANTIATE_TEST_SUITE_P(
+    Models, TouchesInRoundOff,
+    testing::Values(
+        "ground_motion: {pulse: {shape: sine, amplitude: -1.5766867448399593, start: 0.0, duration: 1.0}}\n"
+        "structures:\n"
+        "  a: {oscillator: {mass: 787270.2189307639, period: 0.15054238912323856, damping: 0.05}}\n"
+        "  w: {wall: {}}\n"
+        "links: [{between: [a, w], gap: 0, law: modified_linear_viscoelastic, stiffness: 74266794058.09273, "
+        "damping_ratio: 3.9053186018392827}]\n"
+        "analysis: {duration: 2.0, tolerance: 0.001}\n",
+        "ground_motion: {pulse: {shape: sine, amplitude: -3.9703557119392032, start: 0.0, duration: 2.5}}\n"
+        "structures:\n"
+        "  a: {oscillator: {mass: 1251.1399089128977, period: 1.534474334880143, damping: 0.05}}\n"
+        "  b: {oscillator: {mass: 871103.6867257797, period: 0.07189141164425848, damping: 0}}\n"
+        "  w: {wall: {}}\n"
+        "links:\n"
+        "  - {between: [a, b], gap: 0, law: komodromos, stiffness: 145594975.66907328, restitution: 0.3}\n"
+        "  - {between: [b, w], gap: 0, law: hertz, stiffness: 3818242400.489604}\n"
+        "analysis: {duration: 2.0, tolerance: 0.001}\n",
+        "ground_motion: {pulse: {shape: half_sine, amplitude: -1.6749683568450386, start: 0.0, duration: 1.0}}\n"
+        "structures:\n"
+        "  a: {body: {mass: 1259.6998424150443}}\n"
+        "  b: {body: {mass: 1572.4761318339097}}\n"
+        "  c: {body: {mass: 4723.322725683341}}\n"
+        "  d: {body: {mass: 5002.2748551343175}}\n"
+        "  w: {wall: {}}\n"
+        "links:\n"
+        "  - {between: [a, b], gap: 0, law: hertz_damped, stiffness: 5112492.335688482, restitution: 0.3, formula: "
+        "gonthier}\n"
+        "  - {between: [b, c], gap: 0, law: modified_linear_viscoelastic, stiffness: 82260875544.46341, restitution: "
+        "0.05}\n"
+        "  - {between: [c, d], gap: 0, law: komodromos, stiffness: 138040799.85348383, restitution: 0.05}\n"
+        "  - {between: [d, w], gap: 0, law: modified_kelvin, stiffness: 2133935.936728552, restitution: 0.3}\n"
+        "analysis: {duration: 2.0, tolerance: 0.0001}\n"));
 
 // The contact on the other side presses the light body on the rigid one with 1e6 times its weight.
 TEST(LightBody, IsHeldBetweenACompliantContactAndARigidOne) {
-  const Outcome run = run_text("structures:\n  a: {body: {mass: 1e5}, initial_velocity: 1.0}\n  b: {body: {mass: 1.0}}\n"
-                               "  c: {body: {mass: 1e5}}\n"
-                               "links:\n  - {between: [a, b], gap: 0, law: jankowski, stiffness: 1e8, restitution: 0.05}\n"
-                               "  - {between: [b, c], gap: 0.04, law: stereomechanical, restitution: 0.05}\n"
-                               "analysis: {duration: 0.1, tolerance: 1e-4}\n");
+  const Outcome run = run_text(
+      "structures:\n  a: {body: {mass: 1e5}, initial_velocity: 1.0}\n  b: {body: {mass: 1.0}}\n"
+      "  c: {body: {mass: 1e5}}\n"
+      "links:\n  - {between: [a, b], gap: 0, law: jankowski, stiffness: 1e8, restitution: 0.05}\n"
+      "  - {between: [b, c], gap: 0.04, law: stereomechanical, restitution: 0.05}\n"
+      "analysis: {duration: 0.1, tolerance: 1e-4}\n");
   EXPECT_LT(run.results.impacts.size(), 20u);
   EXPECT_NEAR(1e5 * run.results.structures[0].velocity.back() + run.results.structures[1].velocity.back() +
-                  1e5 * run.results.structures[2].velocity.back(), 1e5, 1e-7 * 1e5);
+                  1e5 * run.results.structures[2].velocity.back(),
+              1e5, 1e-7 * 1e5);
   expect_sound(run, 1e-4);
 }
 
 // Newton's impacts one after the other converge as slowly as the masses differ: by a part of 1e-2, or 1e-6, a round.
 TEST(LightBody, HandsAnImpulseBetweenTwoRigidContacts) {
   for (const double light : {1e3, 0.1}) {
-    const Outcome run = run_text(fmt::format(
-        "structures:\n  a: {{body: {{mass: 1e5}}}}\n  b: {{body: {{mass: {}}}}}\n"
-        "  c: {{body: {{mass: 1e5}}, initial_velocity: -0.2}}\n"
-        "links:\n  - {{between: [a, b], gap: 0, law: stereomechanical, restitution: 1.0}}\n"
-        "  - {{between: [b, c], gap: 0, law: stereomechanical, restitution: 0.1}}\n"
-        "analysis: {{duration: 0.01, tolerance: 1e-3}}\n", light));
+    const Outcome run =
+        run_text(fmt::format("structures:\n  a: {{body: {{mass: 1e5}}}}\n  b: {{body: {{mass: {}}}}}\n"
+                             "  c: {{body: {{mass: 1e5}}, initial_velocity: -0.2}}\n"
+                             "links:\n  - {{between: [a, b], gap: 0, law: stereomechanical, restitution: 1.0}}\n"
+                             "  - {{between: [b, c], gap: 0, law: stereomechanical, restitution: 0.1}}\n"
+                             "analysis: {{duration: 0.01, tolerance: 1e-3}}\n",
+                             light));
     const double a = run.results.structures[0].velocity.back(), b = run.results.structures[1].velocity.back(),
                  c = run.results.structures[2].velocity.back();
     EXPECT_NEAR(1e5 * a + light * b + 1e5 * c, -0.2e5, 1e-10 * 0.2e5);
@@ -371,18 +399,20 @@ TEST(TouchAtRest, LosesItsForceWhereTheBodiesPart) {
 }
 
 TEST(TouchAtRest, IsSolvedBetweenTwoCompliantContacts) {
-  const Outcome run = run_text(push + std::string("structures:\n  a: {body: {mass: 1.0}}\n  b: {body: {mass: 1.0}}\n"
-                                                  "  w: {wall: {}}\nlinks:\n"
-                               "  - {between: [a, b], gap: 0, law: modified_kelvin, stiffness: 1e8, restitution: 0.05}\n"
-                               "  - {between: [b, w], gap: 0, law: hertz_damped, stiffness: 1e8, restitution: 1.0}\n"
-                               "analysis: {duration: 0.1, tolerance: 1e-3}\n"));
+  const Outcome run = run_text(
+      push + std::string("structures:\n  a: {body: {mass: 1.0}}\n  b: {body: {mass: 1.0}}\n"
+                         "  w: {wall: {}}\nlinks:\n"
+                         "  - {between: [a, b], gap: 0, law: modified_kelvin, stiffness: 1e8, restitution: 0.05}\n"
+                         "  - {between: [b, w], gap: 0, law: hertz_damped, stiffness: 1e8, restitution: 1.0}\n"
+                         "analysis: {duration: 0.1, tolerance: 1e-3}\n"));
   expect_sound(run, 1e-3);
 }
 
 TEST(TouchAtRest, DoesNotBeginWhileTheBodiesPart) {
   const Outcome run = run_text(
       "ground_motion: {pulse: {shape: rectangle, amplitude: -2.3, duration: 1.0}}\nstructures:\n"
-      "  b1: {oscillator: {mass: 1.0, period: 1.2, damping: 10 %}}\n  b2: {body: {mass: 1000.0}}\n  b3: {wall: {}}\nlinks:\n"
+      "  b1: {oscillator: {mass: 1.0, period: 1.2, damping: 10 %}}\n  b2: {body: {mass: 1000.0}}\n  b3: {wall: "
+      "{}}\nlinks:\n"
       "  - {between: [b2, b3], gap: 0, law: adams_impact, stiffness: 9e10, depth: 1.0, restitution: 0.05}\n"
       "  - {between: [b1, b2], gap: 0, law: bilinear_hertz, stiffness: 1.0, restitution: 1.0, impact_velocity: 1.0}\n"
       "analysis: {duration: 0.01, tolerance: 1e-3, integrator: generalized_alpha}\n");
@@ -407,27 +437,31 @@ TEST(TouchAtRest, DoesNotSwitchWithTheRoundingOfItsForce) {
 
 // Where the ground jumps, the absolute acceleration does not: m a = -(c v + k u) at every output time.
 TEST(JumpOfTheGround, LeavesTheAbsoluteAccelerationInBalance) {
-  const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: 2.0, start: 0.5, duration: 1}}\n"
-                               "structures: {a: {oscillator: {mass: 2 kg, period: 0.4, damping: 5 %}}}\n"
-                               "analysis: {duration: 2, output_step: 0.01, tolerance: 1e-6, integrator: generalized_alpha}\n");
+  const Outcome run = run_text(
+      "ground_motion: {pulse: {shape: rectangle, amplitude: 2.0, start: 0.5, duration: 1}}\n"
+      "structures: {a: {oscillator: {mass: 2 kg, period: 0.4, damping: 5 %}}}\n"
+      "analysis: {duration: 2, output_step: 0.01, tolerance: 1e-6, integrator: generalized_alpha}\n");
   const StructureHistory& a = run.results.structures[0];
   const double w = 2 * M_PI / 0.4;
   for (std::size_t i = 0; i < run.results.time.size(); ++i)
-    EXPECT_NEAR(a.acceleration[i], -(2 * 0.05 * w * a.velocity[i] + w * w * a.displacement[i]), 1e-5) << run.results.time[i];
+    EXPECT_NEAR(a.acceleration[i], -(2 * 0.05 * w * a.velocity[i] + w * w * a.displacement[i]), 1e-5)
+        << run.results.time[i];
 }
 
 // A first step over whole periods would see no motion at all.
 TEST(GroundMotion, IsNotSteppedOver) {
-  const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.1, duration: 1.6}}\n"
-                               "structures: {a: {body: {mass: 1 t}}}\nanalysis: {duration: 1.6, max_step: 1e3}\n");
+  const Outcome run = run_text(
+      "ground_motion: {harmonic: {amplitude: 3.0, period: 0.1, duration: 1.6}}\n"
+      "structures: {a: {body: {mass: 1 t}}}\nanalysis: {duration: 1.6, max_step: 1e3}\n");
   // v = -(A T/2 pi)(1 - cos), u(1.6) = -A T t/(2 pi).
   EXPECT_NEAR(run.results.structures[0].displacement.back(), -3.0 * 0.1 * 1.6 / (2 * M_PI), 1e-5);
 }
 
 TEST(LinkHistory, RisesFromZeroAtTheTouch) {
-  const Outcome run = run_text("structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
-                               "links: [{between: [a, w], gap: 10 mm, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
-                               "restitution: 0.5}]\nanalysis: {duration: 0.2, tolerance: 1e-6, integrator: generalized_alpha}\n");
+  const Outcome run = run_text(
+      "structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 10 mm, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
+      "restitution: 0.5}]\nanalysis: {duration: 0.2, tolerance: 1e-6, integrator: generalized_alpha}\n");
   const LinkHistory& link = run.results.links[0];
   double impulse = 0;
   for (std::size_t i = 1; i < link.time.size(); ++i)
@@ -438,9 +472,10 @@ TEST(LinkHistory, RisesFromZeroAtTheTouch) {
 
 // Steps are as long as their error allows; the samples follow the force inside of them.
 TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
-  const Outcome run = run_text("structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
-                               "links: [{between: [a, w], gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
-                               "analysis: {duration: 0.2, tolerance: 1e-3}\n");
+  const Outcome run = run_text(
+      "structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+      "analysis: {duration: 0.2, tolerance: 1e-3}\n");
   const LinkHistory& link = run.results.links[0];
   const ImpactRow& impact = run.results.impacts.at(0);
   EXPECT_TRUE(std::is_sorted(link.time.begin(), link.time.end()));
@@ -453,7 +488,9 @@ TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
   for (std::size_t i = 0; i < link.time.size(); ++i) {
     if (link.force[i] == 0) continue;
     ++pressed;
-    EXPECT_NEAR(law.respond(link.penetration[i], link.velocity[i], touched).force, link.force[i], 1e-9 * impact.peak_force) << i;
+    EXPECT_NEAR(law.respond(link.penetration[i], link.velocity[i], touched).force, link.force[i],
+                1e-9 * impact.peak_force)
+        << i;
   }
   EXPECT_GT(pressed, 3 * run.summary.solver.steps / 2) << "steps are long here";
 }
@@ -461,9 +498,11 @@ TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
 // Straight lines between the samples miss the force by a thousandth of its peak at most.
 TEST(LinkHistory, IsAsDenseAsAPictureNeeds) {
   for (const double tolerance : {1e-3, 1e-4}) {
-    const Outcome run = run_text(fmt::format("structures:\n  a: {{body: {{mass: 100 t}}, initial_velocity: 1 m/s}}\n  w: {{wall: {{}}}}\n"
-                                             "links: [{{between: [a, w], gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}]\n"
-                                             "analysis: {{duration: 0.2, tolerance: {:g}}}\n", tolerance));
+    const Outcome run = run_text(fmt::format(
+        "structures:\n  a: {{body: {{mass: 100 t}}, initial_velocity: 1 m/s}}\n  w: {{wall: {{}}}}\n"
+        "links: [{{between: [a, w], gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}]\n"
+        "analysis: {{duration: 0.2, tolerance: {:g}}}\n",
+        tolerance));
     const LinkHistory& link = run.results.links[0];
     const laws::HertzDamped law{.stiffness = 2.75e9, .restitution = 0.65};
     const laws::Impact touched = laws::touch(law, run.results.impacts.at(0).v_approach);
@@ -471,8 +510,10 @@ TEST(LinkHistory, IsAsDenseAsAPictureNeeds) {
     for (std::size_t i = 1; i < link.time.size(); ++i) {
       if (link.force[i - 1] == 0 || link.force[i] == 0) continue;
       const double h = link.time[i] - link.time[i - 1];
-      const double middle = 0.5 * (link.penetration[i - 1] + link.penetration[i]) + h / 8 * (link.velocity[i - 1] - link.velocity[i]);
-      const double rate = 0.5 * (link.velocity[i - 1] + link.velocity[i]) + h / 8 * (link.force[i] - link.force[i - 1]) / 100e3;
+      const double middle =
+          0.5 * (link.penetration[i - 1] + link.penetration[i]) + h / 8 * (link.velocity[i - 1] - link.velocity[i]);
+      const double rate =
+          0.5 * (link.velocity[i - 1] + link.velocity[i]) + h / 8 * (link.force[i] - link.force[i - 1]) / 100e3;
       const double force = law.respond(middle, rate, touched).force;
       missed = std::max(missed, std::abs(force - 0.5 * (link.force[i - 1] + link.force[i])));
     }

@@ -9,13 +9,13 @@
 #include <numbers>
 #include <vector>
 
+#include <pounding/linear/modal_solver.hpp>
 #include <pounding/links/friction.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
-#include <pounding/linear/modal_solver.hpp>
 #include <pounding/stepping/stepper.hpp>
-#include "support/direct.hpp"
 #include "support/book.hpp"
+#include "support/direct.hpp"
 
 namespace pounding {
 namespace friction_test {
@@ -37,7 +37,9 @@ INSTANTIATE_TEST_SUITE_P(Schemes, WithFriction, testing::ValuesIn(schemes),
 TEST(FrictionForce, HasTheSlopesOfItsFormula) {
   using Eigen::Vector2d;
   const Friction friction{.contact = 0, .first = 1, .count = 2, .coefficient = 0.4, .sliding = 0.02};
-  const auto contact_at = [](double d, double v) { return laws::Response{5e6 * std::pow(d, 1.5) + 2e4 * v, 7.5e6 * std::sqrt(d), 2e4}; };
+  const auto contact_at = [](double d, double v) {
+    return laws::Response{5e6 * std::pow(d, 1.5) + 2e4 * v, 7.5e6 * std::sqrt(d), 2e4};
+  };
   const auto vector = [](const Sliding& s) { return Vector2d(s[0], s[1]); };
   const auto force_at = [&](double d, double v, const Vector2d& rates) {
     return vector(friction_force(friction, contact_at(d, v), {rates[0], rates[1]}).force);
@@ -51,18 +53,20 @@ TEST(FrictionForce, HasTheSlopesOfItsFormula) {
   const double h = 1e-7;
   const auto slope = [&](auto at) { return Vector2d((at(h) - at(-h)) / (2 * h)); };
   const Vector2d by_penetration = vector(f.by_penetration), by_rate = vector(f.by_rate);
-  EXPECT_LT((slope([&](double e) { return force_at(d + e, v, rates); }) - by_penetration).norm(), 1e-6 * by_penetration.norm());
+  EXPECT_LT((slope([&](double e) { return force_at(d + e, v, rates); }) - by_penetration).norm(),
+            1e-6 * by_penetration.norm());
   EXPECT_LT((slope([&](double e) { return force_at(d, v + e, rates); }) - by_rate).norm(), 1e-6 * by_rate.norm());
   for (int k = 0; k < 2; ++k) {
     const Vector2d by_sliding(f.by_sliding[0][k], f.by_sliding[1][k]);
     EXPECT_LT((slope([&](double e) { return force_at(d, v, rates + e * Vector2d::Unit(k)); }) - by_sliding).norm(),
               1e-6 * by_sliding.norm());
   }
-  EXPECT_EQ(friction_force(friction, {.force = -3.0, .by_penetration = 1.0}, {rates[0], rates[1]}).force, Sliding{}) << "a contact that pulls";
+  EXPECT_EQ(friction_force(friction, {.force = -3.0, .by_penetration = 1.0}, {rates[0], rates[1]}).force, Sliding{})
+      << "a contact that pulls";
 }
 
-// A block that a spring presses on a wall with a steady force, and that slides along it, in one or two directions. The wall may
-// move along itself.
+// A block that a spring presses on a wall with a steady force, and that slides along it, in one or two directions. The
+// wall may move along itself.
 struct Block {
   static constexpr double mass = 2e3, held_by = 1e7, stiffness = 4e7, closed = 1e-3, coefficient = 0.3;
   static constexpr double pressed = stiffness * held_by * closed / (held_by + stiffness);  // 8 kN
@@ -79,7 +83,8 @@ struct Block {
     system.damping = SparseMatrix(n, n);
     system.gap_jacobian = diagonal(std::vector<double>(n, 1.0));
     system.contacts = {&link};
-    system.frictions = {{.contact = 0, .first = 1, .count = directions, .coefficient = coefficient, .sliding = sliding}};
+    system.frictions = {
+        {.contact = 0, .first = 1, .count = directions, .coefficient = coefficient, .sliding = sliding}};
     for (int i = 0; i < n; ++i) system.groups.push_back({i, 1, 1e-4, 1e-2});
     system.gravity_offset = closed * Eigen::VectorXd::Unit(n, 0);
     u = -stiffness * closed / (held_by + stiffness) * Eigen::VectorXd::Unit(n, 0);
@@ -99,8 +104,7 @@ double time_between(double v0, double v, double sliding) {
 }
 
 TEST_P(WithFriction, ABlockSlidesToRest) {
-  test::Book book("Friction where a contact presses",
-                  "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
+  test::Book book("Friction where a contact presses", "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
                   "run at tolerance 1e-5");
   const double v0 = 1.0, stop = Block::mass * v0 / (Block::coefficient * Block::pressed);
   double last = 1e300;
@@ -111,10 +115,11 @@ TEST_P(WithFriction, ABlockSlidesToRest) {
     Stepper stepper(block.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.05});
     stepper.start(0, block.u, v0 * Eigen::VectorXd::Unit(2, 1));
     long tries = test::march(stepper, 0.5 * stop, 0.05);
-    book.near("time to a speed on the way [s]", time_between(v0, stepper.state().v[1], sliding), 0.5 * stop, 1e-5 * stop);
-    book.near("friction force [N]",
-              stepper.state().force[1], Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.state().v[1]),
-                1e-4 * Block::pressed);
+    book.near("time to a speed on the way [s]", time_between(v0, stepper.state().v[1], sliding), 0.5 * stop,
+              1e-5 * stop);
+    book.near("friction force [N]", stepper.state().force[1],
+              Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.state().v[1]),
+              1e-4 * Block::pressed);
     tries += test::march(stepper, 3 * stop, 0.05);
     book.near("way to rest [m]", stepper.state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
     book.below("speed after that [m/s]", std::abs(stepper.state().v[1]), 1e-5);
@@ -145,8 +150,7 @@ TEST_P(WithFriction, SlidingInTwoDirectionsKeepsItsDirection) {
 
 // A wall that slides along the block takes it along; the force works on the ground.
 TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
-  test::Book book("Friction where a contact presses",
-                  "a wall that slides takes a block along: F t/m, then its speed",
+  test::Book book("Friction where a contact presses", "a wall that slides takes a block along: F t/m, then its speed",
                   "the wall gains its speed in a moment, not at once; then the tolerance 1e-6");
   const double sliding = 1e-3, speed = 0.5, acceleration = 10;
   Block block(sliding);
@@ -159,7 +163,8 @@ TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
   test::march(stepper, 0.2, 0.02);
   // From a wall that is faster at once it would be F t / m; the wall gains its speed in a moment.
   const double force = Block::coefficient * Block::pressed;
-  book.near("speed on the way [m/s]", stepper.state().v[1], force / Block::mass * 0.2, 0.01 * force / Block::mass * 0.2);
+  book.near("speed on the way [m/s]", stepper.state().v[1], force / Block::mass * 0.2,
+            0.01 * force / Block::mass * 0.2);
   test::march(stepper, 2, 0.02);
   book.near("speed in the end [m/s]", stepper.state().v[1], speed, 1e-6);
   const Energies e = stepper.energies();
@@ -167,11 +172,13 @@ TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
   EXPECT_GT(stepper.friction_work()[0], 0.4 * e.kinetic);
 }
 
-// Two masses in the plane that strike each other obliquely: the normal leans, so that normal and sliding forces act on each
-// other through both springs of each mass.
+// Two masses in the plane that strike each other obliquely: the normal leans, so that normal and sliding forces act on
+// each other through both springs of each mass.
 struct Oblique {
-  static constexpr double mass[] = {1e5, 1.3e5}, period_x[] = {0.8, 0.5}, period_z[] = {0.3, 0.17}, gap = 0.02, angle = 0.4;
-  static constexpr double stiffness = 2.75e9, coefficient = 0.5, sliding = 0.02, amplitude = 4, ground_period = 0.6, delay = 0.11;
+  static constexpr double mass[] = {1e5, 1.3e5}, period_x[] = {0.8, 0.5}, period_z[] = {0.3, 0.17}, gap = 0.02,
+                          angle = 0.4;
+  static constexpr double stiffness = 2.75e9, coefficient = 0.5, sliding = 0.02, amplitude = 4, ground_period = 0.6,
+                          delay = 0.11;
   GapLink<laws::Hertz> link{laws::Hertz{.stiffness = stiffness}, gap};
   System system;
 
@@ -223,8 +230,9 @@ struct Oblique {
       for (int i = 0; i < 4; ++i) {
         const double k = spring(i), m = mass[i / 2];
         out[i] = y[4 + i];
-        out[4 + i] = -(k * y[i] + 0.1 * std::sqrt(k * m) * y[4 + i] + closing(i, 0) * normal + closing(i, 1) * along) / m -
-                     (i % 2 == 0 ? a[i / 2] : 0.0);
+        out[4 + i] =
+            -(k * y[i] + 0.1 * std::sqrt(k * m) * y[4 + i] + closing(i, 0) * normal + closing(i, 1) * along) / m -
+            (i % 2 == 0 ? a[i / 2] : 0.0);
       }
       for (int i = 0; i < 2; ++i) out[8 + i] = y[10 + i], out[10 + i] = a[i];
       out[12] = along * slip / 1e6;
@@ -246,8 +254,8 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   stepper.start(0, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero());
   test::march(stepper, end, 0.01);
   EXPECT_GE(problem.link.impacts().size(), 3u);
-  book.below("oblique impact: displacements, difference over size [-]",
-             (stepper.state().u - expected.head(4)).norm(), 1e-5 * expected.head(4).norm());
+  book.below("oblique impact: displacements, difference over size [-]", (stepper.state().u - expected.head(4)).norm(),
+             1e-5 * expected.head(4).norm());
   book.below("oblique impact: velocities, difference over size [-]",
              (stepper.state().v - expected.segment(4, 4)).norm(), 1e-5 * expected.segment(4, 4).norm());
   const double lost = 1e6 * expected[12];
@@ -260,8 +268,7 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
 
 // Steady normal force, so that friction is smooth: the block on a spring is slowed down.
 TEST_P(WithFriction, StepsKeepTheirOrder) {
-  test::Book book("Friction where a contact presses",
-                  "order of the scheme, against an independent integration",
+  test::Book book("Friction where a contact presses", "order of the scheme, against an independent integration",
                   "the next order of the error");
   const double sliding = 0.3, k = 8e4, end = 0.8;
   const auto f = [&](double, const Eigen::VectorXd& y) {
@@ -278,10 +285,12 @@ TEST_P(WithFriction, StepsKeepTheirOrder) {
     Stepper stepper(block.system, base, {.tolerance = 1e-3, .scheme = scheme, .max_step = h});
     stepper.start(0, block.u, Eigen::Vector2d(0, 1));
     test::march_evenly(stepper, end, h);
-    errors.push_back((Eigen::Vector2d(stepper.state().u[1], 0.2 * stepper.state().v[1]) - Eigen::Vector2d(expected[0], 0.2 * expected[1])).norm());
+    errors.push_back((Eigen::Vector2d(stepper.state().u[1], 0.2 * stepper.state().v[1]) -
+                      Eigen::Vector2d(expected[0], 0.2 * expected[1]))
+                         .norm());
   }
-  book.near("observed order with friction [-]",
-            std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order, 0.3);
+  book.near("observed order with friction [-]", std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order,
+            0.3);
 }
 
 std::vector<std::uint64_t> bits_of(const Stepper& stepper) {
@@ -292,7 +301,8 @@ std::vector<std::uint64_t> bits_of(const Stepper& stepper) {
     add(state->u), add(state->v), add(state->a), add(state->force);
   }
   const Energies e = stepper.energies();
-  for (const double value : {e.input, e.kinetic, e.strain, e.damping, e.impact, stepper.friction_work()[0]}) all.push_back(value);
+  for (const double value : {e.input, e.kinetic, e.strain, e.damping, e.impact, stepper.friction_work()[0]})
+    all.push_back(value);
   std::vector<std::uint64_t> bits;
   for (const double value : all) bits.push_back(std::bit_cast<std::uint64_t>(value));
   return bits;
@@ -333,12 +343,16 @@ TEST(Friction, IsRefusedWhereItCannotWork) {
   EXPECT_EQ(text_of([](System&) {}), "");
   EXPECT_EQ(text_of([&](System& s) { s.contacts = {&rigid}; }),
             "a rigid contact takes no friction: its force is not known while it strikes");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].sliding = 0; }), "the sliding velocity of a friction must be positive");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].coefficient = -0.1; }), "the coefficient of a friction must not be negative");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].contact = 1; }), "a friction belongs to a contact that does not exist");
+  EXPECT_EQ(text_of([](System& s) { s.frictions[0].sliding = 0; }),
+            "the sliding velocity of a friction must be positive");
+  EXPECT_EQ(text_of([](System& s) { s.frictions[0].coefficient = -0.1; }),
+            "the coefficient of a friction must not be negative");
+  EXPECT_EQ(text_of([](System& s) { s.frictions[0].contact = 1; }),
+            "a friction belongs to a contact that does not exist");
   EXPECT_EQ(text_of([](System& s) { s.frictions[0].count = 2; }),
             "a friction needs one or two columns of System::gap_jacobian behind those of the springs");
-  EXPECT_EQ(text_of([](System& s) { s.frictions.push_back(s.frictions[0]); }), "two frictions share a column of System::gap_jacobian");
+  EXPECT_EQ(text_of([](System& s) { s.frictions.push_back(s.frictions[0]); }),
+            "two frictions share a column of System::gap_jacobian");
   EXPECT_EQ(text_of([](System& s) { s.frictions.clear(); }),
             "a column of System::gap_jacobian belongs to no contact, spring or friction");
 }

@@ -42,7 +42,8 @@ class Hinges : public testing::TestWithParam<Scheme> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, Hinges, testing::Values(esdirk, alpha, damped),
                          [](const auto& test) { return "scheme" + std::to_string(test.index); });
 
-// K, with the springs that yield softened, against K with forces: the same deformations and displacements under the same load.
+// K, with the springs that yield softened, against K with forces: the same deformations and displacements under the
+// same load.
 TEST(HingesAtRest, GiveWayAsASofterStiffnessSays) {
   HingeFrame frame;
   const System& system = frame.system;
@@ -111,28 +112,35 @@ TEST_P(Hinges, ThatNeverYieldCostNoBit) {
   EXPECT_EQ(a.iterations, 0);
 }
 
-// Steps in which every hinge stays in its elastic range, before the first yield and between two of them, at rest under gravity too.
+// Steps in which every hinge stays in its elastic range, before the first yield and between two of them, at rest under
+// gravity too.
 TEST_P(Hinges, ThatStayInTheirRangesMoveToTheBitAsByTheLongWay) {
   for (const bool bears : {false, true}) {
     HingeFrame quick({.frames = 2, .mirrored = true}, shake), slow({.frames = 2, .mirrored = true}, shake);
     std::vector<std::unique_ptr<test::WithoutRange>> hidden;
-    for (Spring*& spring : slow.system.springs) spring = hidden.emplace_back(std::make_unique<test::WithoutRange>(*spring)).get();
+    for (Spring*& spring : slow.system.springs)
+      spring = hidden.emplace_back(std::make_unique<test::WithoutRange>(*spring)).get();
     for (HingeFrame* frame : {&quick, &slow}) {
-      frame->add_contact(std::make_unique<GapLink<laws::HertzDamped>>(laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
+      frame->add_contact(std::make_unique<GapLink<laws::HertzDamped>>(
+          laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
       if (!bears) continue;
       frame->system.gravity_offset.setZero(frame->system.links());
-      for (int i = 0; i < frame->hinges(); ++i) frame->system.gravity_offset[1 + i] = 0.2 * std::sin(1 + i) * frame->springs[i]->yield_deformation();
+      for (int i = 0; i < frame->hinges(); ++i)
+        frame->system.gravity_offset[1 + i] = 0.2 * std::sin(1 + i) * frame->springs[i]->yield_deformation();
     }
     const auto run = [](HingeFrame& frame, std::vector<double>& numbers, long& stayed) {
       ModalSolver solver(frame.system);
-      return run_hinge_frame(frame, solver, {.tolerance = 1e-4, .scheme = GetParam(), .max_step = 0.02}, end, 4, [&](StepController& controller) {
-        if (controller.stepper().springs_stayed()) ++stayed;
-        for (const LinkStep& step : controller.stepper().link_steps())
-          for (const double value : {step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration,
-                                     step.motion_middle.rate, step.motion_end.penetration, step.motion_end.rate, step.force_begin,
-                                     step.force_middle, step.force_end, step.acceleration_begin, step.acceleration_end})
-            numbers.push_back(value);
-      });
+      return run_hinge_frame(
+          frame, solver, {.tolerance = 1e-4, .scheme = GetParam(), .max_step = 0.02}, end, 4,
+          [&](StepController& controller) {
+            if (controller.stepper().springs_stayed()) ++stayed;
+            for (const LinkStep& step : controller.stepper().link_steps())
+              for (const double value :
+                   {step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration,
+                    step.motion_middle.rate, step.motion_end.penetration, step.motion_end.rate, step.force_begin,
+                    step.force_middle, step.force_end, step.acceleration_begin, step.acceleration_end})
+                numbers.push_back(value);
+          });
     };
     std::vector<double> seen, expected;
     long quickly = 0, slowly = 0;
@@ -171,7 +179,8 @@ TEST_P(Hinges, OfTwoMirroredFramesMoveAlike) {
 
 TEST_P(Hinges, BesideAContactCloseTheirEnergies) {
   HingeFrame frames({.frames = 2, .mirrored = true}, shake);
-  frames.add_contact(std::make_unique<GapLink<laws::HertzDamped>>(laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
+  frames.add_contact(std::make_unique<GapLink<laws::HertzDamped>>(
+      laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
   const HingeFrameRun done = run(frames, GetParam(), 1e-5);
   EXPECT_GT(frames.contacts[0]->impacts().size(), 1u);
   EXPECT_GT(done.energy.hysteretic, 0.2 * done.energy.input);
@@ -264,16 +273,19 @@ TEST_P(Hinges, OfFramesWithFactorsKeepTheToleranceWithoutStepsThatEndAtCorners) 
     HingeFrame frame({.frames = 2}, shake);
     const auto solver = make(frame.system);
     int off_levels = 0;
-    const HingeFrameRun done = run_hinge_frame(frame, *solver, {.tolerance = tolerance, .scheme = GetParam(), .max_step = longest}, end, 4,
-                                               [&](StepController& controller) {
-                                                 const double h = controller.stepper().instant_end_minus().time - controller.stepper().instant_begin().time;
-                                                 const double level = std::log2(longest / h);
-                                                 if (std::abs(level - std::round(level)) > 1e-6) ++off_levels;
-                                               });
+    const HingeFrameRun done = run_hinge_frame(
+        frame, *solver, {.tolerance = tolerance, .scheme = GetParam(), .max_step = longest}, end, 4,
+        [&](StepController& controller) {
+          const double h = controller.stepper().instant_end_minus().time - controller.stepper().instant_begin().time;
+          const double level = std::log2(longest / h);
+          if (std::abs(level - std::round(level)) > 1e-6) ++off_levels;
+        });
     return std::pair(done, off_levels);
   };
   const auto modal = [](const System& system) { return std::make_unique<ModalSolver>(system); };
-  const auto sparse = [](const System& system) { return std::make_unique<petsc::SparseSolver>(PETSC_COMM_WORLD, system); };
+  const auto sparse = [](const System& system) {
+    return std::make_unique<petsc::SparseSolver>(PETSC_COMM_WORLD, system);
+  };
   const HingeFrameRun truth = run_with(modal, 1e-6).first;
   for (const double tolerance : {1e-3, 1e-4}) {
     const auto [done, off_levels] = run_with(sparse, tolerance);

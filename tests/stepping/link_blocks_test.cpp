@@ -16,7 +16,8 @@ namespace link_blocks_test {
 
 using Eigen::Index;
 
-/// As in a row of bodies, where each link acts on its neighbours in the same block; blocks of one to five links. Random numbers, symmetric, positive definite.
+/// As in a row of bodies, where each link acts on its neighbours in the same block; blocks of one to five links. Random
+/// numbers, symmetric, positive definite.
 struct Row {
   std::vector<Index> ends;
   Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(count, count);

@@ -94,11 +94,14 @@ struct Few {
     blocks.find(flexibility);
     return solver->solve({active, free, free_acceleration, flexibility, by_u, by_v, weight, nullptr, &blocks}, force);
   }
-  /// The largest difference between the answer of a law, at the motion that all forces leave, and its force, as a part of all forces.
+  /// The largest difference between the answer of a law, at the motion that all forces leave, and its force, as a part
+  /// of all forces.
   double worst() const {
     double largest = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      largest = std::max(largest, std::abs(contacts[i]->evaluate(motion(static_cast<int>(i))).force - force[static_cast<Eigen::Index>(i)]) / force.norm());
+      largest = std::max(largest, std::abs(contacts[i]->evaluate(motion(static_cast<int>(i))).force -
+                                           force[static_cast<Eigen::Index>(i)]) /
+                                      force.norm());
     return largest;
   }
   /// Motion that the forces leave.
@@ -153,7 +156,8 @@ TEST(LinkSolver, LeavesEveryNonlinearLinkInBalanceFromAnyGuess) {
       ASSERT_TRUE(few.solve(guess)) << guess << count;
       for (int i = 0; i < count; ++i) {
         EXPECT_GT(few.force[i], 0);
-        EXPECT_NEAR(few.contacts[i]->evaluate(few.motion(i)).force, few.force[i], 1e-11 * few.force[i]) << guess << count;
+        EXPECT_NEAR(few.contacts[i]->evaluate(few.motion(i)).force, few.force[i], 1e-11 * few.force[i])
+            << guess << count;
       }
       EXPECT_LT(few.solver->iterations(), 100);
     }
@@ -214,15 +218,17 @@ TEST(LinkSolver, FollowsASpringThatYields) {
   EXPECT_LT(expected, -0.9 * (1e6 * 5e-3 - 1e3)) << "beyond the answer to the free motion";
 }
 
-// A joint without mass, but for 1e-6 of the stiffness, with sharp and stiff hinges at the four members that meet in it. Their other ends turn so
-// far that all hinges yield at first: the joint is loose then and the first directions of Newton's method are far too long.
+// A joint without mass, but for 1e-6 of the stiffness, with sharp and stiff hinges at the four members that meet in it.
+// Their other ends turn so far that all hinges yield at first: the joint is loose then and the first directions of
+// Newton's method are far too long.
 TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
   constexpr int members = 4;
   const double member = 6e6, hinge = 100 * member, turned = 0.02;
   const double yield[members] = {5e4, 3e4, 6e4, 1.5e4};
   Few few;
   // The joint, then the ends of the members beyond their hinges.
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(1 + members, 1 + members), way = Eigen::MatrixXd::Zero(members, 1 + members);
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(1 + members, 1 + members),
+                  way = Eigen::MatrixXd::Zero(members, 1 + members);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(1 + members);
   stiffness(0, 0) = 1e-6 * member;
   for (int i = 0; i < members; ++i) {
@@ -244,15 +250,17 @@ TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
   double sum = 0;
   for (int i = 0; i < members; ++i) {
     const double d = few.motion(i).penetration, moment = hinge * d + few.force[i];
-    EXPECT_NEAR(few.springs[static_cast<std::size_t>(i)]->evaluate({d, 0}).force, few.force[i], 1e-10 * hinge * std::abs(d)) << i;
+    EXPECT_NEAR(few.springs[static_cast<std::size_t>(i)]->evaluate({d, 0}).force, few.force[i],
+                1e-10 * hinge * std::abs(d))
+        << i;
     EXPECT_LE(std::abs(moment), yield[i]) << i;
     sum += moment;
   }
   EXPECT_NEAR(sum, 0, 1e-2 * yield[3]);
 }
 
-// Sixty springs of two structures, most of which yield, beside three contacts that join them: as by Newton's method on all equations at once,
-// which the springs of each structure leave the contacts alone.
+// Sixty springs of two structures, most of which yield, beside three contacts that join them: as by Newton's method on
+// all equations at once, which the springs of each structure leave the contacts alone.
 TEST(SoftSprings, OfEachStructureAreEliminatedBeforeTheOtherLinks) {
   constexpr int contacts = 3, of_one = 30, springs = 2 * of_one, count = contacts + springs;
   Eigen::MatrixXd way = Eigen::MatrixXd::Zero(count, 2 * 40);  // of the links by the unknowns of two structures
@@ -263,11 +271,14 @@ TEST(SoftSprings, OfEachStructureAreEliminatedBeforeTheOtherLinks) {
   const Eigen::MatrixXd flexibility = 1e-3 * way * way.transpose();
   Eigen::MatrixXd relief = Eigen::MatrixXd::Zero(count, count);
   relief.bottomRightCorner(springs, springs) = 1e-9 * flexibility.bottomRightCorner(springs, springs);
-  Eigen::VectorXd slopes(count), rates = Eigen::VectorXd::Zero(count), residual(count), only_springs = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd slopes(count), rates = Eigen::VectorXd::Zero(count), residual(count),
+                                 only_springs = Eigen::VectorXd::Zero(count);
   const double by_u = 1e-6, by_v = 2e-3, weight = 0.5;
   for (int i = 0; i < count; ++i) {
     residual[i] = 1e3 * std::sin(3.0 + 11 * i);
-    slopes[i] = i < contacts ? 1e8 : i % 7 == 0 ? 0 : -0.1 / (by_u * weight * flexibility(i, i) + relief(i, i)) / of_one;
+    slopes[i] = i < contacts ? 1e8
+                : i % 7 == 0 ? 0
+                             : -0.1 / (by_u * weight * flexibility(i, i) + relief(i, i)) / of_one;
     if (i >= contacts) only_springs[i] = slopes[i];
     if (i < contacts) rates[i] = 1e5;
   }
@@ -278,17 +289,30 @@ TEST(SoftSprings, OfEachStructureAreEliminatedBeforeTheOtherLinks) {
   const Eigen::VectorXd expected = matrix.partialPivLu().solve(residual);
   const std::vector<int> active(count, 0), others{0, 1, 2};
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(count);
-  const CondensedLinks links{.active = active, .free = {}, .free_acceleration = none, .flexibility = flexibility, .by_u = by_u, .by_v = by_v,
-                             .weight = weight, .relief = &relief};
+  const CondensedLinks links{.active = active,
+                             .free = {},
+                             .free_acceleration = none,
+                             .flexibility = flexibility,
+                             .by_u = by_u,
+                             .by_v = by_v,
+                             .weight = weight,
+                             .relief = &relief};
   SoftSprings solver;
   Eigen::VectorXd direction;
   ASSERT_TRUE(solver.solve_beside(links, others, matrix, only_springs, residual, direction));
   EXPECT_LT((direction - expected).norm(), 1e-11 * expected.norm());
   // Without the contacts.
-  const Eigen::MatrixXd g = flexibility.bottomRightCorner(springs, springs), s = relief.bottomRightCorner(springs, springs);
+  const Eigen::MatrixXd g = flexibility.bottomRightCorner(springs, springs),
+                        s = relief.bottomRightCorner(springs, springs);
   const Eigen::VectorXd own = slopes.tail(springs), left = residual.tail(springs), nothing = none.tail(springs);
-  const CondensedLinks alone{.active = active, .free = {}, .free_acceleration = nothing, .flexibility = g, .by_u = by_u, .by_v = by_v,
-                             .weight = weight, .relief = &s};
+  const CondensedLinks alone{.active = active,
+                             .free = {},
+                             .free_acceleration = nothing,
+                             .flexibility = g,
+                             .by_u = by_u,
+                             .by_v = by_v,
+                             .weight = weight,
+                             .relief = &s};
   const Eigen::VectorXd by_themselves = matrix.bottomRightCorner(springs, springs).partialPivLu().solve(left);
   ASSERT_TRUE(solver.solve(alone, own, left, direction));
   EXPECT_LT((direction - by_themselves).norm(), 1e-11 * by_themselves.norm());
@@ -326,7 +350,9 @@ TEST(LinkSolver, FindsTheForcesOfAHundredLinksThatPressTogether) {
   EXPECT_LT(few.worst(), 1e-12);
   const Eigen::VectorXd first = few.force;
   few.flexibility *= 2;
-  const CondensedLinks softer{few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight, nullptr, &few.blocks};
+  const CondensedLinks softer{few.active,      few.free, few.free_acceleration,
+                              few.flexibility, few.by_u, few.by_v,
+                              few.weight,      nullptr,  &few.blocks};
   ASSERT_TRUE(few.solver->solve(softer, few.force));
   EXPECT_LT(few.worst(), 1e-12);
   EXPECT_GT((few.force - first).norm(), 1e-3 * first.norm());
@@ -352,7 +378,8 @@ TEST(LinkSolver, FindsTheForcesOfLinksInBlocksAsThoseOfAll) {
   EXPECT_LT(few.worst(), 1e-12);
   const Eigen::VectorXd by_blocks = few.force;
   few.force.setZero();
-  ASSERT_TRUE(few.solver->solve({few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight}, few.force));
+  ASSERT_TRUE(few.solver->solve(
+      {few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight}, few.force));
   EXPECT_LT((few.force - by_blocks).norm(), 1e-12 * by_blocks.norm());
 }
 

@@ -1,5 +1,5 @@
-// Supports that the ground moves one by one, and relative displacements that the ground and gravity give: against integration in absolute
-// coordinates and closed forms.
+// Supports that the ground moves one by one, and relative displacements that the ground and gravity give: against
+// integration in absolute coordinates and closed forms.
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <numbers>
 #include <vector>
 
+#include <pounding/linear/modal_solver.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
-#include <pounding/linear/modal_solver.hpp>
 #include <pounding/stepping/stepper.hpp>
-#include "support/direct.hpp"
 #include "support/book.hpp"
+#include "support/direct.hpp"
 
 namespace pounding {
 namespace moving_ground_test {
@@ -61,14 +61,17 @@ struct Delayed {
 
   // x1 x2 v1 v2 of the masses and of their grounds, absolute, at the end.
   static Eigen::VectorXd direct() {
-    const auto ground = [](double t) { return t >= 0 && t < duration ? amplitude * std::sin(2 * pi * t / ground_period) : 0.0; };
+    const auto ground = [](double t) {
+      return t >= 0 && t < duration ? amplitude * std::sin(2 * pi * t / ground_period) : 0.0;
+    };
     const auto f = [&](double t, const Eigen::VectorXd& y) {
       Eigen::VectorXd out(8);
       out << y[2], y[3], 0, 0, y[6], y[7], ground(t), ground(t - delay);
       const double overlap = y[0] - y[1] - gap, force = overlap > 0 ? stiffness * std::pow(overlap, 1.5) : 0;
       for (int i = 0; i < 2; ++i) {
         const double w = 2 * pi / period[i];
-        out[2 + i] = -w * w * (y[i] - y[4 + i]) - 2 * ratio * w * (y[2 + i] - y[6 + i]) + (i == 0 ? -1 : 1) * force / mass[i];
+        out[2 + i] =
+            -w * w * (y[i] - y[4 + i]) - 2 * ratio * w * (y[2 + i] - y[6 + i]) + (i == 0 ? -1 : 1) * force / mass[i];
       }
       return out;
     };
@@ -89,10 +92,10 @@ TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
   EXPECT_GE(problem.link.impacts().size(), 4u);
   const Eigen::MatrixXd& motion = stepper.outputs().motion;
   for (int i = 0; i < 2; ++i) {
-    book.near("absolute displacement [m]",
-              motion(i, 0) + problem.system.grounds[i].displacement(Delayed::end), expected[i], 1e-6);
-    book.near("absolute velocity [m/s]",
-              motion(i, 1) + problem.system.grounds[i].velocity(Delayed::end), expected[2 + i], 1e-5);
+    book.near("absolute displacement [m]", motion(i, 0) + problem.system.grounds[i].displacement(Delayed::end),
+              expected[i], 1e-6);
+    book.near("absolute velocity [m/s]", motion(i, 1) + problem.system.grounds[i].velocity(Delayed::end),
+              expected[2 + i], 1e-5);
   }
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.damping + e.impact, 1e-6 * e.damping);
@@ -187,7 +190,8 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
                   "a wall that drifts at 0.1 m/s throws a mass ahead by a linear spring: half a period of contact",
                   "run at tolerance 1e-6");
   const double stiffness = 9.35e7;
-  BeforeWall problem(std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = stiffness}, 0.02), towards);
+  BeforeWall problem(std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = stiffness}, 0.02),
+                     towards);
   ModalSolver base(problem.system);
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.05});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
@@ -207,19 +211,19 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
 // The wall pushes the mass while it gains speed, and leaves it when it slows down.
 TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
   test::Book book("Supports that the ground moves one by one",
-                  "a mass that a wall pushes while it gains speed: m a, then A T/pi",
-                  "run at tolerance 1e-5");
+                  "a mass that a wall pushes while it gains speed: m a, then A T/pi", "run at tolerance 1e-5");
   const double amplitude = 2, duration = 0.8, half = duration / 2;
-  BeforeWall problem(std::make_unique<RigidGapLink>(0.5, 0.0), GroundMotion(Pulse{Pulse::Shape::sine, -amplitude, duration}));
+  BeforeWall problem(std::make_unique<RigidGapLink>(0.5, 0.0),
+                     GroundMotion(Pulse{Pulse::Shape::sine, -amplitude, duration}));
   ModalSolver base(problem.system);
   Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.02});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 0.3, 0.02);
   EXPECT_EQ(problem.contact->phase(), ContactPhase::resting);
-  book.near("displacement while it rests [m]", stepper.state().u[0], problem.system.grounds[0].displacement(0.3), 1e-14);
-  book.near("force while it rests [N]",
-            stepper.state().force[0], BeforeWall::mass * amplitude * std::sin(2 * pi * 0.3 / duration),
-              1e-6 * BeforeWall::mass * amplitude);
+  book.near("displacement while it rests [m]", stepper.state().u[0], problem.system.grounds[0].displacement(0.3),
+            1e-14);
+  book.near("force while it rests [N]", stepper.state().force[0],
+            BeforeWall::mass * amplitude * std::sin(2 * pi * 0.3 / duration), 1e-6 * BeforeWall::mass * amplitude);
   test::march(stepper, 1, 0.02);
   EXPECT_EQ(problem.contact->phase(), ContactPhase::open);
   const double speed = amplitude * duration / pi, way = amplitude * duration / (2 * pi) * half;
@@ -251,14 +255,14 @@ TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
 // A mass on a spring that gravity presses on a spring at the wall, which moves harmonically: linear while they press.
 TEST_P(MovingGround, StepsKeepTheirOrder) {
   test::Book book("Supports that the ground moves one by one",
-                  "order of the scheme, against an independent integration",
-                  "the next order of the error");
+                  "order of the scheme, against an independent integration", "the next order of the error");
   const double k = 4e6, contact = 6e6, closed = 0.05, amplitude = 0.4, period = 0.5, end = 0.45;
   const double rest = -contact * closed / (k + contact);
   const auto expected = [&] {
     const auto f = [&](double t, const Eigen::VectorXd& y) {
       Eigen::VectorXd out(4);
-      out << y[1], -(k * y[0] + contact * (y[0] - y[2] + closed)) / BeforeWall::mass, y[3], amplitude * std::sin(2 * pi * t / period);
+      out << y[1], -(k * y[0] + contact * (y[0] - y[2] + closed)) / BeforeWall::mass, y[3],
+          amplitude * std::sin(2 * pi * t / period);
       return out;
     };
     return test::integrate(f, rest * Eigen::VectorXd::Unit(4, 0), 0, end, 0.01, {});
@@ -275,8 +279,8 @@ TEST_P(MovingGround, StepsKeepTheirOrder) {
     EXPECT_TRUE(presses(problem.contact->phase()));
     errors.push_back(std::hypot(stepper.state().u[0] - expected[0], 0.1 * (stepper.state().v[0] - expected[1])));
   }
-  book.near("observed order on a moving ground [-]",
-            std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order, 0.25);
+  book.near("observed order on a moving ground [-]", std::log2(errors[errors.size() - 2] / errors.back()),
+            GetParam().order, 0.25);
 }
 
 // Everywhere a report may ask.

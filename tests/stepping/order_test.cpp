@@ -1,5 +1,6 @@
-// The observed orders of generalized-alpha and ESDIRK4. Of the former: halving the step divides the error by four, at rest or not, with contacts
-// whose force is smooth (Hertz) or jumps at the touch (Kelvin-Voigt), because steps end at the located instants.
+// The observed orders of generalized-alpha and ESDIRK4. Of the former: halving the step divides the error by four, at
+// rest or not, with contacts whose force is smooth (Hertz) or jumps at the touch (Kelvin-Voigt), because steps end at
+// the located instants.
 
 #include <gtest/gtest.h>
 
@@ -8,9 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include <pounding/links/gap_link.hpp>
 #include <pounding/laws/free_impact.hpp>
 #include <pounding/linear/modal_solver.hpp>
+#include <pounding/links/gap_link.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include "support/book.hpp"
 #include "support/direct.hpp"
@@ -72,8 +73,7 @@ constexpr Scheme alpha(double radius) { return {.kind = Scheme::Kind::generalize
 class SpectralRadius : public testing::TestWithParam<double> {};
 
 TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
-  test::Book book("Orders of the time schemes",
-                  "free vibration of a damped oscillator in closed form",
+  test::Book book("Orders of the time schemes", "free vibration of a damped oscillator in closed form",
                   "the next order of the error");
   const double w = 7.0, z = 0.05;
   std::vector<double> errors;
@@ -115,13 +115,13 @@ double order_of(const std::vector<double>& errors) {
 }
 
 TEST_P(SpectralRadius, AHertzImpactIsSecondOrder) {
-  test::Book book("Orders of the time schemes",
-                  "free impact of a Hertz spring in closed form",
+  test::Book book("Orders of the time schemes", "free impact of a Hertz spring in closed form",
                   "the next order of the error");
   const laws::Hertz law{.stiffness = 2.75e9};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
-  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, 1.0, h, alpha(GetParam())));
+  for (double h = 2e-4; h > 5e-6; h /= 2)
+    errors.push_back(error_after_impact(law, duration, 1.0, h, alpha(GetParam())));
   book.near("generalized-alpha: order through a Hertz impact, least squares [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Hertz impact, last two steps [-]", observed_order(errors), 2.0, 0.2);
 }
@@ -134,16 +134,17 @@ TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
   const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
-  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, alpha(GetParam())));
+  for (double h = 2e-4; h > 5e-6; h /= 2)
+    errors.push_back(error_after_impact(law, duration, asked, h, alpha(GetParam())));
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 2.0, 0.15);
-  book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]",
-            observed_order(errors), 2.0, 0.2);
+  book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]", observed_order(errors), 2.0,
+            0.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(GeneralizedAlpha, SpectralRadius, testing::Values(1.0, 0.8, 0.0));
 
-// The acceleration that the scheme carries belongs to a time that moves with the step; were it left behind when the step
-// changes, the error estimate would ask for six times as many steps.
+// The acceleration that the scheme carries belongs to a time that moves with the step; were it left behind when the
+// step changes, the error estimate would ask for six times as many steps.
 TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
   const auto steps = [](const char* radius) {
     std::string yaml = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-5);
@@ -159,8 +160,7 @@ TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
 
 TEST(Esdirk4, MeetsTheConditionsOfItsOrder) {
   test::Book book("Orders of the time schemes",
-                  "conditions of order four of Runge-Kutta methods, of order three for the embedded one",
-                  "rounding");
+                  "conditions of order four of Runge-Kutta methods, of order three for the embedded one", "rounding");
   using namespace esdirk4;
   double rows = 0, b1 = 0, b2 = 0, b3 = 0, b4 = 0, b31 = 0, b41 = 0, b42 = 0, b43 = 0, e1 = 0, e2 = 0, e3 = 0, e31 = 0;
   const double* b = a[stages - 1];
@@ -200,8 +200,7 @@ TEST(Esdirk4, MeetsTheConditionsOfItsOrder) {
 constexpr Scheme fourth{.kind = Scheme::Kind::esdirk4};
 
 TEST(Esdirk4, FreeVibrationFromRestIsOfOrderFour) {
-  test::Book book("Orders of the time schemes",
-                  "free vibration of a damped oscillator in closed form",
+  test::Book book("Orders of the time schemes", "free vibration of a damped oscillator in closed form",
                   "the next order of the error");
   const double w = 7.0, z = 0.05;
   std::vector<double> errors;
@@ -273,7 +272,8 @@ TEST(ErrorEstimate, IsTheErrorOfTheStep) {
   const double estimated = stepper.error_ratio() * 0.25 * std::pow(tolerance, 1.5);
   stepper.accept();
   const double slope = (exact_oscillation(w, z, h + 1e-6) - exact_oscillation(w, z, h - 1e-6)) / 2e-6;
-  const double made = std::max(std::abs(stepper.state().u[0] - exact_oscillation(w, z, h)), std::abs(stepper.state().v[0] - slope));
+  const double made =
+      std::max(std::abs(stepper.state().u[0] - exact_oscillation(w, z, h)), std::abs(stepper.state().v[0] - slope));
   EXPECT_GT(estimated, 0.3 * made);
   EXPECT_LT(estimated, 5 * made);
 }

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <memory>
 
-#include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
+#include <pounding/links/gap_link.hpp>
 #include <pounding/stepping/step_controller.hpp>
 #include "support/runs.hpp"
 
@@ -25,7 +25,8 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 // One run asks for many steps that it throws away, the other for none.
 TEST(TrialSteps, LeaveNoTrace) {
   const auto end_state = [](bool with_trials) {
-    const Model model = test::model_of(test::two_oscillators("bilinear_hertz, stiffness: 2.75e9, restitution: 0.65", 1e-4));
+    const Model model =
+        test::model_of(test::two_oscillators("bilinear_hertz, stiffness: 2.75e9, restitution: 0.65", 1e-4));
     const System system = assemble(model);
     ModalSolver base(system);
     Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 1e-3});
@@ -51,12 +52,13 @@ TEST(TrialSteps, LeaveNoTrace) {
   EXPECT_TRUE(same_bits(quiet.force, busy.force));
 }
 
-// Displacements and velocities alone are those of the states, asked for before these exist and after. A blow changes the
-// velocity in no time: the state before it is another one than the present.
+// Displacements and velocities alone are those of the states, asked for before these exist and after. A blow changes
+// the velocity in no time: the state before it is another one than the present.
 TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
-  const Model model = test::model_of("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
-                                     "links: [{between: [a, w], gap: 0, law: stereomechanical, restitution: 0.6}]\n"
-                                     "analysis: {duration: 1}\n");
+  const Model model = test::model_of(
+      "structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 0, law: stereomechanical, restitution: 0.6}]\n"
+      "analysis: {duration: 1}\n");
   const System system = assemble(model);
   ModalSolver base(system);
   Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 1e-2});
@@ -69,9 +71,11 @@ TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
     const auto check = [&] {
       Eigen::VectorXd u, v;
       stepper.begin(u, v);
-      EXPECT_TRUE(same_bits(u, stepper.begin().u) && same_bits(v, stepper.begin().v)) << "at " << stepper.time() << " s";
+      EXPECT_TRUE(same_bits(u, stepper.begin().u) && same_bits(v, stepper.begin().v))
+          << "at " << stepper.time() << " s";
       stepper.end_minus(u, v);
-      EXPECT_TRUE(same_bits(u, stepper.end_minus().u) && same_bits(v, stepper.end_minus().v)) << "at " << stepper.time() << " s";
+      EXPECT_TRUE(same_bits(u, stepper.end_minus().u) && same_bits(v, stepper.end_minus().v))
+          << "at " << stepper.time() << " s";
     };
     check();
     check();
@@ -80,12 +84,13 @@ TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
   EXPECT_GE(blows, 2);
 }
 
-// Looking between the ends of a trial for a touch that is not there leaves the trial as it was, its exact end included: a
-// time one rounding short of a corner of the ground motion would ask for a step of that length.
+// Looking between the ends of a trial for a touch that is not there leaves the trial as it was, its exact end included:
+// a time one rounding short of a corner of the ground motion would ask for a step of that length.
 TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {
-  const Model model = test::model_of("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
-                                     "links: [{between: [a, w], gap: 20.001 mm, law: hertz, stiffness: 2.75e9}]\n"
-                                     "analysis: {duration: 1}\n");
+  const Model model = test::model_of(
+      "structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
+      "links: [{between: [a, w], gap: 20.001 mm, law: hertz, stiffness: 2.75e9}]\n"
+      "analysis: {duration: 1}\n");
   const System system = assemble(model);
   ModalSolver base(system);
   Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 0.1});

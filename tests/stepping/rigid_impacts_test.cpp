@@ -30,8 +30,12 @@ struct Row {
   MatrixXd flexibility() const { return jacobian().transpose() * mass.cwiseInverse().asDiagonal() * jacobian(); }
   Strikes strikes(double restitution) const {
     const MatrixXd b = jacobian();
-    return {flexibility(), b.transpose() * velocity, VectorXd::Constant(b.cols(), restitution),
-            VectorXd::Constant(b.cols(), 1e-6), 1e-12, 0};
+    return {flexibility(),
+            b.transpose() * velocity,
+            VectorXd::Constant(b.cols(), restitution),
+            VectorXd::Constant(b.cols(), 1e-6),
+            1e-12,
+            0};
   }
   VectorXd after(const VectorXd& impulse) const {
     return velocity - mass.cwiseInverse().asDiagonal() * (jacobian() * impulse);

@@ -1,4 +1,5 @@
-// Short motions of the ground: closed forms of undamped structures, the energies, and steps that recover when the motion is over.
+// Short motions of the ground: closed forms of undamped structures, the energies, and steps that recover when the
+// motion is over.
 
 #include <gtest/gtest.h>
 
@@ -36,15 +37,16 @@ struct Motion {
   double u = 0, v = 0;
 };
 
-// u'' + w^2 u = -ag from rest, at the end of the motion and `later` after it. sin(p d) and cos(p d) - cos(w d) in forms without
-// cancellation.
+// u'' + w^2 u = -ag from rest, at the end of the motion and `later` after it. sin(p d) and cos(p d) - cos(w d) in forms
+// without cancellation.
 Motion exact(const Kind& kind, double duration, double w, double later) {
   Motion end;
   const double p = 2 * pi * kind.cycles / duration;
   if (kind.cycles == 0) {
     end = {-2 * amplitude / (w * w) * std::pow(std::sin(w * duration / 2), 2), -amplitude / w * std::sin(w * duration)};
   } else {
-    const double sine = std::fmod(2 * kind.cycles, 1) == 0 ? 0 : std::sin(p * duration), factor = -amplitude / (w * w - p * p);
+    const double sine = std::fmod(2 * kind.cycles, 1) == 0 ? 0 : std::sin(p * duration),
+                 factor = -amplitude / (w * w - p * p);
     end = {factor * (sine - p / w * std::sin(w * duration)),
            -2 * factor * p * std::sin((p + w) * duration / 2) * std::sin((p - w) * duration / 2)};
   }
@@ -56,13 +58,16 @@ double size(const Motion& motion, double w) { return std::hypot(motion.u, motion
 
 std::string pulse_text(const std::string& shape, double duration, double start = 0) {
   if (shape == "harmonic")
-    return fmt::format("harmonic: {{amplitude: {}, period: {}, duration: {}}}", amplitude, duration / harmonic_cycles, duration);
+    return fmt::format("harmonic: {{amplitude: {}, period: {}, duration: {}}}", amplitude, duration / harmonic_cycles,
+                       duration);
   return fmt::format("pulse: {{shape: {}, amplitude: {}, duration: {}, start: {}}}", shape, amplitude, duration, start);
 }
 
-std::string text(const std::string& ground, const std::string& structures, double tolerance, const std::string& scheme, double length) {
-  return fmt::format("ground_motion: {{{}}}\nstructures:\n{}analysis: {{duration: {}, tolerance: {}, integrator: {}}}\n", ground, structures,
-                     length, tolerance, scheme);
+std::string text(const std::string& ground, const std::string& structures, double tolerance, const std::string& scheme,
+                 double length) {
+  return fmt::format(
+      "ground_motion: {{{}}}\nstructures:\n{}analysis: {{duration: {}, tolerance: {}, integrator: {}}}\n", ground,
+      structures, length, tolerance, scheme);
 }
 
 const std::string one_oscillator = fmt::format("  a: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}}}\n", period);
@@ -74,12 +79,13 @@ struct Case {
 
 class ShortMotions : public testing::TestWithParam<Case> {};
 
-// Without damping an error of phase grows in every period by a part of the tolerance, whatever has set off the motion: 0.6 of it at
-// most. So errors are those of one period.
+// Without damping an error of phase grows in every period by a part of the tolerance, whatever has set off the motion:
+// 0.6 of it at most. So errors are those of one period.
 double periods(double length, double w) { return std::max(1.0, length * w / (2 * pi)); }
 
 TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
-  test::Book book("Short motions of the ground", "an undamped oscillator under a rectangle, a half sine, a sine and a harmonic in closed form",
+  test::Book book("Short motions of the ground",
+                  "an undamped oscillator under a rectangle, a half sine, a sine and a harmonic in closed form",
                   "the tolerance of the run, for each period of the motion; durations from 1e-5 s to 1 s");
   const auto [scheme, tolerance] = GetParam();
   const double w = 2 * pi / period;
@@ -87,7 +93,8 @@ TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
     for (const double duration : durations) {
       SCOPED_TRACE(fmt::format("{} of {:g} s", kind.name, duration));
       const double length = duration + period;
-      const Outcome found = test::run_text(text(pulse_text(kind.name, duration), one_oscillator, tolerance, scheme, length));
+      const Outcome found =
+          test::run_text(text(pulse_text(kind.name, duration), one_oscillator, tolerance, scheme, length));
       const Motion expected = exact(kind, duration, w, period);
       const StructureHistory& a = found.results.structures[0];
       double largest = size(expected, w);
@@ -95,7 +102,8 @@ TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
       const double error = size({a.displacement.back() - expected.u, a.velocity.back() - expected.v}, w) / largest;
       book.below(fmt::format("{}, {:g}: error of the motion, over the tolerance [-]", scheme, tolerance),
                  error / periods(length, w) / tolerance, 1);
-      book.below(fmt::format("{}, {:g}: imbalance of the energies, over the tolerance [-]", scheme, tolerance), found.summary.energy.error / tolerance, 1);
+      book.below(fmt::format("{}, {:g}: imbalance of the energies, over the tolerance [-]", scheme, tolerance),
+                 found.summary.energy.error / tolerance, 1);
       const double energy = 0.5 * 1e3 * std::pow(w * size(expected, w), 2), most = 0.5 * 1e3 * std::pow(w * largest, 2);
       book.below(fmt::format("{}, {:g}: error of the input, over the tolerance [-]", scheme, tolerance),
                  std::abs(found.summary.energy.input - energy) / most / tolerance, 1);
@@ -109,7 +117,8 @@ TEST_P(ShortMotions, TakeAtMostTwiceTheStepsOfARectangle) {
   for (const double duration : durations) {
     long of_rectangle = 0;
     for (const Kind& kind : kinds) {
-      const Outcome found = test::run_text(text(pulse_text(kind.name, duration), one_oscillator, tolerance, scheme, length));
+      const Outcome found =
+          test::run_text(text(pulse_text(kind.name, duration), one_oscillator, tolerance, scheme, length));
       if (kind.cycles == 0) of_rectangle = found.results.solver.steps;
       EXPECT_LE(found.results.solver.steps, 2 * of_rectangle) << kind.name << " of " << duration << " s";
       EXPECT_LT(found.summary.energy.error, tolerance) << kind.name << " of " << duration << " s";
@@ -121,7 +130,9 @@ TEST_P(ShortMotions, TakeAtMostTwiceTheStepsOfARectangle) {
 TEST_P(ShortMotions, MayComeLateAndWithADelay) {
   const auto [scheme, tolerance] = GetParam();
   const double w = 2 * pi / period, start = 5, delay = 0.3, duration = 1e-3;
-  const std::string two = one_oscillator + fmt::format("  b: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}, delay: {}}}\n", period, delay);
+  const std::string two =
+      one_oscillator +
+      fmt::format("  b: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}, delay: {}}}\n", period, delay);
   for (const Kind& kind : kinds) {
     if (std::string(kind.name) == "harmonic") continue;
     SCOPED_TRACE(kind.name);
@@ -131,15 +142,16 @@ TEST_P(ShortMotions, MayComeLateAndWithADelay) {
     for (int i = 0; i < 2; ++i) {
       const Motion expected = exact(kind, duration, w, i == 0 ? period + delay : period);
       const StructureHistory& h = found.results.structures[i];
-      const double error = size({h.displacement.back() - expected.u, h.velocity.back() - expected.v}, w) / size(expected, w);
+      const double error =
+          size({h.displacement.back() - expected.u, h.velocity.back() - expected.v}, w) / size(expected, w);
       EXPECT_LT(error, tolerance * periods(length - start, w)) << i;
     }
   }
 }
 
 // Masses on storeys and members: the sum of the modes, each an oscillator. The error of one period of the first one.
-double error_of_modes(const Kind& kind, double duration, const std::string& structure, double tolerance, const std::string& scheme,
-                      double later, double* imbalance) {
+double error_of_modes(const Kind& kind, double duration, const std::string& structure, double tolerance,
+                      const std::string& scheme, double later, double* imbalance) {
   const std::string yaml = text(pulse_text(kind.name, duration), structure, tolerance, scheme, duration + later);
   const Outcome found = test::run_text(yaml);
   *imbalance = found.summary.energy.error;
@@ -150,7 +162,8 @@ double error_of_modes(const Kind& kind, double duration, const std::string& stru
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system.size()), largest = u;
   for (int k = 0; k < modes.squares.size(); ++k) {
     const Eigen::VectorXd shape = modes.shapes.col(k);
-    const double part = shape.dot(Eigen::VectorXd(system.load.col(0)(condensed.dynamic))), w = std::sqrt(modes.squares[k]);
+    const double part = shape.dot(Eigen::VectorXd(system.load.col(0)(condensed.dynamic))),
+                 w = std::sqrt(modes.squares[k]);
     const Motion motion = exact(kind, duration, w, later);
     Eigen::VectorXd whole = Eigen::VectorXd::Zero(system.size());
     whole(condensed.dynamic) = shape;
@@ -161,7 +174,8 @@ double error_of_modes(const Kind& kind, double duration, const std::string& stru
   const Eigen::VectorXd expected = system.outputs.transpose() * u, sizes = system.outputs.transpose() * largest;
   const std::vector<double>& obtained = found.results.structures[0].displacement;
   EXPECT_GE(obtained.size(), static_cast<std::size_t>(expected.size()));
-  const Eigen::VectorXd last = Eigen::Map<const Eigen::VectorXd>(obtained.data() + obtained.size() - expected.size(), expected.size());
+  const Eigen::VectorXd last =
+      Eigen::Map<const Eigen::VectorXd>(obtained.data() + obtained.size() - expected.size(), expected.size());
   const double first = std::sqrt(modes.squares[0]);
   return (last - expected).cwiseAbs().maxCoeff() / sizes.maxCoeff() / periods(duration + later, first);
 }
@@ -171,11 +185,14 @@ const std::string building = "  a: {shear_building: {storeys: 5, mass: 20 t, sti
 const std::string portal =
     "  a: {frame: {material: {E: 30 GPa}, sections: {s: {area: 0.2, inertia_y: 4e-3}},\n"
     "    nodes: {a: [0, 0], b: [0, 3], c: [5, 3], d: [5, 0]},\n"
-    "    members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}},\n"
-    "    supports: {a: fixed, d: fixed}, masses: {b: 20 t, c: 30 t}, floors: [{nodes: [b, c], rigid: true}]}, damping: 0}\n";
+    "    members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], "
+    "section: s}},\n"
+    "    supports: {a: fixed, d: fixed}, masses: {b: 20 t, c: 30 t}, floors: [{nodes: [b, c], rigid: true}]}, damping: "
+    "0}\n";
 
 TEST_P(ShortMotions, MoveBuildingsAndFramesByTheirModes) {
-  test::Book book("Short motions of the ground", "the sum over the modes of a shear building and of a portal, each in closed form",
+  test::Book book("Short motions of the ground",
+                  "the sum over the modes of a shear building and of a portal, each in closed form",
                   "the tolerance of the run, for each period of the first mode; durations from 1e-5 s to 0.1 s");
   const auto [scheme, tolerance] = GetParam();
   for (const std::string& structure : {building, portal})
@@ -184,22 +201,27 @@ TEST_P(ShortMotions, MoveBuildingsAndFramesByTheirModes) {
         SCOPED_TRACE(fmt::format("{} of {:g} s on {}", kind.name, duration, structure.substr(0, 22)));
         double imbalance = 0;
         const double error = error_of_modes(kind, duration, structure, tolerance, scheme, 0.3, &imbalance);
-        book.below(fmt::format("{}, {:g}: error of the floors, over the tolerance [-]", scheme, tolerance), error / tolerance, 1);
+        book.below(fmt::format("{}, {:g}: error of the floors, over the tolerance [-]", scheme, tolerance),
+                   error / tolerance, 1);
         EXPECT_LT(imbalance, tolerance);
       }
 }
 
-// The motion is short for the body on the soft spring alone, and the rule of integration would press it into the other or part them.
-// Together they are one oscillator, in closed form.
+// The motion is short for the body on the soft spring alone, and the rule of integration would press it into the other
+// or part them. Together they are one oscillator, in closed form.
 TEST_P(ShortMotions, HoldRigidBodiesTogetherThatFeelThemDifferently) {
   const auto [scheme, tolerance] = GetParam();
   const double ground_period = 0.11, stiff = 0.063, soft = 0.47, length = 0.06;
   const std::string bodies = fmt::format(
-      "  a: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}}}\n  b: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}}}\n"
-      "links:\n  - {{between: [a, b], gap: 0, law: stereomechanical, restitution: 0}}\n", stiff, soft);
-  const std::string ground = fmt::format("harmonic: {{amplitude: {}, period: {}, duration: 1}}", amplitude, ground_period);
+      "  a: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}}}\n  b: {{oscillator: {{mass: 1 t, period: {}, "
+      "damping: 0}}}}\n"
+      "links:\n  - {{between: [a, b], gap: 0, law: stereomechanical, restitution: 0}}\n",
+      stiff, soft);
+  const std::string ground =
+      fmt::format("harmonic: {{amplitude: {}, period: {}, duration: 1}}", amplitude, ground_period);
   const Outcome found = test::run_text(text(ground, bodies, tolerance, scheme, length));
-  const double w = std::sqrt(0.5 * (std::pow(2 * pi / stiff, 2) + std::pow(2 * pi / soft, 2))), p = 2 * pi / ground_period;
+  const double w = std::sqrt(0.5 * (std::pow(2 * pi / stiff, 2) + std::pow(2 * pi / soft, 2))),
+               p = 2 * pi / ground_period;
   const double expected = -amplitude / (w * w - p * p) * (std::sin(p * length) - p / w * std::sin(w * length));
   const std::vector<double>& way = found.results.structures[0].displacement;
   EXPECT_NEAR(way.back(), expected, tolerance * amplitude / (w * w));
@@ -216,7 +238,9 @@ TEST_P(ShortMotions, HoldRigidBodiesTogetherThatFeelThemDifferently) {
 INSTANTIATE_TEST_SUITE_P(Schemes, ShortMotions,
                          testing::Values(Case{"esdirk4", 1e-4}, Case{"esdirk4", 1e-6}, Case{"generalized_alpha", 1e-4},
                                          Case{"generalized_alpha", 1e-6}),
-                         [](const auto& test) { return fmt::format("{}_1em{:.0f}", test.param.scheme, -std::log10(test.param.tolerance)); });
+                         [](const auto& test) {
+                           return fmt::format("{}_1em{:.0f}", test.param.scheme, -std::log10(test.param.tolerance));
+                         });
 
 }  // namespace short_motions_test
 }  // namespace pounding

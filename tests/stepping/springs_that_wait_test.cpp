@@ -33,10 +33,15 @@ struct Frames {
   std::mt19937 random{3};
   std::normal_distribution<double> normal;
 
-  Frames() : solver(prepared(frame).system), links(frame.system, solver.relief()), relative(links, solver, 3), bound(*relative.bound()) {}
+  Frames()
+      : solver(prepared(frame).system),
+        links(frame.system, solver.relief()),
+        relative(links, solver, 3),
+        bound(*relative.bound()) {}
 
   static HingeFrame& prepared(HingeFrame& frame) {
-    frame.add_contact(std::make_unique<GapLink<laws::HertzDamped>>(laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
+    frame.add_contact(std::make_unique<GapLink<laws::HertzDamped>>(
+        laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
     frame.system.gravity_offset.setZero(frame.system.links());
     frame.system.gravity_offset[1 + 4] = 1e-3;
     return frame;
@@ -158,8 +163,9 @@ Seen run(HingeFrame& frame, const Scheme& scheme, bool looks) {
   const auto note = [&](auto&&... values) { (seen.numbers.push_back(values), ...); };
   const auto note_steps = [&] {
     for (const LinkStep& step : stepper.link_steps())
-      note(step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration, step.motion_middle.rate,
-           step.motion_end.penetration, step.motion_end.rate, step.force_begin, step.force_middle, step.force_end, step.acceleration_end);
+      note(step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration,
+           step.motion_middle.rate, step.motion_end.penetration, step.motion_end.rate, step.force_begin,
+           step.force_middle, step.force_end, step.acceleration_end);
   };
   for (double h = 1e-3; stepper.time() < 2.5;) {
     h = controller.advance(h, 2.5, policy);
@@ -181,18 +187,21 @@ Seen run(HingeFrame& frame, const Scheme& scheme, bool looks) {
   note_steps();
   seen.trials = controller.trials();
   const State& end = stepper.state();
-  for (const Eigen::VectorXd* values : {&end.u, &end.v, &end.a, &end.force}) seen.numbers.insert(seen.numbers.end(), values->begin(), values->end());
+  for (const Eigen::VectorXd* values : {&end.u, &end.v, &end.a, &end.force})
+    seen.numbers.insert(seen.numbers.end(), values->begin(), values->end());
   for (const auto& spring : frame.springs) note(spring->slip(), spring->lost(), spring->stored_correction());
   return seen;
 }
 
-// Around the strength at which a hinge just reaches its yield moment, between two ends of steps, the yield is found or not found in the same
-// step as by the long way.
+// Around the strength at which a hinge just reaches its yield moment, between two ends of steps, the yield is found or
+// not found in the same step as by the long way.
 TEST_P(SpringsThatWait, YieldInTheSameStepAsByTheLongWay) {
   for (const bool bears : {false, true}) {
     const auto frame_of = [&](double strength) {
-      auto frame = std::make_unique<HingeFrame>(HingeFrame::Options{.strength = strength, .frames = 2, .mirrored = true}, shake);
-      frame->add_contact(std::make_unique<GapLink<laws::HertzDamped>>(laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
+      auto frame =
+          std::make_unique<HingeFrame>(HingeFrame::Options{.strength = strength, .frames = 2, .mirrored = true}, shake);
+      frame->add_contact(std::make_unique<GapLink<laws::HertzDamped>>(
+          laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
       if (!bears) return frame;
       frame->system.gravity_offset.setZero(frame->system.links());
       for (int i = 0; i < frame->hinges(); ++i)
@@ -203,10 +212,12 @@ TEST_P(SpringsThatWait, YieldInTheSameStepAsByTheLongWay) {
     const auto elastic = frame_of(strong);
     const double just = strong * run(*elastic, GetParam(), true).largest;
     int yielded = 0;
-    for (const double strength : {10 * just, 1.5 * just, (1 + 1e-6) * just, (1 - 1e-6) * just, 0.99 * just, 0.5 * just}) {
+    for (const double strength :
+         {10 * just, 1.5 * just, (1 + 1e-6) * just, (1 - 1e-6) * just, 0.99 * just, 0.5 * just}) {
       const auto quick = frame_of(strength), slow = frame_of(strength);
       std::vector<std::unique_ptr<test::WithoutRange>> hidden;
-      for (Spring*& spring : slow->system.springs) spring = hidden.emplace_back(std::make_unique<test::WithoutRange>(*spring)).get();
+      for (Spring*& spring : slow->system.springs)
+        spring = hidden.emplace_back(std::make_unique<test::WithoutRange>(*spring)).get();
       const Seen a = run(*quick, GetParam(), false), b = run(*slow, GetParam(), false);
       EXPECT_EQ(a.trials, b.trials) << strength / just;
       EXPECT_EQ(a.first_loss, b.first_loss) << strength / just;

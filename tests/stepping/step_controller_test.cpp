@@ -121,7 +121,8 @@ TEST_P(DriverWithScheme, GoesOnFromASavedStateWithTheSameBits) {
   expect_same_bits(whole, rest);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, DriverWithScheme, testing::ValuesIn(test::schemes), [](const auto& param) { return param.param.name; });
+INSTANTIATE_TEST_SUITE_P(Schemes, DriverWithScheme, testing::ValuesIn(test::schemes),
+                         [](const auto& param) { return param.param.name; });
 
 TEST(Driver, DoesNotPassTheEnd) {
   Oscillators run({});
@@ -154,7 +155,8 @@ struct Impatient : StepSizePolicy {
   std::string on_reject() override { return ++rejected == 3 ? "three are enough" : ""; }
 };
 
-// A trial that passes the end of an impact has a large error, for the force bends there. Steps that become short before it would creep.
+// A trial that passes the end of an impact has a large error, for the force bends there. Steps that become short before
+// it would creep.
 TEST(Driver, DoesNotCreepToTheEndsOfImpacts) {
   Oscillators run({.kind = Scheme::Kind::esdirk4}, 1e-4);
   run.start();
@@ -194,12 +196,14 @@ TEST(Driver, StopsWhereNoStepIsShortEnough) {
     controller.advance(1e-3, duration, policy);
     FAIL();
   } catch (const SolverError& error) {
-    EXPECT_NE(std::string(error.what()).find("no step is short enough for the tolerance 1e-05"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("no step is short enough for the tolerance 1e-05"), std::string::npos)
+        << error.what();
   }
 }
 
-// Two heavy bodies press a light one between them, by a dashpot that magnifies the round-off of their forces. A stage that Newton's method
-// has solved to that round-off is solved; were such stages tried again, it would take 8,420 trials.
+// Two heavy bodies press a light one between them, by a dashpot that magnifies the round-off of their forces. A stage
+// that Newton's method has solved to that round-off is solved; were such stages tried again, it would take 8,420
+// trials.
 TEST(RestingRow, IsSolvedThoughADashpotMagnifiesRoundOff) {
   const Outcome found = test::run_text(R"(
 ground_motion: {pulse: {shape: half_sine, amplitude: -0.49089660325450835, start: 0.0, duration: 1.0}}

@@ -45,7 +45,8 @@ struct Motion {
       base = std::make_unique<petsc::SparseSolver>(PETSC_COMM_SELF, system);
     else
       base = std::make_unique<ModalSolver>(system);
-    stepper = std::make_unique<Stepper>(system, *base, StepperOptions{.tolerance = tolerance, .scheme = scheme, .max_step = 0.02});
+    stepper = std::make_unique<Stepper>(system, *base,
+                                        StepperOptions{.tolerance = tolerance, .scheme = scheme, .max_step = 0.02});
     const auto [u, v] = initial_state(model);
     stepper->start(0, u, v);
   }
@@ -66,7 +67,8 @@ std::string pendulum(bool heavy, double velocity, bool in_space = false) {
       "structures:\n  rod: {{frame: {{geometry: corotational, gravity: {}, material: {{E: 1e9, G: 1e9}},\n"
       "    sections: {{s: {{area: 1, inertia_y: 1, inertia_z: 1, torsion: 1}}}},\n"
       "    nodes: {{a: [0{}, 0], b: [0{}, {}]}}, members: {{rod: {{between: [a, b], section: s}}}},\n"
-      "    supports: {{a: {{fix: [ux, {}uz{}], springs: {{ry: {}}}}}}}, masses: {{b: {}}}, floors: [{{nodes: [b], rigid: false}}]}},\n"
+      "    supports: {{a: {{fix: [ux, {}uz{}], springs: {{ry: {}}}}}}}, masses: {{b: {}}}, floors: [{{nodes: [b], "
+      "rigid: false}}]}},\n"
       "    damping: 0, initial_velocity: {:.17g}}}\nlinks: []\nanalysis: {{duration: 1}}\n",
       heavy, y, y, rod_length, in_space ? "uy, " : "", in_space ? ", rx, rz" : "", rod_spring, rod_mass, velocity);
 }
@@ -82,7 +84,8 @@ double pendulum_quarter(double g) {
   double sum = 0;
   for (int i = 0; i < points; ++i) {
     const double s = (i + 0.5) / points * pi / 2, turn = rod_turn * std::sin(s);
-    const double rate = std::sqrt(2 * (pendulum_energy(rod_turn, g) - pendulum_energy(turn, g)) / (rod_mass * rod_length * rod_length));
+    const double rate =
+        std::sqrt(2 * (pendulum_energy(rod_turn, g) - pendulum_energy(turn, g)) / (rod_mass * rod_length * rod_length));
     sum += rod_turn * std::cos(s) / rate;
   }
   return sum * pi / 2 / points;
@@ -108,16 +111,19 @@ TEST(Turning, PendulumSwingsWithItsExactPeriod) {
 }
 
 // The mast of tests/verification/turning_mast.py, which is where the numbers come from.
-std::string mast(bool heavy, double velocity = 6, const std::string& damping = "0", const std::string& geometry = "corotational") {
-  return fmt::format("structures:\n  mast: {{frame: {{geometry: {}, gravity: {}, material: {{E: 1e10}},\n"
-                     "    sections: {{s: {{area: 2e-4, inertia_y: 4e-6}}}},\n"
-                     "    nodes: {{a: [0, 0], b: [0, 1], c: [0, 2], d: [0, 3], e: [0, 4]}},\n"
-                     "    members: {{1: {{between: [a, b], section: s}}, 2: {{between: [b, c], section: s}}, 3: {{between: [c, d], section: s}},\n"
-                     "      4: {{between: [d, e], section: s}}}},\n"
-                     "    supports: {{a: fixed}}, masses: {{b: 50, c: 50, d: 50, e: 50}}, floors: [{{nodes: [c]}}, {{nodes: [e]}}],\n"
-                     "    report: {{nodes: all, members: all}}}}, damping: {}, initial_velocity: {:.17g}}}\n"
-                     "links: []\nanalysis: {{duration: 1}}\n",
-                     geometry, heavy, damping, velocity);
+std::string mast(bool heavy, double velocity = 6, const std::string& damping = "0",
+                 const std::string& geometry = "corotational") {
+  return fmt::format(
+      "structures:\n  mast: {{frame: {{geometry: {}, gravity: {}, material: {{E: 1e10}},\n"
+      "    sections: {{s: {{area: 2e-4, inertia_y: 4e-6}}}},\n"
+      "    nodes: {{a: [0, 0], b: [0, 1], c: [0, 2], d: [0, 3], e: [0, 4]}},\n"
+      "    members: {{1: {{between: [a, b], section: s}}, 2: {{between: [b, c], section: s}}, 3: {{between: [c, d], "
+      "section: s}},\n"
+      "      4: {{between: [d, e], section: s}}}},\n"
+      "    supports: {{a: fixed}}, masses: {{b: 50, c: 50, d: 50, e: 50}}, floors: [{{nodes: [c]}}, {{nodes: [e]}}],\n"
+      "    report: {{nodes: all, members: all}}}}, damping: {}, initial_velocity: {:.17g}}}\n"
+      "links: []\nanalysis: {{duration: 1}}\n",
+      geometry, heavy, damping, velocity);
 }
 
 struct MastAtTheEnd {
@@ -132,7 +138,8 @@ double distance_of(const Motion& m, const MastAtTheEnd& end) {
   const Structure& s = m.model.structures[0];
   const double settled = s.at_rest.size() > 0 ? s.at_rest[unknown(s, "node e uz")] : 0;
   return std::max({std::abs(m.u("node e ux") - end.x), std::abs(m.u("node e uz") + settled - end.z),
-                   std::abs(m.v("node e ux") - end.vx) / 10, std::abs(m.v("node e uz") - end.vz) / 10, std::abs(m.u("node e ry") - end.turn)});
+                   std::abs(m.v("node e ux") - end.vx) / 10, std::abs(m.v("node e uz") - end.vz) / 10,
+                   std::abs(m.u("node e ry") - end.turn)});
 }
 
 TEST(Turning, MastThatIsThrownMovesAsItsEnergySays) {
@@ -176,8 +183,8 @@ TEST(Turning, SmallMotionIsThatOfTheStiffnessAtRest) {
   }
 }
 
-// A column of n members under a third of its buckling load: P-Delta bows each member, corotational ones are straight between
-// their nodes, and what that leaves falls with the square of their length.
+// A column of n members under a third of its buckling load: P-Delta bows each member, corotational ones are straight
+// between their nodes, and what that leaves falls with the square of their length.
 double frequency_of_column(int members, const std::string& geometry) {
   std::string nodes = "n0: [0, 0]", between;
   for (int i = 1; i <= members; ++i) {
@@ -185,16 +192,21 @@ double frequency_of_column(int members, const std::string& geometry) {
     between += fmt::format("{}m{}: {{between: [n{}, n{}], section: s}}", i > 1 ? ", " : "", i, i - 1, i);
   }
   const double buckling = pi * pi * 4e4 / 64;  // pi^2 EI/(2 L)^2
-  return test::model_of(fmt::format("structures:\n  column: {{frame: {{geometry: {0}, gravity: true, material: {{E: 1e10}},\n"
-                                    "    sections: {{s: {{area: 0.01, inertia_y: 4e-6, shear: false}}}}, nodes: {{{1}}}, members: {{{2}}},\n"
-                                    "    supports: {{n0: fixed}}, masses: {{n{3}: {4:.17g}}}}}, damping: 0}}\nlinks: []\nanalysis: {{duration: 1}}\n",
-                                    geometry, nodes, between, members, buckling / 3 / gravity))
-      .structures[0].frequencies[0];
+  return test::model_of(
+             fmt::format("structures:\n  column: {{frame: {{geometry: {0}, gravity: true, material: {{E: 1e10}},\n"
+                         "    sections: {{s: {{area: 0.01, inertia_y: 4e-6, shear: false}}}}, nodes: {{{1}}}, members: "
+                         "{{{2}}},\n"
+                         "    supports: {{n0: fixed}}, masses: {{n{3}: {4:.17g}}}}}, damping: 0}}\nlinks: "
+                         "[]\nanalysis: {{duration: 1}}\n",
+                         geometry, nodes, between, members, buckling / 3 / gravity))
+      .structures[0]
+      .frequencies[0];
 }
 
 TEST(Turning, FrequenciesUnderWeightsAreThoseOfPDelta) {
   const double exact = frequency_of_column(16, "p_delta");
-  const double coarse = frequency_of_column(4, "corotational") / exact - 1, fine = frequency_of_column(8, "corotational") / exact - 1;
+  const double coarse = frequency_of_column(4, "corotational") / exact - 1,
+               fine = frequency_of_column(8, "corotational") / exact - 1;
   EXPECT_LT(std::abs(fine), 1e-2);
   EXPECT_NEAR(coarse / fine, 4, 0.3);
   EXPECT_GT(std::abs(frequency_of_column(8, "linear") / exact - 1), 0.1);
@@ -204,17 +216,22 @@ TEST(Turning, FrequenciesUnderWeightsAreThoseOfPDelta) {
 TEST(Turning, ShearsAndEndForcesMoveTheMasses) {
   for (const std::string scheme : {"generalized_alpha", "esdirk4"}) {
     std::string text = mast(true);
-    text.replace(text.find("{duration: 1}"), 13, "{duration: 1, tolerance: 1e-6, output_step: 1 ms, integrator: " + scheme + "}");
+    text.replace(text.find("{duration: 1}"), 13,
+                 "{duration: 1, tolerance: 1e-6, output_step: 1 ms, integrator: " + scheme + "}");
     const StructureHistory h = test::run_text(text).results.structures[0];
     const std::size_t times = h.storey_shear.size() / 2;
     ASSERT_EQ(times, 1001u);
     ASSERT_EQ(h.end_forces.size(), times * 24);
     for (std::size_t i = 0; i < times; ++i) {
-      const auto acceleration = [&](int node, int direction) { return h.node_acceleration[(i * 5 + node) * 3 + direction]; };
+      const auto acceleration = [&](int node, int direction) {
+        return h.node_acceleration[(i * 5 + node) * 3 + direction];
+      };
       const double below_c = -50 * (acceleration(2, 0) + acceleration(3, 0) + acceleration(4, 0));
       ASSERT_NEAR(h.storey_shear[2 * i], below_c, 1e-3 * 1e4) << scheme << i;
       const double* end = h.end_forces.data() + i * 24 + 21;
-      ASSERT_NEAR(std::hypot(end[0], end[1]), 50 * std::hypot(acceleration(4, 0), acceleration(4, 1) + gravity), 1e-3 * 1e4) << scheme << i;
+      ASSERT_NEAR(std::hypot(end[0], end[1]), 50 * std::hypot(acceleration(4, 0), acceleration(4, 1) + gravity),
+                  1e-3 * 1e4)
+          << scheme << i;
       ASSERT_NEAR(end[2], 0, 1e-3 * 1e4) << scheme << i;
     }
     // Rotations have no mass; theirs is the rate of what is reported of them.
@@ -237,12 +254,16 @@ std::string two_masts(const std::string& analysis) {
   other.replace(0, 7, "  neighbour:");
   other.replace(other.find("{geometry"), 1, "{origin: [0.4], ");
   const std::size_t speed = other.find(", initial_velocity");
-  return text.substr(0, to) + other.substr(0, speed) + "}\n" + "links: [{between: [mast.2, neighbour.2], gap: 400 mm, law: hertz_damped, stiffness: 1e7, restitution: 0.6}]\n" + analysis;
+  return text.substr(0, to) + other.substr(0, speed) + "}\n" +
+         "links: [{between: [mast.2, neighbour.2], gap: 400 mm, law: hertz_damped, stiffness: 1e7, restitution: "
+         "0.6}]\n" +
+         analysis;
 }
 
 TEST(Turning, MastsThatHitEachOtherCloseTheirEnergy) {
   for (const char* scheme : {"integrator: generalized_alpha", "integrator: esdirk4"}) {
-    const std::string text = two_masts(std::string("analysis: {duration: 0.6, tolerance: 1e-5, output_step: 20 ms, ") + scheme + "}\n");
+    const std::string text =
+        two_masts(std::string("analysis: {duration: 0.6, tolerance: 1e-5, output_step: 20 ms, ") + scheme + "}\n");
     const Outcome run = test::run_text(text), again = test::run_text(text);
     ASSERT_GT(run.results.impacts.size(), 0u);
     EXPECT_GT(run.summary.energy.impact, 0.01 * run.summary.energy.input);

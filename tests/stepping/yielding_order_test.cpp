@@ -1,4 +1,5 @@
-// Steps of one length through yielding and reversals: the schemes keep their orders, because steps end at the corners of the force.
+// Steps of one length through yielding and reversals: the schemes keep their orders, because steps end at the corners
+// of the force.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +21,8 @@
 namespace pounding {
 namespace yielding_order_test {
 
-// 100 t, 0.5 s, 5 %, Fy = 0.15 of the weight, hardening 5 %, under a sine of 3 m/s^2 and 0.6 s; displacement at 3 s [m] by DOP853, restarted
-// at every yield and reversal, tolerance 1e-13.
+// 100 t, 0.5 s, 5 %, Fy = 0.15 of the weight, hardening 5 %, under a sine of 3 m/s^2 and 0.6 s; displacement at 3 s [m]
+// by DOP853, restarted at every yield and reversal, tolerance 1e-13.
 struct Case {
   const char *name, *spring;
   double end;
@@ -31,7 +32,8 @@ constexpr double scale = 0.04;  // of its largest displacement [m]
 
 constexpr Case cases[] = {
     {"bilinear", "{bilinear: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.0201000705717963},
-    {"menegotto_pinto", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %, memory: last}}", 0.016508374693477594},
+    {"menegotto_pinto", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %, memory: last}}",
+     0.016508374693477594},
     {"bouc_wen", "{bouc_wen: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.01997692930908247,
      3.0},  // where z changes its sign the slope has a kink, which nothing locates
     {"peak_oriented", "{peak_oriented: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.011872721192803607}};
@@ -40,10 +42,11 @@ constexpr Case cases[] = {
 enum class Ends { at_corners, alone };
 
 double error_after(const Case& c, const Scheme& scheme, int steps, Ends ends = Ends::at_corners) {
-  const Model model = test::model_of(fmt::format(
-      "ground_motion: {{harmonic: {{amplitude: 3, period: 0.6, duration: 10}}}}\n"
-      "structures: {{a: {{oscillator: {{mass: 100 t, period: 0.5 s, damping: 5 %, spring: {}}}}}}}\nanalysis: {{duration: 3}}\n",
-      c.spring));
+  const Model model =
+      test::model_of(fmt::format("ground_motion: {{harmonic: {{amplitude: 3, period: 0.6, duration: 10}}}}\n"
+                                 "structures: {{a: {{oscillator: {{mass: 100 t, period: 0.5 s, damping: 5 %, spring: "
+                                 "{}}}}}}}\nanalysis: {{duration: 3}}\n",
+                                 c.spring));
   const System system = assemble(model);
   ModalSolver solver(system);
   const double h = 3.0 / steps;
@@ -76,40 +79,48 @@ TEST_P(ThroughCorners, TheSchemesKeepTheirOrders) {
     fourth.push_back(error_after(GetParam(), {.kind = Scheme::Kind::esdirk4}, steps));
     second.push_back(error_after(GetParam(), {.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 1}, steps));
   }
-  book.below(fmt::format("{}: 4 - order of ESDIRK4 [-]", GetParam().name), std::max(4 - order(fourth), 0.0), 4 - GetParam().order);
+  book.below(fmt::format("{}: 4 - order of ESDIRK4 [-]", GetParam().name), std::max(4 - order(fourth), 0.0),
+             4 - GetParam().order);
   book.below(fmt::format("{}: ESDIRK4, error at 2400 steps over the peak [-]", GetParam().name), fourth.back(), 1e-9);
   book.near(fmt::format("{}: order of generalized-alpha [-]", GetParam().name), order(second), 2.0, 0.5);
 }
 
-// Errors over the peak of a prototype that shares nothing with this project, at 600 and 2400 steps: average acceleration and ESDIRK4.
+// Errors over the peak of a prototype that shares nothing with this project, at 600 and 2400 steps: average
+// acceleration and ESDIRK4.
 struct Prototype {
   const char* name;
   double second[2], fourth[2];
 };
-constexpr Prototype prototypes[] = {
-    {"bilinear", {1.968e-4, 1.283e-5}, {7.073e-9, 2.828e-11}},
-    {"menegotto_pinto", {1.992e-4, 1.258e-5}, {2.764e-10, 1.985e-11}}};
+constexpr Prototype prototypes[] = {{"bilinear", {1.968e-4, 1.283e-5}, {7.073e-9, 2.828e-11}},
+                                    {"menegotto_pinto", {1.992e-4, 1.258e-5}, {2.764e-10, 1.985e-11}}};
 
 TEST(OverCorners, TheSchemesHaveTheErrorsOfAPrototype) {
-  test::Book book("Laws of yielding: errors of the schemes with steps of one length", "a prototype of both schemes in Python",
-                  "a twentieth for average acceleration; of ESDIRK4 the size, as its constants hang on the places of the corners");
-  const Scheme second{.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 1}, fourth{.kind = Scheme::Kind::esdirk4};
+  test::Book book(
+      "Laws of yielding: errors of the schemes with steps of one length", "a prototype of both schemes in Python",
+      "a twentieth for average acceleration; of ESDIRK4 the size, as its constants hang on the places of the corners");
+  const Scheme second{.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 1},
+      fourth{.kind = Scheme::Kind::esdirk4};
   for (const Prototype& of : prototypes) {
     const Case& c = *std::ranges::find(cases, std::string(of.name), &Case::name);
     for (int i = 0; i < 2; ++i) {
       const int steps = i == 0 ? 600 : 2400;
       const double error = error_after(c, second, steps);
-      book.near(fmt::format("{}: generalized-alpha, error over the peak [-]", of.name), error, of.second[i], 0.05 * of.second[i]);
-      book.below(fmt::format("{}: ESDIRK4, error over the peak [-]", of.name), error_after(c, fourth, steps), 2 * of.fourth[i]);
+      book.near(fmt::format("{}: generalized-alpha, error over the peak [-]", of.name), error, of.second[i],
+                0.05 * of.second[i]);
+      book.below(fmt::format("{}: ESDIRK4, error over the peak [-]", of.name), error_after(c, fourth, steps),
+                 2 * of.fourth[i]);
     }
     // Steps over the corners cost the order.
     EXPECT_GT(error_after(c, fourth, 2400, Ends::alone), 1e3 * error_after(c, fourth, 2400)) << of.name;
   }
-  // The prototype has this error where it ends steps at turns and not at yields: a kept step follows the turns inside it.
-  book.near("bilinear: ESDIRK4 over corners, error over the peak [-]", error_after(cases[0], fourth, 2400, Ends::alone), 1.6087e-5, 0.05 * 1.6087e-5);
+  // The prototype has this error where it ends steps at turns and not at yields: a kept step follows the turns inside
+  // it.
+  book.near("bilinear: ESDIRK4 over corners, error over the peak [-]", error_after(cases[0], fourth, 2400, Ends::alone),
+            1.6087e-5, 0.05 * 1.6087e-5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Law, ThroughCorners, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Law, ThroughCorners, testing::ValuesIn(cases),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace yielding_order_test
 }  // namespace pounding

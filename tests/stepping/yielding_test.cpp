@@ -18,8 +18,8 @@
 namespace pounding {
 namespace yielding_test {
 
-// One storey under a harmonic ground motion, written without the library: Runge-Kutta of order four on the linear branches
-// of the force, which meet at located instants.
+// One storey under a harmonic ground motion, written without the library: Runge-Kutta of order four on the linear
+// branches of the force, which meet at located instants.
 struct Reference {
   double mass, stiffness, damping, yield_force, hardening;
   double amplitude, period, duration;  // of the ground motion
@@ -90,8 +90,14 @@ struct Reference {
 
 // Yields in eleven half-cycles and comes to rest 8 mm off the plumb line.
 constexpr double w = 2 * M_PI / 0.5;
-constexpr Reference yielding_tower{.mass = 1e5, .stiffness = 1e5 * w * w, .damping = 2 * 0.03 * w * 1e5, .yield_force = 3e5,
-                                   .hardening = 0.05, .amplitude = 4, .period = 0.6, .duration = 3.3};
+constexpr Reference yielding_tower{.mass = 1e5,
+                                   .stiffness = 1e5 * w * w,
+                                   .damping = 2 * 0.03 * w * 1e5,
+                                   .yield_force = 3e5,
+                                   .hardening = 0.05,
+                                   .amplitude = 4,
+                                   .period = 0.6,
+                                   .duration = 3.3};
 constexpr double tower_end = 8, tower_output = 0.005;
 
 Reference elastic_tower() {
@@ -103,7 +109,8 @@ Reference elastic_tower() {
 std::string yaml_of(const Reference& tower, const std::string& analysis) {
   return fmt::format(
       "ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: {}}}}}\n"
-      "structures: {{tower: {{oscillator: {{mass: {}, stiffness: {}, damping: {}, yield_force: {}, hardening: {}}}}}}}\n"
+      "structures: {{tower: {{oscillator: {{mass: {}, stiffness: {}, damping: {}, yield_force: {}, hardening: "
+      "{}}}}}}}\n"
       "analysis: {{duration: {}, output_step: {}, {}}}\n",
       tower.amplitude, tower.period, tower.duration, tower.mass, tower.stiffness, tower.damping / (2 * w * tower.mass),
       tower.yield_force, tower.hardening, tower_end, tower_output, analysis);
@@ -115,8 +122,8 @@ double largest(const std::vector<double>& values) {
   return largest;
 }
 
-// Largest errors of a run. Displacements as parts of the peak, forces of what the initial stiffness makes of it, the lost
-// energy of itself.
+// Largest errors of a run. Displacements as parts of the peak, forces of what the initial stiffness makes of it, the
+// lost energy of itself.
 struct Errors {
   double displacement = 0, force = 0, peak = 0, residual = 0, lost = 0, energy = 0;
 };
@@ -176,9 +183,8 @@ TEST_P(YieldingTower, IsAsAccurateAsAnElasticOne) {
   EXPECT_LT(e.force, elastic.force);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tolerance, YieldingTower, testing::Values("1e-3", "1e-4", "1e-5", "1e-6"), [](const auto& test) {
-  return "1em" + std::string(test.param).substr(3);
-});
+INSTANTIATE_TEST_SUITE_P(Tolerance, YieldingTower, testing::Values("1e-3", "1e-4", "1e-5", "1e-6"),
+                         [](const auto& test) { return "1em" + std::string(test.param).substr(3); });
 
 TEST(YieldingTower, ComesToRestOffThePlumbLine) {
   const std::vector<Reference::Point>& exact = yielding_reference();
@@ -195,16 +201,17 @@ TEST(PerfectlyPlasticOscillator, FollowsItsClosedForm) {
                   "uy)^2, braked by Fy to uy + m v1^2/(2 Fy), then swinging by uy about what remains",
                   "the tolerance 1e-6 of the run; half a turn of phase drifts by it");
   const double m = 1e5, k = m * w * w, fy = 4e5, uy = fy / k, v = 1.2, end = 3, tolerance = 1e-6;
-  const Outcome run = test::run_text(
-      fmt::format("structures: {{a: {{oscillator: {{mass: {}, stiffness: {}, damping: 0, yield_force: {}}}, initial_velocity: {}}}}}\n"
-                  "analysis: {{duration: {}, output_step: 0.01, tolerance: {}}}\n",
-                  m, k, fy, v, end, tolerance));
+  const Outcome run =
+      test::run_text(fmt::format("structures: {{a: {{oscillator: {{mass: {}, stiffness: {}, damping: 0, yield_force: "
+                                 "{}}}, initial_velocity: {}}}}}\n"
+                                 "analysis: {{duration: {}, output_step: 0.01, tolerance: {}}}\n",
+                                 m, k, fy, v, end, tolerance));
   const double v1 = std::sqrt(v * v - w * w * uy * uy), residual = m * v1 * v1 / (2 * fy), top = uy + residual;
   const double t1 = std::asin(w * uy / v) / w, t2 = t1 + m * v1 / fy;
   EXPECT_GT(residual, 2 * uy);
   book.near("closed form: peak displacement [m]", run.summary.structures[0].peak_displacement[0], top, tolerance * top);
-  book.near("closed form: hysteretic energy [J]",
-            run.summary.energy.hysteretic, fy * residual, tolerance * fy * residual);
+  book.near("closed form: hysteretic energy [J]", run.summary.energy.hysteretic, fy * residual,
+            tolerance * fy * residual);
   book.below("closed form: imbalance of the energies [-]", run.summary.energy.error, tolerance);
   const StructureHistory& history = run.results.structures[0];
   for (std::size_t i = 0; i < run.results.time.size(); ++i) {
@@ -226,10 +233,15 @@ std::string two_buildings(bool yield, bool linked, const std::string& more) {
   std::string yaml =
       "ground_motion: {harmonic: {amplitude: 3, period: 0.7, duration: 4}}\n"
       "structures:\n"
-      "  left: {shear_building: {storeys: 3, mass: 150 t, stiffness: 100 MN/m" + left + "}, damping: 4 %}\n"
-      "  right: {shear_building: {storeys: 3, mass: 200 t, stiffness: [300 MN/m, 250 MN/m, 200 MN/m]" + right + "}, damping: 4 %}\n";
+      "  left: {shear_building: {storeys: 3, mass: 150 t, stiffness: 100 MN/m" +
+      left +
+      "}, damping: 4 %}\n"
+      "  right: {shear_building: {storeys: 3, mass: 200 t, stiffness: [300 MN/m, 250 MN/m, 200 MN/m]" +
+      right + "}, damping: 4 %}\n";
   if (linked)
-    yaml += "links: [{between: [left, right], floors: all, gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n";
+    yaml +=
+        "links: [{between: [left, right], floors: all, gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, restitution: "
+        "0.65}]\n";
   return yaml + "analysis: {duration: 6, output_step: 0.01, tolerance: 1e-5}\n" + more;
 }
 

@@ -168,7 +168,8 @@ TEST(BilinearSpring, GoesOnFromItsArchiveWithTheSameBits) {
   drive(spring, -0.013, 0.021, 13);
   drive(copy, -0.013, 0.021, 13);
   const auto bits = [](const BilinearSpring& s) {
-    return std::vector<double>{s.slip(), s.lost(), s.stored_correction(), s.evaluate({0.03, 0}).force, s.evaluate({-0.02, 0}).force};
+    return std::vector<double>{s.slip(), s.lost(), s.stored_correction(), s.evaluate({0.03, 0}).force,
+                               s.evaluate({-0.02, 0}).force};
   };
   EXPECT_EQ(std::memcmp(bits(spring).data(), bits(copy).data(), 5 * sizeof(double)), 0);
 }
@@ -184,8 +185,10 @@ TEST(BilinearSpring, RefusesWhatCannotBe) {
     return "taken";
   };
   for (const double wrong : {0.0, -1.0, infinite, none}) {
-    EXPECT_EQ(refusal({.stiffness = wrong, .yield_force = 1}), "stiffness is " + laws::number_text(wrong) + ", but must be finite and positive");
-    EXPECT_EQ(refusal({.stiffness = 1, .yield_force = wrong}), "yield_force is " + laws::number_text(wrong) + ", but must be finite and positive");
+    EXPECT_EQ(refusal({.stiffness = wrong, .yield_force = 1}),
+              "stiffness is " + laws::number_text(wrong) + ", but must be finite and positive");
+    EXPECT_EQ(refusal({.stiffness = 1, .yield_force = wrong}),
+              "yield_force is " + laws::number_text(wrong) + ", but must be finite and positive");
   }
   for (const double wrong : {-0.1, 1.0, none})
     EXPECT_EQ(refusal({.stiffness = 1, .yield_force = 1, .hardening = wrong}),
@@ -198,8 +201,10 @@ TEST(YieldingStoreys, HaveOneForceOrOneAStorey) {
   const Model model = test::model_of(
       "structures:\n"
       "  a: {oscillator: {mass: 100 t, stiffness: 4 MN/m, yield_force: 50 kN}, damping: 0}\n"
-      "  b: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, yield_force: [20 kN, 10 kN], hardening: 4 %}, damping: 0}\n"
-      "  c: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, yield_force: 7, hardening: [0, 0.5]}, damping: 0}\n"
+      "  b: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, yield_force: [20 kN, 10 kN], hardening: 4 %}, "
+      "damping: 0}\n"
+      "  c: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, yield_force: 7, hardening: [0, 0.5]}, damping: "
+      "0}\n"
       "  d: {oscillator: {mass: 100 t, stiffness: 4 MN/m}, damping: 0}\n"
       "analysis: {duration: 1}\n");
   const YAML::Node resolved = YAML::Load(resolved_yaml(model))["structures"];
@@ -217,7 +222,8 @@ TEST(YieldingStoreys, ActBetweenTheirFloorsAfterTheContacts) {
   const Model model = test::model_of(
       "structures:\n"
       "  a: {oscillator: {mass: 1, stiffness: 1}, damping: 0}\n"
-      "  b: {shear_building: {storeys: 2, mass: 1, stiffness: 100, yield_force: [20, 10], hardening: 0.1}, damping: 0}\n"
+      "  b: {shear_building: {storeys: 2, mass: 1, stiffness: 100, yield_force: [20, 10], hardening: 0.1}, damping: "
+      "0}\n"
       "links: [{between: [a, b.2], gap: 1, law: hertz, stiffness: 1}]\n"
       "analysis: {duration: 1}\n");
   const System system = assemble(model);
@@ -242,29 +248,35 @@ TEST(YieldingStoreys, AreUndeformedInEverySystem) {
 }
 
 TEST(YieldingStoreys, AreRefusedWithAReason) {
-  test::refused(structure("{oscillator: {mass: 1, stiffness: 1, hardening: 0.1}, damping: 0}"),
-                "2:43: structures.a.oscillator.hardening: belongs to storeys that yield; type yield_force: 2 MN beside it, or "
-                "leave it out");
+  test::refused(
+      structure("{oscillator: {mass: 1, stiffness: 1, hardening: 0.1}, damping: 0}"),
+      "2:43: structures.a.oscillator.hardening: belongs to storeys that yield; type yield_force: 2 MN beside it, or "
+      "leave it out");
   test::refused(structure("{oscillator: {mass: 1, stiffness: 1, yield_force: 0}, damping: 0}"),
                 R"(2:56: structures.a.oscillator.yield_force: takes a force > 0 such as "200 kN"; "0" is outside)");
-  test::refused(structure("{oscillator: {mass: 1, stiffness: 1, yield_force: 1, hardening: 100 %}, damping: 0}"),
-                R"(2:70: structures.a.oscillator.hardening: takes a number in [0, 1) such as "5 %"; "100 %" is outside)");
-  test::refused(structure("{shear_building: {storeys: 3, mass: 1, stiffness: 1, yield_force: [1 N, 2 N]}, damping: 0}"),
-                R"(2:72: structures.a.shear_building.yield_force: takes a force > 0 such as "200 kN" or a list of 3 from the )"
-                "ground up; a list of 2 was read");
+  test::refused(
+      structure("{oscillator: {mass: 1, stiffness: 1, yield_force: 1, hardening: 100 %}, damping: 0}"),
+      R"(2:70: structures.a.oscillator.hardening: takes a number in [0, 1) such as "5 %"; "100 %" is outside)");
+  test::refused(
+      structure("{shear_building: {storeys: 3, mass: 1, stiffness: 1, yield_force: [1 N, 2 N]}, damping: 0}"),
+      R"(2:72: structures.a.shear_building.yield_force: takes a force > 0 such as "200 kN" or a list of 3 from the )"
+      "ground up; a list of 2 was read");
   test::refused(structure("{shear_building: {storeys: 2, mass: 1, stiffness: 1 N/m, yield_force: 5 mm}, damping: 0}"),
                 R"(2:76: structures.a.shear_building.yield_force: takes a force such as "200 kN"; "5 mm" is a length)");
-  test::refused(structure("{body: {mass: 1, yield_force: 1}}"),
-                R"(2:23: structures.a.body: unknown key "yield_force". Allowed: mass, gravity, initial_velocity, initial_displacement.)");
+  test::refused(
+      structure("{body: {mass: 1, yield_force: 1}}"),
+      R"(2:23: structures.a.body: unknown key "yield_force". Allowed: mass, gravity, initial_velocity, initial_displacement.)");
 }
 
 // An initial displacement beyond yield is refused: the yielding before the start is not known.
 TEST(YieldingStoreys, AreNotYieldedAtTheStart) {
-  const std::string building = "{shear_building: {storeys: 2, mass: 1, stiffness: 1 MN/m, yield_force: 20 kN}, damping: 0, ";
+  const std::string building =
+      "{shear_building: {storeys: 2, mass: 1, stiffness: 1 MN/m, yield_force: 20 kN}, damping: 0, ";
   EXPECT_NO_THROW(test::model_of(structure(building + "initial_displacement: [20 mm, 40 mm]}")));
-  test::refused(structure(building + "initial_displacement: [10 mm, -11 mm]}"),
-                "2:119: structures.a.initial_displacement: strains storey 2 by -21 mm, and it yields at 20 mm; take less, or an "
-                "initial_velocity");
+  test::refused(
+      structure(building + "initial_displacement: [10 mm, -11 mm]}"),
+      "2:119: structures.a.initial_displacement: strains storey 2 by -21 mm, and it yields at 20 mm; take less, or an "
+      "initial_velocity");
 }
 
 TEST(YieldingStoreys, AreCountedFromNumbersToo) {

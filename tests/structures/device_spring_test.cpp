@@ -83,7 +83,8 @@ TEST(DeviceSpring, RefusesNumbersThatCannotBe) {
   for (const double wrong : {0.0, -1.0, infinity, std::nan("")}) {
     EXPECT_THROW(DeviceSpring({.bar = Bar{wrong}}), std::invalid_argument);
     EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = wrong}}), std::invalid_argument);
-    EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = 0.5, .rounding_velocity = wrong}}), std::invalid_argument);
+    EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = 0.5, .rounding_velocity = wrong}}),
+                 std::invalid_argument);
   }
   for (const double wrong : {0.19, 2.1, -1.0, std::nan("")})
     EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = wrong}}), std::invalid_argument);
@@ -93,9 +94,11 @@ TEST(DeviceSpring, RefusesNumbersThatCannotBe) {
 TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
   for (const double exponent : {0.2, 0.5, 1.0}) {
     const double stiffest = exponent * 2e6 / Damper::shortest_relaxation;
-    EXPECT_NO_THROW(DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = 0.999 * stiffest}}));
+    EXPECT_NO_THROW(
+        DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = 0.999 * stiffest}}));
     for (const double stiffness : {1.001 * stiffest, 4e19, 1e300})
-      EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = stiffness}}), std::invalid_argument);
+      EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = stiffness}}),
+                   std::invalid_argument);
   }
 }
 
@@ -111,7 +114,8 @@ TEST(DeviceSpring, SolvesTheStretchBesideItsDashpot) {
         const double slope = (damper.stretch(length + step, lag) - damper.stretch(length - step, lag)) / (2 * step);
         EXPECT_NEAR(damper.stretch_slope(s, lag) / slope, 1, 1e-6) << exponent << " " << lag << " " << length;
       }
-    EXPECT_EQ(damper.stretch(0.01, std::numeric_limits<double>::infinity()), 0) << "at rest the dashpot carries nothing";
+    EXPECT_EQ(damper.stretch(0.01, std::numeric_limits<double>::infinity()), 0)
+        << "at rest the dashpot carries nothing";
     EXPECT_EQ(damper.stretch(0.01, 0), 0.01);
   }
 }
@@ -125,7 +129,8 @@ TEST(DeviceSpring, BeginsWithADamperAtRestAndLosesWhatItsDashpotTakes) {
   EXPECT_EQ(maxwell.evaluate(motion).force, 0);
   maxwell.start(motion);
   EXPECT_EQ(maxwell.stored_correction(), 0);
-  // Pulled at once by 100 mm and held: the force k s falls as the dashpot takes the stretch, and all that was stored is lost.
+  // Pulled at once by 100 mm and held: the force k s falls as the dashpot takes the stretch, and all that was stored is
+  // lost.
   double slip = motion.slip, stretch = 0.1;
   constexpr int steps = 4000;
   constexpr double h = 2.5e-4;
@@ -142,7 +147,9 @@ TEST(DeviceSpring, BeginsWithADamperAtRestAndLosesWhatItsDashpotTakes) {
 
 // One cycle of a bilinear law beside a bar would be two bars: the law replaces it, and its loop is 4 (1-b) Fy (D - Dy).
 TEST(DeviceSpring, YieldsByItsLawAndGivesAllOfItsForce) {
-  DeviceSpring brace({.law = hysteresis::Settings{.law = "bilinear", .values = {{"stiffness", k}, {"yield_force", 0.01 * k}, {"hardening", 0.1}}}});
+  DeviceSpring brace(
+      {.law = hysteresis::Settings{.law = "bilinear",
+                                   .values = {{"stiffness", k}, {"yield_force", 0.01 * k}, {"hardening", 0.1}}}});
   EXPECT_EQ(brace.stiffness(), 0) << "no structure is assembled with it";
   EXPECT_DOUBLE_EQ(brace.first_slope(), k);
   EXPECT_DOUBLE_EQ(brace.yield_deformation(), 0.01);
@@ -156,7 +163,11 @@ TEST(DeviceSpring, YieldsByItsLawAndGivesAllOfItsForce) {
   for (int i = 1; i < 4; ++i, time += 1) {
     lost = brace.lost();
     const double way = turns[i] - turns[i - 1];
-    brace.accept({.begin = time, .end = time + 1, .motion_begin = {turns[i - 1], way}, .motion_middle = {}, .motion_end = {turns[i], way}});
+    brace.accept({.begin = time,
+                  .end = time + 1,
+                  .motion_begin = {turns[i - 1], way},
+                  .motion_middle = {},
+                  .motion_end = {turns[i], way}});
   }
   EXPECT_NEAR((brace.lost() - lost) / (0.5 * 4 * 0.9 * 0.01 * k * 0.02), 1, 1e-12) << "half a loop";
   EXPECT_NEAR(brace.stored_correction(), 0.5 * 0.1 * k * 0.03 * 0.03 + 0.5 * 0.9 * k * 0.01 * 0.01, 1e-9 * k);
@@ -167,8 +178,10 @@ TEST(DeviceSpring, RefusesPartsThatContradict) {
   const hysteresis::Settings law{.law = "bilinear", .values = {{"stiffness", k}, {"yield_force", 0.01 * k}}};
   EXPECT_NO_THROW(DeviceSpring({.law = law}));
   EXPECT_THROW(DeviceSpring({.bar = Bar{k}, .law = law}), std::invalid_argument);
-  EXPECT_THROW(DeviceSpring({.law = hysteresis::Settings{.law = "bilinear", .values = {{"stiffness", k}}}}), std::invalid_argument);
-  EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .exponent = 1.5, .stiffness = k}}), std::invalid_argument);
+  EXPECT_THROW(DeviceSpring({.law = hysteresis::Settings{.law = "bilinear", .values = {{"stiffness", k}}}}),
+               std::invalid_argument);
+  EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .exponent = 1.5, .stiffness = k}}),
+               std::invalid_argument);
   EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .stiffness = -k}}), std::invalid_argument);
 }
 

@@ -26,7 +26,8 @@ LinkStep step(const LinkMotion& begin, const LinkMotion& end) {
 
 /// Motion of some decaying harmonics about a drift, over the yield deformation.
 LinkMotion motion(double t, double dy) {
-  const double u = 2.5 * std::sin(7 * t) + 1.2 * std::sin(23 * t + 0.4) - 1.2 * std::sin(0.4), v = 17.5 * std::cos(7 * t) + 27.6 * std::cos(23 * t + 0.4);
+  const double u = 2.5 * std::sin(7 * t) + 1.2 * std::sin(23 * t + 0.4) - 1.2 * std::sin(0.4),
+               v = 17.5 * std::cos(7 * t) + 27.6 * std::cos(23 * t + 0.4);
   return {dy * u, dy * v};
 }
 
@@ -96,14 +97,16 @@ TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
       for (int i = from; i < to; ++i) s.accept(step(motion(0.01 * i, dy), motion(0.01 * (i + 1), dy)));
     };
     drive(*spring, 0, 137);
-    const YieldingPart kept("storey 1", Row(1), settings.law, {}, std::move(spring));  // keeps what it is given in `fresh`
+    const YieldingPart kept("storey 1", Row(1), settings.law, {},
+                            std::move(spring));  // keeps what it is given in `fresh`
     Archive read(kept.fresh);
     copy->archive(read);
     read.expect_end();
     drive(*kept.spring, 137, 300);
     drive(*copy, 137, 300);
     const auto bits = [dy](const Spring& s) {
-      return std::vector<double>{s.lost(), s.stored_correction(), s.evaluate({3 * dy, 0}).force, s.evaluate({-2 * dy, 0}).by_penetration};
+      return std::vector<double>{s.lost(), s.stored_correction(), s.evaluate({3 * dy, 0}).force,
+                                 s.evaluate({-2 * dy, 0}).by_penetration};
     };
     EXPECT_EQ(std::memcmp(bits(*kept.spring).data(), bits(*copy).data(), 4 * sizeof(double)), 0) << entry.name;
   }
@@ -146,7 +149,8 @@ TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
 // Pressed back elastically with half of its force left, Bouc-Wen's spring falls off at once where it is pressed again.
 TEST(HystereticSpring, ASmallExcursionOfBoucWenTurnsSharplyTwice) {
   const double k = 1e7, fy = 1e5;
-  const auto spring = make_spring({.law = "bouc_wen", .values = {{"stiffness", k}, {"yield_force", fy}, {"hardening", 0}}});
+  const auto spring =
+      make_spring({.law = "bouc_wen", .values = {{"stiffness", k}, {"yield_force", fy}, {"hardening", 0}}});
   const double yielding = 2 * fy / k, y = std::tanh(2);
   spring->accept(step({0, 1}, {yielding, 1}));
   EXPECT_NEAR(spring->slope_lost(yielding + 1e-12) / k, y * y, 1e-6) << "it turns back with k";
@@ -158,10 +162,12 @@ TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {
   const auto spring = make_spring({.law = "bouc_wen", .values = {{"stiffness", 1e6}, {"yield_force", 1e4}}});
   spring->start({0.005, 0});
   EXPECT_EQ(spring->lost(), 0);
-  EXPECT_NEAR(0.5 * 1e6 * 0.005 * 0.005 + spring->stored_correction(), 0.5 * 1e6 * std::pow(0.01 * std::tanh(0.5), 2), 1e-9);
+  EXPECT_NEAR(0.5 * 1e6 * 0.005 * 0.005 + spring->stored_correction(), 0.5 * 1e6 * std::pow(0.01 * std::tanh(0.5), 2),
+              1e-9);
 }
 
-std::string refusal(std::unique_ptr<Spring> (*make)(const hysteresis::Settings&), const hysteresis::Settings& settings) {
+std::string refusal(std::unique_ptr<Spring> (*make)(const hysteresis::Settings&),
+                    const hysteresis::Settings& settings) {
   try {
     make(settings);
   } catch (const std::invalid_argument& error) {
@@ -171,17 +177,20 @@ std::string refusal(std::unique_ptr<Spring> (*make)(const hysteresis::Settings&)
 }
 
 TEST(MakeSpring, AHingeHasMomentsInItsWordsAndMessages) {
-  const auto hinge = make_hinge({.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", 2e5}, {"negative_yield_moment", 1e5}}});
+  const auto hinge = make_hinge(
+      {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", 2e5}, {"negative_yield_moment", 1e5}}});
   EXPECT_EQ(hinge->stiffness(), 4e7);
   EXPECT_NEAR(4e7 * 0.1 + hinge->evaluate({0.1, 0}).force, 2e5, 1e-6);
   EXPECT_NEAR(-4e7 * 0.1 + hinge->evaluate({-0.1, 0}).force, -1e5, 1e-6);
-  EXPECT_EQ(refusal(make_hinge, {.law = "menegotto_pinto", .values = {{"stiffness", 4e7}}}), "menegotto_pinto needs yield_moment (yield force Fy)");
+  EXPECT_EQ(refusal(make_hinge, {.law = "menegotto_pinto", .values = {{"stiffness", 4e7}}}),
+            "menegotto_pinto needs yield_moment (yield force Fy)");
   EXPECT_EQ(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", -2}}}),
             "yield_moment is -2, but must be finite and positive");
   EXPECT_EQ(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_force", 2}}}),
             "a hinge has a yield_moment instead of a yield_force");
   EXPECT_EQ(refusal(make_spring, {.law = "takeda", .values = {}}),
-            "unknown law of yielding \"takeda\". Allowed: bilinear, menegotto_pinto, bouc_wen, peak_oriented, friction_pendulum, lead_rubber, "
+            "unknown law of yielding \"takeda\". Allowed: bilinear, menegotto_pinto, bouc_wen, peak_oriented, "
+            "friction_pendulum, lead_rubber, "
             "elastomeric, backfill.");
 }
 

@@ -17,13 +17,15 @@
 namespace pounding {
 namespace isolators_test {
 
-const hysteresis::Settings lead_rubber{.law = "lead_rubber",
-                                       .values = {{"strength", 300e3}, {"post_yield_stiffness", 3e6}, {"yield_displacement", 0.01}}};
+const hysteresis::Settings lead_rubber{
+    .law = "lead_rubber", .values = {{"strength", 300e3}, {"post_yield_stiffness", 3e6}, {"yield_displacement", 0.01}}};
 const hysteresis::Settings slider{.law = "friction_pendulum", .values = {{"radius", 2}, {"friction", 0.06}}};
 
 Structure building(const hysteresis::Settings& law, std::optional<double> capacity = {}) {
-  return make_shear_building(
-      {.storeys = 3, .mass = {250e3, 200e3, 150e3}, .stiffness = {300e6, 200e6}, .isolator = IsolatorOptions{.law = law, .capacity = capacity}});
+  return make_shear_building({.storeys = 3,
+                              .mass = {250e3, 200e3, 150e3},
+                              .stiffness = {300e6, 200e6},
+                              .isolator = IsolatorOptions{.law = law, .capacity = capacity}});
 }
 
 std::string refusal_of(const auto& make) {
@@ -71,14 +73,17 @@ TEST(Isolators, LetTheStoreysAboveThemYieldToo) {
 
 // One floor on a slab: on a fixed base an oscillator.
 TEST(Isolators, TakeNoPartInTheDamping) {
-  Structure s = make_shear_building({.storeys = 2, .mass = {200e3, 300e3}, .stiffness = 75e6, .isolator = IsolatorOptions{.law = slider}});
+  Structure s = make_shear_building(
+      {.storeys = 2, .mass = {200e3, 300e3}, .stiffness = 75e6, .isolator = IsolatorOptions{.law = slider}});
   set_frequencies(s);
   set_damping(s, 0.02);
   const double c = 2 * 0.02 * std::sqrt(75e6 * 300e3);
   Eigen::Matrix2d expected;
   expected << c, -c, -c, c;
   EXPECT_LT((Eigen::MatrixXd(s.whole_damping()) - expected).cwiseAbs().maxCoeff(), 1e-9 * c);
-  EXPECT_EQ(s.damping_note, "2 % in the first mode on a fixed base, period 0.397384 s, in proportion to the stiffness without the isolators");
+  EXPECT_EQ(
+      s.damping_note,
+      "2 % in the first mode on a fixed base, period 0.397384 s, in proportion to the stiffness without the isolators");
 }
 
 TEST(Isolators, AreNotBrakedByModalDamping) {
@@ -90,30 +95,36 @@ TEST(Isolators, AreNotBrakedByModalDamping) {
   EXPECT_LT((damping * Eigen::Vector3d::Ones()).cwiseAbs().maxCoeff(), 1e-6 * damping(2, 2));
   // 5 % of the first mode that bends the building while nothing holds it.
   const Eigenmodes free = dense_modes(s.mass, s.stiffness - stiffness_of_isolators(s), 3);
-  EXPECT_NEAR(free.shapes.col(1).dot(damping * free.shapes.col(1)), 2 * 0.05 * free.frequencies[1], 1e-9 * free.frequencies[1]);
+  EXPECT_NEAR(free.shapes.col(1).dot(damping * free.shapes.col(1)), 2 * 0.05 * free.frequencies[1],
+              1e-9 * free.frequencies[1]);
 }
 
 TEST(Isolators, RefuseDampingThatWouldBrakeThem) {
   Structure s = building(lead_rubber);
   set_frequencies(s);
   EXPECT_EQ(refusal_of([&] { set_damping(s, RayleighDamping{.ratio = 0.05}); }),
-            "on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the stiffness above them, or "
+            "on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the "
+            "stiffness above them, or "
             "damping: {modal: {ratio: 2 %}}");
   Structure block = make_shear_building({.storeys = 1, .mass = 200e3, .isolator = IsolatorOptions{.law = slider}});
   set_frequencies(block);
-  EXPECT_EQ(refusal_of([&] { set_damping(block, 0.02); }), "nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
+  EXPECT_EQ(refusal_of([&] { set_damping(block, 0.02); }),
+            "nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
   set_damping(block, 0);
   EXPECT_EQ(block.damping_note, "none");
 }
 
 TEST(Isolators, HaveThePeriodOfTheBuildingAsOneBody) {
   EXPECT_NEAR(isolated_period(building(lead_rubber)), 2 * M_PI * std::sqrt(600e3 / 3e6), 1e-12);
-  EXPECT_NEAR(isolated_period(building(slider)), 2 * M_PI * std::sqrt(2 / 9.80665), 1e-9) << "a pendulum of the radius of the dish";
-  const hysteresis::Settings flat{.law = "bilinear", .values = {{"stiffness", 30e6}, {"yield_force", 300e3}, {"hardening", 0}}};
+  EXPECT_NEAR(isolated_period(building(slider)), 2 * M_PI * std::sqrt(2 / 9.80665), 1e-9)
+      << "a pendulum of the radius of the dish";
+  const hysteresis::Settings flat{.law = "bilinear",
+                                  .values = {{"stiffness", 30e6}, {"yield_force", 300e3}, {"hardening", 0}}};
   EXPECT_EQ(isolated_period(building(flat)), std::numeric_limits<double>::infinity());
 }
 
-// Held isolators leave the motions of the floors above, and a slab whose isolators are tied by the same unknowns is held once.
+// Held isolators leave the motions of the floors above, and a slab whose isolators are tied by the same unknowns is
+// held once.
 TEST(Isolators, LeaveTheMotionsOnAFixedBase) {
   Structure s = building(lead_rubber);
   const Eigen::MatrixXd motions = motions_on_fixed_base(s);
@@ -128,7 +139,8 @@ TEST(Isolators, LeaveTheMotionsOnAFixedBase) {
   s.yielding.push_back(make_isolator("isolator c", std::move(same), {.law = lead_rubber}, 0));
   const Eigen::MatrixXd fewer = motions_on_fixed_base(s);
   ASSERT_EQ(fewer.cols(), 1);
-  for (const YieldingPart& part : s.yielding) EXPECT_LT((Eigen::VectorXd(part.deformation).transpose() * fewer).cwiseAbs().maxCoeff(), 1e-15) << part.name;
+  for (const YieldingPart& part : s.yielding)
+    EXPECT_LT((Eigen::VectorXd(part.deformation).transpose() * fewer).cwiseAbs().maxCoeff(), 1e-15) << part.name;
   EXPECT_EQ(fewer(1, 0), 1);
 }
 
@@ -139,7 +151,8 @@ TEST(Isolators, RefuseWhatCannotBe) {
   EXPECT_EQ(refusal_of([&] { building(rough); }), "isolators: friction is -0.06, but must be finite and positive");
 }
 
-// Pulled at a constant velocity it sticks over u_y mu(v)/mu_fast and then slides at mu(v) W; what it loses is that force times the slip.
+// Pulled at a constant velocity it sticks over u_y mu(v)/mu_fast and then slides at mu(v) W; what it loses is that
+// force times the slip.
 TEST(SlidingSpring, SlidesAtTheFrictionOfItsVelocity) {
   const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
   const double k0 = 0.08 * 5e6 / 0.5e-3, v = 0.02, mu = 0.08 - 0.04 * std::exp(-60 * v), until = mu * 5e6 / k0;
@@ -150,11 +163,15 @@ TEST(SlidingSpring, SlidesAtTheFrictionOfItsVelocity) {
   EXPECT_NEAR(force(0.01), 2.5e6 * 0.01 + mu * 5e6, 1e-3);
   EXPECT_EQ(spring.evaluate({0.01, v}).by_penetration, -k0);
   const double h = 1e-5;
-  EXPECT_NEAR(spring.evaluate({0.01, v}).by_rate, (spring.evaluate({0.01, v + h}).force - spring.evaluate({0.01, v - h}).force) / (2 * h), 1);
-  EXPECT_NEAR(spring.evaluate({-0.01, -v}).by_rate, spring.evaluate({0.01, v}).by_rate, 1e-9) << "the force is odd in the motion";
-  spring.accept({.begin = 0, .end = 0.01 / v, .motion_begin = {0, v}, .motion_middle = {0.005, v}, .motion_end = {0.01, v}});
+  EXPECT_NEAR(spring.evaluate({0.01, v}).by_rate,
+              (spring.evaluate({0.01, v + h}).force - spring.evaluate({0.01, v - h}).force) / (2 * h), 1);
+  EXPECT_NEAR(spring.evaluate({-0.01, -v}).by_rate, spring.evaluate({0.01, v}).by_rate, 1e-9)
+      << "the force is odd in the motion";
+  spring.accept(
+      {.begin = 0, .end = 0.01 / v, .motion_begin = {0, v}, .motion_middle = {0.005, v}, .motion_end = {0.01, v}});
   EXPECT_NEAR(spring.lost(), mu * 5e6 * (0.01 - until), 1e-9 * mu * 5e6);
-  EXPECT_NEAR(spring.stored_correction() + 0.5 * spring.stiffness() * 1e-4, 0.5 * 2.5e6 * 1e-4 + 0.5 * k0 * until * until, 1e-6);
+  EXPECT_NEAR(spring.stored_correction() + 0.5 * spring.stiffness() * 1e-4,
+              0.5 * 2.5e6 * 1e-4 + 0.5 * k0 * until * until, 1e-6);
 }
 
 // There and back: at the turn it slides at mu_slow, and sticks over twice the way of its spring.
@@ -167,8 +184,13 @@ TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
   const auto at = [](double t) { return LinkMotion{0.1 * std::sin(t), 0.1 * std::cos(t)}; };
   for (int i = 0; i < steps; ++i) {
     const double t0 = M_PI * i / steps, t1 = M_PI * (i + 1) / steps;
-    spring.accept({.begin = t0, .end = t1, .motion_begin = at(t0), .motion_middle = at(0.5 * (t0 + t1)), .motion_end = at(t1),
-                   .acceleration_begin = -0.1 * std::sin(t0), .acceleration_end = -0.1 * std::sin(t1)});
+    spring.accept({.begin = t0,
+                   .end = t1,
+                   .motion_begin = at(t0),
+                   .motion_middle = at(0.5 * (t0 + t1)),
+                   .motion_end = at(t1),
+                   .acceleration_begin = -0.1 * std::sin(t0),
+                   .acceleration_end = -0.1 * std::sin(t1)});
     if (i == steps / 2 - 1) {
       EXPECT_NEAR(spring.evaluate(at(t1)).force + k0 * 0.1, 0.04 * 5e6, 1) << "at the turn";
     }
@@ -179,8 +201,8 @@ TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
   EXPECT_LT(spring.lost(), 0.08 * 5e6 * 0.2);
 }
 
-// Slow, but not at rest, it is pushed on: friction rises faster than the spring behind it, which sticks from where its slip was largest. The
-// slip is d - mu(v) W/k0, whose maximum a search over the step finds.
+// Slow, but not at rest, it is pushed on: friction rises faster than the spring behind it, which sticks from where its
+// slip was largest. The slip is d - mu(v) W/k0, whose maximum a search over the step finds.
 TEST(SlidingSpring, SticksWhereItsSlipStops) {
   const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
   const double k0 = 0.08 * 5e6 / 0.5e-3, h = 0.005, least = 5e-4, bend = 50;
@@ -202,7 +224,13 @@ TEST(SlidingSpring, SticksWhereItsSlipStops) {
   EXPECT_NEAR(*found, where, 2e-6);
   EXPECT_FALSE(spring.bend({at(0), at(0.9 * where), 0.9 * where * h}, 1e-6).has_value()) << "it still slides";
   const double work = spring.lost();
-  spring.accept({.begin = 0, .end = h, .motion_begin = begin, .motion_middle = {}, .motion_end = end, .acceleration_begin = at(0).a, .acceleration_end = at(1).a});
+  spring.accept({.begin = 0,
+                 .end = h,
+                 .motion_begin = begin,
+                 .motion_middle = {},
+                 .motion_end = end,
+                 .acceleration_begin = at(0).a,
+                 .acceleration_end = at(1).a});
   ASSERT_LT(slip(1), largest - 1e-7) << "what the motion at the end alone says";
   EXPECT_NEAR(spring.evaluate(end).force, -k0 * largest, 1e-13 * k0);
   EXPECT_GT(spring.lost(), work);
@@ -212,7 +240,8 @@ TEST(SlidingSpring, RefusesWhatCannotBe) {
   const auto spring = [](SlidingFriction law) { return refusal_of([&] { SlidingSpring{law}; }); };
   EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.09, .fast = 0.08, .rate = 60}),
             "friction is 0.09, but must be positive and, the first of two, at most the second, 0.08");
-  EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08}), "rate is 0, but must be finite and positive");
+  EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08}),
+            "rate is 0, but must be finite and positive");
 }
 
 }  // namespace isolators_test

@@ -39,8 +39,9 @@ TEST(Oscillator, HasTheMatricesOfItsMassAndSpring) {
 }
 
 TEST(Oscillator, FollowsFromItsPeriod) {
-  const Model model = model_of("structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}\n"
-                               "analysis: {duration: 1}\n");
+  const Model model = model_of(
+      "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}\n"
+      "analysis: {duration: 1}\n");
   const Structure& s = model.structures[0];
   EXPECT_NEAR(modes(s)[0].period, 0.8, 1e-14);
   EXPECT_NEAR(damping_ratio(s, 0), 0.05, 1e-14);
@@ -90,7 +91,8 @@ TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
                   "completeness of the modes: effective masses add up to the mass, participations rebuild a unit "
                   "displacement",
                   "rounding");
-  const Structure s = make_shear_building({.storeys = 4, .mass = {3e5, 2.5e5, 2e5, 1e5}, .stiffness = {4e8, 1e8, 3e8, 2e8}});
+  const Structure s =
+      make_shear_building({.storeys = 4, .mass = {3e5, 2.5e5, 2e5, 1e5}, .stiffness = {4e8, 1e8, 3e8, 2e8}});
   double effective = 0;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(4);
   for (const Mode& mode : modes(s)) {
@@ -110,15 +112,15 @@ TEST(Modes, OfABodyIsOneOfInfinitePeriodAndAWallHasNone) {
 }
 
 Structure building(const std::string& damping) {
-  Model model = model_of("structures:\n  a: {shear_building: {storeys: 4, mass: [300 t, 250 t, 200 t, 100 t], stiffness: "
-                         "[400 MN/m, 100 MN/m, 300 MN/m, 200 MN/m]}, damping: " +
-                         damping + "}\nanalysis: {duration: 1}\n");
+  Model model = model_of(
+      "structures:\n  a: {shear_building: {storeys: 4, mass: [300 t, 250 t, 200 t, 100 t], stiffness: "
+      "[400 MN/m, 100 MN/m, 300 MN/m, 200 MN/m]}, damping: " +
+      damping + "}\nanalysis: {duration: 1}\n");
   return std::move(model.structures[0]);
 }
 
 TEST(RayleighDamping, HasItsRatioInItsTwoModes) {
-  test::Book book("Oscillators and shear buildings",
-                  "Rayleigh damping: the ratio that was asked in modes 1 and 3",
+  test::Book book("Oscillators and shear buildings", "Rayleigh damping: the ratio that was asked in modes 1 and 3",
                   "rounding");
   const Structure s = building("{rayleigh: {ratio: 3 %, modes: [1, 3]}}");
   book.near("damping ratio of mode 1 [-]", damping_ratio(s, 0), 0.03, 1e-12);
@@ -147,8 +149,7 @@ TEST(RayleighDamping, MayBeGivenByPeriods) {
 }
 
 TEST(ModalDamping, HasItsRatioInEveryMode) {
-  test::Book book("Oscillators and shear buildings",
-                  "modal damping: the ratio that was asked in every mode",
+  test::Book book("Oscillators and shear buildings", "modal damping: the ratio that was asked in every mode",
                   "rounding");
   const Structure s = building("{modal: {ratio: 3 %}}");
   for (int i = 0; i < 4; ++i) book.near("damping ratio of each mode [-]", damping_ratio(s, i), 0.03, 1e-12);
@@ -164,7 +165,8 @@ TEST(ModalDamping, IsTheSameWithAndWithoutItsMatrix) {
   s.modal_damping = {};
   EXPECT_EQ(Eigen::MatrixXd(s.whole_damping()), damping);
   EXPECT_EQ(s.formed_damping().norm(), 0);
-  for (std::size_t i = 0; i < with.size(); ++i) EXPECT_NEAR(modes(s)[i].damping_ratio, with[i].damping_ratio, 1e-12) << i;
+  for (std::size_t i = 0; i < with.size(); ++i)
+    EXPECT_NEAR(modes(s)[i].damping_ratio, with[i].damping_ratio, 1e-12) << i;
 }
 
 TEST(ModalDamping, OfTooManyModesHasNoMatrix) {
@@ -174,7 +176,8 @@ TEST(ModalDamping, OfTooManyModesHasNoMatrix) {
     modal_damping_matrix(one, one, 0.05);
     ADD_FAILURE() << "a matrix of 1501 modes was formed";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), "fills a matrix of 1501 x 1501 modes; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
+    EXPECT_EQ(std::string(error.what()),
+              "fills a matrix of 1501 x 1501 modes; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
   }
 }
 
@@ -182,7 +185,8 @@ TEST(Damping, OfZeroIsNone) { EXPECT_EQ(building("0").whole_damping().norm(), 0)
 
 const std::string two_structures =
     "structures:\n"
-    "  left:  {shear_building: {storeys: 2, mass: [10, 20], stiffness: [300, 500], damping: 0}, initial_velocity: [1, 2]}\n"
+    "  left:  {shear_building: {storeys: 2, mass: [10, 20], stiffness: [300, 500], damping: 0}, initial_velocity: [1, "
+    "2]}\n"
     "  w:     {wall: {}}\n"
     "  right: {oscillator: {mass: 40, stiffness: 600, damping: 0}, initial_displacement: 1 mm}\n";
 
@@ -209,14 +213,15 @@ TEST(Assembly, PutsStructuresBesideEachOtherAndLinksBetweenThem) {
 }
 
 TEST(Links, OfAllFloorsAreNamedFromTheGroundUp) {
-  const Model model = model_of("structures:\n"
-                               "  a: {shear_building: {storeys: 3, mass: 1, stiffness: 1, height: 3 m}, damping: 0}\n"
-                               "  b: {shear_building: {storeys: 2, mass: 1, stiffness: 1, height: 3 m}, damping: 0}\n"
-                               "  w: {wall: {}}\n"
-                               "links:\n"
-                               "  - {between: [a, b], floors: all, gap: [10 mm, 20 mm], law: hertz, stiffness: 1e9}\n"
-                               "  - {between: [b, w], floors: all, gap: 5 mm, law: hertz, stiffness: 1e9, name: moat}\n"
-                               "analysis: {duration: 1}\n");
+  const Model model = model_of(
+      "structures:\n"
+      "  a: {shear_building: {storeys: 3, mass: 1, stiffness: 1, height: 3 m}, damping: 0}\n"
+      "  b: {shear_building: {storeys: 2, mass: 1, stiffness: 1, height: 3 m}, damping: 0}\n"
+      "  w: {wall: {}}\n"
+      "links:\n"
+      "  - {between: [a, b], floors: all, gap: [10 mm, 20 mm], law: hertz, stiffness: 1e9}\n"
+      "  - {between: [b, w], floors: all, gap: 5 mm, law: hertz, stiffness: 1e9, name: moat}\n"
+      "analysis: {duration: 1}\n");
   ASSERT_EQ(model.links.size(), 4u);
   EXPECT_EQ(model.links[0].name, "a.1-b.1");
   EXPECT_EQ(model.links[1].name, "a.2-b.2");
@@ -227,8 +232,8 @@ TEST(Links, OfAllFloorsAreNamedFromTheGroundUp) {
 }
 
 double reduced_mass(const std::string& link) {
-  return model_of(two_structures + "links:\n  - {gap: 20 mm, law: kelvin_voigt, stiffness: 1e9, restitution: 0.5, " + link +
-                  "}\nanalysis: {duration: 1}\n")
+  return model_of(two_structures + "links:\n  - {gap: 20 mm, law: kelvin_voigt, stiffness: 1e9, restitution: 0.5, " +
+                  link + "}\nanalysis: {duration: 1}\n")
       .links[0]
       .reduced_mass;
 }
@@ -252,13 +257,14 @@ TEST(ReducedMass, CalibratesTheDamping) {
 }
 
 TEST(ResolvedInput, SaysEveryDefaultAndCalibratedValue) {
-  const Model model = model_of("structures:\n"
-                               "  a: {oscillator: {mass: 100 t, stiffness: 4 MN/m, damping: 5 %}}\n"
-                               "  w: {wall: {}}\n"
-                               "links:\n"
-                               "  - {between: [a, w], gap: 20 mm, law: kelvin_voigt_no_tension, stiffness: 93500 kN/m, "
-                               "restitution: 0.65}\n"
-                               "analysis: {duration: 2}\n");
+  const Model model = model_of(
+      "structures:\n"
+      "  a: {oscillator: {mass: 100 t, stiffness: 4 MN/m, damping: 5 %}}\n"
+      "  w: {wall: {}}\n"
+      "links:\n"
+      "  - {between: [a, w], gap: 20 mm, law: kelvin_voigt_no_tension, stiffness: 93500 kN/m, "
+      "restitution: 0.65}\n"
+      "analysis: {duration: 2}\n");
   const YAML::Node resolved = YAML::Load(resolved_yaml(model));
   const YAML::Node link = resolved["links"][0];
   EXPECT_EQ(link["name"].as<std::string>(), "a-w");

@@ -15,37 +15,51 @@ namespace calibration_test {
 TEST(TheTableOfAdamsImpact, GivesTheExactCalibration) {
   for (const double e : {0.3, 0.65})
     for (const double speed : {1e-6, 0.12, 0.3, 0.31, 1.2}) {
-      const laws::CalibrationTarget target{
-          .restitution = e, .closing_speed = speed, .stiffness = 2.75e9, .exponent = 1.5, .reduced_mass = 6e4, .depth = 0.001};
+      const laws::CalibrationTarget target{.restitution = e,
+                                           .closing_speed = speed,
+                                           .stiffness = 2.75e9,
+                                           .exponent = 1.5,
+                                           .reduced_mass = 6e4,
+                                           .depth = 0.001};
       const double exact = laws::exact_adams_impact(target);
       EXPECT_NEAR(tabled_adams_impact(target), exact, 1e-8 * exact) << e << " at " << speed << " m/s";
     }
 }
 
 TEST(TheTableOfAdamsImpact, GivesTheSameBitsWhateverWasAskedBefore) {
-  const laws::CalibrationTarget one{.restitution = 0.7, .closing_speed = 0.4, .stiffness = 2.75e9, .exponent = 1.5, .reduced_mass = 6e4, .depth = 0.001};
+  const laws::CalibrationTarget one{.restitution = 0.7,
+                                    .closing_speed = 0.4,
+                                    .stiffness = 2.75e9,
+                                    .exponent = 1.5,
+                                    .reduced_mass = 6e4,
+                                    .depth = 0.001};
   laws::CalibrationTarget other = one;
   const double alone = tabled_adams_impact(one);
   for (const double speed : {0.2, 0.5, 0.41}) other.closing_speed = speed, tabled_adams_impact(other);
   EXPECT_EQ(tabled_adams_impact(one), alone);
 }
 
-// The bodies come just as deep as the depth of full damping here. Steps that passed it on the way in and out moved numbers by 5e-6, and no table held them.
+// The bodies come just as deep as the depth of full damping here. Steps that passed it on the way in and out moved
+// numbers by 5e-6, and no table held them.
 TEST(TheTableOfAdamsImpact, IsSmoothWhereBodiesJustReachTheDepthOfFullDamping) {
   std::vector<double> numbers;
-  for (int i = 0; i <= 20; ++i) numbers.push_back(tabled_adams_impact({.restitution = 0.65, .depth = 0.4406 + 1e-7 * i}));
-  for (std::size_t i = 1; i + 1 < numbers.size(); ++i) EXPECT_NEAR(numbers[i - 1] - 2 * numbers[i] + numbers[i + 1], 0, 1e-8) << i;
+  for (int i = 0; i <= 20; ++i)
+    numbers.push_back(tabled_adams_impact({.restitution = 0.65, .depth = 0.4406 + 1e-7 * i}));
+  for (std::size_t i = 1; i + 1 < numbers.size(); ++i)
+    EXPECT_NEAR(numbers[i - 1] - 2 * numbers[i] + numbers[i + 1], 0, 1e-8) << i;
 }
 
 TEST(TheCurveOfOneImpact, AnswersAsTheLaw) {
   const laws::BilinearHertz law{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4};
   const laws::Impact impact = laws::touch(law, 0.3);
   const laws::BilinearHertz given = with_curve(law, impact);
-  for (const double d : {0.0005, 0.002, 0.008}) EXPECT_EQ(given.contact(d, 0.1, impact).force, law.contact(d, 0.1, impact).force);
+  for (const double d : {0.0005, 0.002, 0.008})
+    EXPECT_EQ(given.contact(d, 0.1, impact).force, law.contact(d, 0.1, impact).force);
 }
 
 TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
-  // The dashpot pulls as much as the spring pushes at d0; behind d0 the force is cut, and nearer to the separation it presses again.
+  // The dashpot pulls as much as the spring pushes at d0; behind d0 the force is cut, and nearer to the separation it
+  // presses again.
   const laws::AdamsImpact law{.stiffness = 2.75e9, .depth = 0.001, .damping_coefficient = 1e6, .reduced_mass = 6e4};
   const double rate = -0.2;
   LinkContact<laws::AdamsImpact> link(law, 0);
@@ -83,14 +97,17 @@ TEST(APenetrationThatIsNegativeInsideAStep, EndsTheContactAtItsFirstZero) {
   const auto fill = [&](Moment<2, 1>& m, double t) {
     LinkMoment& link = m.links[0];
     m.time = t;
-    link.d = 0.5 * bend * (t - 0.5 * h) * (t - 0.5 * h) - below, link.rate = bend * (t - 0.5 * h), link.acceleration = bend;
+    link.d = 0.5 * bend * (t - 0.5 * h) * (t - 0.5 * h) - below, link.rate = bend * (t - 0.5 * h),
+    link.acceleration = bend;
     link.force = links[0].force(link.d, link.rate);
     link.force_rate = link.force.by_penetration * link.rate + link.force.by_rate * link.acceleration;
   };
   fill(begin, 0), fill(end, h);
   ASSERT_GT(begin.links[0].force_rate, 0);
   struct {
-    Quintic path(std::size_t link, const Moment<2, 1>& b, const Moment<2, 1>& e) const { return quintic_path(b.links[link], e.links[link], e.time - b.time); }
+    Quintic path(std::size_t link, const Moment<2, 1>& b, const Moment<2, 1>& e) const {
+      return quintic_path(b.links[link], e.links[link], e.time - b.time);
+    }
   } step;
   const Found found = first_event(links, step, begin, end);
   EXPECT_EQ(found.event, LinkEvent::separation);

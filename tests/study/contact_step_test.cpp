@@ -1,4 +1,5 @@
-// Steps in contact after a touch, where the force of Hertz grows by d^1.5: their order by time and by a root of the time.
+// Steps in contact after a touch, where the force of Hertz grows by d^1.5: their order by time and by a root of the
+// time.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,8 @@
 namespace pounding::study {
 namespace contact_step_test {
 
-/// Error of the rate after a part of an impact of unit mass, speed and stiffness, in `count` equal steps by t or by a root of it.
+/// Error of the rate after a part of an impact of unit mass, speed and stiffness, in `count` equal steps by t or by a
+/// root of it.
 template <class Law>
 class Impact {
  public:
@@ -98,7 +100,8 @@ TEST(TheFirstStepsOfAnImpact, GoByTimeForALinearLaw) {
   EXPECT_GT(impact.order(1), 4.5);
 }
 
-/// A free body of unit mass that meets a wall by a linear law at unit speed, by the series of its motion in steps of one length.
+/// A free body of unit mass that meets a wall by a linear law at unit speed, by the series of its motion in steps of
+/// one length.
 template <class Law>
 LinkPeaks series_impact(const Law& law, double end, int count, double& d, double& rate, double tolerance) {
   LinearModel model;
@@ -125,10 +128,12 @@ LinkPeaks series_impact(const Law& law, double end, int count, double& d, double
 
 TEST(TheSeriesOfALinearLaw, IsTheDampedVibration) {
   const double c = 0.3, w = std::sqrt(1 - c * c / 4);
-  for (const auto& [tolerance, longest, bound] : {std::tuple{1e-5, 1.75, 3e-8}, {1e-7, 1.25, 3e-10}, {1e-9, 0.9, 3e-12}}) {
+  for (const auto& [tolerance, longest, bound] :
+       {std::tuple{1e-5, 1.75, 3e-8}, {1e-7, 1.25, 3e-10}, {1e-9, 0.9, 3e-12}}) {
     double d = 0, rate = 0;
     const double end = 2 * longest;
-    const LinkPeaks peaks = series_impact(laws::KelvinVoigt{.stiffness = 1, .damping_coefficient = c}, end, 2, d, rate, tolerance);
+    const LinkPeaks peaks =
+        series_impact(laws::KelvinVoigt{.stiffness = 1, .damping_coefficient = c}, end, 2, d, rate, tolerance);
     const double expected = std::exp(-c / 2 * end) * std::sin(w * end) / w;
     const double expected_rate = std::exp(-c / 2 * end) * (std::cos(w * end) - c / 2 * std::sin(w * end) / w);
     EXPECT_NEAR(d, expected, 10 * bound);
@@ -154,7 +159,9 @@ bool looks_linear() {
       for (const double rate : {1e-4, 0.1, 2.0}) {
         const laws::Response r = law.contact(d, sign * rate, impact);
         const double force = one.by_penetration * d + one.by_rate * sign * rate;
-        if (r.by_penetration != one.by_penetration || r.by_rate != one.by_rate || std::abs(r.force - force) > 1e-12 * std::abs(r.force)) return false;
+        if (r.by_penetration != one.by_penetration || r.by_rate != one.by_rate ||
+            std::abs(r.force - force) > 1e-12 * std::abs(r.force))
+          return false;
       }
   }
   return true;
@@ -179,7 +186,8 @@ TEST(TheTermsOfAFlight, AreAsManyAsTheErrorWants) {
     const Jet jet = motion(order, 1, 0, 1, 0, 0, 0).at(reach);
     EXPECT_NEAR(jet.x, std::cos(reach), 1e-12) << reach;
     EXPECT_NEAR(jet.v, -std::sin(reach), 2e-11) << reach;
-    EXPECT_TRUE(order == 4 || std::pow(reach, order) / std::tgamma(order + 1) > 1e-13) << reach << ": terms for nothing";
+    EXPECT_TRUE(order == 4 || std::pow(reach, order) / std::tgamma(order + 1) > 1e-13)
+        << reach << ": terms for nothing";
   }
   EXPECT_EQ(taylor_order_for(1), taylor_order);
 }

@@ -45,8 +45,10 @@ TEST_P(FreeBodies, MeetAsTheFreeImpactOfTheLaw) {
   const laws::FreeImpact expected = laws::free_impact(law(), m, v);
   ASSERT_EQ(found.links[0].impacts, 1);
   const double loss = 0.5 * m * v * v * (1 - expected.restitution * expected.restitution);
-  book.near("peak force of a free impact [N]", found.links[0].peak_force, expected.peak_force, 1e-6 * expected.peak_force);
-  book.near("peak penetration of a free impact [m]", found.links[0].peak_penetration, expected.peak_penetration, 1e-6 * expected.peak_penetration);
+  book.near("peak force of a free impact [N]", found.links[0].peak_force, expected.peak_force,
+            1e-6 * expected.peak_force);
+  book.near("peak penetration of a free impact [m]", found.links[0].peak_penetration, expected.peak_penetration,
+            1e-6 * expected.peak_penetration);
   book.near("impulse of a free impact [N s]", found.links[0].impulse, m * v * (1 + expected.restitution), 1e-6 * m * v);
   book.near("energy lost in a free impact [J]", found.links[0].energy_lost, loss, 1e-6 * 0.5 * m * v * v);
   // Nothing but the contact accelerates the body.

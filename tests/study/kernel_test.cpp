@@ -70,8 +70,10 @@ std::array<double, 2> fine_accelerations(const LinearModel& model, double stiffn
   const double h = 5e-5;
   for (int n = 0; n < duration / h; ++n) {
     const double t = n * h;
-    const State r1 = rate(t, x), r2 = rate(t + h / 2, moved(x, h / 2, r1)), r3 = rate(t + h / 2, moved(x, h / 2, r2)), r4 = rate(t + h, moved(x, h, r3));
-    for (std::size_t j = 0; j < 2; ++j) peaks[j] = std::max(peaks[j], std::abs(r1[2 + j] * model.outputs[2 + j].factors[j] + ag(t)));
+    const State r1 = rate(t, x), r2 = rate(t + h / 2, moved(x, h / 2, r1)), r3 = rate(t + h / 2, moved(x, h / 2, r2)),
+                r4 = rate(t + h, moved(x, h, r3));
+    for (std::size_t j = 0; j < 2; ++j)
+      peaks[j] = std::max(peaks[j], std::abs(r1[2 + j] * model.outputs[2 + j].factors[j] + ag(t)));
     for (std::size_t i = 0; i < 4; ++i) x[i] += h / 6 * (r1[i] + 2 * r2[i] + 2 * r3[i] + r4[i]);
   }
   return peaks;
@@ -115,19 +117,22 @@ TEST(OscillatorsOfOnePeriodAndDamping, NeverTouch) {
 }
 
 TEST(AWall, IsThePlaneOfSymmetryOfTwoMirroredOscillators) {
-  // Two oscillators that the ground moves apart and together, and one of them before a wall at half the gap, of twice the stiffness.
+  // Two oscillators that the ground moves apart and together, and one of them before a wall at half the gap, of twice
+  // the stiffness.
   LinearModel both = pair_of({1e5, 0.6, 0.05}, {1e5, 0.6, 0.05}, 0.04, laws::Hertz{.stiffness = 1e9});
   both.load[1] *= -1;
   LinearModel one;
   one.stiffness = {both.stiffness[0]}, one.damping = {both.damping[0]}, one.load = {both.load[0]};
-  one.links.push_back({.gap = 0.02, .closing = {both.links[0].closing[0]}, .law = laws::Hertz{.stiffness = 1e9 * std::pow(2, 1.5)}});
+  one.links.push_back(
+      {.gap = 0.02, .closing = {both.links[0].closing[0]}, .law = laws::Hertz{.stiffness = 1e9 * std::pow(2, 1.5)}});
   one.outputs = {{.kind = Output::Kind::displacement, .factors = {both.links[0].closing[0]}}};
   const Peaks pair = run(both, record, {.tolerance = 1e-8}), wall = run(one, record, {.tolerance = 1e-8});
   EXPECT_GT(wall.links[0].impacts, 3);
   EXPECT_EQ(wall.links[0].impacts, pair.links[0].impacts);
   EXPECT_NEAR(wall.outputs[0], pair.outputs[0], 1e-5 * pair.outputs[0]);
   EXPECT_NEAR(wall.links[0].peak_force, pair.links[0].peak_force, 1e-5 * pair.links[0].peak_force);
-  EXPECT_NEAR(2 * wall.links[0].peak_penetration, pair.links[0].peak_penetration, 1e-5 * pair.links[0].peak_penetration);
+  EXPECT_NEAR(2 * wall.links[0].peak_penetration, pair.links[0].peak_penetration,
+              1e-5 * pair.links[0].peak_penetration);
 }
 
 TEST(ThePeakOfAForce, IsFoundJustBeforeTheBodiesTurn) {
@@ -136,11 +141,14 @@ TEST(ThePeakOfAForce, IsFoundJustBeforeTheBodiesTurn) {
     LinearModel model;
     model.stiffness = model.damping = model.load = {0};
     model.velocity = {1};
-    model.links.push_back({.gap = 0.5, .closing = {1}, .law = laws::ModifiedLinearViscoelastic{.stiffness = 1, .damping_coefficient = c}});
+    model.links.push_back({.gap = 0.5,
+                           .closing = {1},
+                           .law = laws::ModifiedLinearViscoelastic{.stiffness = 1, .damping_coefficient = c}});
     const double w = std::sqrt(1 - c * c / 4);
     double peak = 0;
     for (double t = 0; t < 0.5 * M_PI / w; t += 1e-5) {
-      const double d = std::exp(-c / 2 * t) * std::sin(w * t) / w, rate = std::exp(-c / 2 * t) * std::cos(w * t) - c / 2 * d;
+      const double d = std::exp(-c / 2 * t) * std::sin(w * t) / w,
+                   rate = std::exp(-c / 2 * t) * std::cos(w * t) - c / 2 * d;
       peak = std::max(peak, d + c * std::max(rate, 0.0));
     }
     const std::vector<double> still(2, 0.0);
@@ -212,7 +220,8 @@ TEST(TheShapesOfTheKernel, GiveTheSameBits) {
     expect_same_bits(run_few(pair, record, {}), run_pair(pair, record, {}));
     LinearModel apart = pair;
     apart.outputs.resize(2);
-    for (const laws::AnyLaw& law : {laws::AnyLaw(hertz()), laws::AnyLaw(laws::KelvinVoigt{.stiffness = 9e7, .damping_coefficient = 5e5})}) {
+    for (const laws::AnyLaw& law :
+         {laws::AnyLaw(hertz()), laws::AnyLaw(laws::KelvinVoigt{.stiffness = 9e7, .damping_coefficient = 5e5})}) {
       apart.links[0].law = law;
       expect_same_bits(run_few(apart, record, {}), run_pair(apart, record, {}));
     }
@@ -224,12 +233,14 @@ TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
   for (const laws::Entry& entry : laws::catalogue()) {
     if (entry.instantaneous) continue;
     laws::AnyLaw law = laws::make_law(laws::typical_settings(entry));
-    if (auto* const bilinear = std::get_if<laws::BilinearHertz>(&law); bilinear && !bilinear->is_given()) bilinear->impact_velocity = 0.5;
+    if (auto* const bilinear = std::get_if<laws::BilinearHertz>(&law); bilinear && !bilinear->is_given())
+      bilinear->impact_velocity = 0.5;
     const Peaks found = run(pair_of({1e5, 0.5, 0.05}, {1.5e5, 0.3, 0.05}, 0, law), record);
     EXPECT_GT(found.links[0].impacts, 5) << entry.name;
     EXPECT_TRUE(std::isfinite(found.links[0].peak_force)) << entry.name;
     // A spring loses nothing; the steps make an error of their tolerance of what passes through it.
-    EXPECT_GT(found.links[0].energy_lost, -1e-5 * found.links[0].peak_force * found.links[0].peak_penetration) << entry.name;
+    EXPECT_GT(found.links[0].energy_lost, -1e-5 * found.links[0].peak_force * found.links[0].peak_penetration)
+        << entry.name;
   }
 }
 
@@ -242,21 +253,27 @@ TEST(ATouchAtRest, IsRefusedByALawThatNeedsAClosingSpeed) {
     run(model(), pressed);
     ADD_FAILURE() << "not refused";
   } catch (const SolverError& error) {
-    EXPECT_NE(std::string(error.what()).find("bilinear_hertz takes its stiffness from the closing speed"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("bilinear_hertz takes its stiffness from the closing speed"),
+              std::string::npos)
+        << error.what();
     EXPECT_NE(std::string(error.what()).find("impact_velocity: 0.5 m/s"), std::string::npos) << error.what();
   }
   law.impact_velocity = 0.5;
   EXPECT_GE(run(model(), pressed).links[0].impacts, 1);
 }
 
-/// A mass of 1 kg, pressed by 1 m/s^2, that falls with speed v onto a spring and a dashpot that pull, too, in closed form: d'' + c d' + w^2 d = 1.
+/// A mass of 1 kg, pressed by 1 m/s^2, that falls with speed v onto a spring and a dashpot that pull, too, in closed
+/// form: d'' + c d' + w^2 d = 1.
 struct Fall {
   double w, c, v;
   double fast = std::sqrt(w * w - 0.25 * c * c);
   double penetration(double t) const {
-    return 1 / (w * w) + std::exp(-0.5 * c * t) * ((v - 0.5 * c / (w * w)) / fast * std::sin(fast * t) - std::cos(fast * t) / (w * w));
+    return 1 / (w * w) + std::exp(-0.5 * c * t) *
+                             ((v - 0.5 * c / (w * w)) / fast * std::sin(fast * t) - std::cos(fast * t) / (w * w));
   }
-  double rate(double t) const { return std::exp(-0.5 * c * t) * (v * std::cos(fast * t) + (1 - 0.5 * c * v) / fast * std::sin(fast * t)); }
+  double rate(double t) const {
+    return std::exp(-0.5 * c * t) * (v * std::cos(fast * t) + (1 - 0.5 * c * v) / fast * std::sin(fast * t));
+  }
   /// The smallest value that `of(*this, t)` comes to in the first period.
   template <class Of>
   double least(const Of& of) const {
@@ -285,24 +302,30 @@ void expect_a_second_touch(double damping, const Of& of, const Law& law) {
     model.stiffness = {0}, model.damping = {damping * c}, model.load = {1};
     model.links.push_back({.gap = 0, .closing = {1}, .law = law(w, c)});
     model.velocity = {low * (1 - 1e-6)};
-    EXPECT_EQ(run(model, {.accelerations = pressing, .step = 0.1}, {.duration = 0.2, .tolerance = 1e-9}).links[0].impacts, 1) << w;
+    EXPECT_EQ(
+        run(model, {.accelerations = pressing, .step = 0.1}, {.duration = 0.2, .tolerance = 1e-9}).links[0].impacts, 1)
+        << w;
     model.velocity = {low * (1 + 1e-6)};
-    EXPECT_GE(run(model, {.accelerations = pressing, .step = 0.1}, {.duration = 0.2, .tolerance = 1e-9}).links[0].impacts, 2) << w;
+    EXPECT_GE(
+        run(model, {.accelerations = pressing, .step = 0.1}, {.duration = 0.2, .tolerance = 1e-9}).links[0].impacts, 2)
+        << w;
   }
 }
 
 TEST(BodiesThatPartForAnInstant, TouchAgainHoweverStepsFall) {
-  expect_a_second_touch(1, [](const Fall& fall, double t) { return fall.penetration(t); },
-                        [](double w, double) { return laws::LinearSpring{.stiffness = w * w}; });
+  expect_a_second_touch(
+      1, [](const Fall& fall, double t) { return fall.penetration(t); },
+      [](double w, double) { return laws::LinearSpring{.stiffness = w * w}; });
 }
 
 TEST(AForceThatEndsForAnInstant, EndsTheContactOfALawThatLeavesAnIndentation) {
-  expect_a_second_touch(0, [](const Fall& fall, double t) { return fall.w * fall.w * fall.penetration(t) + fall.c * fall.rate(t); },
-                        [](double w, double c) {
-                          laws::Komodromos law;
-                          law.stiffness = w * w, law.damping_coefficient = c;
-                          return law;
-                        });
+  expect_a_second_touch(
+      0, [](const Fall& fall, double t) { return fall.w * fall.w * fall.penetration(t) + fall.c * fall.rate(t); },
+      [](double w, double c) {
+        laws::Komodromos law;
+        law.stiffness = w * w, law.damping_coefficient = c;
+        return law;
+      });
 }
 
 TEST(TheKernel, RefusesWhatItCannotRun) {
@@ -321,7 +344,8 @@ TEST(TheKernel, RefusesWhatItCannotRun) {
   EXPECT_EQ(text(bad, record, {}), "gap must be finite and not negative");
   bad = good;
   bad.links[0].law = laws::Stereomechanical{.restitution = 0.6};
-  EXPECT_EQ(text(bad, record, {}), "stereomechanical: a jump of the velocity is not a force; the kernel takes penalty laws");
+  EXPECT_EQ(text(bad, record, {}),
+            "stereomechanical: a jump of the velocity is not a force; the kernel takes penalty laws");
   bad = good;
   bad.load.pop_back();
   EXPECT_EQ(text(bad, record, {}), "load: 1 numbers for 2 modes");

@@ -19,7 +19,8 @@ namespace pounding::study {
 
 /// Largest relative differences of two answers to one model.
 struct Differences {
-  double displacement = 0, force = 0, impulse = 0, energy = 0, acceleration = 0;  ///< drifts are displacements, penetrations are forces
+  double displacement = 0, force = 0, impulse = 0, energy = 0,
+         acceleration = 0;  ///< drifts are displacements, penetrations are forces
   int impacts = 0, more_impacts = 0;
   double worst() const { return std::max({displacement, force, impulse, energy, acceleration}); }
 };
@@ -33,11 +34,14 @@ struct Answer {
 inline double apart(double a, double b) { return a == b ? 0 : std::abs(a - b) / std::max(std::abs(a), std::abs(b)); }
 
 inline Differences differences(const Answer& a, const Answer& b) {
-  if (a.displacements.size() != b.displacements.size() || a.accelerations.size() != b.accelerations.size() || a.links.size() != b.links.size())
+  if (a.displacements.size() != b.displacements.size() || a.accelerations.size() != b.accelerations.size() ||
+      a.links.size() != b.links.size())
     throw std::logic_error("two answers to one model have different numbers of quantities");
   Differences all;
-  for (std::size_t i = 0; i < a.displacements.size(); ++i) all.displacement = std::max(all.displacement, apart(a.displacements[i], b.displacements[i]));
-  for (std::size_t i = 0; i < a.accelerations.size(); ++i) all.acceleration = std::max(all.acceleration, apart(a.accelerations[i], b.accelerations[i]));
+  for (std::size_t i = 0; i < a.displacements.size(); ++i)
+    all.displacement = std::max(all.displacement, apart(a.displacements[i], b.displacements[i]));
+  for (std::size_t i = 0; i < a.accelerations.size(); ++i)
+    all.acceleration = std::max(all.acceleration, apart(a.accelerations[i], b.accelerations[i]));
   for (std::size_t l = 0; l < a.links.size(); ++l) {
     const LinkPeaks &p = a.links[l], &q = b.links[l];
     all.impacts += q.impacts, all.more_impacts += std::abs(p.impacts - q.impacts);
@@ -57,7 +61,8 @@ inline Answer by_kernel(const Model& model, double tolerance) {
                           {.duration = model.analysis.duration, .tolerance = tolerance});
   Answer answer{.displacements = {}, .accelerations = {}, .links = peaks.links};
   for (std::size_t i = 0; i < peaks.outputs.size(); ++i)
-    (modes.outputs[i].kind == Output::Kind::acceleration ? answer.accelerations : answer.displacements).push_back(peaks.outputs[i]);
+    (modes.outputs[i].kind == Output::Kind::acceleration ? answer.accelerations : answer.displacements)
+        .push_back(peaks.outputs[i]);
   return answer;
 }
 
@@ -85,7 +90,8 @@ inline Samples shaking(double phase) {
   for (int i = 0; i <= 500; ++i) {
     const double t = 0.02 * i;
     samples.times.push_back(t);
-    samples.accelerations.push_back(std::sin(0.3 * t) * (2.5 * std::sin(4.3 * t + phase) + 2 * std::sin(9.1 * t + 2 * phase) + std::sin(23 * t)));
+    samples.accelerations.push_back(
+        std::sin(0.3 * t) * (2.5 * std::sin(4.3 * t + phase) + 2 * std::sin(9.1 * t + 2 * phase) + std::sin(23 * t)));
   }
   samples.uniform = true;
   return samples;
@@ -104,7 +110,8 @@ class RandomRow {
     settings_.reduced_mass = m1_ * m2_ / (m1_ + m2_);
     settings_.values.at(entry_.parameters[0].name.data()) *= std::pow(4, u() - 0.5);
     if (settings_.restitution) settings_.restitution = 0.4 + 0.5 * u();
-    // adams_impact integrates impacts at every touch to meet a restitution, a hundred times the cost of all else: one row in twenty does.
+    // adams_impact integrates impacts at every touch to meet a restitution, a hundred times the cost of all else: one
+    // row in twenty does.
     if (entry_.name == "adams_impact" && u() < 0.95) {
       settings_.restitution.reset();
       settings_.values.emplace("damping_coefficient", 6e5 * std::pow(4, u() - 0.5));

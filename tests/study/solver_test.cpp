@@ -22,21 +22,25 @@ int asked(const char* name, int usual) {
 }
 
 TEST(TheKernel, AgreesWithTheSolverOnRandomPairsByEveryPenaltyLaw) {
-  const auto count = static_cast<unsigned>(asked("POUNDING_STUDY_ROWS", 192)), seed = static_cast<unsigned>(asked("POUNDING_STUDY_SEED", 7));
+  const auto count = static_cast<unsigned>(asked("POUNDING_STUDY_ROWS", 192)),
+             seed = static_cast<unsigned>(asked("POUNDING_STUDY_SEED", 7));
   std::vector<Differences> rows;
   for (unsigned number = 0; number < count; ++number) {
     const RandomRow row(seed, number);
     const Model model = row.model(1e-6);
     rows.push_back(differences(by_kernel(model, 1e-7), by_solver(model)));
     if (const Differences& d = rows.back(); d.worst() > 1e-3)
-      std::cout << fmt::format("{} {}: displacement {:.1e} force {:.1e} impulse {:.1e} energy {:.1e} acceleration {:.1e}, {} impacts, {} differ\n", number,
-                               row.law(), d.displacement, d.force, d.impulse, d.energy, d.acceleration, d.impacts, d.more_impacts);
+      std::cout << fmt::format(
+          "{} {}: displacement {:.1e} force {:.1e} impulse {:.1e} energy {:.1e} acceleration {:.1e}, {} impacts, {} "
+          "differ\n",
+          number, row.law(), d.displacement, d.force, d.impulse, d.energy, d.acceleration, d.impacts, d.more_impacts);
   }
-  const auto show = [&](const char* name, double Differences::*part) {
+  const auto show = [&](const char* name, double Differences::* part) {
     std::vector<double> values;
     for (const Differences& row : rows) values.push_back(row.*part);
-    std::cout << fmt::format("{:12s} 50 % {:.1e}  90 % {:.1e}  95 % {:.1e}  99 % {:.1e}  all {:.1e}\n", name, quantile(values, 0.5),
-                             quantile(values, 0.9), quantile(values, 0.95), quantile(values, 0.99), quantile(values, 1));
+    std::cout << fmt::format("{:12s} 50 % {:.1e}  90 % {:.1e}  95 % {:.1e}  99 % {:.1e}  all {:.1e}\n", name,
+                             quantile(values, 0.5), quantile(values, 0.9), quantile(values, 0.95),
+                             quantile(values, 0.99), quantile(values, 1));
     return values;
   };
   std::cout << rows.size() << " rows\n";
@@ -45,8 +49,8 @@ TEST(TheKernel, AgreesWithTheSolverOnRandomPairsByEveryPenaltyLaw) {
   const auto impulse = show("impulse", &Differences::impulse);
   const auto energy = show("energy", &Differences::energy);
   const auto acceleration = show("acceleration", &Differences::acceleration);
-  // The solver's error at 1e-6, grown by the impacts; one row in some hundred hangs on a contact that just happens or just does not, and the limited
-  // damper has a corner at its peak force.
+  // The solver's error at 1e-6, grown by the impacts; one row in some hundred hangs on a contact that just happens or
+  // just does not, and the limited damper has a corner at its peak force.
   for (const auto& values : {displacement, force, impulse, energy, acceleration}) {
     EXPECT_LT(quantile(values, 0.5), 1e-5);
     EXPECT_LT(quantile(values, 0.95), 1e-4);
@@ -68,9 +72,12 @@ void expect_alike(Model& model, double bound) {
 
 TEST(TheKernel, AgreesWithTheSolverOnShearBuildings) {
   Model model;
-  const auto left = model.add("left", make_shear_building({.storeys = 5, .mass = 2e5, .stiffness = 3e8}), {.damping = ModalDamping{0.05}});
-  const auto right = model.add("right", make_shear_building({.storeys = 3, .mass = 3e5, .stiffness = 9e8}), {.damping = Damping(0.05)});
-  model.link(left, right, {.gap = 0.02, .floors = FacingFloors::level}, laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65});
+  const auto left = model.add("left", make_shear_building({.storeys = 5, .mass = 2e5, .stiffness = 3e8}),
+                              {.damping = ModalDamping{0.05}});
+  const auto right = model.add("right", make_shear_building({.storeys = 3, .mass = 3e5, .stiffness = 9e8}),
+                               {.damping = Damping(0.05)});
+  model.link(left, right, {.gap = 0.02, .floors = FacingFloors::level},
+             laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65});
   model.ground = GroundMotion(shaking(1));
   model.analysis = {.duration = 10, .tolerance = 1e-7};
   expect_alike(model, 1e-3);
@@ -93,17 +100,22 @@ TEST(TheKernel, AgreesWithTheSolverOnARowBetweenWalls) {
 
 TEST(TheKernel, NamesWhatTakesTheSolver) {
   const auto why = [](const std::string& structures, const std::string& link) {
-    Model model = test::model_of("ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\nstructures:\n" + structures +
-                                 "links:\n  - {between: [a, b], gap: 20 mm, law: " + link + "}\nanalysis: {duration: 1}\n");
+    Model model = test::model_of(
+        "ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\nstructures:\n" + structures +
+        "links:\n  - {between: [a, b], gap: 20 mm, law: " + link + "}\nanalysis: {duration: 1}\n");
     model.complete();
     return needs_solver(model);
   };
-  const std::string a = "  a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n", b = "  b: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
+  const std::string a = "  a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n",
+                    b = "  b: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
   EXPECT_EQ(why(a + b, "hertz, stiffness: 2e9"), "");
   EXPECT_EQ(why(a + b, "stereomechanical, restitution: 0.6"), "link a-b: its law is not a penalty law of the library");
-  EXPECT_EQ(why(a + "  b: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %, yield_force: 100 kN}}\n", "hertz, stiffness: 2e9"), "b yields");
-  EXPECT_EQ(why(a + "  b: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}, delay: 0.1}\n", "hertz, stiffness: 2e9"),
-            "the ground does not move alike under all supports");
+  EXPECT_EQ(why(a + "  b: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %, yield_force: 100 kN}}\n",
+                "hertz, stiffness: 2e9"),
+            "b yields");
+  EXPECT_EQ(
+      why(a + "  b: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}, delay: 0.1}\n", "hertz, stiffness: 2e9"),
+      "the ground does not move alike under all supports");
 }
 
 }  // namespace solver_test

@@ -33,7 +33,8 @@ int place_of(const testing::TestInfo& test) {
 Book::Book(std::string subject, std::string source, std::string reason)
     : subject_(std::move(subject)), source_(std::move(source)), reason_(std::move(reason)) {}
 
-void Book::near(const std::string& quantity, double obtained, double expected, double tolerance, std::source_location at) {
+void Book::near(const std::string& quantity, double obtained, double expected, double tolerance,
+                std::source_location at) {
   const auto here = trace(at, quantity);
   EXPECT_NEAR(obtained, expected, tolerance);
   write_down(quantity, {expected, obtained, tolerance});
@@ -66,8 +67,8 @@ Book::~Book() {
   static std::map<const testing::TestInfo*, int> books;
   const int number = books[test]++;
   std::string name = std::string(test->test_suite_name()) + "." + test->name();
-  nlohmann::json entry{{"subject", subject_}, {"source", source_}, {"reason", reason_}, {"file", test->file()}, {"test", name},
-                       {"order", {place_of(*test), number}}};
+  nlohmann::json entry{{"subject", subject_},  {"source", source_}, {"reason", reason_},
+                       {"file", test->file()}, {"test", name},      {"order", {place_of(*test), number}}};
   for (const Row& row : rows_) {
     nlohmann::json cases;
     for (const Case& one : row.cases) cases.push_back({one.expected, one.obtained, one.tolerance});

@@ -7,13 +7,14 @@
 
 namespace pounding::test {
 
-/// The comparisons of one test with one source. Each is a check of its own, at the line that asks for it; all of them are
-/// written down when the environment variable POUNDING_BOOK names a folder, from which tests/verification/README.md is made:
-/// one JSON object a book, appended as a line.
+/// The comparisons of one test with one source. Each is a check of its own, at the line that asks for it; all of them
+/// are written down when the environment variable POUNDING_BOOK names a folder, from which tests/verification/README.md
+/// is made: one JSON object a book, appended as a line.
 class Book {
  public:
-  /// `subject`: what is verified, in words; tests with the same subject share a section. `source`: closed form, publication
-  /// or independent program that the expected numbers come from. `reason`: why the tolerances are what they are.
+  /// `subject`: what is verified, in words; tests with the same subject share a section. `source`: closed form,
+  /// publication or independent program that the expected numbers come from. `reason`: why the tolerances are what they
+  /// are.
   Book(std::string subject, std::string source, std::string reason);
   ~Book();
   Book(const Book&) = delete;

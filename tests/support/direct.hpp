@@ -16,9 +16,10 @@ struct NamedScheme {
   double order;
 };
 
-inline constexpr NamedScheme schemes[] = {{"midpoint", {.kind = Scheme::Kind::generalized_alpha}, 2},
-                                          {"damped", {.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 0.8}, 2},
-                                          {"esdirk4", {.kind = Scheme::Kind::esdirk4}, 4}};
+inline constexpr NamedScheme schemes[] = {
+    {"midpoint", {.kind = Scheme::Kind::generalized_alpha}, 2},
+    {"damped", {.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 0.8}, 2},
+    {"esdirk4", {.kind = Scheme::Kind::esdirk4}, 4}};
 
 inline SparseMatrix diagonal(const std::vector<double>& values) {
   SparseMatrix m(static_cast<int>(values.size()), static_cast<int>(values.size()));
@@ -42,10 +43,11 @@ inline void march_evenly(Stepper& stepper, double end, double h) {
   while (stepper.time() < end * (1 - 1e-12)) controller.advance(h, end, policy);
 }
 
-/// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 against `size`. Steps end at the
-/// `breaks`, just before which f is asked at their ends.
+/// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 against `size`. Steps end at
+/// the `breaks`, just before which f is asked at their ends.
 template <class F>
-Eigen::VectorXd integrate(const F& f, Eigen::VectorXd y, double begin, double end, double size, std::vector<double> breaks) {
+Eigen::VectorXd integrate(const F& f, Eigen::VectorXd y, double begin, double end, double size,
+                          std::vector<double> breaks) {
   constexpr double a[7][6] = {{},
                               {1.0 / 5},
                               {3.0 / 40, 9.0 / 40},

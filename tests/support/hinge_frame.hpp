@@ -19,16 +19,17 @@
 
 namespace pounding::test {
 
-/// Storeys of 3.2 m, one bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m, 20 t at every node in x and z, no shear
-/// deformation. Springs of 10 x 6EI/L at the ends of beams (yield moment 180 kN m) and at feet (250 kN m), hardening 0.003. Damping
-/// 5 % of the first mode, by mass. Unknowns: x, z and rotation node by node, then rotations of feet, then those of ends of beams.
+/// Storeys of 3.2 m, one bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m, 20 t at every node in x and z,
+/// no shear deformation. Springs of 10 x 6EI/L at the ends of beams (yield moment 180 kN m) and at feet (250 kN m),
+/// hardening 0.003. Damping 5 % of the first mode, by mass. Unknowns: x, z and rotation node by node, then rotations of
+/// feet, then those of ends of beams.
 struct HingeFrame {
   struct Options {
     int storeys = 3;
-    double strength = 1;   ///< times the yield moments
-    bool elastic = false;  ///< the stiffness of the springs without the springs
-    int frames = 1;        ///< each a group of its own, 20 m apart
-    bool mirrored = false; ///< the second frame moves the other way
+    double strength = 1;    ///< times the yield moments
+    bool elastic = false;   ///< the stiffness of the springs without the springs
+    int frames = 1;         ///< each a group of its own, 20 m apart
+    bool mirrored = false;  ///< the second frame moves the other way
   };
 
   Options options;
@@ -36,8 +37,8 @@ struct HingeFrame {
   std::vector<std::unique_ptr<BilinearSpring>> springs;
   std::vector<std::unique_ptr<Contact>> contacts;
   std::vector<double> spring_stiffness, yield_moment;
-  Eigen::VectorXd base;  ///< the base shear of the first frame is base . (K u + B F)
-  int unknowns = 0;      ///< of one frame
+  Eigen::VectorXd base;        ///< the base shear of the first frame is base . (K u + B F)
+  int unknowns = 0;            ///< of one frame
   double first_frequency = 0;  ///< [rad/s]
 
   HingeFrame() : HingeFrame(Options{}, GroundMotion()) {}
@@ -61,7 +62,10 @@ struct HingeFrame {
     }
     first_frequency = frequencies(k, m)[0];
     for (int f = 0; f < options.frames; ++f)
-      system.groups.push_back({.first = f * unknowns, .count = unknowns, .displacement_floor = 1e-6, .velocity_floor = 1e-5,
+      system.groups.push_back({.first = f * unknowns,
+                               .count = unknowns,
+                               .displacement_floor = 1e-6,
+                               .velocity_floor = 1e-5,
                                .by_mass = 2 * 0.05 * first_frequency});
     system.mass = m.sparseView();
     system.stiffness = k.sparseView();
@@ -97,7 +101,8 @@ struct HingeFrame {
   }
 
   // Euler-Bernoulli, unknowns x z r (counter-clockwise) at both ends; negative for those that are held.
-  static void add_beam(double area, double inertia, double dx, double dz, const std::array<int, 6>& where, Eigen::MatrixXd& k) {
+  static void add_beam(double area, double inertia, double dx, double dz, const std::array<int, 6>& where,
+                       Eigen::MatrixXd& k) {
     constexpr double young = 30e9;
     const double l = std::hypot(dx, dz), c = dx / l, s = dz / l;
     Eigen::Matrix<double, 6, 6> local = Eigen::Matrix<double, 6, 6>::Zero(), turn = local;
@@ -106,7 +111,8 @@ struct HingeFrame {
     local(0, 3) = local(3, 0) = -axial;
     const std::array<int, 4> bending{1, 2, 4, 5};
     Eigen::Matrix4d of_bending;
-    of_bending << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l, -6 * l, 4 * l * l;
+    of_bending << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l,
+        -6 * l, 4 * l * l;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) local(bending[i], bending[j]) = bend * of_bending(i, j);
     for (const int end : {0, 3}) turn.block<3, 3>(end, end) << c, s, 0, -s, c, 0, 0, 0, 1;
@@ -120,15 +126,16 @@ struct HingeFrame {
     k += stiffness * row * row.transpose();
     b.conservativeResize(Eigen::NoChange, b.cols() + 1);
     b.rightCols<1>() = row;
-    springs.push_back(std::make_unique<BilinearSpring>(
-        BilinearSpring::Parameters{.stiffness = stiffness, .yield_force = options.strength * yields, .hardening = 0.003}));
+    springs.push_back(std::make_unique<BilinearSpring>(BilinearSpring::Parameters{
+        .stiffness = stiffness, .yield_force = options.strength * yields, .hardening = 0.003}));
     spring_stiffness.push_back(stiffness);
     yield_moment.push_back(options.strength * yields);
   }
 
   void add_frame(int first, int frame, Eigen::MatrixXd& k, Eigen::MatrixXd& b) {
     constexpr double height = 3.2, width = 6.0, young = 30e9;
-    constexpr double column = 0.4 * 0.4, column_inertia = column * 0.16 / 12, beam = 0.3 * 0.5, beam_inertia = beam * 0.25 / 12;
+    constexpr double column = 0.4 * 0.4, column_inertia = column * 0.16 / 12, beam = 0.3 * 0.5,
+                     beam_inertia = beam * 0.25 / 12;
     const int s = options.storeys, feet = first + 6 * s, ends = feet + 2;
     const auto node = [&](int storey, int line) { return first + 3 * (2 * (storey - 1) + line); };
     const double way = options.mirrored && frame == 1 ? -1 : 1;
@@ -136,7 +143,8 @@ struct HingeFrame {
       for (int line = 0; line < 2; ++line) {
         const int top = node(storey, line), bottom = storey > 1 ? node(storey - 1, line) : -1;
         add_beam(column, column_inertia, 0, height,
-                 {bottom, bottom < 0 ? -1 : bottom + 1, bottom < 0 ? feet + line : bottom + 2, top, top + 1, top + 2}, k);
+                 {bottom, bottom < 0 ? -1 : bottom + 1, bottom < 0 ? feet + line : bottom + 2, top, top + 1, top + 2},
+                 k);
       }
     for (int storey = 1; storey <= s; ++storey) {
       const int left = node(storey, 0), right = node(storey, 1), own = ends + 2 * (storey - 1);
@@ -148,28 +156,32 @@ struct HingeFrame {
       if (against >= 0) row[against] = -way;
       return row;
     };
-    for (int line = 0; line < 2; ++line) add_spring(10 * 6 * young * column_inertia / height, 250e3, turn(feet + line, -1), k, b);
+    for (int line = 0; line < 2; ++line)
+      add_spring(10 * 6 * young * column_inertia / height, 250e3, turn(feet + line, -1), k, b);
     for (int storey = 1; storey <= s; ++storey)
       for (int line = 0; line < 2; ++line)
-        add_spring(10 * 6 * young * beam_inertia / width, 180e3, turn(ends + 2 * (storey - 1) + line, node(storey, line) + 2), k, b);
+        add_spring(10 * 6 * young * beam_inertia / width, 180e3,
+                   turn(ends + 2 * (storey - 1) + line, node(storey, line) + 2), k, b);
   }
 };
 
 /// Answers of a run, for the first frame only.
 struct HingeFrameRun {
-  std::vector<double> peak_floor, end_floor;          ///< [m]
-  std::vector<double> ductility, peak_moment, slip;   ///< by hinge
-  double base_shear = 0, hinge_work = 0;              ///< [N], [J]
+  std::vector<double> peak_floor, end_floor;         ///< [m]
+  std::vector<double> ductility, peak_moment, slip;  ///< by hinge
+  double base_shear = 0, hinge_work = 0;             ///< [N], [J]
   Energies energy;
   State end;
   long steps = 0, trials = 0, iterations = 0;
   double imbalance() const {
-    return 1 - (energy.kinetic + energy.strain + energy.damping + energy.hysteretic + energy.impact + energy.devices) / energy.input;
+    return 1 - (energy.kinetic + energy.strain + energy.damping + energy.hysteretic + energy.impact + energy.devices) /
+                   energy.input;
   }
 };
 
 /// Runs it from rest. `inside`: points of each step at which the base shear is followed.
-inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver, const StepperOptions& options, double end, int inside = 16,
+inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver, const StepperOptions& options,
+                                     double end, int inside = 16,
                                      const std::function<void(StepController&)>& after_step = {}) {
   Stepper stepper(frame.system, solver, options);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(frame.system.size());
@@ -191,14 +203,18 @@ inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver,
     for (int i = 0; i < frame.options.storeys; ++i) {
       run.peak_floor[i] = std::max(run.peak_floor[i], std::abs(y.motion(i, 0)));
       if (x.motion(i, 1) * y.motion(i, 1) >= 0) continue;
-      const CubicPenetration between({x.motion(i, 0), x.motion(i, 1)}, {y.motion(i, 0), y.motion(i, 1)}, y.time - x.time);
+      const CubicPenetration between({x.motion(i, 0), x.motion(i, 1)}, {y.motion(i, 0), y.motion(i, 1)},
+                                     y.time - x.time);
       run.peak_floor[i] = std::max(run.peak_floor[i], std::abs(between.at(between.turn())));
     }
     for (int i = 0; i < hinges; ++i)
       for (const LinkStep& step = stepper.link_steps()[contacts + i];
-           const auto& [motion, force] : {std::pair(step.motion_middle, step.force_middle), std::pair(step.motion_end, step.force_end)}) {
-        run.ductility[i] = std::max(run.ductility[i], std::abs(motion.penetration) * frame.spring_stiffness[i] / frame.yield_moment[i]);
-        run.peak_moment[i] = std::max(run.peak_moment[i], std::abs(frame.spring_stiffness[i] * motion.penetration + force));
+           const auto& [motion, force] :
+           {std::pair(step.motion_middle, step.force_middle), std::pair(step.motion_end, step.force_end)}) {
+        run.ductility[i] = std::max(run.ductility[i],
+                                    std::abs(motion.penetration) * frame.spring_stiffness[i] / frame.yield_moment[i]);
+        run.peak_moment[i] =
+            std::max(run.peak_moment[i], std::abs(frame.spring_stiffness[i] * motion.penetration + force));
       }
     for (int k = 1; k <= inside; ++k) {
       const double t = x.time + (y.time - x.time) * k / inside;
@@ -216,7 +232,8 @@ inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver,
   for (int i = 0; i < hinges; ++i) {
     const double d = stepper.link_steps()[contacts + i].motion_end.penetration;
     run.slip.push_back(frame.springs[i]->slip());
-    run.hinge_work += frame.springs[i]->lost() + frame.springs[i]->stored_correction() + 0.5 * frame.spring_stiffness[i] * d * d;
+    run.hinge_work +=
+        frame.springs[i]->lost() + frame.springs[i]->stored_correction() + 0.5 * frame.spring_stiffness[i] * d * d;
   }
   return run;
 }

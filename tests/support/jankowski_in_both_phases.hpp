@@ -7,7 +7,8 @@
 
 namespace pounding::reference {
 
-/// F = k d^1.5 + c d' in approach and restitution, c = 2 xi sqrt(k sqrt(d) m), in contact until d = 0: it pulls at the end.
+/// F = k d^1.5 + c d' in approach and restitution, c = 2 xi sqrt(k sqrt(d) m), in contact until d = 0: it pulls at the
+/// end.
 ///
 /// k [N/m^1.5], xi [-], m [kg] reduced mass, d [m], d' [m/s]. `viscous_hertz` of exponent 1.5 and alpha = 2 xi, uncut.
 struct JankowskiInBothPhases {

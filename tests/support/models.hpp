@@ -47,8 +47,8 @@ inline std::string two_oscillators(const std::string& law, double tolerance, dou
          "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n"
          "links:\n"
          "  - {between: [left, right], gap: 20 mm, law: " +
-         law + "}\nanalysis: {duration: " + std::to_string(duration) + ", tolerance: " + std::to_string(tolerance * 1e6) +
-         "e-6}\n";
+         law + "}\nanalysis: {duration: " + std::to_string(duration) +
+         ", tolerance: " + std::to_string(tolerance * 1e6) + "e-6}\n";
 }
 
 }  // namespace pounding::test

@@ -1,9 +1,9 @@
 #pragma once
 /// Reference tables that the laws (tests/laws) and the time integration (tests/verification) are both compared with.
 ///
-/// Source: an independent script, 8th-order Runge-Kutta (DOP853, rtol 1e-12) confirmed by closed forms to 1e-11, for the
-/// formulas and examples of Naderpour, Barros & Khatami 2015 ("the paper") and the laws it builds on. All digits printed
-/// there are here; a value is right to half a unit of its last digit.
+/// Source: an independent script, 8th-order Runge-Kutta (DOP853, rtol 1e-12) confirmed by closed forms to 1e-11, for
+/// the formulas and examples of Naderpour, Barros & Khatami 2015 ("the paper") and the laws it builds on. All digits
+/// printed there are here; a value is right to half a unit of its last digit.
 
 #include <array>
 #include <cmath>
@@ -39,8 +39,8 @@ struct FormulaRow {
   std::optional<Nine> damping;  ///< a, zeta or xi, five decimals
 };
 
-/// The formula of the paper's Eq. 16 takes k/v in the units k is printed in; the program takes kN, so another unit of k is
-/// another stiffness: 22 (MN) is asked as 22 kN/m^1.5, 2.2e7 (N) as 2.2e7 kN/m^1.5.
+/// The formula of the paper's Eq. 16 takes k/v in the units k is printed in; the program takes kN, so another unit of k
+/// is another stiffness: 22 (MN) is asked as 22 kN/m^1.5, 2.2e7 (N) as 2.2e7 kN/m^1.5.
 inline const std::vector<FormulaRow> formulas{
     {"Hunt-Crossley 1975: 3(1-e)/2",
      {{"hertz_damped", "hunt_crossley"}},
@@ -165,26 +165,28 @@ inline const std::vector<FormulaRow> formulas{
      {-99.98, -99.86, -99.40, -98.14, -94.84, -86.71, -68.75, -37.88, -6.46},
      std::nullopt}};
 
-/// Jankowski's dashpot left on in restitution, contact until d = 0, xi by the paper's Eq. 10: the force pulls at the end,
-/// which no law of the catalogue allows. In stretched time a linear oscillator of ratio z = 2 xi/sqrt(5); never parts for
-/// z >= 1.
-inline const FormulaRow jankowski_in_both_phases{"Jankowski c in both phases, contact to d = 0",
-                                                 {},
-                                                 {0.0000, 0.0000, 0.0000, 0.0594, 0.1814, 0.3217, 0.4728, 0.6346, 0.8093},
-                                                 {-100.00, -100.00, -100.00, -85.15, -63.72, -46.38, -32.45, -20.67, -10.08},
-                                                 std::nullopt};
+/// Jankowski's dashpot left on in restitution, contact until d = 0, xi by the paper's Eq. 10: the force pulls at the
+/// end, which no law of the catalogue allows. In stretched time a linear oscillator of ratio z = 2 xi/sqrt(5); never
+/// parts for z >= 1.
+inline const FormulaRow jankowski_in_both_phases{
+    "Jankowski c in both phases, contact to d = 0",
+    {},
+    {0.0000, 0.0000, 0.0000, 0.0594, 0.1814, 0.3217, 0.4728, 0.6346, 0.8093},
+    {-100.00, -100.00, -100.00, -85.15, -63.72, -46.38, -32.45, -20.67, -10.08},
+    std::nullopt};
 
 /// The example of the paper's section 5.1: m1 = 100 t, m2 = 150 t, k = 22000 kN/m^1.5, v = 15 m/s.
 struct Section51Row {
   double asked;
   std::string_view law, formula;
-  double damping;                                                     // a or xi, five decimals
+  double damping;                                                   // a or xi, five decimals
   double restitution, penetration, force, duration, lost, impulse;  // -, m, kN, s, kJ, kN s
 };
 namespace section_5_1 {
 inline constexpr double mass = 60e3, stiffness = 22000e3, speed = 15;  // reduced [kg], [N/m^1.5], [m/s]
-inline constexpr double elastic_penetration = 0.899349, elastic_force = 18763.564, elastic_duration = 0.176469;  // m, kN, s
-inline constexpr double energy = 6750.000;  // closing, kJ
+inline constexpr double elastic_penetration = 0.899349, elastic_force = 18763.564,
+                        elastic_duration = 0.176469;  // m, kN, s
+inline constexpr double energy = 6750.000;            // closing, kJ
 inline constexpr Section51Row rows[] = {
     {0.3, "hertz_damped", "exact", 3.08708, 0.30000, 0.592582, 19531.03, 0.226945, 6142.500, 1170.000},
     {0.3, "hertz_damped", "naderpour_2015", 3.80263, 0.25217, 0.562166, 20437.25, 0.240351, 6320.755, 1126.957},
@@ -214,9 +216,9 @@ inline constexpr Section51Row rows[] = {
 
 /// A linear spring and dashpot with the ratio of Anagnostopoulos, in contact until d = 0 (it pulls) or until F = 0.
 struct KelvinVoigtRow {
-  double asked, ratio, coefficient;                        // -, -, N s/m
+  double asked, ratio, coefficient;  // -, -, N s/m
   double restitution_to_zero_penetration, restitution_to_zero_force;
-  double penetration, force, force_at_penetration;         // largest [m], largest [N], where the penetration is largest [N]
+  double penetration, force, force_at_penetration;  // largest [m], largest [N], where the penetration is largest [N]
   double duration_to_zero_penetration, duration_to_zero_force;  // s
 };
 namespace kelvin_voigt {
@@ -231,8 +233,8 @@ inline constexpr KelvinVoigtRow rows[] = {
 
 /// The example of the paper's section 5: "755.76 kN", which is 755.76 kg, k = 30000 kN/m^1.5, v = 10 m/s, asked 0.7.
 struct Section5Row {
-  std::string_view formula;  // of hertz_damped
-  double factor, damping;    // a [-], zeta [kN s/m^2.5]
+  std::string_view formula;                      // of hertz_damped
+  double factor, damping;                        // a [-], zeta [kN s/m^2.5]
   double restitution, penetration, force, lost;  // -, m, kN, kJ
   double lost_if_as_asked;                       // the paper's Eq. 18 [kJ]
 };
@@ -249,20 +251,20 @@ inline constexpr Section5Row rows[] = {
 /// Bilinear law of Muthukumar & DesRoches for k = 1 N/m^1.5, design penetration 1 m, yield ratio 0.1.
 struct BilinearRow {
   double asked, loss, stiffness, stiffness_1, stiffness_2, yield;  // -, J, effective, K1 and K2 [N/m], m
-  double energy, restitution;  // under the loading curve up to the design penetration [J]; where that is just reached [-]
+  double energy,
+      restitution;  // under the loading curve up to the design penetration [J]; where that is just reached [-]
 };
 namespace bilinear {
 /// A Hertz spring of 1 N/m^1.5 stops this mass [kg] from this speed [m/s] at the design penetration.
 inline constexpr double mass = 0.8, design_speed = 1;
 /// The speed that just reaches the design penetration along the loading curve [m/s].
 inline double reaching_speed(const BilinearRow& row) { return std::sqrt(2 * row.energy / mass); }
-inline constexpr BilinearRow rows[] = {
-    {0.4, 0.336000, 1.0, 4.360000, 0.626667, 0.1, 0.668000, 0.704987},
-    {0.5, 0.300000, 1.0, 4.000000, 0.666667, 0.1, 0.650000, 0.733799},
-    {0.6, 0.256000, 1.0, 3.560000, 0.715556, 0.1, 0.628000, 0.769647},
-    {0.7, 0.204000, 1.0, 3.040000, 0.773333, 0.1, 0.602000, 0.813099},
-    {0.8, 0.144000, 1.0, 2.440000, 0.840000, 0.1, 0.572000, 0.865015},
-    {0.9, 0.076000, 1.0, 1.760000, 0.915556, 0.1, 0.538000, 0.926680}};
+inline constexpr BilinearRow rows[] = {{0.4, 0.336000, 1.0, 4.360000, 0.626667, 0.1, 0.668000, 0.704987},
+                                       {0.5, 0.300000, 1.0, 4.000000, 0.666667, 0.1, 0.650000, 0.733799},
+                                       {0.6, 0.256000, 1.0, 3.560000, 0.715556, 0.1, 0.628000, 0.769647},
+                                       {0.7, 0.204000, 1.0, 3.040000, 0.773333, 0.1, 0.602000, 0.813099},
+                                       {0.8, 0.144000, 1.0, 2.440000, 0.840000, 0.1, 0.572000, 0.865015},
+                                       {0.9, 0.076000, 1.0, 1.760000, 0.915556, 0.1, 0.538000, 0.926680}};
 }  // namespace bilinear
 
 }  // namespace pounding::reference

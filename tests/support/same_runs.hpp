@@ -21,9 +21,9 @@ inline std::map<std::string, std::vector<std::uint64_t>> bits_of(Outcome outcome
   };
   visit_histories(outcome.results, add);
   for (const ImpactRow& row : outcome.results.impacts)
-    add("impacts", {static_cast<double>(row.link), row.t_start, row.t_end, row.t_release, row.v_approach, row.v_separation,
-                    row.restitution, row.peak_force, row.t_peak, row.peak_penetration, row.impulse, row.energy_lost,
-                    row.energy_stored});
+    add("impacts", {static_cast<double>(row.link), row.t_start, row.t_end, row.t_release, row.v_approach,
+                    row.v_separation, row.restitution, row.peak_force, row.t_peak, row.peak_penetration, row.impulse,
+                    row.energy_lost, row.energy_stored});
   SolverStatistics& solver = outcome.summary.solver;
   solver.wall_seconds = solver.wall_setup = solver.wall_solve = solver.wall_output = 0;
   for (const char letter : to_json(outcome.summary)) all["summary"].push_back(static_cast<unsigned char>(letter));

@@ -7,11 +7,12 @@
 
 namespace pounding::test {
 
-/// The `number`-th operator new from now on throws std::bad_alloc, counted from 1, once; none for 0. True where the one that was asked for
-/// before has come.
+/// The `number`-th operator new from now on throws std::bad_alloc, counted from 1, once; none for 0. True where the one
+/// that was asked for before has come.
 bool fail_allocation(long number);
 
-/// Calls `answer` with each of its allocations failing once, by itself: it must throw std::bad_alloc, or give what it gives with all memory.
+/// Calls `answer` with each of its allocations failing once, by itself: it must throw std::bad_alloc, or give what it
+/// gives with all memory.
 template <class Answer>
 void expect_right_answers_in_short_memory(const Answer& answer) {
   const auto right = answer();

@@ -23,7 +23,9 @@ class WithoutRange final : public Spring {
   bool has_corners() const noexcept override { return spring_.has_corners(); }
   void start(const LinkMotion& motion) override { spring_.start(motion); }
   void accept(const LinkStep& step) override { spring_.accept(step); }
-  Instant inside(const LinkStep& step, double s, double deformation) const noexcept override { return spring_.inside(step, s, deformation); }
+  Instant inside(const LinkStep& step, double s, double deformation) const noexcept override {
+    return spring_.inside(step, s, deformation);
+  }
   bool bends_sharply(const LinkStep& step) const noexcept override { return spring_.bends_sharply(step); }
   double lost() const noexcept override { return spring_.lost(); }
   double damped() const noexcept override { return spring_.damped(); }

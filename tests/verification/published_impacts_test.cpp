@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include <pounding/links/gap_link.hpp>
 #include <pounding/laws/all.hpp>
+#include <pounding/links/gap_link.hpp>
 #include "support/book.hpp"
 #include "support/jankowski_in_both_phases.hpp"
 #include "support/published_tables.hpp"
@@ -42,10 +42,11 @@ class PrintedBook : public test::Book {
 
 // A ball of this mass [kg] thrown against a wall; `link` is the text after "law: ". The bodies get time to part.
 std::string ball_on_wall(double mass, double speed, const std::string& link, double duration) {
-  return fmt::format("structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
-                     "links: [{{between: [ball, wall], gap: 5 mm, law: {}}}]\n"
-                     "analysis: {{duration: {}, tolerance: 1e-8}}\n",
-                     mass, speed, link, duration);
+  return fmt::format(
+      "structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
+      "links: [{{between: [ball, wall], gap: 5 mm, law: {}}}]\n"
+      "analysis: {{duration: {}, tolerance: 1e-8}}\n",
+      mass, speed, link, duration);
 }
 
 // The only impact of a run; all NaN, with a failure noted, when there is not exactly one.
@@ -106,10 +107,10 @@ TEST(PaperSection51, OfTheTimeIntegrationAgreesWithTheReference) {
   PrintedBook book("Two floors that collide at 15 m/s, in the time integration");
   using namespace reference::section_5_1;
   const auto collide = [](const std::string& link) {
-    return only_impact(test::run_text(
-        "structures:\n  a: {body: {mass: 100 t}, initial_velocity: 15 m/s}\n  b: {body: {mass: 150 t}}\n"
-        "links: [{between: [a, b], gap: 1 m, stiffness: 22000 kN/m^1.5, law: " +
-        link + "}]\nanalysis: {duration: 1, tolerance: 1e-8}\n"));
+    return only_impact(
+        test::run_text("structures:\n  a: {body: {mass: 100 t}, initial_velocity: 15 m/s}\n  b: {body: {mass: 150 t}}\n"
+                       "links: [{between: [a, b], gap: 1 m, stiffness: 22000 kN/m^1.5, law: " +
+                       link + "}]\nanalysis: {duration: 1, tolerance: 1e-8}\n"));
   };
   for (const reference::Section51Row& row : rows) {
     SCOPED_TRACE(fmt::format("{} {} {}", row.law, row.formula, row.asked));
@@ -152,11 +153,11 @@ TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
   using namespace reference::section_5;
   for (const reference::Section5Row& row : rows) {
     SCOPED_TRACE(row.formula);
-    const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
-        mass, speed,
-        fmt::format("hertz_damped, stiffness: {}, restitution: {}, formula: {}", stiffness, reference::section_5::asked,
-                    row.formula),
-        1)));
+    const ImpactRow impact =
+        only_impact(test::run_text(ball_on_wall(mass, speed,
+                                                fmt::format("hertz_damped, stiffness: {}, restitution: {}, formula: {}",
+                                                            stiffness, reference::section_5::asked, row.formula),
+                                                1)));
     book.printed("hertz_damped: restitution [-]", impact.restitution, row.restitution, 5);
     book.printed("hertz_damped: largest penetration [m]", impact.peak_penetration, row.penetration, 6);
     book.printed("hertz_damped: peak force [kN]", impact.peak_force / 1e3, row.force, 3);
@@ -164,8 +165,8 @@ TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
   }
 }
 
-// The design penetration is 1 m at impact_velocity; the actual speed is the one that reaches it along the bilinear curve,
-// where the force is the effective stiffness times 1 m.
+// The design penetration is 1 m at impact_velocity; the actual speed is the one that reaches it along the bilinear
+// curve, where the force is the effective stiffness times 1 m.
 TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheReference) {
   PrintedBook book("Bilinear law at its design penetration, in the time integration");
   using namespace reference::bilinear;

@@ -1,5 +1,5 @@
-// The engine against integrators that it shares nothing with: PETSc's own TSALPHA2 with fixed steps, and TSRK (5dp) with
-// PETSc's events at touch, release and separation.
+// The engine against integrators that it shares nothing with: PETSc's own TSALPHA2 with fixed steps, and TSRK (5dp)
+// with PETSc's events at touch, release and separation.
 //
 // Shared with the engine: the reader, the matrices, the ground motion, the laws and their damping. Not shared: time
 // stepping, error control, location of the events, phases, condensation of the link forces, peaks.
@@ -197,7 +197,8 @@ double time_of(TS ts) noexcept {
 }
 
 // A TS with these options, which carry the prefix.
-void create(Handle<TS>& ts, PlainModel& model, const char* prefix, const char* options, PetscErrorCode (*after_step)(TS)) {
+void create(Handle<TS>& ts, PlainModel& model, const char* prefix, const char* options,
+            PetscErrorCode (*after_step)(TS)) {
   check(PetscOptionsInsertString(nullptr, options));
   check(TSCreate(PETSC_COMM_SELF, ts.out()));
   check(TSSetOptionsPrefix(ts, prefix));
@@ -217,7 +218,8 @@ PetscErrorCode residual(TS, PetscReal t, Vec u, Vec v, Vec a, Vec r, void* conte
   return write(model.mass * values(a) + model.resistance(t, values(u), values(v)), r);
 }
 
-PetscErrorCode jacobian(TS, PetscReal, Vec u, Vec v, Vec, PetscReal shift_v, PetscReal shift_a, Mat, Mat j, void* context) {
+PetscErrorCode jacobian(TS, PetscReal, Vec u, Vec v, Vec, PetscReal shift_v, PetscReal shift_a, Mat, Mat j,
+                        void* context) {
   const PlainModel& model = plain(context);
   MatrixXd matrix = shift_a * model.mass + shift_v * model.damping + model.stiffness;
   for (const PlainLink& link : model.links) {
@@ -322,8 +324,8 @@ PetscErrorCode after_step(TS ts) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-// The step after an event has no error control: over 1e-7 s even Jankowski's d^(1/4) does no harm. The longest step is for
-// the cubic that finds the peaks.
+// The step after an event has no error control: over 1e-7 s even Jankowski's d^(1/4) does no harm. The longest step is
+// for the cubic that finds the peaks.
 PlainModel march(const Model& input) {
   PlainModel model(input);
   Handle<TS> ts;
@@ -365,7 +367,8 @@ double observed_order(const char* law) {
   const Outcome engine = test::run_text(yaml);
   double coarse = 0, fine = 0;
   for (const int steps : {5000, 5700, 6500, 7300, 8300}) {
-    const PlainModel few = alpha2::march(test::model_of(yaml), steps), many = alpha2::march(test::model_of(yaml), 4 * steps);
+    const PlainModel few = alpha2::march(test::model_of(yaml), steps),
+                     many = alpha2::march(test::model_of(yaml), 4 * steps);
     EXPECT_EQ(many.links[0].hits.size(), engine.results.impacts.size());
     coarse += differences(few, engine).squaredNorm();
     fine += differences(many, engine).squaredNorm();
@@ -384,14 +387,15 @@ TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForHertz) {
 
 TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForASpring) {
   test::Book book(subject, fixed_steps, chance);
-  book.near("order in which TSALPHA2 comes near, linear spring [-]",
-            observed_order("linear_spring, stiffness: 9.35e7"), 2, 0.3);
+  book.near("order in which TSALPHA2 comes near, linear spring [-]", observed_order("linear_spring, stiffness: 9.35e7"),
+            2, 0.3);
 }
 
 TEST(StockAlpha2, ComesNearTheEngineWithItsStepWhereTheForceJumps) {
   test::Book book(subject, fixed_steps, chance);
-  book.near("order in which TSALPHA2 comes near, Kelvin-Voigt, where a touch seen a step late loses c v h of momentum [-]",
-            observed_order("kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65"), 1, 0.3);
+  book.near(
+      "order in which TSALPHA2 comes near, Kelvin-Voigt, where a touch seen a step late loses c v h of momentum [-]",
+      observed_order("kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65"), 1, 0.3);
 }
 
 // ESDIRK4 may exceed its tolerance by a tenth with Jankowski's dashpot, which grows like d^(1/4) from the touch.
@@ -406,7 +410,8 @@ void expect_the_same_impacts(const std::string& problem, const std::string& law,
   const PlainModel stock = runge_kutta::march(test::model_of(yaml));
   const double widest = *std::max_element(stock.peaks.begin(), stock.peaks.begin() + stock.u.size());
   EXPECT_DOUBLE_EQ(stock.time, stock.duration);
-  book.below(law + ": differences of peak displacements and forces, as parts [-]", differences(stock, engine).cwiseAbs().maxCoeff(), allowed);
+  book.below(law + ": differences of peak displacements and forces, as parts [-]",
+             differences(stock, engine).cwiseAbs().maxCoeff(), allowed);
   for (std::size_t i = 0; i < stock.links.size(); ++i) {
     std::vector<ImpactRow> rows;
     for (const ImpactRow& row : engine.results.impacts)

@@ -1,10 +1,12 @@
-"""Reference numbers for tests/stepping/turning_test.cpp: a mast of corotational members that is thrown, from its energy alone.
+"""Reference numbers for tests/stepping/turning_test.cpp: a mast of corotational members that is thrown, from its energy
+alone.
 
     .venv/bin/python3 tests/verification/turning_mast.py
 
-Plane beams with linear strains about their chord: E = EA/(2 L) (l - L)^2 + 2 EI/L (a^2 + a b + b^2), where a and b are the
-rotations of the ends less that of the chord. Rotations have no mass: they make the energy least, which is a linear system
-while the chords are held. Masses at the nodes move by the slope of the energy; scipy integrates them (DOP853, 1e-13).
+Plane beams with linear strains about their chord: E = EA/(2 L) (l - L)^2 + 2 EI/L (a^2 + a b + b^2), where a and b are
+the rotations of the ends less that of the chord. Rotations have no mass: they make the energy least, which is a linear
+system while the chords are held. Masses at the nodes move by the slope of the energy; scipy integrates them (DOP853,
+1e-13).
 """
 
 import numpy as np
@@ -16,7 +18,7 @@ SPEED, END, GRAVITY = 6.0, 1.0, 9.80665
 # Stiffness of the rotations, the foot held: 2 EI/L (2 own + other) at both ends of each member.
 COUPLING = np.zeros((MEMBERS + 1, MEMBERS + 1))
 for _i in range(MEMBERS):
-    COUPLING[_i:_i + 2, _i:_i + 2] += 2 * EI / LENGTH * np.array([[2, 1], [1, 2]])
+    COUPLING[_i : _i + 2, _i : _i + 2] += 2 * EI / LENGTH * np.array([[2, 1], [1, 2]])
 
 
 def slope(place):
@@ -49,16 +51,23 @@ def throw(gravity):
     rest[1::2] -= np.cumsum(above * LENGTH / EA)
     assert np.abs(slope(rest)[0] + weight).max() < 1e-6
     speed = np.tile([SPEED, 0.0], MEMBERS)
-    motion = solve_ivp(lambda t, y: np.concatenate([y[2 * MEMBERS:], -(slope(y[:2 * MEMBERS])[0] + weight) / MASS]), (0, END),
-                       np.concatenate([rest, speed]), method="DOP853", rtol=1e-13, atol=1e-13, dense_output=True)
+    motion = solve_ivp(
+        lambda t, y: np.concatenate([y[2 * MEMBERS :], -(slope(y[: 2 * MEMBERS])[0] + weight) / MASS]),
+        (0, END),
+        np.concatenate([rest, speed]),
+        method="DOP853",
+        rtol=1e-13,
+        atol=1e-13,
+        dense_output=True,
+    )
     y = motion.y[:, -1]
 
     def energy(y):
-        return slope(y[:2 * MEMBERS])[1] + weight @ y[:2 * MEMBERS] + MASS / 2 * y[2 * MEMBERS:] @ y[2 * MEMBERS:]
+        return slope(y[: 2 * MEMBERS])[1] + weight @ y[: 2 * MEMBERS] + MASS / 2 * y[2 * MEMBERS :] @ y[2 * MEMBERS :]
 
     kept = abs(energy(y) / energy(motion.y[:, 0]) - 1)
-    turns = [np.abs(slope(column[:2 * MEMBERS])[2]).max() for column in motion.y.T]
-    tip = [*(y[2 * MEMBERS - 2:2 * MEMBERS] - upright[-2:]), *y[-2:], slope(y[:2 * MEMBERS])[2][-1]]
+    turns = [np.abs(slope(column[: 2 * MEMBERS])[2]).max() for column in motion.y.T]
+    tip = [*(y[2 * MEMBERS - 2 : 2 * MEMBERS] - upright[-2:]), *y[-2:], slope(y[: 2 * MEMBERS])[2][-1]]
     print(f"gravity {gravity}: energy kept to {kept:.1e}, largest turn {max(turns):.4f} rad")
     print("  tip at the end, x z vx vz turn:", ", ".join(f"{value:.15g}" for value in tip))
 

@@ -1,5 +1,5 @@
-// Two oscillators under a harmonic motion, seven laws. The digits are those of a table: displacements to 1e-6 m, forces to
-// 0.1 N, times to 1e-6 s, velocities to 1e-6 m/s.
+// Two oscillators under a harmonic motion, seven laws. The digits are those of a table: displacements to 1e-6 m, forces
+// to 0.1 N, times to 1e-6 s, velocities to 1e-6 m/s.
 
 #include <gtest/gtest.h>
 
@@ -31,24 +31,74 @@ struct Reference {
 std::ostream& operator<<(std::ostream& out, const Reference& r) { return out << r.law; }
 
 const Reference references[] = {
-    {"linear", "linear_spring, stiffness: 9.35e7", 0.246706, 0.083934, 6574989.3, 5, {0.548291, 0.987919, 2368315.8}, 0.943624,
+    {"linear",
+     "linear_spring, stiffness: 9.35e7",
+     0.246706,
+     0.083934,
+     6574989.3,
+     5,
+     {0.548291, 0.987919, 2368315.8},
+     0.943624,
      {1.130894, 1.764368, 4269969.3}},
-    {"kelvin", "kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65, formula: anagnostopoulos", 0.169883, 0.059078, 4333124.1,
-     5, {0.548291, 0.987919, 2032181.3}, 0.613938, {1.135934, 1.662724, 3392156.6}},
-    {"approach", "modified_linear_viscoelastic, stiffness: 9.35e7, restitution: 0.65, formula: exact", 0.158841, 0.057684, 3983752.8, 5,
-     {0.548291, 0.987919, 1956671.6}, 0.592926, {1.134934, 1.649093, 3244819.7}},
-    {"hertz", "hertz, stiffness: 2.75e9", 0.171017, 0.075361, 12342170.1, 5, {0.548291, 0.987919, 5043600.8}, 0.956386,
+    {"kelvin",
+     "kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65, formula: anagnostopoulos",
+     0.169883,
+     0.059078,
+     4333124.1,
+     5,
+     {0.548291, 0.987919, 2032181.3},
+     0.613938,
+     {1.135934, 1.662724, 3392156.6}},
+    {"approach",
+     "modified_linear_viscoelastic, stiffness: 9.35e7, restitution: 0.65, formula: exact",
+     0.158841,
+     0.057684,
+     3983752.8,
+     5,
+     {0.548291, 0.987919, 1956671.6},
+     0.592926,
+     {1.134934, 1.649093, 3244819.7}},
+    {"hertz",
+     "hertz, stiffness: 2.75e9",
+     0.171017,
+     0.075361,
+     12342170.1,
+     5,
+     {0.548291, 0.987919, 5043600.8},
+     0.956386,
      {1.123021, 1.724222, 9859902.1}},
-    {"hertz_damped", "hertz_damped, stiffness: 2.75e9, restitution: 0.65, formula: exact", 0.130228, 0.055682, 9154322.9, 5,
-     {0.548291, 0.987919, 4556463.9}, 0.595075, {1.131587, 1.617332, 8147237.8}},
-    {"lankarani_nikravesh", "hertz_damped, stiffness: 2.75e9, restitution: 0.65, formula: lankarani_nikravesh", 0.142193, 0.062000, 9880213.0, 5,
-     {0.548291, 0.987919, 4598691.0}, 0.724217, {1.128407, 1.656247, 8496292.8}},
-    {"jankowski", "jankowski, stiffness: 2.75e9, restitution: 0.65, formula: exact", 0.128115, 0.055571, 7178400.0, 5,
-     {0.548291, 0.987919, 3619597.2}, 0.603336, {1.130971, 1.613933, 6460768.8}},
+    {"hertz_damped",
+     "hertz_damped, stiffness: 2.75e9, restitution: 0.65, formula: exact",
+     0.130228,
+     0.055682,
+     9154322.9,
+     5,
+     {0.548291, 0.987919, 4556463.9},
+     0.595075,
+     {1.131587, 1.617332, 8147237.8}},
+    {"lankarani_nikravesh",
+     "hertz_damped, stiffness: 2.75e9, restitution: 0.65, formula: lankarani_nikravesh",
+     0.142193,
+     0.062000,
+     9880213.0,
+     5,
+     {0.548291, 0.987919, 4598691.0},
+     0.724217,
+     {1.128407, 1.656247, 8496292.8}},
+    {"jankowski",
+     "jankowski, stiffness: 2.75e9, restitution: 0.65, formula: exact",
+     0.128115,
+     0.055571,
+     7178400.0,
+     5,
+     {0.548291, 0.987919, 3619597.2},
+     0.603336,
+     {1.130971, 1.613933, 6460768.8}},
 };
 
 constexpr const char* source =
-    "DOP853 (scipy) at relative tolerance 1e-11 with located events, confirmed by a fixed-step Runge-Kutta program at 2e-7 s";
+    "DOP853 (scipy) at relative tolerance 1e-11 with located events, confirmed by a fixed-step Runge-Kutta program at "
+    "2e-7 s";
 
 // "hertz_damped exact: "
 std::string law_and_formula(const Reference& reference) {
@@ -79,7 +129,8 @@ TEST_P(TwoOscillators, AgreeWithAnIndependentIntegrator) {
     const ImpactRow& row = run.results.impacts[i];
     book.near(law + "touch of the first two impacts [s]", row.t_start, impacts[i].time, 1e-6 + digit);
     book.near(law + "approach of the first two impacts [m/s]", row.v_approach, impacts[i].approach, 1e-5 + digit);
-    book.near(law + "peak force of the first two impacts [N]", row.peak_force, impacts[i].force, 1e-4 * impacts[i].force);
+    book.near(law + "peak force of the first two impacts [N]", row.peak_force, impacts[i].force,
+              1e-4 * impacts[i].force);
   }
   book.near(law + "first separation [m/s]", run.results.impacts[0].v_separation, expected.separation, 1e-5 + digit);
 }
@@ -92,10 +143,10 @@ TEST_P(TwoOscillators, KeepTheDefaultTolerance) {
                   "the tolerance is kept: what the default 1e-4 gives lies within 1e-4 of the converged answer");
   const Reference& expected = GetParam();
   const Outcome run = test::run_text(test::two_oscillators(expected.law, 1e-4));
-  book.near("peak displacement, left [m]",
-            run.summary.structures[0].peak_displacement[0], expected.u1, 1e-4 * expected.u1);
-  book.near("peak displacement, right [m]",
-            run.summary.structures[1].peak_displacement[0], expected.u2, 1e-4 * expected.u2);
+  book.near("peak displacement, left [m]", run.summary.structures[0].peak_displacement[0], expected.u1,
+            1e-4 * expected.u1);
+  book.near("peak displacement, right [m]", run.summary.structures[1].peak_displacement[0], expected.u2,
+            1e-4 * expected.u2);
   book.near("peak force [N]", run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// State as bytes, for going back a step and for checkpoints: one function names the fields, for writing and for reading.
-/// archive_eigen.hpp adds matrices.
+/// State as bytes, for going back a step and for checkpoints: one function names the fields, for writing and for
+/// reading. archive_eigen.hpp adds matrices.
 
 #include <cstddef>
 #include <cstring>
@@ -18,12 +18,13 @@ class Archive;
 template <class T>
 concept Archived = requires(T& value, Archive& archive) { value.archive(archive); };
 
-/// A value whose bytes are its state. A class that is archived by members may hold references, whose bytes mean nothing later.
+/// A value whose bytes are its state. A class that is archived by members may hold references, whose bytes mean nothing
+/// later.
 template <class T>
 concept PlainBytes = std::is_trivially_copyable_v<T> && !Archived<T>;
 
-/// `archive(x)` appends x when writing and replaces it when reading, with the same bits. The bytes are those of this machine:
-/// they are read on the same kind of machine, by the same version of the program.
+/// `archive(x)` appends x when writing and replaces it when reading, with the same bits. The bytes are those of this
+/// machine: they are read on the same kind of machine, by the same version of the program.
 class Archive {
  public:
   /// An empty archive, for writing.
@@ -81,8 +82,8 @@ class Archive {
     archive_value(*this, value);
   }
 
-  /// The parts that such a function is made of. A number of items: written, or read and returned. Throws std::runtime_error
-  /// for a number that the bytes cannot hold.
+  /// The parts that such a function is made of. A number of items: written, or read and returned. Throws
+  /// std::runtime_error for a number that the bytes cannot hold.
   std::size_t count(std::size_t size) {
     (*this)(size);
     if (reading_ && size > bytes_.size()) throw std::runtime_error("the saved state is damaged");

@@ -10,10 +10,12 @@ struct Graph {
   double value, slope;
 };
 
-/// A root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's steps, bisection where they leave the bracket.
-/// The first guess is `start`; a guess that moves by less than `enough` of itself is the last.
+/// A root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's steps,
+/// bisection where they leave the bracket. The first guess is `start`; a guess that moves by less than `enough` of
+/// itself is the last.
 template <class Function>
-double bracketed_root(const Function& f, double low, double high, bool rises, double start, double enough = 1e-15) noexcept {
+double bracketed_root(const Function& f, double low, double high, bool rises, double start,
+                      double enough = 1e-15) noexcept {
   double t = start;
   for (int i = 0; i < 100; ++i) {
     const auto [value, slope] = f(t);

@@ -12,8 +12,8 @@
 
 namespace pounding {
 
-/// A 64-bit number from everything that was added, in that order. One changed bit always changes it, other damage nearly
-/// always; it gives no protection against deliberate changes.
+/// A 64-bit number from everything that was added, in that order. One changed bit always changes it, other damage
+/// nearly always; it gives no protection against deliberate changes.
 class Checksum {
  public:
   /// Adds the number of bytes and the bytes.

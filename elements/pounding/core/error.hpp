@@ -10,8 +10,8 @@
 
 namespace pounding {
 
-/// Wrong input. The text says where it is, what was read, what is allowed and what to type; it is UTF-8 and can be printed, whatever
-/// was read. Exit code 2 of the program.
+/// Wrong input. The text says where it is, what was read, what is allowed and what to type; it is UTF-8 and can be
+/// printed, whatever was read. Exit code 2 of the program.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view text);
@@ -33,8 +33,8 @@ class OutOfMemory : public std::bad_alloc {
   std::string text_;
 };
 
-/// A text of the user for a message: at most 200 characters, control characters and bytes that are no UTF-8 escaped; see
-/// laws/excerpt.hpp.
+/// A text of the user for a message: at most 200 characters, control characters and bytes that are no UTF-8 escaped;
+/// see laws/excerpt.hpp.
 std::string excerpt(std::string_view text);
 
 /// The allowed name nearest to `read`, or an empty view when none is near; see laws/nearest_name.hpp.

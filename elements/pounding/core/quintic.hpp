@@ -1,5 +1,6 @@
 #pragma once
-/// Motion inside a step of an integrator: the polynomial of degree five through position, velocity and acceleration at its ends.
+/// Motion inside a step of an integrator: the polynomial of degree five through position, velocity and acceleration at
+/// its ends.
 
 #include <pounding/core/bracketed_root.hpp>
 
@@ -17,7 +18,8 @@ class Quintic {
     const double v0 = h * begin.v, v1 = h * end.v, a0 = h * h * begin.a, a1 = h * h * end.a;
     const double rise = end.x - begin.x - v0 - a0 / 2, slope = v1 - v0 - a0, bend = a1 - a0;
     c_[0] = begin.x, c_[1] = v0, c_[2] = a0 / 2;
-    c_[3] = 10 * rise - 4 * slope + bend / 2, c_[4] = -15 * rise + 7 * slope - bend, c_[5] = 6 * rise - 3 * slope + bend / 2;
+    c_[3] = 10 * rise - 4 * slope + bend / 2, c_[4] = -15 * rise + 7 * slope - bend,
+    c_[5] = 6 * rise - 3 * slope + bend / 2;
   }
 
   /// At a part s in [0, 1] of the step.

@@ -7,8 +7,9 @@
 
 namespace pounding {
 
-/// Gives a matrix a size; its entries are lost if that is another one. Eigen 3.4 frees the old entries in `resize`, `setZero` and assignments, and once more
-/// in the destructor when there was no memory for the new ones; here the matrix is empty in between. Throws std::bad_alloc.
+/// Gives a matrix a size; its entries are lost if that is another one. Eigen 3.4 frees the old entries in `resize`,
+/// `setZero` and assignments, and once more in the destructor when there was no memory for the new ones; here the
+/// matrix is empty in between. Throws std::bad_alloc.
 template <class Matrix>
 void renew(Matrix& m, Eigen::Index rows, Eigen::Index columns) {
   if (m.rows() == rows && m.cols() == columns) return;

@@ -21,7 +21,9 @@ std::string_view other_encoding(std::string_view text) {
   const auto begins = [&](std::string_view bytes) { return text.starts_with(bytes); };
   using namespace std::string_view_literals;
   const auto zero = [&](std::size_t i) { return i < text.size() && text[i] == '\0'; };
-  if (begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || (zero(0) && zero(1) && zero(2)) || (zero(1) && zero(2) && zero(3))) return "UTF-32";
+  if (begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || (zero(0) && zero(1) && zero(2)) ||
+      (zero(1) && zero(2) && zero(3)))
+    return "UTF-32";
   if (begins("\xFF\xFE"sv) || begins("\xFE\xFF"sv) || (zero(0) && zero(2)) || (zero(1) && zero(3))) return "UTF-16";
   return {};
 }
@@ -40,7 +42,8 @@ std::string read_text_file(const std::string& path, std::string_view kind, std::
     throw InputError(fmt::format("{}: this is a folder; give the {} in it", excerpt(path), kind));
   const bool is_pipe = std::filesystem::is_fifo(status) || std::filesystem::is_socket(status);
   if (is_pipe && !path.starts_with("/dev/"))
-    throw InputError(fmt::format("{}: this is a pipe and no file; write it to a file, or read it from /dev/stdin", excerpt(path)));
+    throw InputError(
+        fmt::format("{}: this is a pipe and no file; write it to a file, or read it from /dev/stdin", excerpt(path)));
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", excerpt(path)));
   std::string text;
@@ -49,8 +52,8 @@ std::string read_text_file(const std::string& path, std::string_view kind, std::
     file.read(part.data(), part.size());
     text.append(part.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > most)
-      throw InputError(fmt::format("{}: has more than {} MB, and a {} has at most that; is it the right file?", excerpt(path),
-                                   most / 1'000'000, kind));
+      throw InputError(fmt::format("{}: has more than {} MB, and a {} has at most that; is it the right file?",
+                                   excerpt(path), most / 1'000'000, kind));
   }
   if (file.bad()) throw InputError(fmt::format("{}: cannot be read", excerpt(path)));
   return text;
@@ -68,13 +71,17 @@ std::optional<WrongText> wrong_text(std::string_view text) {
   while (!text.empty()) {
     const laws::Character c = laws::first_character(text);
     if (!c.is_valid)
-      return WrongText{line, column,
-                       fmt::format("the byte {:02X} is no UTF-8; save the file as UTF-8 (Latin-1 writes letters such as \u00e4 so)", c.code)};
+      return WrongText{
+          line, column,
+          fmt::format("the byte {:02X} is no UTF-8; save the file as UTF-8 (Latin-1 writes letters such as \u00e4 so)",
+                      c.code)};
     const bool ends_line = c.code == '\n' || (c.code == '\r' && text.size() > 1 && text[1] == '\n');
     if (c.code == '\r' && !ends_line)
-      return WrongText{line, column, "a carriage return stands alone; save the file with the ends of lines of Unix or Windows"};
+      return WrongText{line, column,
+                       "a carriage return stands alone; save the file with the ends of lines of Unix or Windows"};
     if (laws::is_control(c.code) && !ends_line && c.code != '\t')
-      return WrongText{line, column, fmt::format("the control character {} stands here; delete it", excerpt(text.substr(0, c.size)))};
+      return WrongText{line, column,
+                       fmt::format("the control character {} stands here; delete it", excerpt(text.substr(0, c.size)))};
     ++column;
     if (c.code == '\n') {
       ++line;
@@ -89,9 +96,12 @@ std::string shown_line(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
     const laws::Character c = laws::first_character(text);
-    if (laws::is_control(c.code)) shown += ' ';
-    else if (c.is_valid) shown += text.substr(0, c.size);
-    else append_utf8(shown, c.code);
+    if (laws::is_control(c.code))
+      shown += ' ';
+    else if (c.is_valid)
+      shown += text.substr(0, c.size);
+    else
+      append_utf8(shown, c.code);
     text.remove_prefix(c.size);
   }
   return shown;

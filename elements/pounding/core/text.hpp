@@ -9,8 +9,9 @@
 
 namespace pounding {
 
-/// The bytes of a file, "model" or "record" in messages. Pipes are read where they stand in /dev, as standard input does. Throws
-/// InputError for a file that is not there or cannot be read, a folder, another pipe, and more than `most` bytes.
+/// The bytes of a file, "model" or "record" in messages. Pipes are read where they stand in /dev, as standard input
+/// does. Throws InputError for a file that is not there or cannot be read, a folder, another pipe, and more than `most`
+/// bytes.
 std::string read_text_file(const std::string& path, std::string_view kind, std::size_t most);
 
 /// Without the mark of UTF-8 (EF BB BF) in front that editors of Windows write.
@@ -22,15 +23,16 @@ struct WrongText {
   std::string what;
 };
 
-/// The first place at which a text is no UTF-8, or holds a control character other than tabs and ends of lines; nothing where all is
-/// well. Of UTF-16 and UTF-32 that is its first character.
+/// The first place at which a text is no UTF-8, or holds a control character other than tabs and ends of lines; nothing
+/// where all is well. Of UTF-16 and UTF-32 that is its first character.
 std::optional<WrongText> wrong_text(std::string_view text);
 
-/// A text in UTF-8 that can be shown in a line: bytes that are no UTF-8 are taken as Latin-1, control characters become blanks.
+/// A text in UTF-8 that can be shown in a line: bytes that are no UTF-8 are taken as Latin-1, control characters become
+/// blanks.
 std::string shown_line(std::string_view text);
 
-/// The parts of a text that lie between any of these characters, without empty ones. Streams, which read words and lines as well, end in
-/// silence where they get no memory.
+/// The parts of a text that lie between any of these characters, without empty ones. Streams, which read words and
+/// lines as well, end in silence where they get no memory.
 std::vector<std::string_view> parts_between(std::string_view text, std::string_view separators);
 
 /// The fault of a name: more than 200 bytes, a control character, no UTF-8. Empty where all is well.

@@ -82,7 +82,9 @@ Unit product(const Unit& a, const Unit& b) {
   return {{p.mass + q.mass, p.length + q.length, p.time + q.time}, a.factor * b.factor};
 }
 
-bool same_letter(char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); }
+bool same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
 
 // "kN m" of "kNm", in any case; empty for what is not two units one behind the other, or is one in another case.
 std::string product_of_two(std::string_view name) {
@@ -90,7 +92,8 @@ std::string product_of_two(std::string_view name) {
     if (std::ranges::equal(unit.name, name, same_letter)) return {};
   for (const NamedUnit& first : named_units)
     for (const NamedUnit& second : named_units)
-      if (first.unit.dimension != second.unit.dimension && std::ranges::equal(fmt::format("{}{}", first.name, second.name), name, same_letter))
+      if (first.unit.dimension != second.unit.dimension &&
+          std::ranges::equal(fmt::format("{}{}", first.name, second.name), name, same_letter))
         return fmt::format("{} {}", first.name, second.name);
   return {};
 }
@@ -136,7 +139,8 @@ class UnitReader {
     if (text_[position_] == '(') {
       ++position_;
       if (++depth_ > deepest_bracket)
-        throw InputError(fmt::format("unit \"{}\" has more than {} brackets in each other", excerpt(text_), deepest_bracket));
+        throw InputError(
+            fmt::format("unit \"{}\" has more than {} brackets in each other", excerpt(text_), deepest_bracket));
       unit = read_product();
       if (at_end()) throw InputError(fmt::format("unit \"{}\" lacks a \")\"", excerpt(text_)));
       ++position_;
@@ -159,7 +163,8 @@ class UnitReader {
     for (const NamedUnit& candidate : named_units)
       if (candidate.name == name) return candidate.unit;
     if (const std::string apart = product_of_two(name); !apart.empty())
-      throw InputError(fmt::format("unknown unit \"{}\". Did you mean \"{}\"? Units stand apart", excerpt(name), apart));
+      throw InputError(
+          fmt::format("unknown unit \"{}\". Did you mean \"{}\"? Units stand apart", excerpt(name), apart));
     std::vector<std::string_view> names;
     for (const NamedUnit& candidate : named_units) names.push_back(candidate.name);
     throw InputError(fmt::format("unknown unit \"{}\".{}", excerpt(name), suggestion(name, names)));
@@ -179,11 +184,14 @@ class UnitReader {
   }
 
   [[noreturn]] void fail_at_rest() const {
-    throw InputError(fmt::format("cannot read \"{}\" in unit \"{}\"", excerpt(text_.substr(position_)), excerpt(text_)));
+    throw InputError(
+        fmt::format("cannot read \"{}\" in unit \"{}\"", excerpt(text_.substr(position_)), excerpt(text_)));
   }
   [[noreturn]] void fail_ambiguous() const {
-    throw InputError(fmt::format("unit \"{}\" can be read in two ways; type the product first, as in \"N s/m\", "
-                                 "or use parentheses, as in \"N/(m s)\"", excerpt(text_)));
+    throw InputError(
+        fmt::format("unit \"{}\" can be read in two ways; type the product first, as in \"N s/m\", "
+                    "or use parentheses, as in \"N/(m s)\"",
+                    excerpt(text_)));
   }
   void skip_blanks() {
     while (!at_end() && is_blank(text_[position_])) ++position_;

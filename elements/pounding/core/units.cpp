@@ -123,11 +123,14 @@ bool parse_number(std::string_view text, double& value) {
 
 double parse_quantity(std::string_view text, const Dimension& expected) {
   const std::string_view quantity = trimmed(text);
-  const std::string takes = fmt::format("takes {} such as \"{}\"; ", quantity_name(expected), quantity_example(expected));
+  const std::string takes =
+      fmt::format("takes {} such as \"{}\"; ", quantity_name(expected), quantity_example(expected));
   double value = 0;
   const auto rest = leading_number(quantity, value);
   if (!rest) throw InputError(fmt::format("{}\"{}\" is not a finite number", takes, excerpt(text)));
-  if (rest->starts_with(',')) throw InputError(fmt::format("{}\"{}\" needs a decimal point, not a comma; type {}", takes, excerpt(text), excerpt(without_comma(quantity))));
+  if (rest->starts_with(','))
+    throw InputError(fmt::format("{}\"{}\" needs a decimal point, not a comma; type {}", takes, excerpt(text),
+                                 excerpt(without_comma(quantity))));
   const std::string_view unit_read = trimmed(*rest);
   if (unit_read.empty()) return value;
 
@@ -141,7 +144,8 @@ double parse_quantity(std::string_view text, const Dimension& expected) {
     throw InputError(fmt::format("{}\"{}\" is {}", takes, excerpt(text), quantity_name(unit.dimension)));
   const double in_si = value * unit.factor;
   if (!std::isfinite(in_si)) throw InputError(fmt::format("{}\"{}\" is not a finite number", takes, excerpt(text)));
-  if (in_si == 0 && value != 0) throw InputError(fmt::format("{}\"{}\" is too small for a number", takes, excerpt(text)));
+  if (in_si == 0 && value != 0)
+    throw InputError(fmt::format("{}\"{}\" is too small for a number", takes, excerpt(text)));
   return in_si;
 }
 

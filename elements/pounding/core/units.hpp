@@ -50,9 +50,9 @@ struct Unit {
 
 /// Reads products and quotients of the known units: "kN/m^1.5", "N s/m", "kN/(m s)", "m/s2", "1/s"; "", "1" and "-" are
 /// pure numbers. `g` is standard gravity, 9.80665 m/s^2. `Hz` is 1/s and `rad` is 1, so "1 rad/s" and "1 Hz" are the
-/// same number: whoever takes a frequency says which one is meant. `lb` and `lbm` are masses, `lbf` and `kip` are forces; `tf` and
-/// `tonf` are the weight of a tonne, 9.80665 kN.
-/// Throws InputError for an unknown unit, with the nearest known one, and for "kN/m s", which can be read in two ways.
+/// same number: whoever takes a frequency says which one is meant. `lb` and `lbm` are masses, `lbf` and `kip` are
+/// forces; `tf` and `tonf` are the weight of a tonne, 9.80665 kN. Throws InputError for an unknown unit, with the
+/// nearest known one, and for "kN/m s", which can be read in two ways.
 Unit parse_unit(std::string_view unit);
 
 /// The dimension of a unit; throws as parse_unit.
@@ -75,7 +75,8 @@ std::string quantity_name(const Dimension& dimension);
 /// An example of a value with this dimension, as a user types it: "20 mm".
 std::string quantity_example(const Dimension& dimension);
 
-/// A value for a report, `digits` significant digits, in the unit an engineer would choose: "20 mm", "1.27 MN", "3.5 t".
+/// A value for a report, `digits` significant digits, in the unit an engineer would choose: "20 mm", "1.27 MN", "3.5
+/// t".
 std::string format_quantity(double value, const Dimension& dimension, int digits = 4);
 
 }  // namespace pounding

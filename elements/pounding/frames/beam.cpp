@@ -45,10 +45,7 @@ double phi_z(const Section& s, const Material& m, double l) {
 Matrix4d bending_stiffness(double rigidity, double phi, double l) {
   const double near = (4 + phi) * l * l, far = (2 - phi) * l * l;
   Matrix4d k;
-  k << 12, 6 * l, -12, 6 * l,
-      6 * l, near, -6 * l, far,
-      -12, -6 * l, 12, -6 * l,
-      6 * l, far, -6 * l, near;
+  k << 12, 6 * l, -12, 6 * l, 6 * l, near, -6 * l, far, -12, -6 * l, 12, -6 * l, 6 * l, far, -6 * l, near;
   return rigidity / ((1 + phi) * l * l * l) * k;
 }
 
@@ -58,10 +55,7 @@ Matrix4d bending_mass(double mass, double phi, double l) {
   const double c = (11.0 / 210 + 11 * p / 120 + p2 / 24) * l, d = (13.0 / 420 + 3 * p / 40 + p2 / 24) * l;
   const double e = (1.0 / 105 + p / 60 + p2 / 120) * l * l, f = (1.0 / 140 + p / 60 + p2 / 120) * l * l;
   Matrix4d m;
-  m << a, c, b, -d,
-      c, e, d, -f,
-      b, d, a, -c,
-      -d, -f, -c, e;
+  m << a, c, b, -d, c, e, d, -f, b, d, a, -c, -d, -f, -c, e;
   return mass / ((1 + p) * (1 + p)) * m;
 }
 
@@ -69,10 +63,7 @@ Matrix4d bending_geometric(double phi, double l) {
   const double a = 1.2 + 2 * phi + phi * phi, c = l / 10, curved = phi / 6 + phi * phi / 12;
   const double near = (2.0 / 15 + curved) * l * l, far = -(1.0 / 30 + curved) * l * l;
   Matrix4d g;
-  g << a, c, -a, c,
-      c, near, -c, far,
-      -a, -c, a, -c,
-      c, far, -c, near;
+  g << a, c, -a, c, c, near, -c, far, -a, -c, a, -c, c, far, -c, near;
   return g / ((1 + phi) * (1 + phi) * l);
 }
 
@@ -154,7 +145,8 @@ void check(const Section& s, const Material& m) {
   for (const double value : {s.area, s.inertia_y, m.young})
     require(value > 0 && std::isfinite(value), "area, inertia_y and young must be positive and finite");
   for (const double value : {s.inertia_z, s.torsion, m.shear, m.density})
-    require(value >= 0 && std::isfinite(value), "inertia_z, torsion, shear and density must be finite and not negative");
+    require(value >= 0 && std::isfinite(value),
+            "inertia_z, torsion, shear and density must be finite and not negative");
   require(s.shear_area_y > 0 && s.shear_area_z > 0, "shear areas must be positive, infinite without shear deformation");
   const bool shears = std::isfinite(s.shear_area_y) || std::isfinite(s.shear_area_z);
   require(m.shear > 0 || !shears, "a finite shear area needs a shear modulus");
@@ -185,8 +177,8 @@ Matrix12 beam_mass(const Section& s, const Material& m, double l) {
 }
 
 Matrix12 beam_geometric_stiffness(const Section& s, const Material& m, double l) {
-  return placed(Matrix2d::Zero(), Matrix2d::Zero(),
-                bending_geometric(phi_y(s, m, l), l), bending_geometric(phi_z(s, m, l), l));
+  return placed(Matrix2d::Zero(), Matrix2d::Zero(), bending_geometric(phi_y(s, m, l), l),
+                bending_geometric(phi_z(s, m, l), l));
 }
 
 Matrix6 in_plane(const Matrix12& matrix) {
@@ -227,7 +219,8 @@ Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& 
   to_local_.setZero();
   for (const int node : {0, 6}) {
     to_local_.block<3, 3>(node, node) = to_local_.block<3, 3>(node + 3, node + 3) = axes_;
-    to_local_.block<3, 3>(node, node + 3) = -axes_ * finite_rotation::cross(node == 0 ? options.start_offset : options.end_offset);
+    to_local_.block<3, 3>(node, node + 3) =
+        -axes_ * finite_rotation::cross(node == 0 ? options.start_offset : options.end_offset);
   }
   set_axial_force(options.axial_force);
 }
@@ -240,8 +233,10 @@ void Beam::set_axial_force(double force) {
 
 void Beam::set_end_spring(int place, double stiffness) {
   require(!is_truss_, "a truss carries no moment");
-  require(place == 4 || place == 5 || place == 10 || place == 11, "a spring at its end stands on a rotation in bending");
-  require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of a spring at its end must be positive and finite");
+  require(place == 4 || place == 5 || place == 10 || place == 11,
+          "a spring at its end stands on a rotation in bending");
+  require(stiffness > 0 && std::isfinite(stiffness),
+          "the stiffness of a spring at its end must be positive and finite");
   require(!is_released(place), "the end transmits no moment to a spring");
   std::erase_if(end_springs_, [&](const auto& spring) { return spring.first == place; });
   end_springs_.emplace_back(place, stiffness);
@@ -318,10 +313,14 @@ Eigen::Matrix<double, 3, 12> Beam::shape_at(double along) const {
   return shape * follow_;
 }
 
-Eigen::Matrix<double, 3, 12> Beam::motion_at(double along) const { return axes_.transpose() * shape_at(along) * to_local_; }
+Eigen::Matrix<double, 3, 12> Beam::motion_at(double along) const {
+  return axes_.transpose() * shape_at(along) * to_local_;
+}
 
 // Betti: what a force does to the held ends is what the ends' displacements do to its point.
-Eigen::Matrix<double, 12, 3> Beam::fixed_end_forces_at(double along) const { return -shape_at(along).transpose() * axes_; }
+Eigen::Matrix<double, 12, 3> Beam::fixed_end_forces_at(double along) const {
+  return -shape_at(along).transpose() * axes_;
+}
 
 Vector12 Beam::at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
 

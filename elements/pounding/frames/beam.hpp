@@ -17,7 +17,8 @@ namespace pounding {
 /// Translations [m] and rotations [rad] of a node, rotations by the right-hand rule (a positive ry turns z into x).
 enum class Dof : int { ux, uy, uz, rx, ry, rz };
 
-/// Over the twelve displacements of a member, those of its start node first, each in the order of Dof; Matrix6 in the plane.
+/// Over the twelve displacements of a member, those of its start node first, each in the order of Dof; Matrix6 in the
+/// plane.
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -65,8 +66,9 @@ struct BeamOptions {
   BeamMass mass = BeamMass::lumped;
 };
 
-/// Local matrices (12 x 12, symmetric) of a member of this length [m]; exact for loads at the nodes. Shape functions with
-/// phi = 12 EI/(G As L^2), zero for an infinite shear area; Przemieniecki, Theory of Matrix Structural Analysis, 1968.
+/// Local matrices (12 x 12, symmetric) of a member of this length [m]; exact for loads at the nodes. Shape functions
+/// with phi = 12 EI/(G As L^2), zero for an infinite shear area; Przemieniecki, Theory of Matrix Structural Analysis,
+/// 1968.
 Matrix12 beam_stiffness(const Section& section, const Material& material, double length);
 Matrix12 beam_mass(const Section& section, const Material& material, double length);
 /// Geometric stiffness of a unit tensile force [1/m, 1, m].
@@ -82,12 +84,13 @@ Eigen::Matrix3d beam_axes(const Eigen::Vector3d& direction, const std::optional<
 /// A member between two nodes: its matrices in global axes and at the nodes.
 class Beam {
  public:
-  /// Throws std::invalid_argument: no length, a section or material that cannot carry (area, inertia_y and young must be
-  /// positive, nothing negative), releases that leave a mechanism, an axial force under which the released ends buckle.
-  Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section, const Material& material,
-       const BeamOptions& options = {});
-  /// A bar that carries axial force only, hinged at both ends even in twist, its mass lumped. Under tension it holds its
-  /// ends across as a string does, N/L. Area and young must be positive.
+  /// Throws std::invalid_argument: no length, a section or material that cannot carry (area, inertia_y and young must
+  /// be positive, nothing negative), releases that leave a mechanism, an axial force under which the released ends
+  /// buckle.
+  Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section,
+       const Material& material, const BeamOptions& options = {});
+  /// A bar that carries axial force only, hinged at both ends even in twist, its mass lumped. Under tension it holds
+  /// its ends across as a string does, N/L. Area and young must be positive.
   static Beam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                     const Material& material);
 
@@ -99,9 +102,10 @@ class Beam {
   /// See BeamOptions; throws std::invalid_argument as the constructor does.
   void set_axial_force(double force);
   double axial_force() const { return options_.axial_force; }
-  /// Puts a spring between an end of the member and its node, on a rotation that is one of the places 4, 5 (start) and 10, 11 (end) among
-  /// the twelve displacements [N m/rad]. It becomes a part of the member. Throws std::invalid_argument for another place, an end
-  /// that does not transmit the moment, and an axial force under which the member buckles.
+  /// Puts a spring between an end of the member and its node, on a rotation that is one of the places 4, 5 (start) and
+  /// 10, 11 (end) among the twelve displacements [N m/rad]. It becomes a part of the member. Throws
+  /// std::invalid_argument for another place, an end that does not transmit the moment, and an axial force under which
+  /// the member buckles.
   void set_end_spring(int place, double stiffness);
   /// Whether this displacement of its ends, of twelve, transmits no force.
   bool is_released(int place) const;
@@ -126,19 +130,21 @@ class Beam {
 
   /// Forces and moments on the two ends, local axes, of a load per length (global axes [N/m]) with the nodes held.
   Vector12 fixed_end_forces(const Eigen::Vector3d& per_length) const;
-  /// Fixed-end forces of its own weight per unit of gravity [kg], [kg m], for a consistent mass; a lumped one hangs at the nodes.
+  /// Fixed-end forces of its own weight per unit of gravity [kg], [kg m], for a consistent mass; a lumped one hangs at
+  /// the nodes.
   Vector12 fixed_end_forces_of_weight() const;
   /// Displacements of the point of the axis at `along` in [0, 1], global axes, from those of the nodes, the member
   /// without load between its ends.
   Eigen::Matrix<double, 3, 12> motion_at(double along) const;
-  /// Forces and moments on the two ends, local axes, of a unit force along global x, y, z at that point, the nodes held.
+  /// Forces and moments on the two ends, local axes, of a unit force along global x, y, z at that point, the nodes
+  /// held.
   Eigen::Matrix<double, 12, 3> fixed_end_forces_at(double along) const;
   /// Forces on the nodes, global axes, that are equivalent to forces on the ends, local axes.
   Vector12 at_nodes(const Vector12& on_ends) const;
 
  private:
-  Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section, const Material& material,
-       const BeamOptions& options, bool is_truss);
+  Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section,
+       const Material& material, const BeamOptions& options, bool is_truss);
 
   Eigen::Matrix<double, 3, 12> shape_at(double along) const;
   void condense(double axial_force);

@@ -34,16 +34,19 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
       assembled.dimension == 2 ? std::span<const int>(plane) : std::span<const int>(space);
   std::vector<Eigen::Triplet<double>> entries;
   for (const CorotationalMember& m : members) {
-    const std::string where = "member " + std::to_string(members_.size()) + " (nodes " + std::to_string(m.start) + " and " +
-                              std::to_string(m.end) + "): ";
+    const std::string where = "member " + std::to_string(members_.size()) + " (nodes " + std::to_string(m.start) +
+                              " and " + std::to_string(m.end) + "): ";
     for (const int node : {m.start, m.end})
       if (node < 0 || node >= nodes)
         refuse(where + "there is no node " + std::to_string(node) + " among " + std::to_string(nodes));
     try {
       const Vector3d &from = assembled.positions[m.start], &to = assembled.positions[m.end];
-      members_.push_back({m.is_truss ? CorotationalBeam::truss(from, to, m.section.area, m.material, assembled.dimension)
-                                     : CorotationalBeam(from, to, m.section, m.material, m.options, assembled.dimension),
-                          {}, {}, Matrix12::Zero()});
+      members_.push_back({m.is_truss
+                              ? CorotationalBeam::truss(from, to, m.section.area, m.material, assembled.dimension)
+                              : CorotationalBeam(from, to, m.section, m.material, m.options, assembled.dimension),
+                          {},
+                          {},
+                          Matrix12::Zero()});
     } catch (const std::invalid_argument& error) {
       refuse(where + error.what());
     }
@@ -72,17 +75,20 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
         member.places.push_back(static_cast<int>(std::lower_bound(column, end, a.col()) - linear_.innerIndexPtr()));
       }
   // The stiffness that the members leave, without its rounding.
-  rest_.prune([&](int i, int j, double value) { return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j)); });
+  rest_.prune([&](int i, int j, double value) {
+    return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j));
+  });
   for (int j = 0; j < size(); ++j)
     if (rest_.coeff(j, j) < -1e-9 * turning.coeff(j, j))
       refuse("node " + std::to_string(assembled.unknowns[j].first) +
-             ": the corotational members are stiffer than the assembled frame; give those that were added to it, once each");
+             ": the corotational members are stiffer than the assembled frame; give those that were added to it, once "
+             "each");
 }
 
 void CorotationalFrame::require_size(const Eigen::VectorXd& q, const char* what) const {
   if (q.size() != size())
-    refuse(std::string(what) + " has " + std::to_string(q.size()) + " entries; the frame has " + std::to_string(size()) +
-           " unknowns");
+    refuse(std::string(what) + " has " + std::to_string(q.size()) + " entries; the frame has " +
+           std::to_string(size()) + " unknowns");
 }
 
 Vector12 CorotationalFrame::displacements(const Member& member, const Eigen::VectorXd& q) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Frames that turn by large angles while their members strain little: corotational beams, their frame, its equilibrium.
-/// SI units.
+/// Frames that turn by large angles while their members strain little: corotational beams, their frame, its
+/// equilibrium. SI units.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -11,15 +11,15 @@
 
 namespace pounding {
 
-/// A member whose forces follow from the displacements of its nodes without any memory: an axis system turns with the chord
-/// between the ends, and what the ends are displaced by within it goes into `beam_stiffness`. Force is the gradient and
-/// tangent the (symmetric) Hessian of the strain energy. The local part is linear, so that a member under a large axial
-/// force or bent strongly within itself is to be divided; the error falls with the square of its length.
+/// A member whose forces follow from the displacements of its nodes without any memory: an axis system turns with the
+/// chord between the ends, and what the ends are displaced by within it goes into `beam_stiffness`. Force is the
+/// gradient and tangent the (symmetric) Hessian of the strain energy. The local part is linear, so that a member under
+/// a large axial force or bent strongly within itself is to be divided; the error falls with the square of its length.
 ///
-/// Displacements are the twelve of Beam. In space the rotations of a node are its rotation vector (Euler axis times angle)
-/// from the undeformed state, whose angle must stay below 2 pi, and moments are the conjugates of its components: moments
-/// about fixed axes only while the vector stays parallel to itself. A plane member turns by any angle. The rotation of an
-/// end against the chord must stay below pi. Rigid offsets turn with their node.
+/// Displacements are the twelve of Beam. In space the rotations of a node are its rotation vector (Euler axis times
+/// angle) from the undeformed state, whose angle must stay below 2 pi, and moments are the conjugates of its
+/// components: moments about fixed axes only while the vector stays parallel to itself. A plane member turns by any
+/// angle. The rotation of an end against the chord must stay below pi. Rigid offsets turn with their node.
 ///
 /// Plane: closed form, Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 7. In space:
 /// axes from the chord and the mean of the ends' local y, Battini & Pacoste, CMAME 191 (2002) 1755-1789, with the
@@ -32,8 +32,8 @@ class CorotationalBeam {
     Vector12 force = Vector12::Zero();  ///< on the nodes, global axes [N], [N m]
   };
 
-  /// dimension 2: only ux, uz and ry of the nodes act. Throws std::invalid_argument as Beam does, and for an axial force:
-  /// this member finds its own.
+  /// dimension 2: only ux, uz and ry of the nodes act. Throws std::invalid_argument as Beam does, and for an axial
+  /// force: this member finds its own.
   CorotationalBeam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section,
                    const Material& material, const BeamOptions& options, int dimension);
   /// A bar that carries axial force only, see Beam::truss.
@@ -93,9 +93,9 @@ struct CorotationalMember {
 /// All members of a frame.
 std::vector<CorotationalMember> corotational_members(const Frame& frame);
 
-/// A linear frame with some or all of its members corotational; everything else (springs, other members) stays linear, and
-/// constraints stay linear in the displacements: those with an arm hold for small turns of their master, with an error of
-/// the square of the turn. Unknowns are those of the assembled frame. Every function is pure.
+/// A linear frame with some or all of its members corotational; everything else (springs, other members) stays linear,
+/// and constraints stay linear in the displacements: those with an arm hold for small turns of their master, with an
+/// error of the square of the turn. Unknowns are those of the assembled frame. Every function is pure.
 class CorotationalFrame {
  public:
   /// One point of a path: what balances this part of the load.
@@ -105,14 +105,15 @@ class CorotationalFrame {
   };
   /// When an equilibrium counts as found, and when to give up.
   struct StaticOptions {
-    /// Norm of the residual against the load, each row over the root of its stiffness so that forces and moments compare.
+    /// Norm of the residual against the load, each row over the root of its stiffness so that forces and moments
+    /// compare.
     double tolerance = 1e-9;
-    int iterations = 30;    ///< of Newton's method, before a step is called failed
-    int most_points = 2000; ///< on a path by arc length
+    int iterations = 30;     ///< of Newton's method, before a step is called failed
+    int most_points = 2000;  ///< on a path by arc length
   };
 
-  /// `assembled` with the same members in it, and without axial forces in them. Throws std::invalid_argument: a node that
-  /// is not there, a member that cannot be or that the assembled stiffness does not contain.
+  /// `assembled` with the same members in it, and without axial forces in them. Throws std::invalid_argument: a node
+  /// that is not there, a member that cannot be or that the assembled stiffness does not contain.
   CorotationalFrame(const AssembledFrame& assembled, const std::vector<CorotationalMember>& members);
 
   /// Unknowns, and corotational members.
@@ -125,8 +126,8 @@ class CorotationalFrame {
   Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;
 
   /// Energy, forces and tangent beyond those of the linear frame; exactly zero at q = 0.
-  double excess_energy(const Eigen::VectorXd& q) const;          ///< energy(q) - q.K q/2
-  Eigen::VectorXd excess_force(const Eigen::VectorXd& q) const;  ///< force(q) - K q
+  double excess_energy(const Eigen::VectorXd& q) const;                        ///< energy(q) - q.K q/2
+  Eigen::VectorXd excess_force(const Eigen::VectorXd& q) const;                ///< force(q) - K q
   Eigen::SparseMatrix<double> excess_tangent(const Eigen::VectorXd& q) const;  ///< tangent(q) - K
 
   /// See CorotationalBeam::end_forces; members are numbered as they were given.
@@ -136,10 +137,10 @@ class CorotationalFrame {
   /// On the nodes of the member, global axes.
   Vector12 nodal_forces(int member, const Eigen::VectorXd& q) const;
 
-  /// Equilibrium under `load` (n) applied in equal steps by Newton's method; where a step fails, at a limit point say, the
-  /// path is followed by arc length until it reaches the whole load. First the undeformed state, last factor 1. A branch
-  /// that splits off is not looked for: a perfect column stays straight beyond its buckling load.
-  /// Throws SolverError with the load factor reached.
+  /// Equilibrium under `load` (n) applied in equal steps by Newton's method; where a step fails, at a limit point say,
+  /// the path is followed by arc length until it reaches the whole load. First the undeformed state, last factor 1. A
+  /// branch that splits off is not looked for: a perfect column stays straight beyond its buckling load. Throws
+  /// SolverError with the load factor reached.
   std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps, const StaticOptions& options) const;
   std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps) const { return solve(load, steps, {}); }
   /// The path by arc length (Riks; Keller 1977) from the undeformed state on, through limit points and snap-backs: this
@@ -154,8 +155,8 @@ class CorotationalFrame {
   struct Member {
     CorotationalBeam beam;
     std::vector<Eigen::Triplet<double>> rows;  // displacement of the member, unknown, factor
-    std::vector<int> places;                   // of each pair of rows among the values of the tangent, the first going faster
-    Matrix12 linear;                           // tangent at rest
+    std::vector<int> places;  // of each pair of rows among the values of the tangent, the first going faster
+    Matrix12 linear;          // tangent at rest
   };
   class Path;
 

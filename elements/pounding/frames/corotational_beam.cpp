@@ -33,8 +33,11 @@ CorotationalBeam CorotationalBeam::truss(const Vector3d& start_node, const Vecto
   return {Beam::truss(start_node, end_node, area, material), start_node, end_node, dimension};
 }
 
-CorotationalBeam::CorotationalBeam(const Beam& beam, const Vector3d& start_node, const Vector3d& end_node, int dimension)
-    : is_plane_(dimension == 2), start_offset_(beam.options().start_offset), end_offset_(beam.options().end_offset),
+CorotationalBeam::CorotationalBeam(const Beam& beam, const Vector3d& start_node, const Vector3d& end_node,
+                                   int dimension)
+    : is_plane_(dimension == 2),
+      start_offset_(beam.options().start_offset),
+      end_offset_(beam.options().end_offset),
       undeformed_(end_node + end_offset_ - start_node - start_offset_) {
   if (beam.axial_force() != 0) refuse("a corotational member finds its own axial force; leave it out");
   length_ = beam.length();
@@ -86,8 +89,10 @@ CorotationalBeam::Plane CorotationalBeam::plane(const Vector12& u) const {
   p.z = undeformed_.z() + change_z;
   p.length = std::sqrt(p.x * p.x + p.z * p.z);
   // Not as a difference of two lengths, which would lose the digits of a small one.
-  const double elongation = (change_x * (undeformed_.x() + p.x) + change_z * (undeformed_.z() + p.z)) / (p.length + length_);
-  const double turn = std::atan2(undeformed_.z() * p.x - undeformed_.x() * p.z, undeformed_.x() * p.x + undeformed_.z() * p.z);
+  const double elongation =
+      (change_x * (undeformed_.x() + p.x) + change_z * (undeformed_.z() + p.z)) / (p.length + length_);
+  const double turn =
+      std::atan2(undeformed_.z() * p.x - undeformed_.x() * p.z, undeformed_.x() * p.x + undeformed_.z() * p.z);
   const double sense = axes_(1, 1);  // local y is global y or against it
   const auto bend = [&](double rotation) {
     const double angle = rotation - turn;
@@ -145,7 +150,8 @@ CorotationalBeam::Response CorotationalBeam::plane_response(const Plane& p, Matr
 }
 
 // Everything in the turned axes; d and s are rotations of the start, elongation, rotations of the end.
-CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const Chord& chord, Matrix12* tangent) const {
+CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const Chord& chord,
+                                                        Matrix12* tangent) const {
   const double l = chord.length;
   const std::array node{rotation(u.segment<3>(3)), rotation(u.segment<3>(9))};
   const Vector3d mean_y = 0.5 * (node[0] + node[1]) * axes_.col(1);
@@ -200,8 +206,7 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
     const Vector3d sum = moment[0] + moment[1];
     Matrix12& k = *tangent;
     k = b.transpose() * stiffness_ * b;
-    for (int i : {0, 1})
-      k += spin[i].transpose() * inverse[i].derivative(turn[i], bend[i]) * b.middleRows<3>(4 * i);
+    for (int i : {0, 1}) k += spin[i].transpose() * inverse[i].derivative(turn[i], bend[i]) * b.middleRows<3>(4 * i);
     for (int direction : {1, 2})
       for (int i : {0, 6})
         for (int j : {0, 6}) k(i + direction, j + direction) += (i == j ? 1 : -1) * normal_force / l;
@@ -274,8 +279,8 @@ Vector12 CorotationalBeam::end_forces(const Vector12& u) const {
 Matrix3d CorotationalBeam::axes(const Vector12& u) const {
   Matrix3d e;
   e.row(0) = chord(u).direction;
-  const Vector3d mean_y =
-      is_plane_ ? Vector3d(axes_.col(1)) : Vector3d((rotation(u.segment<3>(3)) + rotation(u.segment<3>(9))) * axes_.col(1));
+  const Vector3d mean_y = is_plane_ ? Vector3d(axes_.col(1))
+                                    : Vector3d((rotation(u.segment<3>(3)) + rotation(u.segment<3>(9))) * axes_.col(1));
   e.row(2) = e.row(0).cross(mean_y).normalized();
   e.row(1) = e.row(2).cross(e.row(0));
   return e;

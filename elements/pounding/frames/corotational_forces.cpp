@@ -41,7 +41,10 @@ VectorXd rest_of(const CorotationalFrame& frame, const VectorXd& load) {
 }  // namespace
 
 CorotationalForces::CorotationalForces(std::shared_ptr<const CorotationalFrame> frame, const VectorXd& load)
-    : frame_(std::move(frame)), rest_(rest_of(*frame_, load)), force_(frame_->force(rest_)), energy_(frame_->energy(rest_)) {}
+    : frame_(std::move(frame)),
+      rest_(rest_of(*frame_, load)),
+      force_(frame_->force(rest_)),
+      energy_(frame_->energy(rest_)) {}
 
 double CorotationalForces::energy(const VectorXd& u) const {
   return frame_->energy(rest_ + u) - energy_ - force_.dot(u);

@@ -25,8 +25,8 @@ constexpr int few_iterations = 4;      // after which the next step is longer
 
 }  // namespace
 
-/// A path under one load. Lengths along it: ds^2 = dq.W dq / w + (dfactor / first)^2, W the diagonal of the stiffness at
-/// rest and w that of the linear response to the first factor, so that all terms have one unit.
+/// A path under one load. Lengths along it: ds^2 = dq.W dq / w + (dfactor / first)^2, W the diagonal of the stiffness
+/// at rest and w that of the linear response to the first factor, so that all terms have one unit.
 class CorotationalFrame::Path {
  public:
   Path(const CorotationalFrame& frame, const VectorXd& load, double first, const StaticOptions& options)
@@ -163,8 +163,8 @@ std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const Vecto
   return path.points();
 }
 
-std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::follow(const VectorXd& load, double first_factor, int points,
-                                                                      const StaticOptions& options) const {
+std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::follow(const VectorXd& load, double first_factor,
+                                                                      int points, const StaticOptions& options) const {
   if (!(first_factor != 0) || !std::isfinite(first_factor))
     throw std::invalid_argument("the first factor must be finite and not zero");
   Path path(*this, load, first_factor, options);

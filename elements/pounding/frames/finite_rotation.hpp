@@ -70,8 +70,8 @@ inline RotationMap spin_transposed(const Eigen::Vector3d& t) {
 inline RotationMap inverse_spin_transposed(const Eigen::Vector3d& t) {
   const double x = t.squaredNorm();
   if (x < small_angle_squared) {
-    const auto [c, dc] = series(
-        x, {1.0 / 12, 1.0 / 720, 1.0 / 30240, 1.0 / 1209600, 1.0 / 47900160, 691.0 / 1307674368000.0});
+    const auto [c, dc] =
+        series(x, {1.0 / 12, 1.0 / 720, 1.0 / 30240, 1.0 / 1209600, 1.0 / 47900160, 691.0 / 1307674368000.0});
     return {0.5, 0, c, dc};
   }
   const double angle = std::sqrt(x), s = std::sin(angle / 2), cot = std::cos(angle / 2) / s;

@@ -123,7 +123,8 @@ void Frame::fix(int node) {
   for (const Dof dof : dofs_of(dimension_)) fixed_.insert(index(node, dof));
 }
 
-int Frame::add_member(int start, int end, const Section& section, const Material& material, const BeamOptions& options) {
+int Frame::add_member(int start, int end, const Section& section, const Material& material,
+                      const BeamOptions& options) {
   const Vector3d &from = positions_[checked(start)], &to = positions_[checked(end)];
   const std::string where = "member " + std::to_string(members()) + nodes_text(start, end) + ": ";
   if (dimension_ == 3 && !(section.torsion > 0 && section.inertia_z > 0 && material.shear > 0))

@@ -38,7 +38,8 @@ struct AssembledFrame {
   /// T, all displacements of all nodes = T q; one row a node and degree of freedom. Those of supports are empty, and
   /// those of rotations that nothing but trusses meet.
   Eigen::SparseMatrix<double, Eigen::RowMajor> transform;
-  /// Part that displacements of the supports add: all displacements of all nodes = T q + supported * (all displacements).
+  /// Part that displacements of the supports add: all displacements of all nodes = T q + supported * (all
+  /// displacements).
   Eigen::SparseMatrix<double, Eigen::RowMajor> supported;
   /// n x 3, for ground motion along x, y, z: 1 at the unknowns that are translations in this direction, else 0.
   Eigen::MatrixX3d influence;
@@ -83,7 +84,8 @@ class Frame {
   const std::vector<Hinge>& hinges() const { return hinges_; }
   /// "beam x 1.0 start", in space with the axis: "column 1.0.0 end z".
   std::string hinge_name(int hinge) const;
-  /// 6EI/L, the moment at this end by a unit rotation of both ends alike, without shear deformation, of the whole member [N m/rad].
+  /// 6EI/L, the moment at this end by a unit rotation of both ends alike, without shear deformation, of the whole
+  /// member [N m/rad].
   double bending_stiffness(const Hinge& hinge) const;
   /// Sum of the masses along x that were added at each node [kg], without those of members.
   std::vector<double> masses_along_x() const;
@@ -95,7 +97,8 @@ class Frame {
   std::string node_name(int node) const;
   std::string member_name(int member) const;
 
-  /// Moves the whole frame. Frames that are built alike and then moved have equal matrices, to the last bit, wherever they stand. y is 0 in a plane frame.
+  /// Moves the whole frame. Frames that are built alike and then moved have equal matrices, to the last bit, wherever
+  /// they stand. y is 0 in a plane frame.
   void move_by(const Eigen::Vector3d& shift);
   /// Returns the number of the node. y is 0 in a plane frame.
   int add_node(const Eigen::Vector3d& position, const std::string& name = "");
@@ -109,8 +112,9 @@ class Frame {
   /// Carries axial force only; no rotation is connected by it, and a rotation that nothing else is connected to is no
   /// unknown. Takes area and material (young, density).
   int add_truss(int start, int end, double area, const Material& material);
-  /// Lets an end of a member yield, and returns the number of the hinge. A spring in series becomes a part of the member at once.
-  /// Throws also for a truss, an end that transmits no moment, a second hinge at one place, and numbers out of their range.
+  /// Lets an end of a member yield, and returns the number of the hinge. A spring in series becomes a part of the
+  /// member at once. Throws also for a truss, an end that transmits no moment, a second hinge at one place, and numbers
+  /// out of their range.
   int add_hinge(const Hinge& hinge);
   /// For messages.
   void set_name(int member, const std::string& name);
@@ -145,21 +149,21 @@ class Frame {
   void tie(int master, int node, const std::vector<Dof>& dofs);
   /// All displacements of a rigid body.
   void tie_rigidly(int master, int node);
-  /// A floor rigid in its plane: ux, uy, rz of the nodes follow the master's; in a plane frame ux. The master may be any
-  /// node of the floor or one more node, whose uz, rx and ry are then to be fixed.
+  /// A floor rigid in its plane: ux, uy, rz of the nodes follow the master's; in a plane frame ux. The master may be
+  /// any node of the floor or one more node, whose uz, rx and ry are then to be fixed.
   void tie_floor(int master, const std::vector<int>& nodes);
 
   /// With gravity, load_at_rest has the weight of all masses, g = 9.80665 m/s^2.
   ///
-  /// Throws std::invalid_argument: a node that nothing is connected to, a displacement both fixed and following another,
-  /// constraints in a circle, an unknown with neither stiffness nor mass, masses that leave a motion of a rigid body
-  /// without inertia, a dashpot at an unknown without mass, a moment where only trusses meet.
+  /// Throws std::invalid_argument: a node that nothing is connected to, a displacement both fixed and following
+  /// another, constraints in a circle, an unknown with neither stiffness nor mass, masses that leave a motion of a
+  /// rigid body without inertia, a dashpot at an unknown without mass, a moment where only trusses meet.
   AssembledFrame assemble(bool gravity = false) const;
 
   // All functions below are asked of the frame that `assembled` was made of, unchanged since; q are its unknowns.
 
-  /// Displacements at rest under load_at_rest: K q = load. Throws std::invalid_argument for a stiffness that is singular
-  /// or not positive, with a node and its displacement that give way.
+  /// Displacements at rest under load_at_rest: K q = load. Throws std::invalid_argument for a stiffness that is
+  /// singular or not positive, with a node and its displacement that give way.
   Eigen::VectorXd rest(const AssembledFrame& assembled) const;
   /// Throws as `rest` when the unknowns without mass are not held while the others rest: then the accelerations do not
   /// determine the motion. A frame that is to move is checked by this; one that hangs in a massless mechanism fails.
@@ -170,33 +174,36 @@ class Frame {
   Eigen::SparseMatrix<double, Eigen::RowMajor> end_force_rows(int member, const AssembledFrame& assembled) const;
   /// 12 x 3: the same when the supports move and the unknowns rest, see SupportMotion::enforced.
   Eigen::Matrix<double, 12, 3> enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const;
-  /// End forces of the member's load alone with the nodes held, and of its weight with gravity, when its mass is consistent.
+  /// End forces of the member's load alone with the nodes held, and of its weight with gravity, when its mass is
+  /// consistent.
   Vector12 fixed_end_forces(int member, bool gravity = false) const;
 
-  /// Forces that the ground exerts on the frame at some nodes, one row a displacement, node by node: by_displacements times all
-  /// displacements of all nodes + at_rest. 0 at displacements that it does not hold.
+  /// Forces that the ground exerts on the frame at some nodes, one row a displacement, node by node: by_displacements
+  /// times all displacements of all nodes + at_rest. 0 at displacements that it does not hold.
   struct Reactions {
     std::vector<int> nodes;
     Eigen::SparseMatrix<double, Eigen::RowMajor> by_displacements;  ///< of members and springs [N/m], [N]
-    Eigen::SparseMatrix<double, Eigen::RowMajor> by_forces;         ///< what members that turn pass on, from the nodes to the ground
-    Eigen::VectorXd at_rest;                                        ///< by loads, with gravity also by weights [N], [N m]
+    Eigen::SparseMatrix<double, Eigen::RowMajor>
+        by_forces;            ///< what members that turn pass on, from the nodes to the ground
+    Eigen::VectorXd at_rest;  ///< by loads, with gravity also by weights [N], [N m]
   };
   /// Without `with_members` springs alone act, as where members turn.
-  Reactions reactions(const std::vector<int>& nodes, const AssembledFrame& assembled, bool gravity, bool with_members) const;
+  Reactions reactions(const std::vector<int>& nodes, const AssembledFrame& assembled, bool gravity,
+                      bool with_members) const;
   /// Reactions when supports move by one along x, y, z and the unknowns rest, see SupportMotion::enforced: rows x 3.
   Eigen::MatrixX3d enforced_reactions(const Reactions& reactions, const std::vector<int>& supports,
                                       const Eigen::MatrixX3d& enforced) const;
 
   /// How a point between the ends of a member moves, and what a force on it does to the ends.
   struct PointOnMember {
-    std::array<Eigen::SparseVector<double>, 3> motion;  ///< displacements along global x, y, z as factors of q
+    std::array<Eigen::SparseVector<double>, 3> motion;     ///< displacements along global x, y, z as factors of q
     std::array<Eigen::SparseVector<double>, 3> supported;  ///< and as factors of what SupportMotion::enforced adds to q
     /// Forces on the member's ends, local axes, of a unit force along global x, y, z with the nodes held.
     Eigen::Matrix<double, 12, 3> fixed_ends;
   };
   /// The point of the axis at `along` in [0, 1] between the ends of the offsets, by the member's own shape functions. A
-  /// force there loads the unknowns with motion * force; then the end forces are end_force_rows * q + fixed_ends * force,
-  /// and the point moves by what bends the member with its nodes held on top of `motion`.
+  /// force there loads the unknowns with motion * force; then the end forces are end_force_rows * q + fixed_ends *
+  /// force, and the point moves by what bends the member with its nodes held on top of `motion`.
   PointOnMember point_on_member(int member, double along, const AssembledFrame& assembled) const;
 
   /// Response of the frame to a motion of some of its supports.
@@ -205,8 +212,8 @@ class Frame {
     Eigen::MatrixX3d load;       ///< n x 3 [kg]: mass * influence, and what couples the unknowns to the supports
     Eigen::MatrixX3d enforced;   ///< all displacements of all nodes while the unknowns rest
   };
-  /// When the supports at these nodes (fixed translations, and far ends of springs to the ground) move by one along x, y,
-  /// z and all others rest. Summed over all supports they are the motion as a rigid body and AssembledFrame::load.
+  /// When the supports at these nodes (fixed translations, and far ends of springs to the ground) move by one along x,
+  /// y, z and all others rest. Summed over all supports they are the motion as a rigid body and AssembledFrame::load.
   /// Dashpots have no part in it: where supports differ they damp q', not the motion that the supports enforce. Throws
   /// as `rest`.
   SupportMotion support_motion(const std::vector<int>& nodes, const AssembledFrame& assembled) const;
@@ -240,8 +247,8 @@ class Frame {
   void check(const AssembledFrame& frame) const;
   std::string spring_against(const Eigen::VectorXd& displacements) const;
   [[noreturn]] void refuse_to_hold(const Eigen::VectorXd& mode, bool buckles, const AssembledFrame& frame) const;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> member_motion(int member,
-                                                             const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) const;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> member_motion(
+      int member, const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) const;
 
   int dimension_;
   std::vector<Eigen::Vector3d> positions_;
@@ -253,13 +260,13 @@ class Frame {
   std::vector<FrameSpring> between_;
   std::vector<std::pair<int, double>> ground_springs_, loads_;  // at displacements
   bool is_loaded_ = false;
-  std::set<int> connected_, trussed_;                           // nodes
-  std::set<int> fixed_, engaged_;                               // displacements; that more than a truss acts on
-  std::map<int, Row> follows_;                                  // displacement -> displacements of its master
+  std::set<int> connected_, trussed_;  // nodes
+  std::set<int> fixed_, engaged_;      // displacements; that more than a truss acts on
+  std::map<int, Row> follows_;         // displacement -> displacements of its master
 };
 
-/// Cross-sections of the columns or the beams of a grid: one for all, one for each storey from the ground up, or, for each storey,
-/// one for each line.
+/// Cross-sections of the columns or the beams of a grid: one for all, one for each storey from the ground up, or, for
+/// each storey, one for each line.
 class GridSections {
  public:
   GridSections() : GridSections(Section{}) {}
@@ -282,20 +289,22 @@ class GridSections {
 struct CutMember {
   Section section;
   Material material;
-  BeamOptions options{};  ///< releases and offsets are those of the two outer ends
+  BeamOptions options{};                           ///< releases and offsets are those of the two outer ends
   Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
   int parts = 1;                                   ///< 1 to 100
 };
 
-/// Adds the parts of a member and the nodes between them, and returns the members. Several parts are named "name/1", "name/2" ... from
-/// the start on, and each node as the part that ends there. Throws std::invalid_argument as Frame::add_member does.
-std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end, const CutMember& member);
+/// Adds the parts of a member and the nodes between them, and returns the members. Several parts are named "name/1",
+/// "name/2" ... from the start on, and each node as the part that ends there. Throws std::invalid_argument as
+/// Frame::add_member does.
+std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end,
+                                     const CutMember& member);
 
 /// A member of a grid that differs from the others.
 struct GridMember {
   std::optional<Section> section{};
   std::optional<Material> material{};
-  std::optional<BeamOptions> options{};  ///< releases, offsets and kind of mass
+  std::optional<BeamOptions> options{};            ///< releases, offsets and kind of mass
   Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
   int parts = 1;                                   ///< see CutMember
 };
@@ -303,12 +312,12 @@ struct GridMember {
 /// A regular frame: columns on a grid, beams along x and y at every floor, all feet fixed. SI units.
 /// Lists hold one value for all, or one each: storeys and floors from the ground up, bays from the origin on.
 /// Its nodes are named "S.I", in space "S.I.K", its members "column S.I", "beam x S.I" and "beam y S.I.K" with the
-/// numbers of their upper or first node, and the masters of rigid floors in space "floor S". Lines of columns are counted along x, then
-/// along y; lines of beams along x are those of their first columns, and so are those along y.
+/// numbers of their upper or first node, and the masters of rigid floors in space "floor S". Lines of columns are
+/// counted along x, then along y; lines of beams along x are those of their first columns, and so are those along y.
 struct GridFrame {
   int storeys = 1;
   int bays_x = 1;
-  int bays_y = 0;  ///< 0: plane frame
+  int bays_y = 0;                                                     ///< 0: plane frame
   std::vector<double> storey_height{}, bay_width_x{}, bay_width_y{};  ///< [m]
   GridSections column, beam;  ///< local z of beams points upwards, local y of columns along global y
   Material material;
@@ -319,7 +328,8 @@ struct GridFrame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< foot of the first column
   std::map<std::string, GridMember> members{};       ///< those that differ, by their names
 
-  /// Storey 0 is the ground, i counts columns along x, k along y; all from 0. Throws std::invalid_argument outside the grid.
+  /// Storey 0 is the ground, i counts columns along x, k along y; all from 0. Throws std::invalid_argument outside the
+  /// grid.
   int node(int storey, int i, int k = 0) const;
   /// The master of a rigid floor, storey >= 1: in space a node of its own at the centre of the floor's mass, in a plane
   /// frame the floor's first node.

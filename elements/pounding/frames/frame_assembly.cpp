@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include <pounding/core/refuse.hpp>
+#include <pounding/core/units.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/static_solver.hpp>
 #include <pounding/structures/massless.hpp>
-#include <pounding/core/units.hpp>
 
 namespace pounding {
 
@@ -37,7 +37,8 @@ void require_regular(const SparseMatrix& mass, const AssembledFrame& frame) {
   for (int j = 0; j < mass.rows(); ++j)
     if (!(pivots[j] > 1e-12 * padded.coeff(j, j)))
       refuse("node " + frame.node_names[frame.unknowns[j].first] + ": the masses leave a motion with " +
-             name(frame.unknowns[j].second) + " without inertia; put the mass of a rigid part at its master, spread it, " +
+             name(frame.unknowns[j].second) +
+             " without inertia; put the mass of a rigid part at its master, spread it, " +
              "or give the master a rotational one");
 }
 
@@ -150,7 +151,8 @@ AssembledFrame Frame::assemble(bool gravity) const {
   out.mass = symmetric_part(t.transpose() * mass * t);
   // At the centre of a floor's mass the products m x arm add up to zero but for rounding.
   const Eigen::VectorXd diagonal = out.mass.diagonal();
-  out.mass.prune([&](int i, int j, double value) { return std::abs(value) > 1e-14 * std::sqrt(diagonal[i] * diagonal[j]); });
+  out.mass.prune(
+      [&](int i, int j, double value) { return std::abs(value) > 1e-14 * std::sqrt(diagonal[i] * diagonal[j]); });
 
   out.influence = Eigen::MatrixX3d::Zero(n, 3);
   for (int j = 0; j < n; ++j) {

@@ -19,12 +19,15 @@ void report_all_nodes(FrameModel& model) {
   std::iota(model.reported_nodes->begin(), model.reported_nodes->end(), 0);
 }
 
-// Nothing acts on it at rest: it would fall. `held`: nodes with a displacement that is fixed or on a spring to the ground.
+// Nothing acts on it at rest: it would fall. `held`: nodes with a displacement that is fixed or on a spring to the
+// ground.
 void complete_free(FrameModel& model, const std::vector<int>& held) {
   if (!held.empty() || !model.supports.empty())
-    refuse(fmt::format("the frame has no supports, and node {} is held; leave out supports: none, or what holds the node",
-                       model.frame.node_name(held.empty() ? model.supports.front().nodes.front() : held.front())));
-  if (model.geometry != FrameGeometry::linear) refuse("without supports the geometry is linear; leave the geometry out");
+    refuse(
+        fmt::format("the frame has no supports, and node {} is held; leave out supports: none, or what holds the node",
+                    model.frame.node_name(held.empty() ? model.supports.front().nodes.front() : held.front())));
+  if (model.geometry != FrameGeometry::linear)
+    refuse("without supports the geometry is linear; leave the geometry out");
   if (model.is_loaded()) refuse("without supports nothing bears loads or weights; leave out loads and gravity");
   model.supports.emplace_back();
 }
@@ -42,12 +45,15 @@ void complete(FrameModel& model) {
   if (model.is_free) return complete_free(model, others);
   const auto moves_as_all = [](const FrameSupport& support) { return support.delay == 0 && !support.motion; };
   if (!others.empty()) {
-    if (model.supports.empty() || !moves_as_all(model.supports.front())) model.supports.insert(model.supports.begin(), FrameSupport{});
+    if (model.supports.empty() || !moves_as_all(model.supports.front()))
+      model.supports.insert(model.supports.begin(), FrameSupport{});
     std::vector<int>& common = model.supports.front().nodes;
     common.insert(common.end(), others.begin(), others.end());
   }
   if (model.supports.empty())
-    refuse("nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in space");
+    refuse(
+        "nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in "
+        "space");
   for (const FrameSupport& support : model.supports)
     if (model.frame.dimension() == 2 && support.motion && !(*support.motion)[1].is_still())
       refuse(fmt::format("support {}: the frame is plane; leave the motion along y out", support.name));

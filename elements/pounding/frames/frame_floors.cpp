@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The turn about z that fits the motions of the nodes best: sum m r x u / sum m r^2 about their centre. Nodes at one point
-// turn with the first.
+// The turn about z that fits the motions of the nodes best: sum m r x u / sum m r^2 about their centre. Nodes at one
+// point turn with the first.
 Row mean_turn(const FrameModel& model, const AssembledFrame& frame, const std::vector<int>& nodes,
               const std::vector<double>& weights, const Vector3d& centre) {
   Row turn(frame.size());
@@ -50,7 +50,8 @@ std::vector<Row> floor_motion(const FrameModel& model, const AssembledFrame& fra
 }
 
 // nullopt for a floor that is not rigid, and in the plane, where no floor turns about z.
-std::optional<std::array<double, 4>> plan_of(const FrameModel& model, const AssembledFrame& frame, const FrameFloor& floor) {
+std::optional<std::array<double, 4>> plan_of(const FrameModel& model, const AssembledFrame& frame,
+                                             const FrameFloor& floor) {
   if (frame.dimension == 2 || floor.master < 0) return {};
   const Vector3d centre = model.frame.position(floor.master);
   Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -75,8 +76,8 @@ double lowest_support(const FrameModel& model) {
   return lowest;
 }
 
-// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below; not of members
-// that turn.
+// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below; not of
+// members that turn.
 std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& frame, const std::vector<bool>& above) {
   const int directions = frame.dimension - 1;
   std::vector<Eigen::VectorXd> sums(directions, Eigen::VectorXd::Zero(frame.size()));
@@ -88,8 +89,7 @@ std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& fr
     const int upper = above[start] ? 0 : 6;
     for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
       for (const Dof dof : dofs_of(frame.dimension)) {
-        const Vector3d by_motion =
-            beam.axes().transpose() * forces.block<3, 1>(upper, first + static_cast<int>(dof));
+        const Vector3d by_motion = beam.axes().transpose() * forces.block<3, 1>(upper, first + static_cast<int>(dof));
         const Row motion = frame.motion(node, dof);
         for (Row::InnerIterator it(motion); it; ++it)
           for (int d = 0; d < directions; ++d) sums[d][it.index()] += by_motion[d] * it.value();
@@ -98,7 +98,8 @@ std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& fr
   for (const FrameSpring& spring : model.frame.springs()) {
     const int direction = static_cast<int>(spring.dof);
     if (above[spring.start] == above[spring.end] || direction >= directions) continue;
-    const int upper = above[spring.start] ? spring.start : spring.end, lower = above[spring.start] ? spring.end : spring.start;
+    const int upper = above[spring.start] ? spring.start : spring.end,
+              lower = above[spring.start] ? spring.end : spring.start;
     sums[direction] += spring.stiffness * (frame.motion(upper, spring.dof) - frame.motion(lower, spring.dof));
   }
   std::vector<Row> rows;
@@ -112,7 +113,8 @@ std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, doubl
   std::vector<bool> above;
   for (int node = 0; node < frame.nodes(); ++node) {
     const double height = frame.position(node).z() - cut;
-    const bool of_floor = node == floor.master || std::find(floor.nodes.begin(), floor.nodes.end(), node) != floor.nodes.end();
+    const bool of_floor =
+        node == floor.master || std::find(floor.nodes.begin(), floor.nodes.end(), node) != floor.nodes.end();
     above.push_back(std::abs(height) < level ? of_floor : height > 0);
   }
   return above;
@@ -151,7 +153,8 @@ std::vector<std::vector<bool>> storey_cuts(const FrameModel& model) {
   return above;
 }
 
-Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame, const Eigen::MatrixX3d& enforced) {
+Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame,
+                                 const Eigen::MatrixX3d& enforced) {
   const std::vector<std::vector<bool>> above = storey_cuts(model);
   const int directions = frame.dimension - 1;
   const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
@@ -170,7 +173,9 @@ Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& 
       const int direction = static_cast<int>(spring.dof);
       if (above[floor][spring.start] == above[floor][spring.end] || direction >= directions) continue;
       const double sign = above[floor][spring.start] ? 1 : -1;  // ux and uy come first
-      sum.row(direction) += sign * spring.stiffness * (enforced.row(spring.start * dofs + direction) - enforced.row(spring.end * dofs + direction));
+      sum.row(direction) +=
+          sign * spring.stiffness *
+          (enforced.row(spring.start * dofs + direction) - enforced.row(spring.end * dofs + direction));
     }
   }
   return shears;

@@ -25,7 +25,8 @@ std::string moment(double size) { return fmt::format("{:.4g} kN m", size / 1e3);
 
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
-// Forces that a unit force of a hinge on top of k d adds to the ends of its member, in local axes, and to its nodes, in global axes.
+// Forces that a unit force of a hinge on top of k d adds to the ends of its member, in local axes, and to its nodes, in
+// global axes.
 struct HingeForces {
   double k;
   Vector12 on_ends, on_nodes;
@@ -37,10 +38,12 @@ HingeForces forces_of(const Frame& frame, int number) {
   const Matrix12& stiffness = beam.local_stiffness();
   const int at = hinge.place();
   double k = stiffness(at, at);
-  if (!hinge.is_rigid_plastic()) k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * frame.bending_stiffness(hinge);
+  if (!hinge.is_rigid_plastic())
+    k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * frame.bending_stiffness(hinge);
   if (!(k > 0))
-    refuse(fmt::format("hinge {}: the end of its member resists no turn under the axial force at rest; the member buckles",
-                       frame.hinge_name(number)));
+    refuse(
+        fmt::format("hinge {}: the end of its member resists no turn under the axial force at rest; the member buckles",
+                    frame.hinge_name(number)));
   const Vector12 on_ends = stiffness.col(at) / k;
   return {k, on_ends, beam.at_nodes(on_ends)};
 }
@@ -54,7 +57,9 @@ std::optional<double> number_of(const Hinge& hinge, std::string_view name, const
 
 double member_hardening(const Hinge& hinge) { return number_of(hinge, "hardening", hinge.hardening).value_or(0); }
 
-std::optional<double> spring_hardening(const Hinge& hinge) { return number_of(hinge, "spring_hardening", hinge.spring_hardening); }
+std::optional<double> spring_hardening(const Hinge& hinge) {
+  return number_of(hinge, "spring_hardening", hinge.spring_hardening);
+}
 
 // Fraction of k that is left after yielding.
 double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
@@ -76,12 +81,14 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   }
   law.values["stiffness"] = k;
   const auto sagging = law.values.find("yield_moment"), hogging = law.values.find("negative_yield_moment");
-  if (!hinge.sags_positive() && sagging != law.values.end() && hogging != law.values.end()) std::swap(sagging->second, hogging->second);
+  if (!hinge.sags_positive() && sagging != law.values.end() && hogging != law.values.end())
+    std::swap(sagging->second, hogging->second);
   return law;
 }
 
 // Springs of all hinges, such that each joint stays where it is when all that it holds has yielded.
-std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const AssembledFrame& assembled, const std::vector<HingeForces>& forces) {
+std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const AssembledFrame& assembled,
+                                                const std::vector<HingeForces>& forces) {
   const std::vector<Hinge>& hinges = model.frame.hinges();
   std::vector<std::unique_ptr<Spring>> springs;
   std::vector<bool> keeps_nothing;
@@ -99,12 +106,16 @@ std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const A
   return springs;
 }
 
-// Stiffness of the end of the whole member against rotation without its hinges: 4EI/L, or 3EI/L if the other end is released.
+// Stiffness of the end of the whole member against rotation without its hinges: 4EI/L, or 3EI/L if the other end is
+// released.
 double end_stiffness(const Frame& frame, const Hinge& hinge) {
   const Beam& part = frame.beam(hinge.member);
-  const BeamOptions options{.start_releases = part.options().start_releases, .end_releases = part.options().end_releases, .axial_force = part.axial_force()};
+  const BeamOptions options{.start_releases = part.options().start_releases,
+                            .end_releases = part.options().end_releases,
+                            .axial_force = part.axial_force()};
   const double length = hinge.member_length > 0 ? hinge.member_length : part.length();
-  return Beam(Vector3d::Zero(), {length, 0, 0}, part.section(), part.material(), options).local_stiffness()(hinge.place(), hinge.place());
+  return Beam(Vector3d::Zero(), {length, 0, 0}, part.section(), part.material(), options)
+      .local_stiffness()(hinge.place(), hinge.place());
 }
 
 // The elastic part of the deformation is that of the spring in series, or of the own part of the member.
@@ -158,9 +169,11 @@ std::vector<YieldingPart::Parameter> parameters_of(const Frame& frame, const Hin
 }
 
 // The end moment at rest over k. Weights of consistent masses bend the member between its ends as loads do.
-double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Row& deformation, double k, const Structure& s) {
+double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Row& deformation, double k,
+                           const Structure& s) {
   if (!model.is_loaded()) return 0;
-  return deformation.dot(s.at_rest) + model.frame.fixed_end_forces(hinge.member, model.has_gravity())[hinge.place()] / k;
+  return deformation.dot(s.at_rest) +
+         model.frame.fixed_end_forces(hinge.member, model.has_gravity())[hinge.place()] / k;
 }
 
 // Laws with corners are straight up to the first one; others give way before they yield, and the run begins there.
@@ -170,16 +183,20 @@ void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forc
   const std::optional<double> corner = spring.corner(at);
   const bool is_smooth = !spring.corner(1e3 * yield) && !spring.corner(-1e3 * yield);
   if (corner || (is_smooth && std::abs(at) > yield))
-    refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it a yield moment above "
-                       "that, or lighten what it carries",
-                       part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
+    refuse(
+        fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it "
+                    "a yield moment above "
+                    "that, or lighten what it carries",
+                    part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
 }
 
-Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const Hinge& hinge, const HingeForces& forces) {
+Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const Hinge& hinge,
+                    const HingeForces& forces) {
   VectorXd sum = VectorXd::Zero(assembled.size());
   const auto [start, end] = frame.ends(hinge.member);
   for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
-    for (const Dof dof : dofs_of(frame.dimension())) sum += forces.on_nodes[first + static_cast<int>(dof)] * assembled.motion(node, dof);
+    for (const Dof dof : dofs_of(frame.dimension()))
+      sum += forces.on_nodes[first + static_cast<int>(dof)] * assembled.motion(node, dof);
   // Entries of 1e-16 of the largest are sums that should vanish.
   const double least = 1e-15 * (sum.size() > 0 ? sum.cwiseAbs().maxCoeff() : 0);
   return sum.unaryExpr([&](double value) { return std::abs(value) > least ? value : 0.0; }).eval().sparseView();
@@ -193,7 +210,8 @@ SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& for
     for (int j = 0; j < count; ++j) {
       const Hinge &a = frame.hinges()[i], &b = frame.hinges()[j];
       if (a.member != b.member || (i == j && a.is_rigid_plastic())) continue;
-      const double coupling = frame.beam(a.member).local_stiffness()(a.place(), b.place()) / (forces[i].k * forces[j].k);
+      const double coupling =
+          frame.beam(a.member).local_stiffness()(a.place(), b.place()) / (forces[i].k * forces[j].k);
       const double value = (i == j ? 1 / forces[i].k : 0) - coupling;
       if (value != 0) entries.emplace_back(i, j, value);
     }
@@ -203,7 +221,8 @@ SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& for
 }
 
 // Storey shears by the hinges, as the members pass them on.
-void add_to_shears(const FrameModel& model, const std::vector<HingeForces>& forces, const std::vector<std::vector<bool>>& above, Structure& s) {
+void add_to_shears(const FrameModel& model, const std::vector<HingeForces>& forces,
+                   const std::vector<std::vector<bool>>& above, Structure& s) {
   const int directions = model.frame.dimension() - 1, count = static_cast<int>(forces.size());
   for (std::size_t floor = 0; floor < above.size(); ++floor) {
     std::vector<Row>& rows = s.floors[floor].storey_shear_by_yielding;
@@ -212,13 +231,15 @@ void add_to_shears(const FrameModel& model, const std::vector<HingeForces>& forc
       const int member = model.frame.hinges()[i].member;
       const auto [start, end] = model.frame.ends(member);
       if (above[floor][start] == above[floor][end]) continue;
-      const Vector3d on_upper_end = model.frame.beam(member).axes().transpose() * forces[i].on_ends.segment<3>(above[floor][start] ? 0 : 6);
+      const Vector3d on_upper_end =
+          model.frame.beam(member).axes().transpose() * forces[i].on_ends.segment<3>(above[floor][start] ? 0 : 6);
       for (int d = 0; d < directions; ++d) rows[d].coeffRef(i) = on_upper_end[d];
     }
   }
 }
 
-void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& reactions, const std::vector<HingeForces>& forces, Structure& s) {
+void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& reactions,
+                            const std::vector<HingeForces>& forces, Structure& s) {
   const std::vector<int>& places = s.forces.places;
   const int of_member = static_cast<int>(places.size()), first_reaction = model.frame.members() * of_member;
   const auto dofs = dofs_of(model.frame.dimension());
@@ -227,7 +248,8 @@ void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& rea
   for (int i = 0; i < count; ++i) {
     const int member = model.frame.hinges()[i].member;
     for (int j = 0; j < of_member; ++j)
-      if (const double value = forces[i].on_ends[places[j]]; value != 0) entries.emplace_back(member * of_member + j, i, value);
+      if (const double value = forces[i].on_ends[places[j]]; value != 0)
+        entries.emplace_back(member * of_member + j, i, value);
     const auto [start, end] = model.frame.ends(member);
     for (int j = 0; j < per_node; ++j) {
       nodal.emplace_back(start * per_node + j, i, forces[i].on_nodes[static_cast<int>(dofs[j])]);
@@ -245,11 +267,14 @@ void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& rea
 }
 
 void require_sound_hardening(const Hinge& hinge, const std::string& where) {
-  const std::optional<double> of_member = number_of(hinge, "hardening", hinge.hardening), of_spring = spring_hardening(hinge);
+  const std::optional<double> of_member = number_of(hinge, "hardening", hinge.hardening),
+                              of_spring = spring_hardening(hinge);
   if (!(of_member.value_or(0) >= 0 && of_member.value_or(0) < 1)) refuse(where + "hardening must lie in [0, 1)");
   if (!(of_spring.value_or(0) >= 0 && of_spring.value_or(0) < 1)) refuse(where + "spring_hardening must lie in [0, 1)");
-  if (of_spring && hinge.is_rigid_plastic()) refuse(where + "spring_hardening belongs to a spring; give hardening, or its stiffness or stiffness_factor");
-  if (of_spring && of_member.value_or(0) != 0) refuse(where + "give hardening, the ratio of the member end, or spring_hardening, not both");
+  if (of_spring && hinge.is_rigid_plastic())
+    refuse(where + "spring_hardening belongs to a spring; give hardening, or its stiffness or stiffness_factor");
+  if (of_spring && of_member.value_or(0) != 0)
+    refuse(where + "give hardening, the ratio of the member end, or spring_hardening, not both");
 }
 
 void require_sound(const Hinge& hinge, const std::string& where) {
@@ -260,11 +285,14 @@ void require_sound(const Hinge& hinge, const std::string& where) {
     refuse(where + "the stiffness of its law is that of the hinge; leave it out of the law");
   }
   require_sound_hardening(hinge, where);
-  if (!is_positive(hinge.ultimate_rotation.value_or(1))) refuse(where + "ultimate_rotation must be positive and finite");
+  if (!is_positive(hinge.ultimate_rotation.value_or(1)))
+    refuse(where + "ultimate_rotation must be positive and finite");
   for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})
-    if (!(value >= 0 && std::isfinite(value))) refuse(where + "stiffness, stiffness_factor and member_length must be finite and not negative");
+    if (!(value >= 0 && std::isfinite(value)))
+      refuse(where + "stiffness, stiffness_factor and member_length must be finite and not negative");
   if (hinge.stiffness > 0 && hinge.stiffness_factor > 0) refuse(where + "give stiffness or stiffness_factor, not both");
-  if (hinge.law && hinge.is_rigid_plastic()) refuse(where + "a law acts in a spring; give its stiffness or stiffness_factor");
+  if (hinge.law && hinge.is_rigid_plastic())
+    refuse(where + "a law acts in a spring; give its stiffness or stiffness_factor");
 }
 
 }  // namespace
@@ -309,18 +337,23 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
   const std::vector<Hinge>& hinges = model.frame.hinges();
   if (hinges.empty()) return;
   if (model.geometry == FrameGeometry::corotational)
-    refuse(fmt::format("hinge {}: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave the hinges out",
-                       model.frame.hinge_name(0)));
+    refuse(
+        fmt::format("hinge {}: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave "
+                    "the hinges out",
+                    model.frame.hinge_name(0)));
   if (s.supports.size() > 1)
-    refuse(fmt::format("hinge {}: in a frame with hinges all supports move alike; leave out their delay and ground_motion, or the hinges",
-                       model.frame.hinge_name(0)));
+    refuse(
+        fmt::format("hinge {}: in a frame with hinges all supports move alike; leave out their delay and "
+                    "ground_motion, or the hinges",
+                    model.frame.hinge_name(0)));
   std::vector<HingeForces> forces;
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) forces.push_back(forces_of(model.frame, i));
   std::vector<std::unique_ptr<Spring>> springs = springs_of(model, frame, forces);
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
     const double k = forces[i].k;
-    YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
-                                                 word_of(hinges[i]), parameters_of(model.frame, hinges[i], k), std::move(springs[i]));
+    YieldingPart& part =
+        s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
+                                word_of(hinges[i]), parameters_of(model.frame, hinges[i], k), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
     part.limits = limits_of(model.frame, hinges[i], k, *part.spring);
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);

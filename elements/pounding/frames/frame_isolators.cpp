@@ -16,12 +16,12 @@
 namespace pounding {
 namespace {
 
-
 std::string kilonewtons(double force) { return fmt::format("{:.4g} kN", force / 1e3); }
 
 std::string name_of(const FrameModel& model, const FrameIsolator& isolator) {
   const std::string node = model.frame.node_name(isolator.node);
-  return model.frame.dimension() == 2 ? "isolator " + node : fmt::format("isolator {} {}", node, isolator.along == Dof::ux ? "x" : "y");
+  return model.frame.dimension() == 2 ? "isolator " + node
+                                      : fmt::format("isolator {} {}", node, isolator.along == Dof::ux ? "x" : "y");
 }
 
 [[noreturn]] void refuse_isolator(const FrameModel& model, const FrameIsolator& isolator, const std::string& why) {
@@ -38,7 +38,8 @@ double stiffness_of(const FrameModel& model, const FrameIsolator& isolator) {
 }
 
 void add_springs(FrameModel& model) {
-  for (const FrameIsolator& isolator : model.isolators) model.frame.add_spring(isolator.node, isolator.along, stiffness_of(model, isolator));
+  for (const FrameIsolator& isolator : model.isolators)
+    model.frame.add_spring(isolator.node, isolator.along, stiffness_of(model, isolator));
 }
 
 // Upward forces of the ground at the feet of the isolators [N], with their laws as they are.
@@ -48,11 +49,13 @@ std::vector<double> carried(FrameModel model) {
   std::vector<int> nodes;
   for (const FrameIsolator& isolator : model.isolators) nodes.push_back(isolator.node);
   const Frame::Reactions reactions = model.frame.reactions(nodes, frame, true, true);
-  const Eigen::VectorXd forces = reactions.by_displacements * (frame.transform * model.frame.rest(frame)) + reactions.at_rest;
+  const Eigen::VectorXd forces =
+      reactions.by_displacements * (frame.transform * model.frame.rest(frame)) + reactions.at_rest;
   const auto dofs = dofs_of(model.frame.dimension());
   const auto up = std::ranges::find(dofs, Dof::uz) - dofs.begin();
   std::vector<double> weights;
-  for (std::size_t i = 0; i < nodes.size(); ++i) weights.push_back(forces[static_cast<Eigen::Index>(i * dofs.size()) + up]);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    weights.push_back(forces[static_cast<Eigen::Index>(i * dofs.size()) + up]);
   return weights;
 }
 
@@ -66,7 +69,8 @@ void find_weights(FrameModel& model) {
     if (!is_asked.back()) continue;
     if (!model.has_gravity())
       refuse_isolator(model, isolator,
-                      "the weight on it is the load at rest, and no gravity acts; type gravity: true, or weight: 500 kN in its law");
+                      "the weight on it is the load at rest, and no gravity acts; type gravity: true, or weight: 500 "
+                      "kN in its law");
     isolator.options.law.values["weight"] = 1e6;
   }
   if (std::ranges::find(is_asked, true) == is_asked.end()) return;
@@ -76,10 +80,12 @@ void find_weights(FrameModel& model) {
     for (std::size_t i = 0; i < weights.size(); ++i) {
       if (!is_asked[i]) continue;
       if (!(weights[i] > 0))
-        refuse_isolator(model, model.isolators[i],
-                        fmt::format("at rest its foot carries {}, and a slider must be pressed; type fix: [uz, ...] where nothing holds it "
-                                    "up, or put more weight on it",
-                                    kilonewtons(weights[i])));
+        refuse_isolator(
+            model, model.isolators[i],
+            fmt::format(
+                "at rest its foot carries {}, and a slider must be pressed; type fix: [uz, ...] where nothing holds it "
+                "up, or put more weight on it",
+                kilonewtons(weights[i])));
       double& weight = model.isolators[i].options.law.values["weight"];
       change = std::max(change, std::abs(weights[i] / weight - 1));
       weight = weights[i];
@@ -88,14 +94,16 @@ void find_weights(FrameModel& model) {
   }
 }
 
-void require_mass(const FrameModel& model, const FrameIsolator& isolator, const AssembledFrame& frame, const Row& deformation) {
+void require_mass(const FrameModel& model, const FrameIsolator& isolator, const AssembledFrame& frame,
+                  const Row& deformation) {
   if (deformation.nonZeros() == 0)
     refuse_isolator(model, isolator, fmt::format("{} of its foot is held; leave it out of fix", name(isolator.along)));
   for (Row::InnerIterator it(deformation); it; ++it)
     if (frame.massless[it.index()])
-      refuse_isolator(model, isolator,
-                      fmt::format("its foot has no mass; type masses: {{\"{}\": 40 t}} for the part of the slab that stands on it",
-                                  model.frame.node_name(isolator.node)));
+      refuse_isolator(
+          model, isolator,
+          fmt::format("its foot has no mass; type masses: {{\"{}\": 40 t}} for the part of the slab that stands on it",
+                      model.frame.node_name(isolator.node)));
 }
 
 // Laws with corners are straight up to the first one.
@@ -103,11 +111,13 @@ void require_elastic_at_rest(const FrameModel& model, const FrameIsolator& isola
   const Spring& spring = *part.spring;
   const double yield = spring.yield_deformation();
   if (std::abs(part.at_rest) <= 1e-3 * yield || (spring.has_corners() && !spring.corner(part.at_rest))) return;
-  refuse_isolator(model, isolator,
-                  fmt::format("at rest, under gravity and loads alone, it carries {} across and yields at {}; let a slab hold the feet "
-                              "together: ties: [{{master: {}, nodes: [...], dofs: [ux]}}]",
-                              kilonewtons(spring.stiffness() * std::abs(part.at_rest)), kilonewtons(spring.stiffness() * yield),
-                              model.frame.node_name(isolator.node)));
+  refuse_isolator(
+      model, isolator,
+      fmt::format(
+          "at rest, under gravity and loads alone, it carries {} across and yields at {}; let a slab hold the feet "
+          "together: ties: [{{master: {}, nodes: [...], dofs: [ux]}}]",
+          kilonewtons(spring.stiffness() * std::abs(part.at_rest)), kilonewtons(spring.stiffness() * yield),
+          model.frame.node_name(isolator.node)));
 }
 
 // The ground pushes back what an isolator carries on top of k d.
@@ -117,14 +127,17 @@ void add_to_reactions(const FrameModel& model, const Frame::Reactions& reactions
   for (Floor& floor : s.floors)
     for (Row& row : floor.storey_shear_by_yielding) row.conservativeResize(total);
   Eigen::SparseMatrix<double, Eigen::RowMajor>& all = s.forces.by_yielding;
-  if (all.size() == 0) all.resize(s.forces.rows.rows(), total);
-  else all.conservativeResize(s.forces.rows.rows(), total);
+  if (all.size() == 0)
+    all.resize(s.forces.rows.rows(), total);
+  else
+    all.conservativeResize(s.forces.rows.rows(), total);
   const auto dofs = dofs_of(model.frame.dimension());
   const int first = static_cast<int>(s.forces.rows.rows() - reactions.at_rest.size());
   for (std::size_t i = 0; i < model.isolators.size(); ++i) {
     const auto node = std::ranges::find(reactions.nodes, model.isolators[i].node) - reactions.nodes.begin();
     const auto along = std::ranges::find(dofs, model.isolators[i].along) - dofs.begin();
-    all.coeffRef(first + static_cast<int>(node * static_cast<std::ptrdiff_t>(dofs.size()) + along), first_part + static_cast<int>(i)) = -1;
+    all.coeffRef(first + static_cast<int>(node * static_cast<std::ptrdiff_t>(dofs.size()) + along),
+                 first_part + static_cast<int>(i)) = -1;
   }
   all.makeCompressed();
 }
@@ -135,26 +148,33 @@ void place_isolators(FrameModel& model) {
   if (model.isolators.empty()) return;
   const FrameIsolator& first = model.isolators.front();
   if (model.geometry == FrameGeometry::corotational)
-    refuse_isolator(model, first, "with geometry: corotational nothing in a frame yields; type geometry: p_delta, or leave the isolators out");
+    refuse_isolator(
+        model, first,
+        "with geometry: corotational nothing in a frame yields; type geometry: p_delta, or leave the isolators out");
   if (model.supports.size() > 1)
-    refuse_isolator(model, first, "in a frame on isolators all supports move alike; leave out their delay and ground_motion, or the isolators");
+    refuse_isolator(
+        model, first,
+        "in a frame on isolators all supports move alike; leave out their delay and ground_motion, or the isolators");
   for (const FrameIsolator& isolator : model.isolators)
     if (model.frame.dimension() == 3 && isolator.options.is_coupled)
       refuse_isolator(model, isolator,
-                      "in space an isolator moves along x and y at once, and no law couples the two yet; type coupled: false for each axis by "
+                      "in space an isolator moves along x and y at once, and no law couples the two yet; type coupled: "
+                      "false for each axis by "
                       "itself, which carries up to 1.41 times too much along a diagonal");
   find_weights(model);
   add_springs(model);
 }
 
-void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions, Structure& s) {
+void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions,
+                         Structure& s) {
   if (model.isolators.empty()) return;
   const int first = static_cast<int>(s.yielding.size());
   for (const FrameIsolator& isolator : model.isolators) {
     Row deformation = frame.motion(isolator.node, isolator.along);
     require_mass(model, isolator, frame, deformation);
     const double at_rest = s.at_rest.size() > 0 ? deformation.dot(s.at_rest) : 0;
-    YieldingPart& part = s.yielding.emplace_back(make_isolator(name_of(model, isolator), std::move(deformation), isolator.options, 0));
+    YieldingPart& part =
+        s.yielding.emplace_back(make_isolator(name_of(model, isolator), std::move(deformation), isolator.options, 0));
     part.at_rest = at_rest;
     require_elastic_at_rest(model, isolator, part);
   }

@@ -27,7 +27,9 @@ std::vector<int> FrameModel::held_nodes() const {
   return held;
 }
 
-bool FrameModel::has_gravity() const { return gravity.value_or(frame.is_loaded() || geometry == FrameGeometry::p_delta); }
+bool FrameModel::has_gravity() const {
+  return gravity.value_or(frame.is_loaded() || geometry == FrameGeometry::p_delta);
+}
 
 bool FrameModel::is_loaded() const { return frame.is_loaded() || has_gravity(); }
 
@@ -50,8 +52,8 @@ void make_floor_rigid(FrameModel& model, int number, const std::vector<double>& 
   }
   // The tie takes horizontal arms only.
   if (highest - lowest > 1e-9 * (1 + std::abs(highest)))
-    throw std::invalid_argument(
-        fmt::format("a rigid floor is level, and its nodes lie from {} to {}; type rigid: false", height(lowest), height(highest)));
+    throw std::invalid_argument(fmt::format(
+        "a rigid floor is level, and its nodes lie from {} to {}; type rigid: false", height(lowest), height(highest)));
   std::vector<int> followers = floor.nodes;
   if (frame.dimension() == 2) {
     floor.master = followers.front();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include <pounding/frames/frame_dofs.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/frames/frame_dofs.hpp>
 
 namespace pounding {
 
@@ -37,7 +37,8 @@ Frame::Reactions Frame::reactions(const std::vector<int>& nodes, const Assembled
     stiffness = gathered(springs_, &Beam::stiffness);
   else
     stiffness.setFromTriplets(springs_.begin(), springs_.end());
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> gathered_stiffness = made.by_forces * Eigen::SparseMatrix<double, Eigen::RowMajor>(stiffness);
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> gathered_stiffness =
+      made.by_forces * Eigen::SparseMatrix<double, Eigen::RowMajor>(stiffness);
   made.by_displacements = gathered_stiffness + springs;
   Eigen::VectorXd load = loads();
   if (gravity) {
@@ -58,7 +59,8 @@ Eigen::MatrixX3d Frame::enforced_reactions(const Reactions& reactions, const std
       const int at = place(dimension_, dof);
       if (at < 0 || fixed_.contains(index(reactions.nodes[i], dof))) continue;
       for (const auto& [of, stiffness] : ground_springs_)
-        if (of == index(reactions.nodes[i], dof)) forces(static_cast<int>(i) * dofs() + at, static_cast<int>(dof)) += stiffness;
+        if (of == index(reactions.nodes[i], dof))
+          forces(static_cast<int>(i) * dofs() + at, static_cast<int>(dof)) += stiffness;
     }
   }
   return forces;

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include <pounding/core/refuse.hpp>
+#include <pounding/core/units.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/static_solver.hpp>
-#include <pounding/core/units.hpp>
 
 namespace pounding {
 
@@ -30,7 +30,8 @@ SparseRows combined(const Eigen::MatrixXd& factors, const SparseRows& rows) {
   for (Eigen::Index i = 0; i < factors.rows(); ++i) {
     sum.clear();
     for (Eigen::Index k = 0; k < factors.cols(); ++k)
-      for (SparseRows::InnerIterator it(rows, k); factors(i, k) != 0 && it; ++it) sum[it.col()] += factors(i, k) * it.value();
+      for (SparseRows::InnerIterator it(rows, k); factors(i, k) != 0 && it; ++it)
+        sum[it.col()] += factors(i, k) * it.value();
     sums.startVec(i);
     for (const auto& [column, value] : sum) sums.insertBack(i, column) = value;
   }
@@ -44,9 +45,11 @@ SparseRows combined(const Eigen::MatrixXd& factors, const SparseRows& rows) {
 std::string Frame::spring_against(const VectorXd& displacements) const {
   const auto turns = [&](int at) { return is_rotation(dofs_of(dimension_)[at % dofs()]); };
   double largest[] = {0, 0}, stiffest[] = {0, 0};
-  for (int at = 0; at < displacements.size(); ++at) largest[turns(at)] = std::max(largest[turns(at)], std::abs(displacements[at]));
+  for (int at = 0; at < displacements.size(); ++at)
+    largest[turns(at)] = std::max(largest[turns(at)], std::abs(displacements[at]));
   for (const auto& [at, stiffness] : ground_springs_)
-    if (std::abs(displacements[at]) > 1e-3 * largest[turns(at)]) stiffest[turns(at)] = std::max(stiffest[turns(at)], stiffness);
+    if (std::abs(displacements[at]) > 1e-3 * largest[turns(at)])
+      stiffest[turns(at)] = std::max(stiffest[turns(at)], stiffness);
   if (stiffest[0] > 0) return format_quantity(stiffest[0], dimension::stiffness);
   return stiffest[1] > 0 ? fmt::format("{:.4g} N m", stiffest[1]) : "";
 }
@@ -70,13 +73,18 @@ void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFr
   });
   if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0)) {
     if (const std::string spring = spring_against(frame.transform * mode); !spring.empty())
-      refuse(fmt::format("{}a spring of {} alone holds the frame against this displacement, so weak beside the members that it is lost in their "
-                         "rounding; type its unit, as in springs: {{ux: 20 MN/m, ry: 100 MN m}}, or fix the displacement", where, spring));
+      refuse(
+          fmt::format("{}a spring of {} alone holds the frame against this displacement, so weak beside the members "
+                      "that it is lost in their "
+                      "rounding; type its unit, as in springs: {{ux: 20 MN/m, ry: 100 MN m}}, or fix the displacement",
+                      where, spring));
     refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
   }
   const int member = static_cast<int>(pressed - members_.begin());
-  refuse(fmt::format("{}the frame buckles here under its axial forces, the largest compression of which is {:.4g} N in "
-                     "member {}", where, -pressed->beam.axial_force(), member_name(member)));
+  refuse(
+      fmt::format("{}the frame buckles here under its axial forces, the largest compression of which is {:.4g} N in "
+                  "member {}",
+                  where, -pressed->beam.axial_force(), member_name(member)));
 }
 
 VectorXd Frame::rest(const AssembledFrame& assembled) const {
@@ -115,7 +123,8 @@ SparseRows Frame::member_motion(int member, const SparseRows& of_all) const {
     rows.startVec(i);
     const Dof dof = static_cast<Dof>(i % 6);
     if (place(dimension_, dof) < 0) continue;
-    for (SparseRows::InnerIterator it(of_all, index(i < 6 ? m.start : m.end, dof)); it; ++it) rows.insertBack(i, it.col()) = it.value();
+    for (SparseRows::InnerIterator it(of_all, index(i < 6 ? m.start : m.end, dof)); it; ++it)
+      rows.insertBack(i, it.col()) = it.value();
   }
   rows.finalize();
   return rows;
@@ -133,7 +142,8 @@ Eigen::Matrix<double, 12, 3> Frame::enforced_end_forces(int member, const Eigen:
   const Member& m = of(member);
   Eigen::Matrix<double, 12, 3> motion = Eigen::Matrix<double, 12, 3>::Zero();
   for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
-    for (const Dof dof : dofs_of(dimension_)) motion.row(first + static_cast<int>(dof)) = enforced.row(index(node, dof));
+    for (const Dof dof : dofs_of(dimension_))
+      motion.row(first + static_cast<int>(dof)) = enforced.row(index(node, dof));
   return m.beam.end_force_matrix() * motion;
 }
 

@@ -21,7 +21,8 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<std::string> directions(int dimension) {
-  return dimension == 2 ? std::vector<std::string>{"x", "z", "ry"} : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
+  return dimension == 2 ? std::vector<std::string>{"x", "z", "ry"}
+                        : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
 }
 
 bool turns(const FrameModel& model) { return model.geometry == FrameGeometry::corotational; }
@@ -32,7 +33,8 @@ void report_enforced(const FrameModel& model, const AssembledFrame& frame, const
   const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
   support.nodes.resize(static_cast<int>(model.reported_nodes->size()) * dofs, 3);
   for (std::size_t i = 0; i < model.reported_nodes->size(); ++i)
-    support.nodes.middleRows(static_cast<int>(i) * dofs, dofs) = support.enforced.middleRows((*model.reported_nodes)[i] * dofs, dofs);
+    support.nodes.middleRows(static_cast<int>(i) * dofs, dofs) =
+        support.enforced.middleRows((*model.reported_nodes)[i] * dofs, dofs);
   support.shears = enforced_shears(model, frame, support.enforced);
   const int places = static_cast<int>(report.places.size());
   support.forces.resize(report.rows.rows(), 3);
@@ -40,7 +42,8 @@ void report_enforced(const FrameModel& model, const AssembledFrame& frame, const
     const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(m, support.enforced);
     for (int j = 0; j < places; ++j) support.forces.row(m * places + j) = forces.row(report.places[j]);
   }
-  support.forces.bottomRows(reactions.at_rest.size()) = model.frame.enforced_reactions(reactions, nodes, support.enforced);
+  support.forces.bottomRows(reactions.at_rest.size()) =
+      model.frame.enforced_reactions(reactions, nodes, support.enforced);
 }
 
 std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame& frame,
@@ -51,7 +54,8 @@ std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame
     Support support;
     support.name = of.name;
     if (model.is_free) support.position = model.frame.position(0);
-    for (const int node : of.nodes) support.position += model.frame.position(node) / static_cast<double>(of.nodes.size());
+    for (const int node : of.nodes)
+      support.position += model.frame.position(node) / static_cast<double>(of.nodes.size());
     support.delay = of.delay;
     support.motion = of.motion;
     if (given.size() == 1) {
@@ -115,7 +119,8 @@ std::string included_in_forces(const FrameModel& model) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-InternalForces make_internal_forces(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions) {
+InternalForces make_internal_forces(const FrameModel& model, const AssembledFrame& frame,
+                                    const Frame::Reactions& reactions) {
   constexpr std::array forces{"N", "Vy", "Vz", "T", "My", "Mz"};
   InternalForces report;
   for (const int end : {0, 6})
@@ -155,8 +160,9 @@ InternalForces make_internal_forces(const FrameModel& model, const AssembledFram
 void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const CorotationalFrame>& turning,
               const Frame::Reactions& reactions, Structure& s) {
   if (model->supports.size() > 1)
-    throw std::invalid_argument("with geometry: corotational all supports move alike; leave out their delay and ground_motion, or "
-                                "type geometry: p_delta");
+    throw std::invalid_argument(
+        "with geometry: corotational all supports move alike; leave out their delay and ground_motion, or "
+        "type geometry: p_delta");
   s.storey_shears = [model, turning, above = storey_cuts(*model)](const Eigen::VectorXd& q) {
     const int directions = model->frame.dimension() - 1;
     Eigen::VectorXd shears = Eigen::VectorXd::Zero(static_cast<int>(above.size()) * directions);
@@ -166,12 +172,14 @@ void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_
       for (std::size_t floor = 0; floor < above.size(); ++floor) {
         if (above[floor][start] == above[floor][end]) continue;
         if (!forces) forces = turning->nodal_forces(member, q);
-        shears.segment(static_cast<int>(floor) * directions, directions) += forces->segment(above[floor][start] ? 0 : 6, directions);
+        shears.segment(static_cast<int>(floor) * directions, directions) +=
+            forces->segment(above[floor][start] ? 0 : 6, directions);
       }
     }
     return shears;
   };
-  s.forces.turned = [model, turning, places = s.forces.places, to_ground = reactions.by_forces](const Eigen::VectorXd& q) {
+  s.forces.turned = [model, turning, places = s.forces.places,
+                     to_ground = reactions.by_forces](const Eigen::VectorXd& q) {
     const auto dofs = dofs_of(model->frame.dimension());
     const int count = static_cast<int>(dofs.size());
     Eigen::VectorXd ends(model->frame.members() * static_cast<int>(places.size()));
@@ -211,7 +219,8 @@ Geometry make_geometry(const FrameModel& model) {
     geometry.member_names.push_back(model.frame.member_name(member));
     geometry.members.push_back(model.frame.ends(member));
     const Section& section = model.frame.beam(member).section();
-    const double inertia = model.frame.dimension() == 3 ? std::max(section.inertia_y, section.inertia_z) : section.inertia_y;
+    const double inertia =
+        model.frame.dimension() == 3 ? std::max(section.inertia_y, section.inertia_z) : section.inertia_y;
     geometry.depths.push_back(std::max(std::sqrt(section.area), std::sqrt(12 * inertia / section.area)));
     geometry.moduli.push_back(model.frame.beam(member).material().young);
   }
@@ -227,13 +236,15 @@ Structure make_structure(FrameModel given) {
   if (given.geometry == FrameGeometry::p_delta) given.frame.add_p_delta(given.has_gravity());
   const auto model = std::make_shared<const FrameModel>(std::move(given));
   const auto frame = std::make_shared<AssembledFrame>(model->frame.assemble(model->has_gravity()));
-  if (frame->size() == 0) throw std::invalid_argument("all its nodes are held; let one move, or type {wall: {}} instead of the frame");
+  if (frame->size() == 0)
+    throw std::invalid_argument("all its nodes are held; let one move, or type {wall: {}} instead of the frame");
   Structure s;
   s.kind = "frame";
   s.dimension = frame->dimension;
   s.damping = frame->damping;
   for (const auto& [node, dof] : frame->unknowns)
-    s.unknowns.push_back(fmt::format("{}{} {}", node < model->given_nodes() ? "node " : "", frame->node_names[node], name(dof)));
+    s.unknowns.push_back(
+        fmt::format("{}{} {}", node < model->given_nodes() ? "node " : "", frame->node_names[node], name(dof)));
   if (model->is_free) {
     s.rigid_motions = frame->dimension == 2 ? 3 : 6;
     model->frame.require_motion(*frame);
@@ -259,18 +270,23 @@ Structure make_structure(FrameModel given) {
   s.reported_members = model->reported_members;
   s.supports = make_supports(*model, *frame, model->supports, s.forces, reactions);
   if (turning) let_turn(model, turning, reactions, s);
-  let_hinges_yield(*model, *frame, reactions, model->is_free ? std::vector<std::vector<bool>>() : storey_cuts(*model), s);
+  let_hinges_yield(*model, *frame, reactions, model->is_free ? std::vector<std::vector<bool>>() : storey_cuts(*model),
+                   s);
   let_isolators_yield(*model, *frame, reactions, s);
-  if (!model->is_free) s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
-    const std::vector<FrameSupport> apart = apart_along(*model, direction);
-    if (turns(*model) && apart.size() > 1)
-      throw std::invalid_argument("a wave moves the supports of a frame one after the other, and with geometry: corotational all move "
-                                  "alike; type geometry: p_delta");
-    if (!(model->frame.hinges().empty() && model->isolators.empty()) && apart.size() > 1)
-      throw std::invalid_argument("a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all move "
-                                  "alike; leave the wave or these out");
-    return make_supports(*model, *frame, apart, forces, reactions);
-  };
+  if (!model->is_free)
+    s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
+      const std::vector<FrameSupport> apart = apart_along(*model, direction);
+      if (turns(*model) && apart.size() > 1)
+        throw std::invalid_argument(
+            "a wave moves the supports of a frame one after the other, and with geometry: corotational all move "
+            "alike; type geometry: p_delta");
+      if (!(model->frame.hinges().empty() && model->isolators.empty()) && apart.size() > 1)
+        throw std::invalid_argument(
+            "a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all "
+            "move "
+            "alike; leave the wave or these out");
+      return make_supports(*model, *frame, apart, forces, reactions);
+    };
   s.geometry = make_geometry(*model);
   s.node_translations = [model, frame](const Eigen::VectorXd& q) {
     Eigen::MatrixX3d moved = Eigen::MatrixX3d::Zero(model->given_nodes(), 3);

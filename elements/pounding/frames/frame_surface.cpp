@@ -25,13 +25,16 @@ constexpr double in_line = 1e-3;
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 
-// The first and the last part of the member that this one is a part of; the member itself where it is whole. Parts follow each other.
+// The first and the last part of the member that this one is a part of; the member itself where it is whole. Parts
+// follow each other.
 std::pair<int, int> parts_of_whole(const Frame& frame, int member) {
   const std::string name = frame.member_name(member);
   const std::size_t slash = name.find('/');
   std::pair<int, int> parts{member, member};
   if (slash == std::string::npos) return parts;
-  const auto belongs = [&](int other) { return other >= 0 && other < frame.members() && frame.member_name(other).starts_with(name.substr(0, slash + 1)); };
+  const auto belongs = [&](int other) {
+    return other >= 0 && other < frame.members() && frame.member_name(other).starts_with(name.substr(0, slash + 1));
+  };
   while (belongs(parts.first - 1)) --parts.first;
   while (belongs(parts.second + 1)) ++parts.second;
   return parts;
@@ -51,8 +54,11 @@ std::string beside_hinge(const Frame& frame, int member, double along) {
     return (yields_at[0] && hit == 0) || (yields_at[1] && hit >= more - 1);
   };
   while (more < 100 && hits_an_end()) ++more;
-  return fmt::format("member {} has a hinge and is not hit between its ends; type members: {{{}: {{parts: {}}}}}, so that a part without a hinge is "
-                     "hit", part, whole, more);
+  return fmt::format(
+      "member {} has a hinge and is not hit between its ends; type members: {{{}: {{parts: {}}}}}, so that a part "
+      "without a hinge is "
+      "hit",
+      part, whole, more);
 }
 
 }  // namespace
@@ -120,23 +126,26 @@ ContactPoint FrameSurface::floor(int floor, Side side, double along) const {
   const std::vector<int> nodes = edge_nodes(floor, side);
   const int axis = axis_of(side), across = 1 - axis;
   const FrameFloor& of = model_->floors[floor];
-  if (assembled_->dimension == 2) return pushed(on_arm(nodes.front(), position(nodes.front()), floor_mass_[floor]), axis);
+  if (assembled_->dimension == 2)
+    return pushed(on_arm(nodes.front(), position(nodes.front()), floor_mass_[floor]), axis);
 
   const double first = position(nodes.front())[across], last = position(nodes.back())[across];
   if (!(along > first - together && along < last + together))
-    refuse(fmt::format("the edge of floor {} goes from {} to {}, and {} lies beside it", of.label, metres(first), metres(last),
-                       metres(along)));
+    refuse(fmt::format("the edge of floor {} goes from {} to {}, and {} lies beside it", of.label, metres(first),
+                       metres(last), metres(along)));
   for (const int node : nodes)
     if (std::abs(position(node)[across] - along) < together)
       return pushed(on_arm(node, position(node), floor_mass_[floor]), axis);
   const auto after = std::find_if(nodes.begin(), nodes.end(), [&](int node) { return position(node)[across] > along; });
-  const double share = (along - position(*(after - 1))[across]) / (position(*after)[across] - position(*(after - 1))[across]);
+  const double share =
+      (along - position(*(after - 1))[across]) / (position(*after)[across] - position(*(after - 1))[across]);
   const Vector3d point = (1 - share) * position(*(after - 1)) + share * position(*after);
   if (of.master >= 0) return pushed(on_rigid_floor(floor, *(after - 1), *after, point), axis);
   const auto member = member_through(point);
   if (!member)
-    refuse(fmt::format("no member passes the edge of floor {} at {}, between the nodes {} and {}; add one, or let the floor be rigid",
-                       of.label, metres(along), model_->frame.node_name(*(after - 1)), model_->frame.node_name(*after)));
+    refuse(fmt::format(
+        "no member passes the edge of floor {} at {}, between the nodes {} and {}; add one, or let the floor be rigid",
+        of.label, metres(along), model_->frame.node_name(*(after - 1)), model_->frame.node_name(*after)));
   return pushed(on_member(member->first, member->second, point, floor_mass_[floor]), axis);
 }
 
@@ -158,11 +167,13 @@ ContactPoint FrameSurface::column(double elevation, Side side, double along) con
     }
   }
   if (candidates.empty())
-    refuse(fmt::format("there is no column {} up; its members reach from {} to {}", metres(elevation), metres(lowest), metres(highest)));
+    refuse(fmt::format("there is no column {} up; its members reach from {} to {}", metres(elevation), metres(lowest),
+                       metres(highest)));
   std::erase_if(candidates, [&](const OnColumn& each) { return out.dot(each.position) < outermost - together; });
   const auto distance = [&](const OnColumn& each) { return std::abs(each.position[across] - along); };
-  const OnColumn& hit = *std::min_element(candidates.begin(), candidates.end(),
-                                          [&](const OnColumn& a, const OnColumn& b) { return distance(a) < distance(b); });
+  const OnColumn& hit =
+      *std::min_element(candidates.begin(), candidates.end(),
+                        [&](const OnColumn& a, const OnColumn& b) { return distance(a) < distance(b); });
   ContactPoint point = hit.node >= 0 ? on_arm(hit.node, hit.position, mass_of(hit))
                                      : on_member(hit.member, hit.along, hit.position, mass_of(hit));
   const Beam& beam = model_->frame.beam(hit.member);
@@ -180,7 +191,8 @@ std::optional<ColumnFace> FrameSurface::column_face(const Vector3d& point, Side 
     if (beam.is_truss() || !is_upright(beam)) continue;
     const double half = 0.5 * extent(beam.section(), beam.axes(), out);
     const auto [start, end] = model_->frame.ends(member);
-    for (const auto& [node, offset] : {std::pair(start, beam.options().start_offset), std::pair(end, beam.options().end_offset)}) {
+    for (const auto& [node, offset] :
+         {std::pair(start, beam.options().start_offset), std::pair(end, beam.options().end_offset)}) {
       const double at_node = out.dot(position(node)), axis = at_node + out.dot(offset);
       if (std::min(std::abs(at_node - line), std::abs(axis - line)) > in_line) continue;
       const double distance = std::max(0.0, half + (axis - line));
@@ -192,7 +204,8 @@ std::optional<ColumnFace> FrameSurface::column_face(const Vector3d& point, Side 
   return found;
 }
 
-// Distance along the column to the nearer joint, a node at which other members or a floor meet it, or at which it ends [m]. 0 at one.
+// Distance along the column to the nearer joint, a node at which other members or a floor meet it, or at which it ends
+// [m]. 0 at one.
 double FrameSurface::to_joint(const OnColumn& point) const {
   const Frame& frame = model_->frame;
   const auto next = [&](int node, int from) {
@@ -248,16 +261,21 @@ Row FrameSurface::displacement(const std::string& node, const std::string& dof) 
 std::optional<FrameSurface::OnColumn> FrameSurface::on_column(int member, double elevation) const {
   const auto [start, end] = model_->frame.ends(member);
   const BeamOptions& options = model_->frame.beam(member).options();
-  const std::array<Vector3d, 4> path{position(start), position(start) + options.start_offset, position(end) + options.end_offset,
-                                       position(end)};
+  const std::array<Vector3d, 4> path{position(start), position(start) + options.start_offset,
+                                     position(end) + options.end_offset, position(end)};
   if (std::abs(path[3].z() - path[0].z()) < together) return {};
   for (const int node : {start, end})
-    if (std::abs(position(node).z() - elevation) < together) return OnColumn{member, node, node == start ? 0.0 : 1.0, position(node)};
+    if (std::abs(position(node).z() - elevation) < together)
+      return OnColumn{member, node, node == start ? 0.0 : 1.0, position(node)};
   for (const int part : {1, 0, 2}) {
     const double rise = path[part + 1].z() - path[part].z(), share = (elevation - path[part].z()) / rise;
     if (std::abs(rise) < together || share < 0 || share > 1) continue;
     const int node = part == 1 ? -1 : part == 0 ? start : end;
-    return OnColumn{member, node, part == 1 ? share : part == 0 ? 0.0 : 1.0, (1 - share) * path[part] + share * path[part + 1]};
+    return OnColumn{member, node,
+                    part == 1   ? share
+                    : part == 0 ? 0.0
+                                : 1.0,
+                    (1 - share) * path[part] + share * path[part + 1]};
   }
   return {};
 }
@@ -279,8 +297,8 @@ double FrameSurface::mass_of(int node) const {
   return floor >= 0 ? floor_mass_[floor] : mass_along_x(*assembled_, {node});
 }
 
-// Between two floors, of both by the height. Where a member is cut, the nodes between its parts have a mass of their own, which grows less with
-// each cut; the contact stays one of the two floors.
+// Between two floors, of both by the height. Where a member is cut, the nodes between its parts have a mass of their
+// own, which grows less with each cut; the contact stays one of the two floors.
 double FrameSurface::mass_of(const OnColumn& point) const {
   if (point.node >= 0 && floor_of_node_[point.node] >= 0) return floor_mass_[floor_of_node_[point.node]];
   const auto [first, last] = parts_of_whole(model_->frame, point.member);
@@ -301,7 +319,8 @@ ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) con
   point.position = at;
   point.mass = mass;
   const Vector3d arm = at - position(node);
-  point.motion = {assembled_->motion(node, Dof::ux, arm), Row(assembled_->size()), assembled_->motion(node, Dof::uz, arm)};
+  point.motion = {assembled_->motion(node, Dof::ux, arm), Row(assembled_->size()),
+                  assembled_->motion(node, Dof::uz, arm)};
   if (assembled_->dimension == 3) point.motion[1] = assembled_->motion(node, Dof::uy, arm);
   return point;
 }
@@ -321,7 +340,8 @@ ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& a
   point.fixed_ends = on.fixed_ends;
   const Frame::Reactions ground = model_->frame.reactions(model_->held_nodes(), *assembled_, false, true);
   point.reactions.resize(ground.by_forces.rows(), 3);
-  for (int axis = 0; axis < 3; ++axis) point.reactions.col(axis) = -(ground.by_forces * Eigen::VectorXd(on.supported[axis]));
+  for (int axis = 0; axis < 3; ++axis)
+    point.reactions.col(axis) = -(ground.by_forces * Eigen::VectorXd(on.supported[axis]));
   return point;
 }
 
@@ -337,9 +357,11 @@ ContactPoint FrameSurface::pushed(ContactPoint point, int axis) const {
     if (it.value() == 0 || !assembled_->massless[it.index()]) continue;
     const auto& [node, dof] = assembled_->unknowns[it.index()];
     const std::string name = assembled_->node_names[node];
-    refuse(fmt::format("a push there acts on {0} of node {1}, which has no mass; type masses: {{{1}: {{{0}: {2}}}}}, or mass: consistent "
-                       "with a density",
-                       pounding::name(dof), name, dof < Dof::rx ? "1 t" : "100 kg m^2"));
+    refuse(
+        fmt::format("a push there acts on {0} of node {1}, which has no mass; type masses: {{{1}: {{{0}: {2}}}}}, or "
+                    "mass: consistent "
+                    "with a density",
+                    pounding::name(dof), name, dof < Dof::rx ? "1 t" : "100 kg m^2"));
   }
   return point;
 }

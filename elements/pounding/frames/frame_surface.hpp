@@ -15,9 +15,9 @@ namespace pounding {
 /// The mass that moves along x with these nodes [kg]; what is tied to them moves with them.
 double mass_along_x(const AssembledFrame& frame, const std::vector<int>& nodes);
 
-/// A floor is touched on a side at its outermost node, in space at a point between the two outermost ends. A rigid floor
-/// moves there as its master on an arm, straight between its nodes vertically; another floor is touched at its node or
-/// on the member that passes there.
+/// A floor is touched on a side at its outermost node, in space at a point between the two outermost ends. A rigid
+/// floor moves there as its master on an arm, straight between its nodes vertically; another floor is touched at its
+/// node or on the member that passes there.
 ///
 /// Between nodes a point moves as the member's shape functions say (see Frame::point_on_member). What is asked for and
 /// does not exist, and a push on an unknown without mass, throw std::invalid_argument.

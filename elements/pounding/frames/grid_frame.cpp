@@ -48,7 +48,8 @@ std::vector<double> shares(const std::vector<double>& widths) {
 }
 
 // A member of the grid as the others, but for what the grid says of it.
-void add_grid_member(Frame& frame, const std::string& name, int start, int end, const Section& usual, const GridFrame& grid) {
+void add_grid_member(Frame& frame, const std::string& name, int start, int end, const Section& usual,
+                     const GridFrame& grid) {
   const auto found = grid.members.find(name);
   const GridMember own = found == grid.members.end() ? GridMember{} : found->second;
   add_member_in_parts(frame, name, start, end,
@@ -81,7 +82,8 @@ std::vector<std::string> GridFrame::member_names() const {
 
 int GridFrame::node(int storey, int i, int k) const {
   if (storey < 0 || storey > storeys || i < 0 || i > bays_x || k < 0 || k > bays_y)
-    refuse("the grid has no node (" + std::to_string(storey) + ", " + std::to_string(i) + ", " + std::to_string(k) + ")");
+    refuse("the grid has no node (" + std::to_string(storey) + ", " + std::to_string(i) + ", " + std::to_string(k) +
+           ")");
   return (storey * (bays_y + 1) + k) * (bays_x + 1) + i;
 }
 
@@ -107,7 +109,8 @@ void GridSections::check(int storeys, int lines, const std::string& name) const 
       refuse(name + ": one section in a storey, or " + std::to_string(lines) + " from the first line on");
 }
 
-std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end, const CutMember& member) {
+std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end,
+                                     const CutMember& member) {
   if (member.parts < 1 || member.parts > 100) refuse(name + ": takes 1 to 100 parts");
   const Vector3d first = frame.position(start) + member.options.start_offset;
   const Vector3d last = frame.position(end) + member.options.end_offset;
@@ -142,8 +145,9 @@ void GridFrame::require_affordable() const {
   // In space a node of a rigid floor has three unknowns, too.
   const double bytes = 3 * nodes * limits::bytes_of_unknown, memory = limits::memory();
   if (bytes > memory)
-    refuse(fmt::format("{}, which take some {}, and there are {}; take fewer storeys or bays, or a machine with more memory", grid,
-                       limits::text_of_bytes(bytes), limits::text_of_bytes(memory)));
+    refuse(fmt::format(
+        "{}, which take some {}, and there are {}; take fewer storeys or bays, or a machine with more memory", grid,
+        limits::text_of_bytes(bytes), limits::text_of_bytes(memory)));
 }
 
 GridParts add_grid(FrameModel& model, const GridFrame& grid) {
@@ -154,11 +158,13 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
   if (is_plane != (grid.bays_y == 0)) refuse("a grid has bays along y in space, and in the plane none");
   if (frame.nodes() > 0) refuse("a grid comes before all other nodes of its frame");
   const std::vector<double> width_x = spread(grid.bay_width_x, grid.bays_x, "bay_width_x");
-  const std::vector<double> width_y = is_plane ? std::vector<double>{} : spread(grid.bay_width_y, grid.bays_y, "bay_width_y");
+  const std::vector<double> width_y =
+      is_plane ? std::vector<double>{} : spread(grid.bay_width_y, grid.bays_y, "bay_width_y");
   const std::vector<double> x = lines(width_x), y = lines(width_y);
   const std::vector<double> z = lines(spread(grid.storey_height, grid.storeys, "storey_height"));
-  const std::vector<double> floor_mass = grid.floor_mass.empty() ? std::vector<double>(grid.storeys, 0.0)
-                                                                 : spread(grid.floor_mass, grid.storeys, "floor_mass", true);
+  const std::vector<double> floor_mass = grid.floor_mass.empty()
+                                             ? std::vector<double>(grid.storeys, 0.0)
+                                             : spread(grid.floor_mass, grid.storeys, "floor_mass", true);
   const std::vector<double> share_x = shares(width_x), share_y = shares(width_y);
 
   const auto each = [&](int storey, auto&& act) {
@@ -176,7 +182,8 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
       parts.feet = floor.nodes;
       continue;
     }
-    for (std::size_t n = 0; n < floor.nodes.size(); ++n) frame.add_mass(floor.nodes[n], floor_mass[storey - 1] * parts.weights[n]);
+    for (std::size_t n = 0; n < floor.nodes.size(); ++n)
+      frame.add_mass(floor.nodes[n], floor_mass[storey - 1] * parts.weights[n]);
     model.floors.push_back(std::move(floor));
   }
 

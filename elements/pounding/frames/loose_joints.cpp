@@ -10,12 +10,14 @@ namespace pounding {
 namespace {
 
 bool turns(const AssembledFrame& frame, int node) {
-  return std::ranges::any_of(dofs_of(frame.dimension), [&](Dof dof) { return dof >= Dof::rx && frame.motion(node, dof).nonZeros() > 0; });
+  return std::ranges::any_of(dofs_of(frame.dimension),
+                             [&](Dof dof) { return dof >= Dof::rx && frame.motion(node, dof).nonZeros() > 0; });
 }
 
 }  // namespace
 
-std::vector<bool> at_loose_joints(const Frame& frame, const AssembledFrame& assembled, const std::vector<bool>& keeps_nothing) {
+std::vector<bool> at_loose_joints(const Frame& frame, const AssembledFrame& assembled,
+                                  const std::vector<bool>& keeps_nothing) {
   const std::vector<Hinge>& hinges = frame.hinges();
   std::set<std::pair<int, int>> yields;  // members and places of their end forces
   for (std::size_t i = 0; i < hinges.size(); ++i)

@@ -9,7 +9,8 @@ namespace pounding {
 namespace {
 
 void require_positive(double value, const char* what) {
-  if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(std::string(what) + " must be positive and finite");
+  if (!(value > 0) || std::isinf(value))
+    throw std::invalid_argument(std::string(what) + " must be positive and finite");
 }
 
 double cubed(double x) { return x * x * x; }
@@ -38,8 +39,7 @@ Section ring(double diameter, double ratio) {
 // Thin-walled, in the letters of the paper: b flange width, h between the middles of the flanges.
 double cowper_i_factor(double b, double h, double flange, double web) {
   const double m = 2 * b * flange / (h * web), n = b / h;
-  return 10 * (1 + 3 * m) * (1 + 3 * m) /
-         (12 + 72 * m + 150 * m * m + 90 * m * m * m + 30 * n * n * (m + m * m));
+  return 10 * (1 + 3 * m) * (1 + 3 * m) / (12 + 72 * m + 150 * m * m + 90 * m * m * m + 30 * n * n * (m + m * m));
 }
 
 }  // namespace

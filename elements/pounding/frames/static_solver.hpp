@@ -13,14 +13,15 @@ class StaticSolver {
   /// K is symmetric, n x n; n may be 0.
   explicit StaticSolver(const Eigen::SparseMatrix<double>& stiffness);
 
-  /// The smallest eigenvalue of the scaled K is above its rounding, 2e-14. (A cantilever divided into 500 beams has 8e-12.)
+  /// The smallest eigenvalue of the scaled K is above its rounding, 2e-14. (A cantilever divided into 500 beams has
+  /// 8e-12.)
   bool holds() const { return mode_.size() == 0; }
   /// It does not, and the eigenvalue is negative.
   bool buckles() const { return buckles_; }
   /// Displacements that meet no stiffness or a negative one, length n; empty where K holds.
   const Eigen::VectorXd& mode() const { return mode_; }
-  /// For a K that holds. n x k. Where the smallest eigenvalue is so near to its rounding that only a shifted K told it, the first call
-  /// factors K once more.
+  /// For a K that holds. n x k. Where the smallest eigenvalue is so near to its rounding that only a shifted K told it,
+  /// the first call factors K once more.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& forces);
 
  private:

@@ -89,7 +89,8 @@ inline Moved moved(const Step& step, double t) {
   if (!(s > 0)) return {};
   if (s < step.rise) return {step.amplitude * s * (s / step.rise) / 2, step.amplitude * s * s * (s / step.rise) / 6};
   const double after = s - step.rise;
-  return {step.amplitude * (step.rise / 2 + after), step.amplitude * (step.rise * step.rise / 6 + after * (step.rise + after) / 2)};
+  return {step.amplitude * (step.rise / 2 + after),
+          step.amplitude * (step.rise * step.rise / 6 + after * (step.rise + after) / 2)};
 }
 
 /// Integrals at time t [s]; when the motion is over the ground keeps its velocity.
@@ -106,8 +107,10 @@ Moved moved(const Closed& motion, double t) {
 template <class Harmonics>
 Moved largest_of(const Harmonics& motion) {
   double shortest;
-  if constexpr (requires { motion.period; }) shortest = motion.period;
-  else shortest = motion.shortest_period();
+  if constexpr (requires { motion.period; })
+    shortest = motion.period;
+  else
+    shortest = motion.shortest_period();
   const double count = 16 * std::min(1e4, std::ceil(motion.duration / shortest));
   Moved largest;
   for (double i = 1; i <= count; ++i) {
@@ -130,7 +133,8 @@ inline void require_positive(double value, const char* what) {
 
 /// Amplitude as reports show it: of a moment in kN m rather than kJ.
 inline std::string amplitude_text(double amplitude, const Dimension& values) {
-  return values == dimension::energy ? format_quantity(amplitude, dimension::force) + " m" : format_quantity(amplitude, values);
+  return values == dimension::energy ? format_quantity(amplitude, dimension::force) + " m"
+                                     : format_quantity(amplitude, values);
 }
 
 /// Amplitude, period and phase as reports show them.

@@ -55,7 +55,8 @@ bool ascends(const NumberTable& table, std::size_t column) {
 
 double even_spacing(const NumberTable& table, std::size_t column) {
   if (!ascends(table, column)) return 0;
-  const double mean = (table.at(table.rows() - 1, column) - table.at(0, column)) / static_cast<double>(table.rows() - 1);
+  const double mean =
+      (table.at(table.rows() - 1, column) - table.at(0, column)) / static_cast<double>(table.rows() - 1);
   for (std::size_t row = 1; row < table.rows(); ++row)
     if (!(std::abs(table.at(row, column) - table.at(row - 1, column) - mean) <= 0.1 * mean)) return 0;
   return mean;
@@ -68,17 +69,18 @@ bool names_times(std::string_view name) {
 }
 
 bool names_counter(std::string_view name) {
-  constexpr std::array<std::string_view, 26> names{"no",      "nr",      "num",      "number", "index",  "idx",  "id",
-                                                   "i",       "n",       "k",        "point",  "points", "pt",   "pointno",
-                                                   "sample",  "samples", "sampleno", "row",    "rowno",  "line", "count",
-                                                   "counter", "step",    "stepno",   "sno",    "srno"};
+  constexpr std::array<std::string_view, 26> names{
+      "no",    "nr",    "num",    "number",  "index",   "idx",    "id",      "i",        "n",
+      "k",     "point", "points", "pt",      "pointno", "sample", "samples", "sampleno", "row",
+      "rowno", "line",  "count",  "counter", "step",    "stepno", "sno",     "srno"};
   return is_one_of(name, names);
 }
 
 CountRows find_count_rows(const NumberTable& table, double step) {
   const auto states_count = [&](double number, std::size_t row) {
     return row < table.rows() && number >= fewest_values &&
-           (number == static_cast<double>(table.rows() - row) || number == static_cast<double>(table.numbers_from(row)));
+           (number == static_cast<double>(table.rows() - row) ||
+            number == static_cast<double>(table.numbers_from(row)));
   };
   const auto found = [](std::size_t rows, double count, double stated) {
     return CountRows{rows, static_cast<std::size_t>(count), stated};
@@ -107,7 +109,8 @@ CountRows find_count_rows(const NumberTable& table, double step) {
 std::size_t integer_header(const NumberTable& table) {
   std::size_t header = 0;
   while (header < table.rows() && table.holds_integers(header)) ++header;
-  if (header == 0 || header == table.rows() || header > longest_integer_header || table.numbers_from(header) < fewest_values)
+  if (header == 0 || header == table.rows() || header > longest_integer_header ||
+      table.numbers_from(header) < fewest_values)
     return 0;
   for (std::size_t row = header; row < table.rows(); ++row)
     if (table.holds_integers(row)) return 0;

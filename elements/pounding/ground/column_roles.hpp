@@ -1,6 +1,6 @@
 #pragma once
-/// Columns of a table that hold no values, and lines in front of the values: counters, times, numbers of values. Users call
-/// read_record() instead.
+/// Columns of a table that hold no values, and lines in front of the values: counters, times, numbers of values. Users
+/// call read_record() instead.
 
 #include <cstddef>
 #include <string_view>
@@ -32,11 +32,12 @@ struct CountRows {
   double step = 0;        ///< [s]; 0 if it is not stated
 };
 
-/// Finds rows such as "700" and "0.005", or "700 0.005", above as many values as they state, ten or more. `step` is that of the user [s];
-/// 0 if unknown.
+/// Finds rows such as "700" and "0.005", or "700 0.005", above as many values as they state, ten or more. `step` is
+/// that of the user [s]; 0 if unknown.
 CountRows find_count_rows(const NumberTable& table, double step);
 
-/// Number of rows at the begin that hold integers alone, above ten values or more with decimals; 0 if any value below is such an integer.
+/// Number of rows at the begin that hold integers alone, above ten values or more with decimals; 0 if any value below
+/// is such an integer.
 std::size_t integer_header(const NumberTable& table);
 
 }  // namespace pounding::records

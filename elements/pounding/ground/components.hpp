@@ -15,7 +15,7 @@ using GroundComponents = std::array<GroundMotion, 3>;
 
 /// A wave that runs along the ground. It reaches a position later by the distance along `direction` over `velocity`.
 struct TravellingWave {
-  double velocity = 0;  ///< [m/s]
+  double velocity = 0;                                   ///< [m/s]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< horizontal, unit
 };
 

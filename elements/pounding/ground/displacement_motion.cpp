@@ -51,8 +51,10 @@ std::vector<double> spline_accelerations(const std::vector<double>& times, const
                                          double initial_velocity) {
   const std::size_t count = times.size();
   if (count < 2 || displacements.size() != count)
-    throw std::invalid_argument(fmt::format("ground motion: {} times and {} displacements; two or more of each, and as many of one "
-                                            "as of the other, are needed", count, displacements.size()));
+    throw std::invalid_argument(
+        fmt::format("ground motion: {} times and {} displacements; two or more of each, and as many of one "
+                    "as of the other, are needed",
+                    count, displacements.size()));
   for (std::size_t i = 1; i < count; ++i)
     if (!(times[i] > times[i - 1]))
       throw std::invalid_argument(fmt::format("ground motion: the time of sample {} does not increase", i));

@@ -25,8 +25,10 @@ constexpr double max_part_of_period = 0.1;
 void check(const Samples& samples) {
   const std::vector<double>&times = samples.times, &accelerations = samples.accelerations;
   if (times.size() != accelerations.size() || times.size() < 2)
-    throw std::invalid_argument(fmt::format("ground motion: {} times and {} accelerations; two or more of each, and as "
-                                            "many of one as of the other, are needed", times.size(), accelerations.size()));
+    throw std::invalid_argument(
+        fmt::format("ground motion: {} times and {} accelerations; two or more of each, and as "
+                    "many of one as of the other, are needed",
+                    times.size(), accelerations.size()));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || !std::isfinite(accelerations[i]))
       throw std::invalid_argument(fmt::format("ground motion: sample {} is not finite", i));
@@ -75,9 +77,11 @@ GroundMotion::GroundMotion(Harmonic motion, const Dimension& values) : motion_(m
   peak_ = motion.duration >= first_crest
               ? std::abs(motion.amplitude)
               : std::max(std::abs(inside(motion, motion.start)), std::abs(inside(motion, end_of(motion))));
-  describe(motion, {(0.5 * std::ceil(2 * turns) - turns) * motion.period, (0.5 * std::ceil(2 * turns) + 0.5 - turns) * motion.period});
+  describe(motion, {(0.5 * std::ceil(2 * turns) - turns) * motion.period,
+                    (0.5 * std::ceil(2 * turns) + 0.5 - turns) * motion.period});
   if (motion.phase != 0) peak_displacement_ = largest_of(motion).displacement;
-  source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase, values), motion.duration);
+  source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase, values),
+                        motion.duration);
 }
 
 GroundMotion::GroundMotion(Pulse motion, const Dimension& values) : motion_(motion) {
@@ -94,7 +98,8 @@ GroundMotion::GroundMotion(Step motion, const Dimension& values) : motion_(motio
   require_finite(motion.amplitude, "amplitude");
   require_finite(motion.start, "start");
   if (!(motion.rise >= 0 && std::isfinite(motion.rise)))
-    throw std::invalid_argument(fmt::format("ground motion: rise is {:g}; it must be finite and not negative", motion.rise));
+    throw std::invalid_argument(
+        fmt::format("ground motion: rise is {:g}; it must be finite and not negative", motion.rise));
   peak_ = std::abs(motion.amplitude);
   start_ = motion.start;
   duration_ = peak_velocity_ = peak_displacement_ = infinity;
@@ -116,13 +121,15 @@ GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::mo
   motion_ = std::move(record);
 }
 
-// The velocity of a closed form is largest at one of the times after the start. Where it never turns, the displacement is at the end.
+// The velocity of a closed form is largest at one of the times after the start. Where it never turns, the displacement
+// is at the end.
 template <class Closed>
 void GroundMotion::describe(const Closed& motion, std::initializer_list<double> fastest) {
   start_ = motion.start;
   duration_ = end_of(motion);
   for (const double after : fastest)
-    peak_velocity_ = std::max(peak_velocity_, std::abs(moved_inside(motion, std::min(motion.duration, after)).velocity));
+    peak_velocity_ =
+        std::max(peak_velocity_, std::abs(moved_inside(motion, std::min(motion.duration, after)).velocity));
   peak_displacement_ = std::abs(moved_inside(motion, motion.duration).displacement);
 }
 
@@ -132,7 +139,8 @@ GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
   long double v = 0, d = 0;  // long records add up many small parts
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (i > 0) {
-      const long double h = static_cast<long double>(times[i]) - times[i - 1], a = accelerations[i - 1], b = accelerations[i];
+      const long double h = static_cast<long double>(times[i]) - times[i - 1], a = accelerations[i - 1],
+                        b = accelerations[i];
       d += h * (v + h / 6 * (2 * a + b));
       v += h / 2 * (a + b);
     }
@@ -144,7 +152,8 @@ GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
 // The number of the sample before t, which lies between the first and the last.
 std::size_t GroundMotion::interval(const Samples& samples, double t) const noexcept {
   const std::vector<double>& times = samples.times;
-  if (per_step_ == 0) return static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, t) - times.begin()) - 1;
+  if (per_step_ == 0)
+    return static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, t) - times.begin()) - 1;
   const std::size_t last = times.size() - 2;
   const std::size_t i = std::min(static_cast<std::size_t>((t - times.front()) * per_step_), last);
   // Rounding may have put t into the neighbouring interval.
@@ -186,8 +195,7 @@ double GroundMotion::acceleration_before(double t) const noexcept {
 // A straight line from sample i on: its integrals are those up to the sample and a parabola, a cubic.
 double GroundMotion::velocity_from_rest(double t) const noexcept {
   return std::visit(
-      Overloaded{[](const Still&) { return 0.0; },
-                 [t](const auto& closed) { return moved(closed, t).velocity; },
+      Overloaded{[](const Still&) { return 0.0; }, [t](const auto& closed) { return moved(closed, t).velocity; },
                  [this, t](const SharedSamples& shared) {
                    const Record& r = *shared;
                    if (!(t > r.times.front())) return 0.0;
@@ -201,15 +209,15 @@ double GroundMotion::velocity_from_rest(double t) const noexcept {
 
 double GroundMotion::displacement_from_rest(double t) const noexcept {
   return std::visit(
-      Overloaded{[](const Still&) { return 0.0; },
-                 [t](const auto& closed) { return moved(closed, t).displacement; },
+      Overloaded{[](const Still&) { return 0.0; }, [t](const auto& closed) { return moved(closed, t).displacement; },
                  [this, t](const SharedSamples& shared) {
                    const Record& r = *shared;
                    if (!(t > r.times.front())) return 0.0;
                    if (t >= r.times.back()) return r.displacements.back() + r.velocities.back() * (t - r.times.back());
                    const std::size_t i = interval(r, t);
                    const double h = r.times[i + 1] - r.times[i], s = t - r.times[i], a = r.accelerations[i];
-                   return r.displacements[i] + s * (r.velocities[i] + s * (0.5 * a + s / (6 * h) * (r.accelerations[i + 1] - a)));
+                   return r.displacements[i] +
+                          s * (r.velocities[i] + s * (0.5 * a + s / (6 * h) * (r.accelerations[i + 1] - a)));
                  }},
       motion_);
 }
@@ -218,8 +226,10 @@ GroundMotion GroundMotion::delayed(double delay) const {
   require_finite(delay, "delay");
   if (delay == 0) return *this;
   if (initial_velocity_ != 0)
-    throw std::invalid_argument(fmt::format("ground motion: begins with a velocity of {}, which it cannot take up at once after a "
-                                            "delay", format_quantity(initial_velocity_, dimension::velocity)));
+    throw std::invalid_argument(
+        fmt::format("ground motion: begins with a velocity of {}, which it cannot take up at once after a "
+                    "delay",
+                    format_quantity(initial_velocity_, dimension::velocity)));
   const auto later = [&](auto closed) {
     closed.start += delay;
     return GroundMotion(closed);
@@ -239,7 +249,8 @@ GroundMotion GroundMotion::delayed(double delay) const {
 GroundMotion GroundMotion::with_initial_motion(double velocity, double displacement) const {
   require_finite(velocity, "initial velocity");
   require_finite(displacement, "initial displacement");
-  if (is_still()) throw std::invalid_argument("ground motion: a ground at rest has no initial velocity or displacement");
+  if (is_still())
+    throw std::invalid_argument("ground motion: a ground at rest has no initial velocity or displacement");
   GroundMotion out = *this;
   out.initial_velocity_ = velocity;
   out.initial_displacement_ = displacement;
@@ -250,24 +261,25 @@ GroundMotion GroundMotion::with_initial_motion(double velocity, double displacem
 
 double GroundMotion::next_break(double t) const noexcept {
   const auto next_of_two = [t](double begin, double end) { return t < begin ? begin : t < end ? end : infinity; };
-  return std::visit(
-      Overloaded{[](const Still&) { return infinity; },
-                 [&](const auto& closed) { return next_of_two(closed.start, end_of(closed)); },
-                 [&](const Step& step) {
-                   const double full = step.start + step.rise;
-                   return step.rise > 0 ? next_of_two(step.start, full) : next_of_two(step.start, step.start);
-                 },
-                 [this, t](const SharedSamples& shared) {
-                   const std::vector<double>& times = shared->times;
-                   if (t < times.front()) return times.front();
-                   if (!(t < times.back())) return infinity;
-                   if (per_step_ == 0) return *std::upper_bound(times.begin(), times.end(), t);
-                   auto i = static_cast<std::size_t>((t - times.front()) * per_step_);
-                   // Rounding may have put the index one off, on either side; one too high is what is sought.
-                   while (times[i] <= t) ++i;
-                   return times[i];
-                 }},
-      motion_);
+  return std::visit(Overloaded{[](const Still&) { return infinity; },
+                               [&](const auto& closed) { return next_of_two(closed.start, end_of(closed)); },
+                               [&](const Step& step) {
+                                 const double full = step.start + step.rise;
+                                 return step.rise > 0 ? next_of_two(step.start, full)
+                                                      : next_of_two(step.start, step.start);
+                               },
+                               [this, t](const SharedSamples& shared) {
+                                 const std::vector<double>& times = shared->times;
+                                 if (t < times.front()) return times.front();
+                                 if (!(t < times.back())) return infinity;
+                                 if (per_step_ == 0) return *std::upper_bound(times.begin(), times.end(), t);
+                                 auto i = static_cast<std::size_t>((t - times.front()) * per_step_);
+                                 // Rounding may have put the index one off, on either side; one too high is what is
+                                 // sought.
+                                 while (times[i] <= t) ++i;
+                                 return times[i];
+                               }},
+                    motion_);
 }
 
 double GroundMotion::sample_step() const noexcept { return per_step_ > 0 ? 1 / per_step_ : 0; }

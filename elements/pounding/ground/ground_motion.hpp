@@ -1,6 +1,7 @@
 #pragma once
-/// One component of the ground's motion: acceleration as a function of time, in closed form or as samples with straight lines
-/// between them, and its exact integrals. A force over time is the same mathematics, with newtons in the place of m/s^2.
+/// One component of the ground's motion: acceleration as a function of time, in closed form or as samples with straight
+/// lines between them, and its exact integrals. A force over time is the same mathematics, with newtons in the place of
+/// m/s^2.
 
 #include <cstdint>
 #include <initializer_list>
@@ -36,7 +37,8 @@ struct Pulse {
   double start = 0;  ///< [s]
 };
 
-/// A value that stays: zero before `start`, straight up to the amplitude within `rise`, the amplitude from then on without an end.
+/// A value that stays: zero before `start`, straight up to the amplitude within `rise`, the amplitude from then on
+/// without an end.
 struct Step {
   double amplitude;  ///< [m/s^2]
   double start = 0;  ///< [s]
@@ -45,38 +47,40 @@ struct Step {
 
 /// Samples, linear between them, zero before the first and after the last.
 struct Samples {
-  std::vector<double> times;          ///< increasing [s]
-  std::vector<double> accelerations;  ///< [m/s^2], as many as times
-  bool uniform = false;               ///< result of evenly_spaced(); uniform samples need no search
+  std::vector<double> times;               ///< increasing [s]
+  std::vector<double> accelerations;       ///< [m/s^2], as many as times
+  bool uniform = false;                    ///< result of evenly_spaced(); uniform samples need no search
   std::vector<std::string> warnings = {};  ///< about implausible values, from the reader of a record
 };
 
 /// True when every time lies within a millionth of a step from an even spacing between the first and the last.
 bool evenly_spaced(const std::vector<double>& times);
 
-/// A ground motion as the integrator sees it. Cheap to copy, because copies share the samples; safe to read from many threads.
+/// A ground motion as the integrator sees it. Cheap to copy, because copies share the samples; safe to read from many
+/// threads.
 class GroundMotion {
  public:
   GroundMotion() : motion_(Still{}) {}
-  /// Throws std::invalid_argument when a value is not finite, times do not increase, a duration or period is not positive, there
-  /// are fewer than two samples, or samples marked as uniform are not. `values` is the dimension of what is given over time, for
-  /// source(): that of a force [N] or of a moment [N m] where the history is one.
+  /// Throws std::invalid_argument when a value is not finite, times do not increase, a duration or period is not
+  /// positive, there are fewer than two samples, or samples marked as uniform are not. `values` is the dimension of
+  /// what is given over time, for source(): that of a force [N] or of a moment [N m] where the history is one.
   explicit GroundMotion(Harmonic motion, const Dimension& values = dimension::acceleration);
   explicit GroundMotion(HarmonicSum motion, const Dimension& values = dimension::acceleration);
   explicit GroundMotion(Pulse motion, const Dimension& values = dimension::acceleration);
   explicit GroundMotion(Step motion, const Dimension& values = dimension::acceleration);
   explicit GroundMotion(Samples motion, std::string source = {});
-  /// This motion on a ground that has a velocity [m/s] and a displacement [m] at t = 0 already. A harmonic acceleration does not drift
-  /// with the velocity -A T/(2 pi) cos(phase). Throws std::invalid_argument when a value is not finite, and for a ground at rest.
+  /// This motion on a ground that has a velocity [m/s] and a displacement [m] at t = 0 already. A harmonic acceleration
+  /// does not drift with the velocity -A T/(2 pi) cos(phase). Throws std::invalid_argument when a value is not finite,
+  /// and for a ground at rest.
   GroundMotion with_initial_motion(double velocity, double displacement = 0) const;
 
-  /// Acceleration at time t [m/s^2]; exactly the sample at the time of a sample. At a jump (start and end of a rectangle, a record
-  /// that begins or ends away from zero) the value just after it.
+  /// Acceleration at time t [m/s^2]; exactly the sample at the time of a sample. At a jump (start and end of a
+  /// rectangle, a record that begins or ends away from zero) the value just after it.
   double acceleration(double t) const noexcept;
   /// Acceleration just before t [m/s^2]: differs from acceleration(t) only at a jump.
   double acceleration_before(double t) const noexcept;
-  /// Exact integrals of the acceleration from the initial motion, else from rest [m/s], [m]. After the last sample the ground keeps
-  /// its final velocity: no baseline is corrected.
+  /// Exact integrals of the acceleration from the initial motion, else from rest [m/s], [m]. After the last sample the
+  /// ground keeps its final velocity: no baseline is corrected.
   double velocity(double t) const noexcept { return initial_velocity_ + velocity_from_rest(t); }
   double displacement(double t) const noexcept {
     return initial_displacement_ + initial_velocity_ * t + displacement_from_rest(t);
@@ -84,11 +88,12 @@ class GroundMotion {
   /// Velocity [m/s] and displacement [m] of the ground at t = 0.
   double initial_velocity() const noexcept { return initial_velocity_; }
   double initial_displacement() const noexcept { return initial_displacement_; }
-  /// First time after t at which the acceleration or its slope jumps [s]; infinity for none. An integrator that ends a step
-  /// there sees a smooth right-hand side inside every step.
+  /// First time after t at which the acceleration or its slope jumps [s]; infinity for none. An integrator that ends a
+  /// step there sees a smooth right-hand side inside every step.
   double next_break(double t) const noexcept;
-  /// Largest absolute acceleration [m/s^2], and velocity [m/s] and displacement [m] until the motion is over, both from rest; those of a
-  /// record at its samples. Of a sum of harmonics see HarmonicSum::peak(); velocity and displacement are the largest of 16 a period.
+  /// Largest absolute acceleration [m/s^2], and velocity [m/s] and displacement [m] until the motion is over, both from
+  /// rest; those of a record at its samples. Of a sum of harmonics see HarmonicSum::peak(); velocity and displacement
+  /// are the largest of 16 a period.
   double peak() const noexcept { return peak_; }
   double peak_velocity() const noexcept { return peak_velocity_; }
   double peak_displacement() const noexcept { return peak_displacement_; }
@@ -100,13 +105,13 @@ class GroundMotion {
   double sample_step() const noexcept;
   /// Shortest period of a closed form [s]; infinity for samples, which are straight between breaks.
   double shortest_period() const noexcept;
-  /// Longest step from time t to the next break that resolves the motion [s]: a tenth of the shortest period while a closed form
-  /// lasts, the spacing of uniform samples until a record is over; infinity where breaks are enough.
+  /// Longest step from time t to the next break that resolves the motion [s]: a tenth of the shortest period while a
+  /// closed form lasts, the spacing of uniform samples until a record is over; infinity where breaks are enough.
   double longest_step(double t) const noexcept;
   /// Samples of a record; null for a closed form.
   const Samples* samples() const noexcept;
-  /// This motion, later by `delay` [s]; breaks and integrals move along. Throws std::invalid_argument for a motion with an initial
-  /// velocity, which the ground would have to take up at once.
+  /// This motion, later by `delay` [s]; breaks and integrals move along. Throws std::invalid_argument for a motion with
+  /// an initial velocity, which the ground would have to take up at once.
   GroundMotion delayed(double delay) const;
   bool is_still() const noexcept { return std::holds_alternative<Still>(motion_); }
   /// Kind and origin of the motion, one line for reports.

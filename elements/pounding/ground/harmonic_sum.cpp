@@ -19,7 +19,8 @@ namespace pounding {
 
 double HarmonicSum::acceleration(double after_start) const noexcept {
   double sum = 0;
-  for (const Part& part : parts) sum += part.amplitude * std::sin(2 * std::numbers::pi * after_start / part.period + part.phase);
+  for (const Part& part : parts)
+    sum += part.amplitude * std::sin(2 * std::numbers::pi * after_start / part.period + part.phase);
   return sum;
 }
 
@@ -42,7 +43,8 @@ double HarmonicSum::peak() const {
   double before = acceleration(0), here = acceleration(duration / count);
   double largest = std::max(std::abs(before), std::abs(here));
   for (double i = 2; i <= count; ++i) {
-    const double after = acceleration(i / count * duration), bend = before - 2 * here + after, slope = (after - before) / 2;
+    const double after = acceleration(i / count * duration), bend = before - 2 * here + after,
+                 slope = (after - before) / 2;
     largest = std::max(largest, std::abs(after));
     if (std::abs(slope) <= std::abs(bend)) largest = std::max(largest, std::abs(here - slope * slope / (2 * bend)));
     before = here;

@@ -21,8 +21,8 @@ struct HarmonicSum {
   double acceleration(double after_start) const noexcept;
   /// Shortest of the periods [s].
   double shortest_period() const noexcept;
-  /// Largest absolute acceleration [m/s^2], to 1e-4 of the sum of all amplitudes; that sum where the duration is longer than 10000
-  /// times the shortest period.
+  /// Largest absolute acceleration [m/s^2], to 1e-4 of the sum of all amplitudes; that sum where the duration is longer
+  /// than 10000 times the shortest period.
   double peak() const;
 };
 

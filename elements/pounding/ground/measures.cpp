@@ -27,8 +27,8 @@ struct Piece {
   }
   double peak_displacement() const {
     double peak = std::max(std::abs(u0), std::abs(displacement(h)));
-    // The displacement turns where v0 + a0 t + slope t^2/2 = 0. This form of the roots loses no digits; a root that does
-    // not exist is infinite or NaN and fails the comparison.
+    // The displacement turns where v0 + a0 t + slope t^2/2 = 0. This form of the roots loses no digits; a root that
+    // does not exist is infinite or NaN and fails the comparison.
     const double root = std::sqrt(a0 * a0 - 2 * slope() * v0);
     const double q = -(a0 + std::copysign(root, a0));
     for (const double t : {q / slope(), 2 * v0 / q})

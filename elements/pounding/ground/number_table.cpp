@@ -86,7 +86,8 @@ bool has_decimal_commas(const std::vector<std::string_view>& words) {
   return std::all_of(words.begin(), words.end(), [](std::string_view word) {
     const std::size_t at = word.find(',');
     if (at == std::string_view::npos) return true;
-    return at > 0 && at + 1 < word.size() && is_digit(word[at - 1]) && is_digit(word[at + 1]) && word.find(',', at + 1) == word.npos;
+    return at > 0 && at + 1 < word.size() && is_digit(word[at - 1]) && is_digit(word[at + 1]) &&
+           word.find(',', at + 1) == word.npos;
   });
 }
 
@@ -104,7 +105,8 @@ Style style_of(const Lines& lines) {
     blanks = blanks || words.size() > 1;
   }
   const bool may_be_decimal = commas && !points && between_digits;
-  return {.decimal_comma = (commas && semicolons) || (may_be_decimal && blanks), .ambiguous = may_be_decimal && !semicolons && !blanks};
+  return {.decimal_comma = (commas && semicolons) || (may_be_decimal && blanks),
+          .ambiguous = may_be_decimal && !semicolons && !blanks};
 }
 
 }  // namespace
@@ -126,7 +128,8 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
     const bool begins = style.begin_with_number(columns);
     if (rows_.empty() && (!begins || has_word(line))) continue;
     if (end < i) {
-      if (begins && !has_word(line)) lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
+      if (begins && !has_word(line))
+        lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
       continue;
     }
     if (!begins && ends_data(line)) {
@@ -134,7 +137,8 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
       continue;
     }
     if (!begins && has_word(line))
-      lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #", excerpt(trimmed(line))));
+      lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #",
+                                excerpt(trimmed(line))));
     if (rows_.empty()) header_end_ = i;
     rows_.push_back({i, values_.size(), std::none_of(columns.begin(), columns.end(), has_decimals)});
     if (values_.size() + columns.size() > most_numbers)
@@ -187,8 +191,10 @@ std::vector<std::string> column_names(std::string_view line) {
   for (const std::string_view word : split_at_blanks(text)) {
     const bool is_inside = !names.empty() && std::count(names.back().begin(), names.back().end(), '(') >
                                                  std::count(names.back().begin(), names.back().end(), ')');
-    if (!names.empty() && (is_inside || word.front() == '(' || word.front() == '[')) names.back().append(" ").append(word);
-    else names.emplace_back(word);
+    if (!names.empty() && (is_inside || word.front() == '(' || word.front() == '['))
+      names.back().append(" ").append(word);
+    else
+      names.emplace_back(word);
   }
   return names;
 }

@@ -10,11 +10,12 @@
 
 namespace pounding::records {
 
-/// A file of numbers: a header of text or comments, lines of numbers, and nothing after them but a line such as "*** End Data ***"
-/// and text below it.
+/// A file of numbers: a header of text or comments, lines of numbers, and nothing after them but a line such as "***
+/// End Data ***" and text below it.
 ///
-/// Columns are parted by semicolons, else by commas, else by blanks. Commas are decimal commas where semicolons part the columns, and
-/// where every comma stands between digits, blanks part numbers and no number has a point. Lines that begin with # or % are comments.
+/// Columns are parted by semicolons, else by commas, else by blanks. Commas are decimal commas where semicolons part
+/// the columns, and where every comma stands between digits, blanks part numbers and no number has a point. Lines that
+/// begin with # or % are comments.
 class NumberTable {
  public:
   /// Throws InputError with "file:line: " for a text among the values, and for values after the end mark.
@@ -38,7 +39,8 @@ class NumberTable {
   std::vector<double> column(std::size_t index) const;
   /// Line of the first row; the number of lines where there is none.
   std::size_t header_end() const { return header_end_; }
-  /// Whether a line such as "0,12" may as well be one number with a decimal comma as two numbers, and every line is like it.
+  /// Whether a line such as "0,12" may as well be one number with a decimal comma as two numbers, and every line is
+  /// like it.
   bool commas_are_ambiguous() const { return commas_are_ambiguous_; }
 
  private:
@@ -58,7 +60,8 @@ bool holds_numbers(const Lines& lines);
 /// Whether a line is a mark such as "*** End Data ***" or "EOF".
 bool ends_data(std::string_view line);
 
-/// Names of columns in a line such as "time (s), acc (g)" or "# t[s] ns[g] ew[g]": a bracket belongs to the word before it.
+/// Names of columns in a line such as "time (s), acc (g)" or "# t[s] ns[g] ew[g]": a bracket belongs to the word before
+/// it.
 std::vector<std::string> column_names(std::string_view line);
 
 }  // namespace pounding::records

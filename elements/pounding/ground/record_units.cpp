@@ -38,7 +38,8 @@ std::optional<Unit> unit_of(std::string_view text) {
   if (unit == "mg") return Unit{dimension::acceleration, standard_gravity / 1000};  // no record states milligrams
   for (std::size_t at; (at = unit.find("sec")) != std::string::npos;) unit.erase(at + 1, 2);
   for (std::size_t at; (at = unit.find("**")) != std::string::npos; unit.erase(at + 1, 1)) unit[at] = '^';
-  for (std::size_t at; (at = unit.find("\xC2\xB2")) != std::string::npos; unit[at + 1] = '2') unit[at] = '^';  // the sign for "squared"
+  for (std::size_t at; (at = unit.find("\xC2\xB2")) != std::string::npos; unit[at + 1] = '2')
+    unit[at] = '^';  // the sign for "squared"
   try {
     return parse_unit(unit);
   } catch (const InputError&) {
@@ -81,8 +82,8 @@ bool is_number(const std::vector<Word>& words, std::size_t i) {
   return i < words.size() && parse_number(words[i].text, value);
 }
 
-/// Whether word i states a unit of the values: it stands in brackets, after a word such as "units", or is a formula; beside a number
-/// it belongs to that number.
+/// Whether word i states a unit of the values: it stands in brackets, after a word such as "units", or is a formula;
+/// beside a number it belongs to that number.
 bool states_unit(const std::vector<Word>& words, std::size_t i) {
   const auto& [text, bracketed] = words[i];
   if (bracketed) return true;
@@ -102,8 +103,8 @@ std::optional<double> unit_of_values(std::string_view text, const RecordOptions&
 }
 
 std::optional<double> unit_of_time(std::string_view text) {
-  constexpr std::pair<std::string_view, double> words[] = {{"SECOND", 1},   {"SECONDS", 1},        {"SECS", 1},
-                                                           {"MSECS", 1e-3}, {"MILLISECOND", 1e-3}, {"MILLISECONDS", 1e-3}};
+  constexpr std::pair<std::string_view, double> words[] = {
+      {"SECOND", 1}, {"SECONDS", 1}, {"SECS", 1}, {"MSECS", 1e-3}, {"MILLISECOND", 1e-3}, {"MILLISECONDS", 1e-3}};
   for (const auto& [word, seconds] : words)
     if (upper(trimmed(text)) == word) return seconds;
   const std::optional<Unit> unit = unit_of(text);
@@ -112,8 +113,8 @@ std::optional<double> unit_of_time(std::string_view text) {
 
 bool is_unit(std::string_view text) {
   const std::optional<Unit> unit = unit_of(text);
-  return unit && (unit->dimension == dimension::time || unit->dimension == dimension::length || unit->dimension == dimension::velocity ||
-                  unit->dimension == dimension::acceleration);
+  return unit && (unit->dimension == dimension::time || unit->dimension == dimension::length ||
+                  unit->dimension == dimension::velocity || unit->dimension == dimension::acceleration);
 }
 
 std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const RecordOptions& options) {
@@ -122,7 +123,9 @@ std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const 
   for (std::size_t i = 0; i < end; ++i) {
     header += lines[i].size();
     if (header > longest_header)
-      lines.fail(i, fmt::format("the text before the values goes on after {} bytes, without their unit; add \"units:\" with it", longest_header));
+      lines.fail(i, fmt::format(
+                        "the text before the values goes on after {} bytes, without their unit; add \"units:\" with it",
+                        longest_header));
     const std::vector<Word> words = words_of(lines[i]);
     for (std::size_t k = 0; k < words.size(); ++k)
       if (states_unit(words, k) && unit_of_values(words[k].text, options)) stated.push_back({words[k].text, i});
@@ -137,11 +140,13 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
   if (!options.units.empty()) {
     said = unit_of_values(options.units, options);
     if (!said)
-      throw InputError(fmt::format("{}: units: \"{}\" is not the unit of {}; type {}", lines.name(), excerpt(options.units), name, units));
+      throw InputError(fmt::format("{}: units: \"{}\" is not the unit of {}; type {}", lines.name(),
+                                   excerpt(options.units), name, units));
   }
   if (stated.empty()) {
     if (!said)
-      throw InputError(fmt::format("{}: the file does not state the unit of its {}; add \"units:\" with {}", lines.name(), several, units));
+      throw InputError(fmt::format("{}: the file does not state the unit of its {}; add \"units:\" with {}",
+                                   lines.name(), several, units));
     unit = options.units;
     return *said;
   }
@@ -153,21 +158,25 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
                                       is_length ? "; for displacements type displacement: {record: FILE}" : ""));
   }
   if (said && std::abs(*said - *factor) > 1e-9 * *factor)
-    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", excerpt(stated), excerpt(options.units)));
+    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", excerpt(stated),
+                                      excerpt(options.units)));
   unit = stated;
   return *factor;
 }
 
-double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, const RecordOptions& options, std::string& unit) {
+double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, const RecordOptions& options,
+                   std::string& unit) {
   if (stated.empty()) return agreed_unit(lines, 0, {}, options, unit);
   const auto same = [&](const StatedUnit& one, std::string_view other) {
     return unit_of_values(one.text, options) == unit_of_values(other, options);
   };
   const auto& [text, line] = stated.front();
   for (const StatedUnit& other : stated) {
-    if (!options.units.empty() && same(other, options.units)) return agreed_unit(lines, other.line, other.text, options, unit);
+    if (!options.units.empty() && same(other, options.units))
+      return agreed_unit(lines, other.line, other.text, options, unit);
     if (options.units.empty() && !same(other, text))
-      lines.fail(other.line, fmt::format("states {}, and line {} states {}; add \"units:\" with one of them", other.text, line + 1, text));
+      lines.fail(other.line, fmt::format("states {}, and line {} states {}; add \"units:\" with one of them",
+                                         other.text, line + 1, text));
   }
   return agreed_unit(lines, line, text, options, unit);
 }

@@ -63,9 +63,10 @@ void require_few_steps(const std::vector<Line>& lines, std::span<const double> p
   for (const Line& line : lines) duration += line.duration;
   for (const double period : periods) steps += static_cast<double>(lines.size()) + duration / period * steps_per_period;
   if (steps > limits::spectrum_steps)
-    throw std::invalid_argument(fmt::format("spectrum: {} periods from {:g} s on and a motion of {:g} s need {:.1e} steps, and {:.0e} can be "
-                                            "computed; take longer periods", periods.size(), *std::ranges::min_element(periods), duration, steps,
-                                            limits::spectrum_steps));
+    throw std::invalid_argument(
+        fmt::format("spectrum: {} periods from {:g} s on and a motion of {:g} s need {:.1e} steps, and {:.0e} can be "
+                    "computed; take longer periods",
+                    periods.size(), *std::ranges::min_element(periods), duration, steps, limits::spectrum_steps));
 }
 
 double peak_displacement(const std::vector<Line>& lines, double period, double damping) {
@@ -119,7 +120,8 @@ OscillatorStep::OscillatorStep(double w, double zeta, double h) {
   }
 }
 
-std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::span<const double> periods, double damping) {
+std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::span<const double> periods,
+                                             double damping) {
   if (!(damping >= 0 && damping < 1))
     throw std::invalid_argument(fmt::format("spectrum: damping ratio {:g}; it must lie in [0, 1)", damping));
   const std::vector<Line> lines = straight_lines(motion);

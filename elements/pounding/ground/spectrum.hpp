@@ -47,9 +47,10 @@ struct SpectrumPoint {
 /// Peak response of oscillators with these periods [s] and damping ratio [-], from rest until one period after the end
 /// of the motion, where the free vibration has its largest peak behind it.
 ///
-/// Samples are answered exactly; a closed form is replaced by 720 straight lines a period, which lowers the peak by about
-/// 6e-6 of itself. Peaks between the steps are found on the cubic through both ends.
-/// Throws std::invalid_argument when a period is not > 0 or the damping is not >= 0 and below 1.
-std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::span<const double> periods, double damping);
+/// Samples are answered exactly; a closed form is replaced by 720 straight lines a period, which lowers the peak by
+/// about 6e-6 of itself. Peaks between the steps are found on the cubic through both ends. Throws std::invalid_argument
+/// when a period is not > 0 or the damping is not >= 0 and below 1.
+std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::span<const double> periods,
+                                             double damping);
 
 }  // namespace pounding

@@ -1,5 +1,6 @@
 #pragma once
-/// The ground under the supports of one structure. It knows indices of ground motions and no structure, so it belongs to ground/.
+/// The ground under the supports of one structure. It knows indices of ground motions and no structure, so it belongs
+/// to ground/.
 
 #include <Eigen/Core>
 #include <array>
@@ -13,14 +14,14 @@ namespace pounding {
 
 /// Ground motions under the supports of one structure, the first support being the reference.
 ///
-/// The unknowns of a structure are relative to the ground at its first support (support 0). Let f_qi be what a quantity becomes
-/// when the ground moves by one at support q along axis i while all other supports, and the unknowns, stay where they are. With
-/// g_qi(t) for the ground, supports that move differently add to the quantity
+/// The unknowns of a structure are relative to the ground at its first support (support 0). Let f_qi be what a quantity
+/// becomes when the ground moves by one at support q along axis i while all other supports, and the unknowns, stay
+/// where they are. With g_qi(t) for the ground, supports that move differently add to the quantity
 ///
 ///     sum over q >= 1 and i of  f_qi (g_qi(t) - g_0i(t)),
 ///
-/// to its displacement, its velocity or its acceleration alike. Axes 0, 1, 2 are x, y, z (up). The terms are summed support by
-/// support, axis by axis, g_qi before g_0i.
+/// to its displacement, its velocity or its acceleration alike. Axes 0, 1, 2 are x, y, z (up). The terms are summed
+/// support by support, axis by axis, g_qi before g_0i.
 class SupportMotion {
  public:
   /// f_qi of one quantity.
@@ -43,8 +44,8 @@ class SupportMotion {
   /// Calls `add` for every term of the sum at time t [s].
   void displacement(double t, const AddTerm& add) const;
   void velocity(double t, const AddTerm& add) const;
-  /// Calls `add` for every term, from the accelerations of all ground motions of the model: a time would not tell which of the two
-  /// values is meant where they jump.
+  /// Calls `add` for every term, from the accelerations of all ground motions of the model: a time would not tell which
+  /// of the two values is meant where they jump.
   void acceleration(const Eigen::VectorXd& grounds, const AddTerm& add) const;
 
  private:

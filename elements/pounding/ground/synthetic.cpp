@@ -34,7 +34,8 @@ class NormalNumbers {
 };
 
 void require(bool holds, const char* what, double value, const char* range) {
-  if (!holds) throw std::invalid_argument(fmt::format("synthetic motion: {} is {:g}; it must be {}", what, value, range));
+  if (!holds)
+    throw std::invalid_argument(fmt::format("synthetic motion: {} is {:g}; it must be {}", what, value, range));
 }
 
 void check(const SyntheticOptions& options) {
@@ -56,10 +57,11 @@ void check(const SyntheticOptions& options) {
   const double fastest = std::max(options.filter.omega_g, options.filter.omega_f);
   require(fastest * options.step <= 0.5, "step", options.step, "at most 1/2 divided by the filter's larger omega");
   if (const double count = options.duration / options.step; count > limits::samples)
-    throw std::invalid_argument(fmt::format("synthetic motion: {:g} s in steps of {:g} s are {:.3g} samples, and {:g} are the most; type a duration "
-                                            "up to {:g} s, or a step of {:.3g} s or more",
-                                            options.duration, options.step, count, limits::samples, limits::samples * options.step,
-                                            options.duration / limits::samples));
+    throw std::invalid_argument(fmt::format(
+        "synthetic motion: {:g} s in steps of {:g} s are {:.3g} samples, and {:g} are the most; type a duration "
+        "up to {:g} s, or a step of {:.3g} s or more",
+        options.duration, options.step, count, limits::samples, limits::samples * options.step,
+        options.duration / limits::samples));
 }
 
 /// `part` is the time as a part of the duration.
@@ -101,9 +103,9 @@ GroundMotion synthetic_motion(const SyntheticOptions& options) {
   for (const double a : samples.accelerations) peak = std::max(peak, std::abs(a));
   for (double& a : samples.accelerations) a = a / peak * options.pga;
   samples.uniform = true;
-  std::string source = fmt::format("synthetic, seed {}, soil filter {:g} rad/s, {:g} s, {}", options.seed,
-                                   options.filter.omega_g, options.duration,
-                                   format_quantity(options.pga, dimension::acceleration));
+  std::string source =
+      fmt::format("synthetic, seed {}, soil filter {:g} rad/s, {:g} s, {}", options.seed, options.filter.omega_g,
+                  options.duration, format_quantity(options.pga, dimension::acceleration));
   return GroundMotion(std::move(samples), std::move(source));
 }
 

@@ -33,11 +33,11 @@ struct SyntheticOptions {
   double rise = 0.15, strong_until = 0.5;
 };
 
-/// Samples of the absolute ground acceleration. White noise, made non-stationary by the envelope, drives the two filters
-/// from rest, so that velocity and displacement of the ground stay bounded and no baseline needs to be corrected.
-/// Normal numbers come from the bits of std::mt19937_64 by the Box-Muller formula and not from a library's distribution:
-/// a seed means the same earthquake everywhere, to the rounding of log and cos.
-/// Throws std::invalid_argument when a value lies outside its range, or `step` is too long for the filter (w step > 1/2).
+/// Samples of the absolute ground acceleration. White noise, made non-stationary by the envelope, drives the two
+/// filters from rest, so that velocity and displacement of the ground stay bounded and no baseline needs to be
+/// corrected. Normal numbers come from the bits of std::mt19937_64 by the Box-Muller formula and not from a library's
+/// distribution: a seed means the same earthquake everywhere, to the rounding of log and cos. Throws
+/// std::invalid_argument when a value lies outside its range, or `step` is too long for the filter (w step > 1/2).
 GroundMotion synthetic_motion(const SyntheticOptions& options);
 
 }  // namespace pounding

@@ -30,7 +30,9 @@ Columns pair_columns(std::string_view line) {
 
 }  // namespace
 
-std::string unit_alone(std::string_view text) { return std::string(trimmed(text.substr(0, text.find_first_of(".();,")))); }
+std::string unit_alone(std::string_view text) {
+  return std::string(trimmed(text.substr(0, text.find_first_of(".();,"))));
+}
 
 std::size_t after_headers(const Lines& lines, std::size_t begin) {
   std::size_t i = begin + text_lines;
@@ -39,8 +41,8 @@ std::size_t after_headers(const Lines& lines, std::size_t begin) {
   return i + real_lines;
 }
 
-void read_even(const Lines& lines, std::size_t i, const std::string& count_text, const std::string& unit_text, double dt,
-               const Columns& usual, const RecordOptions& options, Record& record) {
+void read_even(const Lines& lines, std::size_t i, const std::string& count_text, const std::string& unit_text,
+               double dt, const Columns& usual, const RecordOptions& options, Record& record) {
   const double unit = agreed_unit(lines, i, unit_alone(unit_text), options, record.unit);
   const std::size_t count = checked_count(lines, i, "the number of points", lines.number(i, count_text));
   record.samples.accelerations =
@@ -49,8 +51,8 @@ void read_even(const Lines& lines, std::size_t i, const std::string& count_text,
   record.samples.times = even_times(count, dt);
 }
 
-bool read_stated(const Lines& lines, std::size_t begin, std::size_t end, const Columns& usual, const RecordOptions& options,
-                 Record& record) {
+bool read_stated(const Lines& lines, std::size_t begin, std::size_t end, const Columns& usual,
+                 const RecordOptions& options, Record& record) {
   static const std::regex stated = pattern(
       R"(^\s*([0-9]+)\s+points of acc\w* data equally spaced at\s*([0-9.]+)\s*sec\s*[.,]*\s*(?:in\s+(?:units\s+(?:of\s+)?)?|\(\s*units:)\s*(.*)$)");
   for (std::size_t i = begin; i < std::min(end, lines.size()); ++i)
@@ -71,7 +73,8 @@ void read_pairs(const Lines& lines, std::size_t count_line, std::size_t unit_lin
   if (!count_text) lines.fail(count_line, "has no \"No. of points =\"");
   if (!unit_text) lines.fail(unit_line, "has no \"Units of uncor data are sec and\"");
   const double unit = agreed_unit(lines, unit_line, unit_alone((*unit_text)[0]), options, record.unit);
-  const std::size_t count = checked_count(lines, count_line, "the number of points", lines.number(count_line, (*count_text)[0]));
+  const std::size_t count =
+      checked_count(lines, count_line, "the number of points", lines.number(count_line, (*count_text)[0]));
   const Columns columns = pair_columns(lines.at(first, "its values"));
   const std::vector<double> values =
       read_columns(lines, first, columns, {2 * count, fmt::format("line {}, two for a point,", count_line + 1)});

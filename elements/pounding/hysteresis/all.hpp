@@ -1,6 +1,6 @@
 #pragma once
-/// The one list of laws of yielding. Parser, reports, bindings, documentation and the contract test read it: a new law needs its header,
-/// two lines here and its page.
+/// The one list of laws of yielding. Parser, reports, bindings, documentation and the contract test read it: a new law
+/// needs its header, two lines here and its page.
 
 #include <span>
 #include <stdexcept>
@@ -20,14 +20,8 @@
 namespace pounding::hysteresis {
 
 /// One of the laws of this library.
-using AnyLaw = std::variant<Bilinear,
-                            MenegottoPinto,
-                            BoucWen,
-                            PeakOriented,
-                            FrictionPendulum,
-                            LeadRubber,
-                            Elastomeric,
-                            Backfill>;
+using AnyLaw =
+    std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill>;
 
 /// Every law with its tables, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
@@ -40,8 +34,8 @@ inline const Entry& find_law(std::string_view name) {
                               laws::suggestion(name, by_name::names(catalogue())));
 }
 
-/// A checked law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing required one,
-/// and a wrong value.
+/// A checked law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing
+/// required one, and a wrong value.
 inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
 
 /// The entry of a made law.

@@ -11,22 +11,27 @@
 
 namespace pounding::hysteresis {
 
-/// f = x/(1/K + Rf x/Fu), x = d - gap, where the soil is pressed further than ever; back and in again by K_ur; never a pull.
+/// f = x/(1/K + Rf x/Fu), x = d - gap, where the soil is pressed further than ever; back and in again by K_ur; never a
+/// pull.
 ///
-/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf [-] failure ratio,
-/// Fu [N] ultimate passive force, so that the hyperbola ends at Fu/Rf. d > 0 presses the wall into the soil. What was pressed in, the
-/// deepest x less its force over K_ur, stays: it opens the gap. Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees
-/// HyperbolicGapMaterial, which has the signs turned round.
+/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf
+/// [-] failure ratio, Fu [N] ultimate passive force, so that the hyperbola ends at Fu/Rf. d > 0 presses the wall into
+/// the soil. What was pressed in, the deepest x less its force over K_ur, stays: it opens the gap. Duncan & Mokwa 2001,
+/// J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, which has the signs turned round.
 struct Backfill {
-  static constexpr std::string_view name = "backfill", shape = "f = x/(1/K + Rf x/Fu), K_ur (x - r) below the deepest x, f >= 0";
-  static constexpr std::string_view summary = "soil behind a wall: a hyperbola, steeper unloading, no tension (HyperbolicGapMaterial)";
+  static constexpr std::string_view name = "backfill",
+                                    shape = "f = x/(1/K + Rf x/Fu), K_ur (x - r) below the deepest x, f >= 0";
+  static constexpr std::string_view summary =
+      "soil behind a wall: a hyperbola, steeper unloading, no tension (HyperbolicGapMaterial)";
   static constexpr std::string_view source = "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248";
   static constexpr std::string_view symbols =
-      "x = d - gap [m], K [N/m] initial stiffness, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate passive force, Rf [-] "
+      "x = d - gap [m], K [N/m] initial stiffness, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate "
+      "passive force, Rf [-] "
       "failure ratio, r [m] what stays pressed in";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1, gap >= 0; d > 0 presses";
   static constexpr std::string_view beware =
-      "it acts on one side only and has no dashpot; for small gaps the soil is met at once and what is pressed in stays a gap for the rest of "
+      "it acts on one side only and has no dashpot; for small gaps the soil is met at once and what is pressed in "
+      "stays a gap for the rest of "
       "the run";
   static constexpr bool is_symmetric = false;
 
@@ -39,7 +44,8 @@ struct Backfill {
   static constexpr std::array parameters{
       Parameter<Backfill>{{"stiffness", "N/m", "initial stiffness K", 2.5e8}, &Backfill::initial_stiffness},
       Parameter<Backfill>{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75}, &Backfill::failure_ratio},
+      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
+                          &Backfill::failure_ratio},
       Parameter<Backfill>{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength},
       Parameter<Backfill>{{"gap", "m", "gap before the wall meets the soil", 0, Need::optional}, &Backfill::gap}};
 

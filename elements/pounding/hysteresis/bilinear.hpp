@@ -11,31 +11,37 @@
 
 namespace pounding::hysteresis {
 
-/// f = a k d + (1-a) k clamp(d - s, -Fy'/k, Fy/k): a spring a k beside an elastic, perfectly plastic one with the slip s.
+/// f = a k d + (1-a) k clamp(d - s, -Fy'/k, Fy/k): a spring a k beside an elastic, perfectly plastic one with the slip
+/// s.
 ///
-/// k [N/m] initial stiffness, Fy [N] force at the first yield, Fy' [N] its size in the other direction, a [-] stiffness after it over
-/// k, s [m] slip. Kinematic hardening: unloading follows k over a range of Fy + Fy', whatever went before. The slip moves by the return
-/// mapping of one-dimensional plasticity, exact on a way without a turn (Simo & Hughes 1998, Computational Inelasticity, 1.4).
+/// k [N/m] initial stiffness, Fy [N] force at the first yield, Fy' [N] its size in the other direction, a [-] stiffness
+/// after it over k, s [m] slip. Kinematic hardening: unloading follows k over a range of Fy + Fy', whatever went
+/// before. The slip moves by the return mapping of one-dimensional plasticity, exact on a way without a turn (Simo &
+/// Hughes 1998, Computational Inelasticity, 1.4).
 struct Bilinear {
   static constexpr std::string_view name = "bilinear", shape = "f = a k d + (1-a) k clamp(d - s, -Fy'/k, Fy/k)";
   static constexpr std::string_view summary = "elastic, then yielding with kinematic hardening (Steel01)";
   static constexpr std::string_view source = "Simo & Hughes 1998, Computational Inelasticity, section 1.4";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] force at the first yield, Fy' [N] its size in the other direction, a [-] hardening, s [m] slip";
+      "k [N/m] initial stiffness, Fy [N] force at the first yield, Fy' [N] its size in the other direction, a [-] "
+      "hardening, s [m] slip";
   static constexpr std::string_view range = "0 <= a < 1";
   static constexpr std::string_view beware =
-      "two corners at every reversal that yields; no strength or stiffness is ever lost, so loops are fuller than those of concrete";
+      "two corners at every reversal that yields; no strength or stiffness is ever lost, so loops are fuller than "
+      "those of concrete";
 
-  double initial_stiffness = 0;                ///< k > 0 [N/m]
-  double yield_force = 0;                      ///< Fy > 0 [N]
-  double hardening = 0;                        ///< a in [0, 1) [-]
+  double initial_stiffness = 0;                  ///< k > 0 [N/m]
+  double yield_force = 0;                        ///< Fy > 0 [N]
+  double hardening = 0;                          ///< a in [0, 1) [-]
   std::optional<double> negative_yield_force{};  ///< Fy' > 0, as Fy unless given [N]
 
   static constexpr std::array parameters{
       Parameter<Bilinear>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
       Parameter<Bilinear>{{"yield_force", "N", "force at the first yield Fy", 1.5e5}, &Bilinear::yield_force},
-      Parameter<Bilinear>{{"hardening", "", "stiffness after the yield over k, a", 0.05, Need::optional}, &Bilinear::hardening},
-      Parameter<Bilinear>{{"negative_yield_force", "N", "size of the yield force in the other direction Fy', as Fy unless given", 1e5, Need::extra},
+      Parameter<Bilinear>{{"hardening", "", "stiffness after the yield over k, a", 0.05, Need::optional},
+                          &Bilinear::hardening},
+      Parameter<Bilinear>{{"negative_yield_force", "N",
+                           "size of the yield force in the other direction Fy', as Fy unless given", 1e5, Need::extra},
                           nullptr,
                           &Bilinear::negative_yield_force}};
 
@@ -43,8 +49,8 @@ struct Bilinear {
   struct State {
     double deformation = 0, slip = 0;
   };
-  static constexpr std::array state{
-      StateValue<Bilinear>{{"slip", "m", "plastic part of the deformation s"}, [](const State& kept) { return kept.slip; }}};
+  static constexpr std::array state{StateValue<Bilinear>{{"slip", "m", "plastic part of the deformation s"},
+                                                         [](const State& kept) { return kept.slip; }}};
 
   void check() const {
     laws::require_positive("stiffness", initial_stiffness);
@@ -59,8 +65,10 @@ struct Bilinear {
 
   Answer respond(const State& kept, double d) const noexcept {
     const double stretch = d - kept.slip, limit = reach(stretch);
-    if (std::abs(stretch) <= limit) return {hardening * initial_stiffness * d + yielding() * stretch, initial_stiffness};
-    return {hardening * initial_stiffness * d + yielding() * std::copysign(limit, stretch), hardening * initial_stiffness};
+    if (std::abs(stretch) <= limit)
+      return {hardening * initial_stiffness * d + yielding() * stretch, initial_stiffness};
+    return {hardening * initial_stiffness * d + yielding() * std::copysign(limit, stretch),
+            hardening * initial_stiffness};
   }
   Answer excess(const State& kept, double d) const noexcept {
     const double stretch = d - kept.slip, limit = reach(stretch);
@@ -70,9 +78,12 @@ struct Bilinear {
   State advance(const State& kept, double d) const noexcept { return {d, slip_at(kept, d)}; }
   double stored(const State& kept) const noexcept {
     const double stretch = kept.deformation - kept.slip;
-    return 0.5 * initial_stiffness * (hardening * kept.deformation * kept.deformation + (1 - hardening) * stretch * stretch);
+    return 0.5 * initial_stiffness *
+           (hardening * kept.deformation * kept.deformation + (1 - hardening) * stretch * stretch);
   }
-  double stored_excess(const State& kept) const noexcept { return yielding() * kept.slip * (0.5 * kept.slip - kept.deformation); }
+  double stored_excess(const State& kept) const noexcept {
+    return yielding() * kept.slip * (0.5 * kept.slip - kept.deformation);
+  }
   /// Work of the yielding part on its slip [J].
   double lost(const State& kept, double d) const noexcept {
     const double slip = slip_at(kept, d);
@@ -96,10 +107,14 @@ struct Bilinear {
 
  private:
   /// Stretch at which it yields in a direction [m].
-  double reach(double way) const noexcept { return (way < 0 ? negative_yield_force.value_or(yield_force) : yield_force) / initial_stiffness; }
+  double reach(double way) const noexcept {
+    return (way < 0 ? negative_yield_force.value_or(yield_force) : yield_force) / initial_stiffness;
+  }
   /// (1-a) k, the part of the stiffness that yields [N/m].
   double yielding() const noexcept { return (1 - hardening) * initial_stiffness; }
-  double slip_at(const State& kept, double d) const noexcept { return std::clamp(kept.slip, d - reach(1), d + reach(-1)); }
+  double slip_at(const State& kept, double d) const noexcept {
+    return std::clamp(kept.slip, d - reach(1), d + reach(-1));
+  }
 };
 
 }  // namespace pounding::hysteresis

@@ -15,25 +15,29 @@ namespace pounding::hysteresis {
 
 /// f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n (g + (1-g) sign(z dd)), dy = Fy/k: yields gradually from the start.
 ///
-/// k [N/m] initial stiffness, Fy [N] yield force, a [-] stiffness of large deformations over k, n >= 1 [-] sharpness of the knee,
-/// g = gamma/(beta + gamma) in [0, 1/2] [-], z [m] elastic part of the deformation. Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen
-/// 1981, J. Eng. Mech. Div. 107:1069. It does not depend on the rate, so z is a function of the way, not of time: exponential for n = 1,
-/// a hyperbolic tangent on loading and a tangent on unloading for n = 2, straight on unloading for g = 1/2; for other n the inverse of
-/// an integral, to 1e-13.
+/// k [N/m] initial stiffness, Fy [N] yield force, a [-] stiffness of large deformations over k, n >= 1 [-] sharpness of
+/// the knee, g = gamma/(beta + gamma) in [0, 1/2] [-], z [m] elastic part of the deformation. Wen 1976, J. Eng. Mech.
+/// Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069. It does not depend on the rate, so z is a function of
+/// the way, not of time: exponential for n = 1, a hyperbolic tangent on loading and a tangent on unloading for n = 2,
+/// straight on unloading for g = 1/2; for other n the inverse of an integral, to 1e-13.
 ///
-/// With the stored energy (1-a) k z^2/2, unloading loses (1 - 2g)|z/dy|^n: g above 1/2 would create energy and is refused (Erlicher &
-/// Point 2004, C. R. Mecanique 332:51). It fails Drucker's postulate: cycled by force between 0.2 and 0.8 Fy (a = 0, g = 1/2) it creeps
-/// by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5.
+/// With the stored energy (1-a) k z^2/2, unloading loses (1 - 2g)|z/dy|^n: g above 1/2 would create energy and is
+/// refused (Erlicher & Point 2004, C. R. Mecanique 332:51). It fails Drucker's postulate: cycled by force between 0.2
+/// and 0.8 Fy (a = 0, g = 1/2) it creeps by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5.
 struct BoucWen {
-  static constexpr std::string_view name = "bouc_wen", shape = "f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n [g + (1-g) sign(z dd)]";
+  static constexpr std::string_view name = "bouc_wen",
+                                    shape = "f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n [g + (1-g) sign(z dd)]";
   static constexpr std::string_view summary = "yields gradually, smooth between reversals (BoucWen, plastic Wen link)";
-  static constexpr std::string_view source = "Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069";
+  static constexpr std::string_view source =
+      "Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, dy = Fy/k [m], Fy [N] yield force, a [-] hardening, n [-] sharpness of the knee, g = gamma/(beta + "
+      "k [N/m] initial stiffness, dy = Fy/k [m], Fy [N] yield force, a [-] hardening, n [-] sharpness of the knee, g = "
+      "gamma/(beta + "
       "gamma) [-], z [m] elastic part of the deformation";
   static constexpr std::string_view range = "0 <= a < 1, n >= 1, 0 <= g <= 1/2";
   static constexpr std::string_view beware =
-      "small cycles about a steady force creep: between 0.2 and 0.8 Fy by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5; codes that "
+      "small cycles about a steady force creep: between 0.2 and 0.8 Fy by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5; "
+      "codes that "
       "integrate z over the step have an error of the order of the step, this one has none";
   static constexpr bool has_corners = false;
 
@@ -46,7 +50,8 @@ struct BoucWen {
   static constexpr std::array parameters{
       Parameter<BoucWen>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &BoucWen::initial_stiffness},
       Parameter<BoucWen>{{"yield_force", "N", "yield force Fy", 1.5e5}, &BoucWen::yield_force},
-      Parameter<BoucWen>{{"hardening", "", "stiffness of large deformations over k, a", 0.05, Need::optional}, &BoucWen::hardening},
+      Parameter<BoucWen>{{"hardening", "", "stiffness of large deformations over k, a", 0.05, Need::optional},
+                         &BoucWen::hardening},
       Parameter<BoucWen>{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &BoucWen::exponent},
       Parameter<BoucWen>{{"gamma_share", "", "g = gamma/(beta + gamma)", 0.5, Need::optional}, &BoucWen::gamma_share}};
 
@@ -54,31 +59,35 @@ struct BoucWen {
   struct State {
     double deformation = 0, elastic = 0;
   };
-  static constexpr std::array state{
-      StateValue<BoucWen>{{"elastic", "m", "elastic part of the deformation z"}, [](const State& kept) { return kept.elastic; }}};
+  static constexpr std::array state{StateValue<BoucWen>{{"elastic", "m", "elastic part of the deformation z"},
+                                                        [](const State& kept) { return kept.elastic; }}};
 
   void check() const {
     laws::require_positive("stiffness", initial_stiffness);
     laws::require_positive("yield_force", yield_force);
     if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
     laws::require_exponent(exponent);
-    if (!(gamma_share >= 0 && gamma_share <= 0.5)) laws::refuse("gamma_share", gamma_share, "in [0, 0.5]: above it the law would create energy");
+    if (!(gamma_share >= 0 && gamma_share <= 0.5))
+      laws::refuse("gamma_share", gamma_share, "in [0, 0.5]: above it the law would create energy");
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
 
   Answer respond(const State& kept, double d) const noexcept {
     const double sign = d < kept.deformation ? -1 : 1, dy = yield_deformation(), y = elastic_at(kept, d);
-    return {initial_stiffness * (hardening * d + (1 - hardening) * sign * dy * y), initial_stiffness * (hardening + (1 - hardening) * slope(y))};
+    return {initial_stiffness * (hardening * d + (1 - hardening) * sign * dy * y),
+            initial_stiffness * (hardening + (1 - hardening) * slope(y))};
   }
   State advance(const State& kept, double d) const noexcept {
     return {d, (d < kept.deformation ? -1 : 1) * yield_deformation() * elastic_at(kept, d)};
   }
   double stored(const State& kept) const noexcept {
-    return 0.5 * initial_stiffness * (hardening * kept.deformation * kept.deformation + (1 - hardening) * kept.elastic * kept.elastic);
+    return 0.5 * initial_stiffness *
+           (hardening * kept.deformation * kept.deformation + (1 - hardening) * kept.elastic * kept.elastic);
   }
   double work(const State& kept, double d) const noexcept {
-    const double dy = yield_deformation(), before = (d < kept.deformation ? -1 : 1) * kept.elastic / dy, after = elastic_at(kept, d);
+    const double dy = yield_deformation(), before = (d < kept.deformation ? -1 : 1) * kept.elastic / dy,
+                 after = elastic_at(kept, d);
     const double spring = 0.5 * (d - kept.deformation) * (d + kept.deformation);
     const double yielding = work_of(before, after, std::abs(d - kept.deformation) / dy);
     return initial_stiffness * (hardening * spring + (1 - hardening) * dy * dy * yielding);
@@ -112,7 +121,8 @@ struct BoucWen {
     return unloading_way(y, 0);
   }
   double unloading_way(double from, double to) const noexcept {
-    return integral([this](double y) { return 1 / (1 + bend() * std::pow(std::abs(y), exponent)); }, from, to, accuracy);
+    return integral([this](double y) { return 1 / (1 + bend() * std::pow(std::abs(y), exponent)); }, from, to,
+                    accuracy);
   }
   /// y < 0 after a way x that does not reach zero.
   double unloaded(double y, double x) const noexcept {

@@ -1,6 +1,6 @@
 #pragma once
-/// Laws of yielding by name, for any variant of them: the catalogue, making a law from settings, describing a made law. Everything is
-/// read from the laws' own tables. all.hpp applies it to the laws of this library.
+/// Laws of yielding by name, for any variant of them: the catalogue, making a law from settings, describing a made law.
+/// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
 
 #include <array>
 #include <cstddef>
@@ -80,14 +80,15 @@ void choose(L& law, std::string_view name, std::string_view word) {
       if (choice.info.name != name) continue;
       for (std::size_t i = 0; i < choice.info.words.size(); ++i)
         if (choice.info.words[i] == word) return choice.set(law, i);
-      throw std::invalid_argument(std::string(name) + " of " + std::string(L::name) + " cannot be \"" + laws::excerpt(word) + "\"." +
-                                  laws::suggestion(word, choice.info.words));
+      throw std::invalid_argument(std::string(name) + " of " + std::string(L::name) + " cannot be \"" +
+                                  laws::excerpt(word) + "\"." + laws::suggestion(word, choice.info.words));
     }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) + "\" that takes a word." +
-                              laws::suggestion(name, known));
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) +
+                              "\" that takes a word." + laws::suggestion(name, known));
 }
 
-/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
+/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
+/// of range.
 template <Law L>
 L make(const Settings& s) {
   L law;
@@ -95,7 +96,8 @@ L make(const Settings& s) {
   for (const auto& [name, word] : s.words) choose(law, name, word);
   for (const ParameterInfo& p : infos<L::parameters>)
     if (p.need == Need::required && !s.values.contains(p.name))
-      throw std::invalid_argument(std::string(L::name) + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
+      throw std::invalid_argument(std::string(L::name) + " needs " + std::string(p.name) + " (" +
+                                  std::string(p.meaning) + ")");
   law.check();
   return law;
 }

@@ -16,8 +16,8 @@ namespace pounding::hysteresis {
 /// A law as an input names it. SI units.
 struct Settings {
   std::string law;
-  std::map<std::string, double, std::less<>> values{};       ///< its numbers
-  std::map<std::string, std::string, std::less<>> words{};   ///< its choices
+  std::map<std::string, double, std::less<>> values{};      ///< its numbers
+  std::map<std::string, std::string, std::less<>> words{};  ///< its choices
 };
 
 /// One law of the catalogue, read from the tables of its struct.

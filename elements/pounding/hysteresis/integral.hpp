@@ -11,16 +11,20 @@ struct Quadrature {
   double value = 0, error = 0;
 };
 
-/// The rule of Kronrod with fifteen points that holds Gauss's seven, from a to b. QUADPACK (Piessens et al. 1983), qk15.
+/// The rule of Kronrod with fifteen points that holds Gauss's seven, from a to b. QUADPACK (Piessens et al. 1983),
+/// qk15.
 template <class F>
 Quadrature kronrod(const F& f, double a, double b) noexcept {
-  constexpr double points[] = {0.991455371120812639206854697526329, 0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
-                               0.741531185599394439863864773280788, 0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
+  constexpr double points[] = {0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
+                               0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
+                               0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
                                0.207784955007898467600689403773245};
-  constexpr double weights[] = {0.022935322010529224963732008058970, 0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
-                                0.140653259715525918745189590510238, 0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+  constexpr double weights[] = {0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
+                                0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
+                                0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
                                 0.204432940075298892414161999234649};
-  constexpr double gauss[] = {0.129484966168869693270611432679082, 0.279705391489276667901467771423780, 0.381830050505118944950369775488975};
+  constexpr double gauss[] = {0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
+                              0.381830050505118944950369775488975};
   const double middle = 0.5 * (a + b), half = 0.5 * (b - a), centre = f(middle);
   double all = 0.209482141084727828012999174891714 * centre, few = 0.417959183673469387755102040816327 * centre;
   for (int i = 0; i < 7; ++i) {
@@ -31,8 +35,8 @@ Quadrature kronrod(const F& f, double a, double b) noexcept {
   return {half * all, std::abs(half * (all - few))};
 }
 
-/// The integral of f from a to b. Intervals are halved until the two rules agree to `allowed` or to the rounding of their sums, at most
-/// 30 times each.
+/// The integral of f from a to b. Intervals are halved until the two rules agree to `allowed` or to the rounding of
+/// their sums, at most 30 times each.
 template <class F>
 double integral(const F& f, double a, double b, double allowed, int depth = 30) noexcept {
   const Quadrature whole = kronrod(f, a, b);

@@ -13,18 +13,18 @@
 ///     double stored(const State&) const noexcept;                     // energy that the state can give back
 ///     double work(const State&, double d) const noexcept;             // of the force, on the straight way to d
 ///     std::optional<double> corner(const State&, double d) const noexcept;  // where the slope first jumps on it
-///     static constexpr bool has_corners;                              // optional: false where no corner() is ever given
-///     static constexpr double gives_back;                             // optional, see gives_back below
-///     Answer excess(const State&, double d) const noexcept;           // optional, see excess() below
-///     double lost(const State&, double d) const noexcept;             // optional, see lost() below
-///     double stored_excess(const State&) const noexcept;              // optional, see stored_excess() below
-///     Range elastic(const State&) const noexcept;                     // optional, see Range below
+///     static constexpr bool has_corners;                              // optional: false where no corner() is ever
+///     given static constexpr double gives_back;                             // optional, see gives_back below Answer
+///     excess(const State&, double d) const noexcept;           // optional, see excess() below double lost(const
+///     State&, double d) const noexcept;             // optional, see lost() below double stored_excess(const State&)
+///     const noexcept;              // optional, see stored_excess() below Range elastic(const State&) const noexcept;
+///     // optional, see Range below
 ///
-/// All are pure: a law holds no history, its State does, and only `advance` makes a new one. The path between two kept states is
-/// followed exactly, so it does not matter where a way without a turn is cut into steps.
+/// All are pure: a law holds no history, its State does, and only `advance` makes a new one. The path between two kept
+/// states is followed exactly, so it does not matter where a way without a turn is cut into steps.
 ///
-/// Units: a deformation d is in m, a force in N, an energy in J; at a hinge d is in rad and the force a moment in N m. The force has
-/// the sign of a spring: positive where d grew from rest.
+/// Units: a deformation d is in m, a force in N, an energy in J; at a hinge d is in rad and the force a moment in N m.
+/// The force has the sign of a spring: positive where d grew from rest.
 
 #include <concepts>
 #include <optional>
@@ -33,14 +33,14 @@
 
 namespace pounding::hysteresis {
 
-/// Force [N] and its slope along the way [N/m]. At a corner the slope is that before it; at the kept deformation itself, where there is
-/// no way, that of one of the two directions.
+/// Force [N] and its slope along the way [N/m]. At a corner the slope is that before it; at the kept deformation
+/// itself, where there is no way, that of one of the two directions.
 struct Answer {
   double force = 0, slope = 0;
 };
 
-/// Deformations strictly between which excess() is constant to the bit and advance() changes the deformation alone, on whatever way, and
-/// nothing is lost [m].
+/// Deformations strictly between which excess() is constant to the bit and advance() changes the deformation alone, on
+/// whatever way, and nothing is lost [m].
 struct Range {
   double low = 0, high = 0;
 };
@@ -68,8 +68,8 @@ inline constexpr bool has_corners = [] {
   return true;
 }();
 
-/// Energy that a path may give back beyond what stored() says, over the yield force times the yield deformation: 0 but for published laws
-/// that cannot be cured of it.
+/// Energy that a path may give back beyond what stored() says, over the yield force times the yield deformation: 0 but
+/// for published laws that cannot be cured of it.
 template <Law L>
 inline constexpr double gives_back = [] {
   if constexpr (requires { L::gives_back; }) return L::gives_back;
@@ -106,6 +106,8 @@ double stored_excess(const L& law, const typename L::State& kept) noexcept {
 }
 
 /// Whether x lies between the two others and is neither of them.
-constexpr bool is_strictly_between(double x, double a, double b) noexcept { return b > a ? x > a && x < b : x < a && x > b; }
+constexpr bool is_strictly_between(double x, double a, double b) noexcept {
+  return b > a ? x > a && x < b : x < a && x > b;
+}
 
 }  // namespace pounding::hysteresis

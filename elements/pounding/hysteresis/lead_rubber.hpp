@@ -21,7 +21,8 @@ struct RubberStiffness {
   void check(std::string_view law) const {
     const bool any = shear_modulus || area || thickness, all = shear_modulus && area && thickness;
     if (given ? any : !all)
-      throw std::invalid_argument(std::string(law) + " needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead");
+      throw std::invalid_argument(std::string(law) +
+                                  " needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead");
     laws::require_positive("post_yield_stiffness", given);
     laws::require_positive("shear_modulus", shear_modulus);
     laws::require_positive("area", area);
@@ -31,37 +32,43 @@ struct RubberStiffness {
 
 /// f = k2 d + q, |q| <= Q behind a spring Q/u_y: rubber with a core of lead that yields, in one direction.
 ///
-/// Q [N] characteristic strength, the force of the loop at d = 0; k2 = G A/t_r [N/m] stiffness of the rubber, G [Pa] shear modulus, A
-/// [m^2] area, t_r [m] thickness of all layers; u_y [m] yield deformation. Kelly 1997, Earthquake-Resistant Design with Rubber;
-/// Naeim & Kelly 1999. A bilinear law with k = k2 + Q/u_y and Fy = Q + k2 u_y.
+/// Q [N] characteristic strength, the force of the loop at d = 0; k2 = G A/t_r [N/m] stiffness of the rubber, G [Pa]
+/// shear modulus, A [m^2] area, t_r [m] thickness of all layers; u_y [m] yield deformation. Kelly 1997,
+/// Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999. A bilinear law with k = k2 + Q/u_y and Fy = Q + k2 u_y.
 struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   static constexpr std::string_view name = "lead_rubber", shape = "f = k2 d + q, |q| <= Q behind a spring Q/u_y";
   static constexpr std::string_view summary = "isolator of rubber with a lead core: bilinear by Q, k2 and u_y";
   static constexpr std::string_view source = "Kelly 1997, Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G [Pa] shear modulus, A [m^2] "
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G [Pa] "
+      "shear modulus, A [m^2] "
       "area, t_r [m] thickness of the rubber";
   static constexpr std::string_view range = "one direction; shear strains below some 200 %";
-  static constexpr std::string_view beware = "the lead neither heats up nor loses strength; the axial force changes nothing";
+  static constexpr std::string_view beware =
+      "the lead neither heats up nor loses strength; the axial force changes nothing";
 
-  double strength = 0;                            ///< Q > 0 [N]
-  double displacement_at_yield = 0;               ///< u_y > 0 [m]
-  std::optional<double> post_yield_stiffness{};   ///< k2 > 0 [N/m], or the next three
+  double strength = 0;                                                ///< Q > 0 [N]
+  double displacement_at_yield = 0;                                   ///< u_y > 0 [m]
+  std::optional<double> post_yield_stiffness{};                       ///< k2 > 0 [N/m], or the next three
   std::optional<double> shear_modulus{}, area{}, rubber_thickness{};  ///< G [Pa], A [m^2], t_r [m]
 
   static constexpr std::array parameters{
       Parameter<LeadRubber>{{"strength", "N", "characteristic strength Q", 3.75e5}, &LeadRubber::strength},
-      Parameter<LeadRubber>{{"yield_displacement", "m", "yield deformation u_y", 0.012}, &LeadRubber::displacement_at_yield},
-      Parameter<LeadRubber>{{"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+      Parameter<LeadRubber>{{"yield_displacement", "m", "yield deformation u_y", 0.012},
+                            &LeadRubber::displacement_at_yield},
+      Parameter<LeadRubber>{
+          {"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+          nullptr,
+          &LeadRubber::post_yield_stiffness},
+      Parameter<LeadRubber>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
                             nullptr,
-                            &LeadRubber::post_yield_stiffness},
-      Parameter<LeadRubber>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra}, nullptr, &LeadRubber::shear_modulus},
+                            &LeadRubber::shear_modulus},
       Parameter<LeadRubber>{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, nullptr, &LeadRubber::area},
       Parameter<LeadRubber>{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
                             nullptr,
                             &LeadRubber::rubber_thickness}};
-  static constexpr std::array state{
-      StateValue<LeadRubber>{{"slip", "m", "plastic deformation of the lead"}, [](const Bilinear::State& kept) { return kept.slip; }}};
+  static constexpr std::array state{StateValue<LeadRubber>{{"slip", "m", "plastic deformation of the lead"},
+                                                           [](const Bilinear::State& kept) { return kept.slip; }}};
 
   void check() const {
     laws::require_positive("strength", strength);
@@ -77,39 +84,51 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   }
 };
 
-/// f = k2 d + Q z/u_y: rubber that dissipates, with the smooth knee of Bouc and Wen, n = 2, straight unloading; in one direction.
+/// f = k2 d + Q z/u_y: rubber that dissipates, with the smooth knee of Bouc and Wen, n = 2, straight unloading; in one
+/// direction.
 ///
-/// Letters as in LeadRubber. As OpenSees' elastomericBearingBoucWen with eta = 2 and beta = gamma = 1/2, one direction of it.
+/// Letters as in LeadRubber. As OpenSees' elastomericBearingBoucWen with eta = 2 and beta = gamma = 1/2, one direction
+/// of it.
 struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
-  static constexpr std::string_view name = "elastomeric", shape = "f = k2 d + Q z/u_y, dz/dd = 1 - |z/u_y|^n [1 + sign(z dd)]/2";
-  static constexpr std::string_view summary = "isolator of damping rubber: Bouc-Wen by Q, k2 and u_y (elastomericBearingBoucWen)";
-  static constexpr std::string_view source = "Kelly 1997, Earthquake-Resistant Design with Rubber; Park, Wen & Ang 1986, EESD 14:543";
+  static constexpr std::string_view name = "elastomeric",
+                                    shape = "f = k2 d + Q z/u_y, dz/dd = 1 - |z/u_y|^n [1 + sign(z dd)]/2";
+  static constexpr std::string_view summary =
+      "isolator of damping rubber: Bouc-Wen by Q, k2 and u_y (elastomericBearingBoucWen)";
+  static constexpr std::string_view source =
+      "Kelly 1997, Earthquake-Resistant Design with Rubber; Park, Wen & Ang 1986, EESD 14:543";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, n [-] sharpness of the knee, G "
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, n [-] "
+      "sharpness of the knee, G "
       "[Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
-  static constexpr std::string_view range = "one direction; shear strains below some 150 %, where rubber begins to stiffen";
-  static constexpr std::string_view beware = "small cycles about a steady force creep, see bouc_wen; the axial force changes nothing";
+  static constexpr std::string_view range =
+      "one direction; shear strains below some 150 %, where rubber begins to stiffen";
+  static constexpr std::string_view beware =
+      "small cycles about a steady force creep, see bouc_wen; the axial force changes nothing";
 
-  double strength = 0;                            ///< Q > 0 [N]
-  double displacement_at_yield = 0;               ///< u_y > 0 [m]
-  std::optional<double> post_yield_stiffness{};   ///< k2 > 0 [N/m], or the next three
+  double strength = 0;                                                ///< Q > 0 [N]
+  double displacement_at_yield = 0;                                   ///< u_y > 0 [m]
+  std::optional<double> post_yield_stiffness{};                       ///< k2 > 0 [N/m], or the next three
   std::optional<double> shear_modulus{}, area{}, rubber_thickness{};  ///< G [Pa], A [m^2], t_r [m]
-  double exponent = 2;                            ///< n >= 1 [-]
+  double exponent = 2;                                                ///< n >= 1 [-]
 
   static constexpr std::array parameters{
       Parameter<Elastomeric>{{"strength", "N", "characteristic strength Q", 3.75e5}, &Elastomeric::strength},
-      Parameter<Elastomeric>{{"yield_displacement", "m", "yield deformation u_y", 0.012}, &Elastomeric::displacement_at_yield},
-      Parameter<Elastomeric>{{"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+      Parameter<Elastomeric>{{"yield_displacement", "m", "yield deformation u_y", 0.012},
+                             &Elastomeric::displacement_at_yield},
+      Parameter<Elastomeric>{
+          {"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+          nullptr,
+          &Elastomeric::post_yield_stiffness},
+      Parameter<Elastomeric>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
                              nullptr,
-                             &Elastomeric::post_yield_stiffness},
-      Parameter<Elastomeric>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra}, nullptr, &Elastomeric::shear_modulus},
+                             &Elastomeric::shear_modulus},
       Parameter<Elastomeric>{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, nullptr, &Elastomeric::area},
       Parameter<Elastomeric>{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
                              nullptr,
                              &Elastomeric::rubber_thickness},
       Parameter<Elastomeric>{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &Elastomeric::exponent}};
-  static constexpr std::array state{
-      StateValue<Elastomeric>{{"elastic", "m", "elastic part of the deformation z"}, [](const BoucWen::State& kept) { return kept.elastic; }}};
+  static constexpr std::array state{StateValue<Elastomeric>{{"elastic", "m", "elastic part of the deformation z"},
+                                                            [](const BoucWen::State& kept) { return kept.elastic; }}};
 
   void check() const {
     laws::require_positive("strength", strength);
@@ -122,7 +141,8 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   /// The law that it is.
   BoucWen made() const noexcept {
     const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
-    return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k, .exponent = exponent};
+    return {
+        .initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k, .exponent = exponent};
   }
 };
 

@@ -7,7 +7,8 @@
 
 namespace pounding::hysteresis {
 
-/// A base for a law Self that is the law Inner with other parameters: Self has `Inner made() const noexcept` and its own check().
+/// A base for a law Self that is the law Inner with other parameters: Self has `Inner made() const noexcept` and its
+/// own check().
 template <class Self, Law Inner>
 struct MadeOf {
   /// That of the other law.

@@ -13,31 +13,39 @@
 
 namespace pounding::hysteresis {
 
-/// f = b k d + (1-b) k z; on each branch z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w: curves between an elastic line from the last
-/// turning point and the hardening line on the other side.
+/// f = b k d + (1-b) k z; on each branch z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w: curves between an elastic line
+/// from the last turning point and the hardening line on the other side.
 ///
-/// k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m]; d_r, z_r [m] deformation and elastic part at the
-/// turning point, w = +-dy - z_r [m] from there to where its elastic line meets the hardening line; R = R0 [1 - c1 xi/(c2 + xi)] [-]
-/// sharpness of the knee, xi [-] distance over dy between that point and the largest turning point before on its side (dy where there was
-/// none). Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19, without the isotropic shift.
+/// k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m]; d_r, z_r [m] deformation and elastic
+/// part at the turning point, w = +-dy - z_r [m] from there to where its elastic line meets the hardening line; R = R0
+/// [1 - c1 xi/(c2 + xi)] [-] sharpness of the knee, xi [-] distance over dy between that point and the largest turning
+/// point before on its side (dy where there was none). Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC
+/// 83-19, without the isotropic shift.
 ///
-/// As published every turn forgets what was before: after 4 dy, -4 dy, a turn by 0.02 dy at -1.5 dy lifts the force by 0.22 Fy over the
-/// path without it. With memory "nested" a branch never rises above the branches of its own direction that excursions interrupted; where
-/// it meets one, that one goes on, and an excursion beyond the start of a branch wipes it out. With "last" it is Steel02.
+/// As published every turn forgets what was before: after 4 dy, -4 dy, a turn by 0.02 dy at -1.5 dy lifts the force by
+/// 0.22 Fy over the path without it. With memory "nested" a branch never rises above the branches of its own direction
+/// that excursions interrupted; where it meets one, that one goes on, and an excursion beyond the start of a branch
+/// wipes it out. With "last" it is Steel02.
 struct MenegottoPinto {
   static constexpr std::string_view name = "menegotto_pinto",
                                     shape = "f = b k d + (1-b) k z, z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w";
-  static constexpr std::string_view summary = "reinforcing steel: a knee that grows rounder with the excursions (Steel02)";
+  static constexpr std::string_view summary =
+      "reinforcing steel: a knee that grows rounder with the excursions (Steel02)";
   static constexpr std::string_view source = "Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m], d_r, z_r [m] deformation and its elastic part at "
-      "the last turning point, w = +-dy - z_r [m], R = R0 [1 - c1 xi/(c2 + xi)] [-], xi [-] = |largest turning point on the side that is "
+      "k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m], d_r, z_r [m] deformation and its "
+      "elastic part at "
+      "the last turning point, w = +-dy - z_r [m], R = R0 [1 - c1 xi/(c2 + xi)] [-], xi [-] = |largest turning point "
+      "on the side that is "
       "approached - d_r - w|/dy";
   static constexpr std::string_view range = "0 <= b < 1, R0 (1 - c1) >= 1";
   static constexpr std::string_view beware =
-      "with memory last, which is Steel02, a turn lifts the force by up to 0.25 Fy however small it is, and impacts make such turns all the "
-      "time: a tolerance is kept only where steps resolve every turn (two buildings that pound: 1.2e-3 off at 1e-3 to 1e-5, 2.5e-4 at 1e-7, right at 1e-8); "
-      "with nested, the default, no small turn lifts it. Branches up and down differ in R, so a path can give back more than straight unloading does, "
+      "with memory last, which is Steel02, a turn lifts the force by up to 0.25 Fy however small it is, and impacts "
+      "make such turns all the "
+      "time: a tolerance is kept only where steps resolve every turn (two buildings that pound: 1.2e-3 off at 1e-3 to "
+      "1e-5, 2.5e-4 at 1e-7, right at 1e-8); "
+      "with nested, the default, no small turn lifts it. Branches up and down differ in R, so a path can give back "
+      "more than straight unloading does, "
       "by up to 0.15 Fy dy; a cycle that repeats gives nothing";
   /// Energy that a path may give back beyond what stored() says, over Fy dy.
   static constexpr double gives_back = 0.15;
@@ -56,8 +64,10 @@ struct MenegottoPinto {
   static constexpr std::array parameters{
       Parameter<MenegottoPinto>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &MenegottoPinto::initial_stiffness},
       Parameter<MenegottoPinto>{{"yield_force", "N", "yield force Fy", 1.5e5}, &MenegottoPinto::yield_force},
-      Parameter<MenegottoPinto>{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional}, &MenegottoPinto::hardening},
-      Parameter<MenegottoPinto>{{"R0", "", "sharpness of the first knee", 20, Need::optional}, &MenegottoPinto::sharpness},
+      Parameter<MenegottoPinto>{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional},
+                                &MenegottoPinto::hardening},
+      Parameter<MenegottoPinto>{{"R0", "", "sharpness of the first knee", 20, Need::optional},
+                                &MenegottoPinto::sharpness},
       Parameter<MenegottoPinto>{{"cR1", "", "part of R0 that large excursions take away, c1", 0.925, Need::optional},
                                 &MenegottoPinto::rounding},
       Parameter<MenegottoPinto>{{"cR2", "", "excursion over dy that takes away half of it, c2", 0.15, Need::optional},
@@ -78,7 +88,8 @@ struct MenegottoPinto {
   };
   /// Branches of one direction that are kept at most; one more makes that of the smallest excursion forgotten.
   static constexpr int most_branches = 8;
-  /// Branches of one direction, each held down by the one before: the last is the present one, or the last that was interrupted.
+  /// Branches of one direction, each held down by the one before: the last is the present one, or the last that was
+  /// interrupted.
   struct Branches {
     int count = 0;
     std::array<Branch, most_branches> of{};
@@ -97,12 +108,14 @@ struct MenegottoPinto {
   static constexpr std::array state{
       StateValue<MenegottoPinto>{{"turning_point", "m", "deformation at the last turning point d_r"},
                                  [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start; }},
-      StateValue<MenegottoPinto>{{"knee", "m", "deformation at which its two lines meet, d_r + w"},
-                                 [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start + kept.branch().reach; }},
+      StateValue<MenegottoPinto>{
+          {"knee", "m", "deformation at which its two lines meet, d_r + w"},
+          [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start + kept.branch().reach; }},
       StateValue<MenegottoPinto>{{"sharpness", "", "R of the present branch"},
                                  [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().sharpness; }},
-      StateValue<MenegottoPinto>{{"branches", "", "how many branches are remembered"},
-                                 [](const State& kept) { return static_cast<double>(kept.up.count + kept.down.count); }}};
+      StateValue<MenegottoPinto>{{"branches", "", "how many branches are remembered"}, [](const State& kept) {
+                                   return static_cast<double>(kept.up.count + kept.down.count);
+                                 }}};
 
   void check() const {
     laws::require_positive("stiffness", initial_stiffness);
@@ -111,14 +124,17 @@ struct MenegottoPinto {
     if (!(rounding >= 0 && rounding < 1)) laws::refuse("cR1", rounding, "in [0, 1)");
     laws::require_positive("cR2", rounding_range);
     if (!(std::isfinite(sharpness) && sharpness * (1 - rounding) >= 1))
-      laws::refuse("R0", sharpness, "at least 1/(1 - cR1) = " + laws::number_text(1 / (1 - rounding)) + ", so that R never falls below 1");
+      laws::refuse(
+          "R0", sharpness,
+          "at least 1/(1 - cR1) = " + laws::number_text(1 / (1 - rounding)) + ", so that R never falls below 1");
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
 
   Answer respond(const State& kept, double d) const noexcept {
     const Point p = reached(kept, d);
-    return {initial_stiffness * (d + (1 - hardening) * p.lag), initial_stiffness * (hardening + (1 - hardening) * p.slope)};
+    return {initial_stiffness * (d + (1 - hardening) * p.lag),
+            initial_stiffness * (hardening + (1 - hardening) * p.slope)};
   }
   Answer excess(const State& kept, double d) const noexcept {
     const Point p = reached(kept, d);
@@ -163,7 +179,8 @@ struct MenegottoPinto {
       begin = *met;
       go_on(from, begin);
     }
-    return initial_stiffness * (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
+    return initial_stiffness *
+           (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
   }
   /// The present branch meets an older one at an angle there.
   std::optional<double> corner(const State& kept, double d) const noexcept {
@@ -226,8 +243,11 @@ struct MenegottoPinto {
     if (memory == Memory::last) s.up.count = s.down.count = 0;
     s.way = way;
     Branches& old = present(s);
-    // A branch that began nearer than here is wiped out, and one that is below from the start: it could not hold the new one down.
-    const auto holds = [&](const Branch& b) { return way * (d - b.start) > 0 && rises_above(way, next, b, d) <= 2e-13 * yield_deformation(); };
+    // A branch that began nearer than here is wiped out, and one that is below from the start: it could not hold the
+    // new one down.
+    const auto holds = [&](const Branch& b) {
+      return way * (d - b.start) > 0 && rises_above(way, next, b, d) <= 2e-13 * yield_deformation();
+    };
     int kept = 0;
     for (int i = 0; i < old.count; ++i)
       if (holds(old.of[i])) old.of[kept++] = old.of[i];
@@ -247,8 +267,8 @@ struct MenegottoPinto {
   double rises_above(int way, const Branch& b, const Branch& old, double d) const noexcept {
     return way * (at(b, d).lag - at(old, d).lag) + 1e-13 * yield_deformation();
   }
-  /// Which of the branches of the present direction holds at d: the present one, or an older one that it has met. `newer` of them are
-  /// left out.
+  /// Which of the branches of the present direction holds at d: the present one, or an older one that it has met.
+  /// `newer` of them are left out.
   int lowest(const State& s, double d, int newer = 0) const noexcept {
     const Branches& all = s.present();
     int lowest = 0;
@@ -282,10 +302,11 @@ struct MenegottoPinto {
     if (b.reach == 0) return straight;
     return straight + b.reach * b.reach * curve_area((from - b.start) / b.reach, (to - b.start) / b.reach, b.sharpness);
   }
-  /// The integral of x/(1 + x^R)^(1/R) between two x. On each side of the knee it is a hypergeometric function, by Pfaff's
-  /// transformation a series in u = x^R/(1 + x^R), or in 1 - u beyond the knee (Abramowitz & Stegun, 15.3.4).
+  /// The integral of x/(1 + x^R)^(1/R) between two x. On each side of the knee it is a hypergeometric function, by
+  /// Pfaff's transformation a series in u = x^R/(1 + x^R), or in 1 - u beyond the knee (Abramowitz & Stegun, 15.3.4).
   static double curve_area(double from, double to, double R) noexcept {
-    if (R < 1.1) return integral([R](double x) { return x > 0 ? x * std::pow(1 + std::pow(x, R), -1 / R) : x; }, from, to, 1e-13);
+    if (R < 1.1)
+      return integral([R](double x) { return x > 0 ? x * std::pow(1 + std::pow(x, R), -1 / R) : x; }, from, to, 1e-13);
     if (from <= 1 && to <= 1) return area_before_knee(to, R) - area_before_knee(from, R);
     if (from >= 1 && to >= 1) return area_beyond_knee(to, R) - area_beyond_knee(from, R);
     return curve_area(from, 1, R) + curve_area(1, to, R);

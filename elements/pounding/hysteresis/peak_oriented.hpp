@@ -13,27 +13,34 @@
 
 namespace pounding::hysteresis {
 
-/// Backbone of two or three lines; unloads with k_u, and from zero force goes straight to the largest deformation ever on that side.
+/// Backbone of two or three lines; unloads with k_u, and from zero force goes straight to the largest deformation ever
+/// on that side.
 ///
-/// k [N/m] initial stiffness, Fy [N] yield force at dy = Fy/k, b [-] stiffness after it over k; with a cracking force Fc < Fy the second
-/// line leads from Fc to Fy at a given dy. D [m] largest deformation on a side, at least that of the first break (dc, Fc): k_u =
-/// (Fc + Fy)/(dc + dy) (dy/D)^e beyond the yield, [Fc + f(D)]/(dc + D) between cracking and yield, and never below f(D)/D. e = 0: Clough
-/// & Johnston 1966; e = 0.5: Takeda, Sozen & Nielsen 1970, J. Struct. Div. 96:2557, simplified by Otani 1974.
+/// k [N/m] initial stiffness, Fy [N] yield force at dy = Fy/k, b [-] stiffness after it over k; with a cracking force
+/// Fc < Fy the second line leads from Fc to Fy at a given dy. D [m] largest deformation on a side, at least that of the
+/// first break (dc, Fc): k_u = (Fc + Fy)/(dc + dy) (dy/D)^e beyond the yield, [Fc + f(D)]/(dc + D) between cracking and
+/// yield, and never below f(D)/D. e = 0: Clough & Johnston 1966; e = 0.5: Takeda, Sozen & Nielsen 1970, J. Struct. Div.
+/// 96:2557, simplified by Otani 1974.
 ///
-/// A way that turns back below an inner peak leads straight on to the old one, as OpenSees' Hysteretic does. A line towards the old peak is
-/// never steeper than k_u of its side: it then meets the backbone further out, without a jump of the force.
+/// A way that turns back below an inner peak leads straight on to the old one, as OpenSees' Hysteretic does. A line
+/// towards the old peak is never steeper than k_u of its side: it then meets the backbone further out, without a jump
+/// of the force.
 struct PeakOriented {
-  static constexpr std::string_view name = "peak_oriented",
-                                    shape = "f towards (D, f(D)) on loading, k_u = k (dy/D)^e on unloading, backbone beyond D";
+  static constexpr std::string_view
+      name = "peak_oriented",
+      shape = "f towards (D, f(D)) on loading, k_u = k (dy/D)^e on unloading, backbone beyond D";
   static constexpr std::string_view summary = "reinforced concrete that loses stiffness: Clough, Takeda (Hysteretic)";
   static constexpr std::string_view source =
       "Clough & Johnston 1966; Takeda, Sozen & Nielsen 1970, J. Struct. Div. 96:2557; Otani 1974";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] largest deformation on the side, e [-] unloading "
+      "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] largest deformation on the side, "
+      "e [-] unloading "
       "exponent, b [-] hardening, Fc [N] cracking force";
-  static constexpr std::string_view range = "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the one before";
+  static constexpr std::string_view range =
+      "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the one before";
   static constexpr std::string_view beware =
-      "corners at every zero of the force and every old peak; no pinching and no loss of strength; small inner cycles reload towards the "
+      "corners at every zero of the force and every old peak; no pinching and no loss of strength; small inner cycles "
+      "reload towards the "
       "largest peak, not the last one";
 
   double initial_stiffness = 0;                  ///< k > 0 [N/m]
@@ -46,18 +53,24 @@ struct PeakOriented {
   static constexpr std::array parameters{
       Parameter<PeakOriented>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &PeakOriented::initial_stiffness},
       Parameter<PeakOriented>{{"yield_force", "N", "yield force Fy", 1.5e5}, &PeakOriented::yield_force},
-      Parameter<PeakOriented>{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional}, &PeakOriented::hardening},
-      Parameter<PeakOriented>{{"unloading", "", "exponent e of the unloading stiffness", 0.5, Need::optional}, &PeakOriented::unloading},
-      Parameter<PeakOriented>{{"cracking_force", "N", "force at which the first line ends Fc, beside yield_deformation", 5e4, Need::extra},
-                              nullptr,
-                              &PeakOriented::cracking_force},
-      Parameter<PeakOriented>{{"yield_deformation", "m", "deformation at the yield force, beside cracking_force", 0.03, Need::extra},
-                              nullptr,
-                              &PeakOriented::deformation_at_yield}};
+      Parameter<PeakOriented>{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional},
+                              &PeakOriented::hardening},
+      Parameter<PeakOriented>{{"unloading", "", "exponent e of the unloading stiffness", 0.5, Need::optional},
+                              &PeakOriented::unloading},
+      Parameter<PeakOriented>{
+          {"cracking_force", "N", "force at which the first line ends Fc, beside yield_deformation", 5e4, Need::extra},
+          nullptr,
+          &PeakOriented::cracking_force},
+      Parameter<PeakOriented>{
+          {"yield_deformation", "m", "deformation at the yield force, beside cracking_force", 0.03, Need::extra},
+          nullptr,
+          &PeakOriented::deformation_at_yield}};
 
-  /// Rule that is followed: the first line, the backbone beyond it, back from a turning point, towards the largest deformation.
+  /// Rule that is followed: the first line, the backbone beyond it, back from a turning point, towards the largest
+  /// deformation.
   enum class Rule : int { elastic, backbone, unloading, reloading };
-  /// `start`, `force`, `slope`: line of the last two rules. `side` is the sign of the force. `most`: D up and down, 0 before cracking.
+  /// `start`, `force`, `slope`: line of the last two rules. `side` is the sign of the force. `most`: D up and down, 0
+  /// before cracking.
   struct State {
     double deformation = 0;
     Rule rule = Rule::elastic;
@@ -70,7 +83,8 @@ struct PeakOriented {
                                [](const State& kept) { return static_cast<double>(kept.rule); }},
       StateValue<PeakOriented>{{"largest", "m", "largest deformation ever upwards, 0 before the first break"},
                                [](const State& kept) { return kept.most[0]; }},
-      StateValue<PeakOriented>{{"least", "m", "largest deformation ever downwards, negative"}, [](const State& kept) { return -kept.most[1]; }}};
+      StateValue<PeakOriented>{{"least", "m", "largest deformation ever downwards, negative"},
+                               [](const State& kept) { return -kept.most[1]; }}};
 
   void check() const {
     laws::require_positive("stiffness", initial_stiffness);
@@ -82,12 +96,15 @@ struct PeakOriented {
     if (!cracking_force) return;
     laws::require_positive("cracking_force", cracking_force);
     laws::require_positive("yield_deformation", deformation_at_yield);
-    if (*cracking_force >= yield_force) laws::refuse("cracking_force", *cracking_force, "below yield_force, " + laws::number_text(yield_force));
+    if (*cracking_force >= yield_force)
+      laws::refuse("cracking_force", *cracking_force, "below yield_force, " + laws::number_text(yield_force));
     const double slope = second_slope();
     if (!(slope < initial_stiffness) || !(slope > 0))
-      laws::refuse("yield_deformation", *deformation_at_yield, "above yield_force/stiffness, " + laws::number_text(yield_force / initial_stiffness));
+      laws::refuse("yield_deformation", *deformation_at_yield,
+                   "above yield_force/stiffness, " + laws::number_text(yield_force / initial_stiffness));
     if (hardening * initial_stiffness >= slope)
-      laws::refuse("hardening", hardening, "below that of the line before the yield, " + laws::number_text(slope / initial_stiffness));
+      laws::refuse("hardening", hardening,
+                   "below that of the line before the yield, " + laws::number_text(slope / initial_stiffness));
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return deformation_at_yield.value_or(yield_force / initial_stiffness); }
@@ -140,7 +157,9 @@ struct PeakOriented {
     return a <= first_break() ? initial_stiffness * a : first_force() + second_slope() * (a - first_break());
   }
   double backbone_slope(double a) const noexcept {
-    return a >= yield_deformation() ? hardening * initial_stiffness : a >= first_break() ? second_slope() : initial_stiffness;
+    return a >= yield_deformation() ? hardening * initial_stiffness
+           : a >= first_break()     ? second_slope()
+                                    : initial_stiffness;
   }
   static int index(int side) noexcept { return side > 0 ? 0 : 1; }
   double largest(const State& s, int side) const noexcept { return std::max(s.most[index(side)], first_break()); }
@@ -214,7 +233,9 @@ struct PeakOriented {
     const double never = way * HUGE_VAL;
     switch (s.rule) {
       case Rule::elastic: return way * first_break();
-      case Rule::backbone: return s.side * s.deformation < yield_deformation() && deformation_at_yield ? s.side * yield_deformation() : never;
+      case Rule::backbone:
+        return s.side * s.deformation < yield_deformation() && deformation_at_yield ? s.side * yield_deformation()
+                                                                                    : never;
       case Rule::unloading: return way == s.side ? s.start : s.start - s.force / s.slope;
       case Rule::reloading: return s.side * end_of_reloading(s);
     }
@@ -223,7 +244,10 @@ struct PeakOriented {
   /// The rule that follows there.
   State next_rule(State s, int way) const noexcept {
     switch (s.rule) {
-      case Rule::elastic: s.rule = Rule::backbone; s.side = way; break;
+      case Rule::elastic:
+        s.rule = Rule::backbone;
+        s.side = way;
+        break;
       case Rule::backbone: break;  // its second line
       case Rule::unloading:
         if (way != s.side) return reloaded(s, way, 0);

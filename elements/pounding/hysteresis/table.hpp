@@ -27,8 +27,8 @@ struct ParameterInfo {
 template <class L>
 struct Parameter {
   ParameterInfo info;
-  double L::*value = nullptr;
-  std::optional<double> L::*choice = nullptr;
+  double L::* value = nullptr;
+  std::optional<double> L::* choice = nullptr;
 };
 
 /// A parameter that is one of some words, the first of them by default.

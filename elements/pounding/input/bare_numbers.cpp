@@ -17,8 +17,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 // Values that buildings have; zero means that the effect is left out, and is never doubted.
 struct Usual {
   std::string_view section, key;
-  double low, high;            // in SI
-  std::string_view name;       // that Model::accept silences it by
+  double low, high;       // in SI
+  std::string_view name;  // that Model::accept silences it by
   std::string_view advice;
 };
 
@@ -56,8 +56,9 @@ struct InGravity {
   double low, high;
 };
 
-constexpr InGravity usual_in_gravity[] = {{"ground_motion", "pga", 0.02, 1.5}, {"motion", "pga", 0.02, 1.5}, {"synthetic", "pga", 0.02, 1.5},
-                                          {"harmonic", "amplitude", 0.05, 0.99}, {"sum", "amplitude", 0.05, 0.99}, {"pulse", "amplitude", 0.05, 0.99}};
+constexpr InGravity usual_in_gravity[] = {{"ground_motion", "pga", 0.02, 1.5}, {"motion", "pga", 0.02, 1.5},
+                                          {"synthetic", "pga", 0.02, 1.5},     {"harmonic", "amplitude", 0.05, 0.99},
+                                          {"sum", "amplitude", 0.05, 0.99},    {"pulse", "amplitude", 0.05, 0.99}};
 
 // Quotes a bound in the unit of the number: "1 t", "2".
 std::string quoted(double value, const words::Word& word) {
@@ -82,7 +83,8 @@ class Doubts {
   std::vector<Doubt> all() const {
     std::vector<Doubt> doubts;
     for (const Found& found : found_)
-      doubts.push_back({std::string(found.name), found.count == 1 ? found.text : fmt::format("{} (and {} more)", found.text, found.count - 1)});
+      doubts.push_back({std::string(found.name),
+                        found.count == 1 ? found.text : fmt::format("{} (and {} more)", found.text, found.count - 1)});
     return doubts;
   }
 
@@ -100,7 +102,8 @@ class Doubts {
     } else if (value.is_map()) {
       const auto entries = value.entries();
       // Keys of a section, or storeys with a value each.
-      if (word.inside && std::ranges::any_of(entries, [&](const auto& entry) { return word.inside->find(entry.first); }))
+      if (word.inside &&
+          std::ranges::any_of(entries, [&](const auto& entry) { return word.inside->find(entry.first); }))
         visit(value, *word.inside);
       else
         for (const auto& [key, child] : entries) visit_value(child, section, word);
@@ -115,13 +118,17 @@ class Doubts {
     const bool is_bare = parse_number(text, number);
     for (const InGravity& rule : usual_in_gravity)
       if (is_bare && rule.section == section.name && rule.key == word.key && number >= rule.low && number <= rule.high)
-        add(&rule, "pga", fmt::format("{}: a bare {} is in m/s^2, {:.3g} g; did you mean {} g? Type its unit", value.path(), text, number / standard_gravity, text));
+        add(&rule, "pga",
+            fmt::format("{}: a bare {} is in m/s^2, {:.3g} g; did you mean {} g? Type its unit", value.path(), text,
+                        number / standard_gravity, text));
     for (const Usual& rule : usual_values) {
       if (rule.section != section.name || rule.key != word.key) continue;
       if (!is_bare) number = parse_quantity(text, word.dimension);
       if (number == 0 || (number >= rule.low && number <= rule.high)) continue;
       const bool is_low = number < rule.low;
-      add(&rule, rule.name, fmt::format("{}: {} is {} {}; {}", value.path(), text, is_low ? "below" : "above", quoted(is_low ? rule.low : rule.high, word), rule.advice));
+      add(&rule, rule.name,
+          fmt::format("{}: {} is {} {}; {}", value.path(), text, is_low ? "below" : "above",
+                      quoted(is_low ? rule.low : rule.high, word), rule.advice));
     }
   }
 

@@ -29,9 +29,9 @@ namespace bounds {
 inline constexpr Bounds any{};
 inline constexpr Bounds positive{.low = 0, .without_low = true};
 inline constexpr Bounds non_negative{.low = 0};
-inline constexpr Bounds from_0_to_1{.low = 0, .high = 1};                            ///< [0, 1]
-inline constexpr Bounds above_0_to_1{.low = 0, .high = 1, .without_low = true};      ///< (0, 1]
-inline constexpr Bounds from_0_below_1{.low = 0, .high = 1, .without_high = true};   ///< [0, 1)
+inline constexpr Bounds from_0_to_1{.low = 0, .high = 1};                                                 ///< [0, 1]
+inline constexpr Bounds above_0_to_1{.low = 0, .high = 1, .without_low = true};                           ///< (0, 1]
+inline constexpr Bounds from_0_below_1{.low = 0, .high = 1, .without_high = true};                        ///< [0, 1)
 inline constexpr Bounds between_0_and_1{.low = 0, .high = 1, .without_low = true, .without_high = true};  ///< (0, 1)
 }  // namespace bounds
 

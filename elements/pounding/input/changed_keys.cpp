@@ -18,10 +18,14 @@ void doubt_hinges(const Input& hinges, std::vector<Doubt>& doubts) {
       const auto hardening = numbers.find("hardening");
       if (!hardening || !hardening->is_scalar()) continue;
       const std::string text = hardening->as_text();
-      if (double value = 1; parse_number(text.substr(0, text.find_first_of(" %")), value) && value == 0) continue;  // zero has one meaning
-      doubts.push_back({"hardening", fmt::format("{}: is the ratio of the member end; version 0.2.0 took {} as that of the bare spring, which is now "
-                                                 "spring_hardening: {}",
-                                                 hardening->path(), text, text)});
+      if (double value = 1; parse_number(text.substr(0, text.find_first_of(" %")), value) && value == 0)
+        continue;  // zero has one meaning
+      doubts.push_back(
+          {"hardening",
+           fmt::format(
+               "{}: is the ratio of the member end; version 0.2.0 took {} as that of the bare spring, which is now "
+               "spring_hardening: {}",
+               hardening->path(), text, text)});
       return;
     }
   }

@@ -22,7 +22,8 @@ double read(const CollisionInput& words, std::string_view name, const std::strin
 
 double read_mass(const CollisionInput& words, std::string_view name, const std::string& text) {
   const double mass = read(words, name, text, dimension::mass);
-  if (!(mass > 0)) throw InputError(fmt::format("{}{} {}: a mass must be positive", words.before_names, name, excerpt(text)));
+  if (!(mass > 0))
+    throw InputError(fmt::format("{}{} {}: a mass must be positive", words.before_names, name, excerpt(text)));
   return mass;
 }
 
@@ -78,10 +79,12 @@ Collision read_collision(const CollisionInput& words) {
   c.settings.reduced_mass = reduced_mass(words);
   if (c.law.takes_restitution) {
     if (words.restitution.empty())
-      throw InputError(fmt::format("{}restitution is missing: the one to calibrate for, such as 0.65", words.before_names));
+      throw InputError(
+          fmt::format("{}restitution is missing: the one to calibrate for, such as 0.65", words.before_names));
     c.settings.restitution = read(words, "restitution", words.restitution, dimension::none);
   } else if (!words.restitution.empty()) {
-    throw InputError(fmt::format("{}restitution: {} takes no restitution, it loses no energy", words.before_names, words.law));
+    throw InputError(
+        fmt::format("{}restitution: {} takes no restitution, it loses no energy", words.before_names, words.law));
   }
   const auto given = given_parameters(words);
   for (const auto& [name, text] : given)
@@ -96,9 +99,11 @@ Collision read_collision(const CollisionInput& words) {
   }
   for (const laws::ParameterInfo& p : c.law.parameters) {
     const bool is_given = std::ranges::find(given, p.name, &std::pair<std::string, std::string>::first) != given.end();
-    if (p.need == laws::Need::required && !is_given && p.unit.find('n') != std::string_view::npos && !words.exponent.empty())
-      throw InputError(fmt::format("{}exponent {} needs {}{} with it: a typical one is known for the usual exponent only",
-                                   words.before_names, words.exponent, words.before_names, p.name));
+    if (p.need == laws::Need::required && !is_given && p.unit.find('n') != std::string_view::npos &&
+        !words.exponent.empty())
+      throw InputError(
+          fmt::format("{}exponent {} needs {}{} with it: a typical one is known for the usual exponent only",
+                      words.before_names, words.exponent, words.before_names, p.name));
     if (p.need == laws::Need::required && !is_given)
       c.assumed.push_back(fmt::format("{} {:g} {}", p.name, p.typical, laws::resolved_unit(p.unit, c.exponent)));
   }

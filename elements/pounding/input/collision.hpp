@@ -1,5 +1,6 @@
 #pragma once
-/// A free impact of two bodies by every damping formula of a law: what `pounding calibrate` and Python's calibrate() tell.
+/// A free impact of two bodies by every damping formula of a law: what `pounding calibrate` and Python's calibrate()
+/// tell.
 
 #include <string>
 #include <string_view>
@@ -34,15 +35,15 @@ struct CalibratedRow {
   std::string refused;  ///< why the formula has no value here
 };
 
-/// What a row says of an impact that "has no number" or "does not end". Throws InputError, which begins with `before`, where no other formula could
-/// answer: for the exact one, and for a law without formulas.
+/// What a row says of an impact that "has no number" or "does not end". Throws InputError, which begins with `before`,
+/// where no other formula could answer: for the exact one, and for a law without formulas.
 std::string refused_impact(std::string_view before, std::string_view formula, std::string_view why);
 
 /// Throws InputError for a value that is missing or wrong, std::invalid_argument for an unknown law.
 Collision read_collision(const CollisionInput& words);
 
-/// One row a formula; one without a name for a law that has none. Throws std::invalid_argument for a value or a parameter that
-/// the law refuses whatever the formula.
+/// One row a formula; one without a name for a law that has none. Throws std::invalid_argument for a value or a
+/// parameter that the law refuses whatever the formula.
 std::vector<CalibratedRow> calibrate(const Collision& collision);
 
 }  // namespace pounding

@@ -15,9 +15,11 @@ namespace {
 std::variant<Bar, BarSection> read_bar(const Input& node) {
   node.only_keys();
   const auto stiffness = node.find("stiffness"), young = node.find("E"), area = node.find("area");
-  if (stiffness && (young || area)) (young ? young : area)->fail_at_key("and stiffness say the same; keep one of the two");
+  if (stiffness && (young || area))
+    (young ? young : area)->fail_at_key("and stiffness say the same; keep one of the two");
   if (stiffness) return Bar{stiffness->as_quantity()};
-  if (!young && !area) node.fail("says nothing of its stiffness; type stiffness: 50 MN/m, or E: 210 GPa and area: 20 cm^2");
+  if (!young && !area)
+    node.fail("says nothing of its stiffness; type stiffness: 50 MN/m, or E: 210 GPa and area: 20 cm^2");
   return BarSection{node.at("E").as_quantity(), node.at("area").as_quantity()};
 }
 
@@ -31,13 +33,16 @@ Damper read_damper(const Input& node) {
     damper.coefficient = coefficient.as_quantity({1, 1 - a, -2 + a});
   } catch (const InputError&) {
     if (damper.is_linear() || !coefficient.is_scalar()) throw;
-    coefficient.fail(fmt::format("beside the exponent {0:g} takes a force for 1 m/s such as \"200 kN (s/m)^{0:g}\"; \"{1}\" is none", a,
-                                 excerpt(coefficient.as_text())));
+    coefficient.fail(
+        fmt::format("beside the exponent {0:g} takes a force for 1 m/s such as \"200 kN (s/m)^{0:g}\"; \"{1}\" is none",
+                    a, excerpt(coefficient.as_text())));
   }
   if (const auto stiffness = node.find("stiffness")) damper.stiffness = stiffness->as_quantity();
   if (const auto rounding = node.find("rounding_velocity")) {
     if (damper.has_stiffness()) rounding->fail_at_key("rounds a damper without a stiffness; keep one of the two");
-    if (damper.is_linear()) rounding->fail_at_key("rounds a power of the velocity; type an exponent such as exponent: 0.35 beside it, or leave it out");
+    if (damper.is_linear())
+      rounding->fail_at_key(
+          "rounds a power of the velocity; type an exponent such as exponent: 0.35 beside it, or leave it out");
     damper.rounding_velocity = rounding->as_quantity();
   }
   return damper;
@@ -115,8 +120,10 @@ void read_own_device(const std::string& name, const Input& node, const Structure
   node.only_keys();
   const auto storey = node.find("storey"), between = node.find("between"), axis = node.find("axis");
   const bool is_frame = model.structures[static_cast<std::size_t>(structure.number())].dimension > 1;
-  if (storey && between) between->fail_at_key("a device stands in a storey or between two points; keep one of storey and between");
-  if (storey && is_frame) storey->fail_at_key("belongs to shear buildings; in a frame name two nodes, such as between: [a, b]");
+  if (storey && between)
+    between->fail_at_key("a device stands in a storey or between two points; keep one of storey and between");
+  if (storey && is_frame)
+    storey->fail_at_key("belongs to shear buildings; in a frame name two nodes, such as between: [a, b]");
   if (!storey && !between)
     node.fail(is_frame ? "its ends are missing; type between: [a, b] with two nodes"
                        : "its place is missing; type storey: 1, or between: [ground, 2] with two floors");
@@ -132,7 +139,10 @@ void read_own_device(const std::string& name, const Input& node, const Structure
   std::optional<DeviceAxis> chosen;
   if (axis) {
     const std::string word = axis->as_choice();
-    chosen = word == "along" ? DeviceAxis::along : word == "x" ? DeviceAxis::x : word == "y" ? DeviceAxis::y : DeviceAxis::z;
+    chosen = word == "along" ? DeviceAxis::along
+             : word == "x"   ? DeviceAxis::x
+             : word == "y"   ? DeviceAxis::y
+                             : DeviceAxis::z;
   }
   try {
     model.connect_within(name, structure, ends.first, ends.second, chosen, options);

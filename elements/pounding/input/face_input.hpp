@@ -17,7 +17,8 @@ inline Face read_face(const Input& node) {
   const std::string text = node.is_scalar() ? node.as_text() : std::string();
   if (text == "auto") return {.by_columns = true};
   if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())))
-    node.fail(fmt::format("takes auto, half the depth of the outer columns, or a length such as 0.3 m; \"{}\" was read", excerpt(text)));
+    node.fail(fmt::format("takes auto, half the depth of the outer columns, or a length such as 0.3 m; \"{}\" was read",
+                          excerpt(text)));
   return {.distance = node.as_quantity()};
 }
 

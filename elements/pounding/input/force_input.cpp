@@ -30,8 +30,9 @@ double read_period(const Input& node) {
   if (period && frequency) frequency->fail_at_key("\"period\" and \"frequency\" are both given; keep one of them");
   if (!frequency) return node.quantity("period");
   if (frequency->as_text().find("rad") != std::string::npos)
-    frequency->fail(fmt::format("takes turns in a second such as \"2.5 Hz\"; \"{}\" is a circular frequency, divide by 2 pi",
-                                frequency->as_text()));
+    frequency->fail(
+        fmt::format("takes turns in a second such as \"2.5 Hz\"; \"{}\" is a circular frequency, divide by 2 pi",
+                    frequency->as_text()));
   return 1 / frequency->as_quantity();
 }
 
@@ -44,8 +45,9 @@ class HistoryReader {
     const std::string_view kind = only_kind();
     for (const auto& [key, allowed] : beside)
       if (const auto found = force_.find(key); found && allowed.find(kind) == std::string_view::npos)
-        found->fail_at_key(fmt::format("belongs to a {}{}", allowed,
-                                       key == "start" || key == "duration" ? fmt::format("; type it inside {}", kind) : ""));
+        found->fail_at_key(
+            fmt::format("belongs to a {}{}", allowed,
+                        key == "start" || key == "duration" ? fmt::format("; type it inside {}", kind) : ""));
     if (kind == "record") return read_record_of_force();
     if (kind == "sum") return read_sum();
     const Input node = force_.at(kind);
@@ -57,7 +59,8 @@ class HistoryReader {
                                 .start = node.quantity("start")},
                           values_);
     if (kind == "step_force")
-      return GroundMotion(Step{.amplitude = amplitude(node), .start = node.quantity("start"), .rise = node.quantity("rise")}, values_);
+      return GroundMotion(
+          Step{.amplitude = amplitude(node), .start = node.quantity("start"), .rise = node.quantity("rise")}, values_);
     return GroundMotion(Harmonic{.amplitude = amplitude(node),
                                  .period = read_period(node),
                                  .duration = node.quantity("duration"),
@@ -72,7 +75,9 @@ class HistoryReader {
     for (const std::string_view candidate : force_kinds) {
       const auto found = force_.find(candidate);
       if (!found) continue;
-      if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; make two forces of them, which add", *kind, candidate));
+      if (kind)
+        found->fail_at_key(
+            fmt::format("\"{}\" and \"{}\" are both given; make two forces of them, which add", *kind, candidate));
       kind = candidate;
     }
     if (!kind) force_.fail("its course over time is missing; it is one of record, harmonic, sum, pulse, step_force");
@@ -115,7 +120,10 @@ class HistoryReader {
 }  // namespace
 
 std::vector<ForceOptions> read_forces(const Input& list) {
-  if (!list.is_list()) list.fail("takes a list, one force a line; type - {floor: 3, harmonic: {amplitude: 20 kN, period: 0.5 s, duration: 10 s}}");
+  if (!list.is_list())
+    list.fail(
+        "takes a list, one force a line; type - {floor: 3, harmonic: {amplitude: 20 kN, period: 0.5 s, duration: 10 "
+        "s}}");
   if (list.items().empty()) list.fail("holds no force; leave it out");
   std::vector<ForceOptions> forces;
   for (const Input& item : list.items()) {

@@ -107,12 +107,15 @@ class FrameReader {
     if (!dofs && !(rigid && rigid->as_bool())) node.fail("what is tied is missing; type dofs: [ux], or rigid: true");
     for (const int each : nodes)
       placed(node, [&] {
-        if (dofs) model_.frame.tie(master, each, parts_.words().dofs(*dofs));
-        else model_.frame.tie_rigidly(master, each);
+        if (dofs)
+          model_.frame.tie(master, each, parts_.words().dofs(*dofs));
+        else
+          model_.frame.tie_rigidly(master, each);
       });
   }
 
-  void add_support(const SupportWish& wish, const std::string& name, const std::vector<int>& nodes, const Input& place) {
+  void add_support(const SupportWish& wish, const std::string& name, const std::vector<int>& nodes,
+                   const Input& place) {
     for (const int node : nodes)
       placed(place, [&] {
         model_.frame.fix(node, wish.fixed);
@@ -126,8 +129,10 @@ class FrameReader {
             model_.isolators.push_back({node, dof, *wish.isolator});
             parts_.frame.isolator_places.push_back(place.at("isolator"));
           }
-    if (wish.delay > 0 || wish.motion) model_.supports.push_back({name, nodes, wish.delay, wish.motion});
-    else common_.insert(common_.end(), nodes.begin(), nodes.end());
+    if (wish.delay > 0 || wish.motion)
+      model_.supports.push_back({name, nodes, wish.delay, wish.motion});
+    else
+      common_.insert(common_.end(), nodes.begin(), nodes.end());
   }
 
   void read_supports() {
@@ -139,8 +144,9 @@ class FrameReader {
     const auto supports = body_.find("supports");
     if (supports && supports->is_scalar()) {
       if (supports->as_text() != "none")
-        supports->fail(fmt::format("takes supports by their nodes, such as {{a: fixed}}, feet for those of a grid, or none; \"{}\" was read",
-                                   supports->as_text()));
+        supports->fail(fmt::format(
+            "takes supports by their nodes, such as {{a: fixed}}, feet for those of a grid, or none; \"{}\" was read",
+            supports->as_text()));
       model_.is_free = true;
       return;
     }
@@ -173,10 +179,12 @@ class FrameReader {
     const auto label = node.find("label");
     floor.label = label ? label->as_text() : std::to_string(model_.floors.size() + 1);
     for (const FrameFloor& other : model_.floors)
-      if (other.label == floor.label) (label ? *label : node).fail(fmt::format("two floors have the label {}; choose another one", floor.label));
+      if (other.label == floor.label)
+        (label ? *label : node).fail(fmt::format("two floors have the label {}; choose another one", floor.label));
     if (!model_.floors.empty() && floor.elevation <= model_.floors.back().elevation)
-      node.fail(fmt::format("floors stand in the order from the ground up, and this one at {} is not above floor {} at {}",
-                            height(floor.elevation), model_.floors.back().label, height(model_.floors.back().elevation)));
+      node.fail(
+          fmt::format("floors stand in the order from the ground up, and this one at {} is not above floor {} at {}",
+                      height(floor.elevation), model_.floors.back().label, height(model_.floors.back().elevation)));
     model_.floors.push_back(std::move(floor));
     add_floor_place(node, node.find("rigid"));
   }
@@ -196,7 +204,8 @@ class FrameReader {
     std::vector<const FrameFloor*> found;
     if (std::find(floor.nodes.begin(), end, floor.nodes[i]) != end) found.push_back(&floor);
     for (const FrameFloor& other : model_.floors)
-      if (std::find(other.nodes.begin(), other.nodes.end(), floor.nodes[i]) != other.nodes.end()) found.push_back(&other);
+      if (std::find(other.nodes.begin(), other.nodes.end(), floor.nodes[i]) != other.nodes.end())
+        found.push_back(&other);
     return found;
   }
 
@@ -206,7 +215,8 @@ class FrameReader {
       if (!from.rigid) continue;
       placed(from.place, [&] { make_floor_rigid(model_, static_cast<int>(i), from.weights); });
       // In space the floor has got a master.
-      if (model_.frame.nodes() > static_cast<int>(parts_.frame.node_places.size())) parts_.frame.node_places.push_back(from.place);
+      if (model_.frame.nodes() > static_cast<int>(parts_.frame.node_places.size()))
+        parts_.frame.node_places.push_back(from.place);
     }
   }
 
@@ -263,7 +273,8 @@ class FrameReader {
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
   for (std::size_t hinge = 0; hinge < from.hinge_places.size(); ++hinge)
-    if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge))))) from.hinge_places[hinge].fail(refusal);
+    if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge)))))
+      from.hinge_places[hinge].fail(refusal);
   for (std::size_t i = 0; i < from.isolator_places.size(); ++i) {
     const std::string name = "isolator " + frame.node_name(from.model.isolators[i].node);
     if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_places[i].fail(refusal);
@@ -271,7 +282,8 @@ class FrameReader {
   for (int node = 0; node < frame.nodes(); ++node)
     if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_places[node].fail(refusal);
   for (int member = 0; member < frame.members(); ++member)
-    if (refusal.starts_with(fmt::format("member {}: ", frame.member_name(member)))) from.member_places[member].fail(refusal);
+    if (refusal.starts_with(fmt::format("member {}: ", frame.member_name(member))))
+      from.member_places[member].fail(refusal);
   body.fail(refusal);
 }
 

@@ -22,8 +22,8 @@ struct FrameInput {
 /// of floors as well.
 FrameInput read_frame(const Input& body);
 
-/// Reads a frame and makes its structure. Throws InputError at the place of what is wrong: of a node, a member or a hinge where the
-/// frame names one, else at the frame.
+/// Reads a frame and makes its structure. Throws InputError at the place of what is wrong: of a node, a member or a
+/// hinge where the frame names one, else at the frame.
 Structure read_frame_structure(const Input& body);
 
 }  // namespace pounding

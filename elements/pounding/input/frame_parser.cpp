@@ -98,15 +98,19 @@ GroundComponents FrameParser::ground(const Input& node) const {
 void FrameParser::read_isolator(const Input& support, const Input& isolator, SupportWish& wish) const {
   wish.isolator = read_isolator_law(isolator);
   if (const auto coupled = isolator.find("coupled")) {
-    if (dimension_ == 2) coupled->fail_at_key("is for frames in space; a plane one moves along x only, so leave it out");
+    if (dimension_ == 2)
+      coupled->fail_at_key("is for frames in space; a plane one moves along x only, so leave it out");
     wish.isolator->is_coupled = coupled->as_bool();
   }
   if (dimension_ == 3 && wish.isolator->is_coupled)
-    isolator.fail("moves along x and y at once in space, and no law couples the two yet; type coupled: false for each axis by itself, which "
-                  "carries up to 1.41 times too much along a diagonal");
+    isolator.fail(
+        "moves along x and y at once in space, and no law couples the two yet; type coupled: false for each axis by "
+        "itself, which "
+        "carries up to 1.41 times too much along a diagonal");
   const auto acts = [&](Dof dof) { return dof == Dof::ux || dof == Dof::uy; };
   if (const auto fix = support.find("fix")) {
-    if (std::ranges::any_of(wish.fixed, acts)) fix->fail("holds what the isolator lets go; type fix: [uz, ry], or leave fix out");
+    if (std::ranges::any_of(wish.fixed, acts))
+      fix->fail("holds what the isolator lets go; type fix: [uz, ry], or leave fix out");
     return;
   }
   for (const Dof dof : dofs_of(dimension_))

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include <pounding/core/units.hpp>
 #include <pounding/frames/frame.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/input/input.hpp>
 #include <pounding/structures/isolators.hpp>
-#include <pounding/core/units.hpp>
 
 namespace pounding {
 
@@ -25,7 +25,7 @@ struct SupportWish {
   std::vector<Dof> fixed;
   std::vector<std::pair<Dof, double>> springs, dashpots;  ///< [N/m], [N m]; [N s/m], [N m s]
   std::optional<IsolatorOptions> isolator;
-  double delay = 0;                                       ///< [s]
+  double delay = 0;  ///< [s]
   std::optional<GroundComponents> motion;
 };
 

@@ -22,14 +22,16 @@ std::string line_of(const std::string& member) {
 std::vector<std::string> members_of(const std::string& group, const std::vector<std::string>& known) {
   std::vector<std::string> members;
   for (const std::string& each : known)
-    if (const std::string line = line_of(each); group == line || group == (line.empty() ? "beams" : "columns")) members.push_back(each);
+    if (const std::string line = line_of(each); group == line || group == (line.empty() ? "beams" : "columns"))
+      members.push_back(each);
   return members;
 }
 
 std::vector<std::string> lines_of_columns(const std::vector<std::string>& known) {
   std::vector<std::string> lines;
   for (const std::string& each : known)
-    if (const std::string line = line_of(each); !line.empty() && std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+    if (const std::string line = line_of(each); !line.empty() && std::ranges::find(lines, line) == lines.end())
+      lines.push_back(line);
   return lines;
 }
 
@@ -109,11 +111,11 @@ void FramePartsInput::read_grid(const Input& node) {
   grid.storey_height = node.at("storey_height").as_quantities(grid.storeys);
   const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
   grid.column = library_.sections_of_grid(node.at("columns"), grid.storeys, lines_of_columns);
-  grid.beam = library_.sections_of_grid(node.at("beams"), grid.storeys, dimension_ == 2 ? grid.bays_x : lines_of_columns);
+  grid.beam =
+      library_.sections_of_grid(node.at("beams"), grid.storeys, dimension_ == 2 ? grid.bays_x : lines_of_columns);
   grid.material = library_.default_material(node);
   grid.mass = mass_kind_;
-  if (const auto mass = node.find("floor_mass"))
-    grid.floor_mass = mass->as_quantities(grid.storeys);
+  if (const auto mass = node.find("floor_mass")) grid.floor_mass = mass->as_quantities(grid.storeys);
   if (const auto members = body_.find("members")) read_members_of_grid(*members, grid);
   grid_ = placed(node, [&] { return add_grid(frame.model, grid); });
   const Frame& made = frame.model.frame;
@@ -123,7 +125,8 @@ void FramePartsInput::read_grid(const Input& node) {
   frame.member_places.assign(made.members(), node);
 }
 
-// Reads the members of the grid that the input changes by their names. One that is named itself has nothing of its group.
+// Reads the members of the grid that the input changes by their names. One that is named itself has nothing of its
+// group.
 void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid) const {
   const std::vector<std::string> known = grid.member_names();
   for (const auto& [name, node] : members.entries())
@@ -135,7 +138,8 @@ void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid
     }
   for (const auto& [name, node] : members.entries()) {
     if (!is_of_grid(name) || is_group(name)) continue;
-    if (std::find(known.begin(), known.end(), name) == known.end()) node.fail_at_key(unknown_name("member", name, known));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      node.fail_at_key(unknown_name("member", name, known));
     grid.members[name] = read_member_of_grid(node);
   }
 }

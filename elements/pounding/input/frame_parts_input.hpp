@@ -23,8 +23,8 @@ auto placed(const Input& place, Act&& act) {
   }
 }
 
-/// Reads `grid`, `nodes` and `members` into a frame and knows them by their names afterwards. Everything throws InputError at
-/// what is wrong.
+/// Reads `grid`, `nodes` and `members` into a frame and knows them by their names afterwards. Everything throws
+/// InputError at what is wrong.
 class FramePartsInput {
  public:
   /// `body` is the whole input of the frame and outlives this.
@@ -33,8 +33,8 @@ class FramePartsInput {
   /// The frame so far; the rest of the input is added by the caller.
   FrameInput frame;
 
-  const FrameParser& words() const { return words_; }       ///< reads single words of this frame
-  int dimension() const { return dimension_; }  ///< 2 in the plane, 3 in space
+  const FrameParser& words() const { return words_; }  ///< reads single words of this frame
+  int dimension() const { return dimension_; }         ///< 2 in the plane, 3 in space
   /// Place of the foot of the frame, by which the caller moves it when all is read [m].
   const Eigen::Vector3d& origin() const { return origin_; }
   /// Nodes on the ground of the grid, and the shares of the nodes of each of its floors.
@@ -58,7 +58,8 @@ class FramePartsInput {
   void read_node(const std::string& name, const Input& node);
   void read_member(const std::string& name, const Input& node);
   BeamOptions read_beam_options(const Input& node) const;
-  void add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end, const Material& material);
+  void add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end,
+                 const Material& material);
   void name_member(int member, const std::string& name, const Input& place);
   void check_name(const std::string& name, const Input& place) const;
 

@@ -22,7 +22,8 @@
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 6> motion_kinds = {"record", "harmonic", "sum", "pulse", "synthetic", "displacement"};
+constexpr std::array<std::string_view, 6> motion_kinds = {"record", "harmonic",  "sum",
+                                                          "pulse",  "synthetic", "displacement"};
 
 /// Quantity by which a motion is given.
 enum class Given { acceleration, displacement };
@@ -86,7 +87,8 @@ GroundMotion read_sum(const Input& section, std::initializer_list<std::string_vi
   HarmonicSum sum{.parts = {}, .duration = section.quantity("duration")};
   for (const Input& part : list.items()) {
     part.only_keys();
-    sum.parts.push_back({.amplitude = part.quantity("amplitude"), .period = part.quantity("period"), .phase = read_phase(part)});
+    sum.parts.push_back(
+        {.amplitude = part.quantity("amplitude"), .period = part.quantity("period"), .phase = read_phase(part)});
   }
   if (sum.parts.empty()) list.fail("takes one harmonic or more; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
   if (given == Given::displacement) return motion_of_displacement(sum);
@@ -104,7 +106,10 @@ GroundMotion read_displacement(const Input& node) {
   if (kind == "record") return read_record_motion(node, {}, Given::displacement);
   if (kind == "sum") return read_sum(node, {}, Given::displacement);
   node.only_keys({"record", "harmonic", "sum"});
-  if (!kind) node.fail("takes one of record, harmonic, sum; type displacement: {harmonic: {amplitude: 20 mm, period: 1 s, duration: 10 s}}");
+  if (!kind)
+    node.fail(
+        "takes one of record, harmonic, sum; type displacement: {harmonic: {amplitude: 20 mm, period: 1 s, duration: "
+        "10 s}}");
   return read_harmonic(node.at("harmonic"), Given::displacement);
 }
 
@@ -172,12 +177,15 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
   if (kind == "sum") return read_sum(section, beside, Given::acceleration);
   if (!kind) {
     section.only_keys(allowed);
-    section.fail("takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave \"ground_motion\" out");
+    section.fail(
+        "takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
+        "\"ground_motion\" out");
   }
   for (const std::string_view key : {"channel", "step"})
     if (const auto found = section.find(key)) found->fail_at_key("belongs to a record");
   if (const auto duration = section.find("duration"))
-    duration->fail_at_key(fmt::format("belongs to a sum; type {}: {{..., duration: {}}}", *kind, duration->is_scalar() ? excerpt(duration->as_text()) : "10 s"));
+    duration->fail_at_key(fmt::format("belongs to a sum; type {}: {{..., duration: {}}}", *kind,
+                                      duration->is_scalar() ? excerpt(duration->as_text()) : "10 s"));
   if (const auto velocity = section.find("initial_velocity"))
     velocity->fail_at_key("belongs to a record, a harmonic (inside it) or a sum");
   for (const std::string_view key : {"units", "scale", "pga"})
@@ -217,10 +225,11 @@ double read_phase(const Input& harmonic) {
   if (!phase) return 0;
   const std::string text = phase->as_text();
   const double angle = phase->as_quantity(dimension::none, bounds::any);
-  if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", excerpt(text)));
+  if (text.find('%') != std::string::npos)
+    phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", excerpt(text)));
   if (!(std::abs(angle) <= 2 * std::numbers::pi))
-    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", excerpt(text),
-                            angle * 180 / std::numbers::pi));
+    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg",
+                            excerpt(text), angle * 180 / std::numbers::pi));
   return angle;
 }
 
@@ -230,7 +239,8 @@ Pulse::Shape read_shape(const Input& pulse) {
 }
 
 Record read_named_record(const Input& file, const RecordOptions& options) {
-  if (const std::string* const content = file.file_content()) return read_record_text(*content, file.as_text(), options);
+  if (const std::string* const content = file.file_content())
+    return read_record_text(*content, file.as_text(), options);
   return read_record(find_record(file.as_text(), file.directory()), options);
 }
 

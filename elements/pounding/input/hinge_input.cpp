@@ -42,7 +42,9 @@ std::pair<double, std::optional<double>> read_moments(const Input& node) {
   if (!node.is_list()) return {node.as_quantity(dimension::energy, bounds::positive), std::nullopt};
   const std::vector<Input> items = node.items();
   if (items.size() != 2)
-    node.fail(fmt::format("takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of {} was read", items.size()));
+    node.fail(fmt::format(
+        "takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of {} was read",
+        items.size()));
   const double hogging = items[1].as_quantity(dimension::energy, bounds::any);
   if (!(hogging < 0)) items[1].fail("the second moment is that of hogging, and negative; type [210 kN m, -260 kN m]");
   return {items[0].as_quantity(dimension::energy, bounds::positive), -hogging};
@@ -50,7 +52,8 @@ std::pair<double, std::optional<double>> read_moments(const Input& node) {
 
 class HingeReader {
  public:
-  HingeReader(const Input& hinges, FrameInput& frame) : hinges_(hinges), frame_(frame), wholes_(wholes(frame.model.frame)) {
+  HingeReader(const Input& hinges, FrameInput& frame)
+      : hinges_(hinges), frame_(frame), wholes_(wholes(frame.model.frame)) {
     grounded_ = frame.model.frame.grounded_nodes();
   }
 
@@ -76,7 +79,9 @@ class HingeReader {
       const double rise = std::abs(beam.axes()(0, 2));
       if (!beam.is_truss() && (group == "beams" ? rise < 1e-6 : rise > 1 - 1e-12)) all.push_back(whole);
     }
-    if (all.empty()) node.fail_at_key(fmt::format("the frame has no {}: no member is {}; name its members one by one", group, group == "beams" ? "level" : "upright"));
+    if (all.empty())
+      node.fail_at_key(fmt::format("the frame has no {}: no member is {}; name its members one by one", group,
+                                   group == "beams" ? "level" : "upright"));
     return all;
   }
 
@@ -93,7 +98,8 @@ class HingeReader {
     const auto axis = node.find("axis");
     const bool is_plane = frame().dimension() == 2;
     if (!axis && is_plane) return {BendingAxis::y};
-    if (!axis) node.fail("the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both");
+    if (!axis)
+      node.fail("the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both");
     const std::string word = axis->as_choice();
     if (is_plane && word != "y") axis->fail("a plane frame bends about y only; leave the axis out");
     if (word == "both") return {BendingAxis::y, BendingAxis::z};
@@ -115,7 +121,8 @@ class HingeReader {
     bool is_any = false;
     for (const Whole& whole : members)
       for (const MemberEnd end : {MemberEnd::start, MemberEnd::end}) {
-        const bool is_asked = at == "both" || (at == "feet" ? is_foot(whole, end) : (at == "start") == (end == MemberEnd::start));
+        const bool is_asked =
+            at == "both" || (at == "feet" ? is_foot(whole, end) : (at == "start") == (end == MemberEnd::start));
         if (!is_asked) continue;
         is_any = true;
         for (const BendingAxis axis : about) {
@@ -126,7 +133,8 @@ class HingeReader {
           found_.insert_or_assign(std::tuple(hinge.member, end, axis), std::pair(hinge, node));
         }
       }
-    if (!is_any) node.at("at").fail("no end stands on a node that the ground holds; type at: start, at: end or at: both");
+    if (!is_any)
+      node.at("at").fail("no end stands on a node that the ground holds; type at: start, at: end or at: both");
   }
 
   // Yield moment and what comes after it: rigid-plastic, or of a spring in series.
@@ -134,7 +142,9 @@ class HingeReader {
     if (const hysteresis::Entry* law = law_among_keys(node, "a hinge")) {
       for (const char* const key : {"yield_moment", "hardening"})
         if (const auto found = node.find(key))
-          found->fail_at_key(fmt::format("belongs to a rigid-plastic hinge, and {0} is given too; write it inside {0}, or leave {0} out", law->name));
+          found->fail_at_key(fmt::format(
+              "belongs to a rigid-plastic hinge, and {0} is given too; write it inside {0}, or leave {0} out",
+              law->name));
       return read_spring(node.at(law->name), *law);
     }
     const auto moments = node.find("yield_moment");
@@ -151,7 +161,8 @@ class HingeReader {
     const auto [sagging, hogging] = read_moments(moment);
     hinge.law->values["yield_moment"] = sagging;
     if (hogging) {
-      if (std::ranges::find(law.parameters, "negative_yield_force", &hysteresis::ParameterInfo::name) == law.parameters.end())
+      if (std::ranges::find(law.parameters, "negative_yield_force", &hysteresis::ParameterInfo::name) ==
+          law.parameters.end())
         moment.fail(fmt::format("{} yields at the same moment both ways; give one", law.name));
       hinge.law->values["negative_yield_moment"] = *hogging;
     }
@@ -162,7 +173,9 @@ class HingeReader {
     else
       hinge.stiffness_factor = node.quantity("stiffness_factor");
     const auto of_member = node.find("hardening"), of_spring = node.find("spring_hardening");
-    if (of_member && of_spring) of_spring->fail_at_key("give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+    if (of_member && of_spring)
+      of_spring->fail_at_key(
+          "give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
     if (of_member) hinge.law->values["hardening"] = of_member->as_quantity();
     for (const hysteresis::ParameterInfo& parameter : law.parameters)
       if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))

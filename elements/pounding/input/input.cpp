@@ -25,7 +25,8 @@ std::string joined(const std::string& path, std::string_view key) {
 // Whether a key is the rest of a number with a decimal comma, as in {gap: 20,5 mm}: digits, then a unit or nothing.
 bool is_after_comma(std::string_view key) {
   const std::size_t digits = std::min(key.find_first_not_of("0123456789"), key.size());
-  return digits > 0 && (digits == key.size() || key[digits] == ' ' || std::isalpha(static_cast<unsigned char>(key[digits])) || key[digits] == '%');
+  return digits > 0 && (digits == key.size() || key[digits] == ' ' ||
+                        std::isalpha(static_cast<unsigned char>(key[digits])) || key[digits] == '%');
 }
 
 /// "a length > 0 such as "20 mm""
@@ -39,9 +40,11 @@ bool names_values(words::Form form, std::string_view key) {
   return form == words::Form::named || form == words::Form::named_lists;
 }
 
-// How to type a value that is the name of an allowed key, or that has such a key alone, else how to type a name that is a key inside of
-// allowed ones: `"spring: {bouc_wen: {yield_force: 150 kN}}"`, where "law: bouc_wen" was read. Empty where it is neither.
-std::string ways_to_type(const words::Section& section, std::span<const std::string_view> allowed, const YAML::Node& value) {
+// How to type a value that is the name of an allowed key, or that has such a key alone, else how to type a name that is
+// a key inside of allowed ones: `"spring: {bouc_wen: {yield_force: 150 kN}}"`, where "law: bouc_wen" was read. Empty
+// where it is neither.
+std::string ways_to_type(const words::Section& section, std::span<const std::string_view> allowed,
+                         const YAML::Node& value) {
   const bool holds_one = value.IsMap() && value.size() == 1;
   if (!value.IsScalar() && !holds_one) return {};
   const std::string& name = (holds_one ? value.begin()->first : value).Scalar();
@@ -51,16 +54,19 @@ std::string ways_to_type(const words::Section& section, std::span<const std::str
     const words::Word* const word = section.find(key);
     if (!word) continue;
     if (key == name) return fmt::format("\"{}\"", typed(key, word->example));
-    const words::Word* const inner = !holds_one && word->inside && word->form == words::Form::one ? word->inside->find(name) : nullptr;
-    if (inner) ways += fmt::format("{}\"{}\"", ways.empty() ? "" : " or ", typed(key, fmt::format("{{{}}}", typed(name, inner->example))));
+    const words::Word* const inner =
+        !holds_one && word->inside && word->form == words::Form::one ? word->inside->find(name) : nullptr;
+    if (inner)
+      ways += fmt::format("{}\"{}\"", ways.empty() ? "" : " or ",
+                          typed(key, fmt::format("{{{}}}", typed(name, inner->example))));
   }
   return ways;
 }
 
 }  // namespace
 
-/// Walks a whole tree before it is read, and refuses keys that nothing could read. Paths are made only for messages: the names in them
-/// may be long.
+/// Walks a whole tree before it is read, and refuses keys that nothing could read. Paths are made only for messages:
+/// the names in them may be long.
 class Input::WrongKeys {
  public:
   explicit WrongKeys(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
@@ -84,10 +90,12 @@ class Input::WrongKeys {
       const std::string& key = entry.first.Scalar();
       if (key == "<<") fail(entry.first, "the merge key << is not read; repeat the keys that it stands for");
       if (double number = 0; entry.second.IsNull() && is_after_comma(key) && parse_number(before.second, number))
-        fail(entry.first, fmt::format("\"{0},{1}\" is read as two entries, since commas part them; a number takes a decimal point: {2}: {0}.{1}",
+        fail(entry.first, fmt::format("\"{0},{1}\" is read as two entries, since commas part them; a number takes a "
+                                      "decimal point: {2}: {0}.{1}",
                                       excerpt(before.second), excerpt(key), excerpt(before.first)));
       before = {key, entry.second.IsScalar() ? entry.second.Scalar() : std::string()};
-      if (!seen.insert(key).second) fail(entry.first, fmt::format("key \"{}\" is given twice; keep one of them", excerpt(key)));
+      if (!seen.insert(key).second)
+        fail(entry.first, fmt::format("key \"{}\" is given twice; keep one of them", excerpt(key)));
       path_.push_back(key);
       refuse(entry.second);
       path_.pop_back();
@@ -107,7 +115,10 @@ class Input::WrongKeys {
 
 Input Input::read_file(const std::string& path) {
   if (std::error_code ignored; path.ends_with(".h5") && std::filesystem::exists(path, ignored))
-    throw InputError(fmt::format("{0}: results, and no model; type pounding run --resume {0} to go on with a run, or pounding plot {0} to see one", excerpt(path)));
+    throw InputError(
+        fmt::format("{0}: results, and no model; type pounding run --resume {0} to go on with a run, or pounding plot "
+                    "{0} to see one",
+                    excerpt(path)));
   return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
 
@@ -121,10 +132,15 @@ Input Input::read_text(std::string text, std::string name, Files files) {
 }
 
 Input::Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key, Place key_place)
-    : source_(std::move(source)), node_(std::move(node)), path_(std::move(path)), key_(std::move(key)),
-      place_(key_place), key_place_(key_place) {
+    : source_(std::move(source)),
+      node_(std::move(node)),
+      path_(std::move(path)),
+      key_(std::move(key)),
+      place_(key_place),
+      key_place_(key_place) {
   // A value that was left out has no place of its own.
-  if (const YAML::Mark mark = node_.Mark(); !node_.IsNull() && !mark.is_null()) place_ = {mark.line + 1, mark.column + 1};
+  if (const YAML::Mark mark = node_.Mark(); !node_.IsNull() && !mark.is_null())
+    place_ = {mark.line + 1, mark.column + 1};
 }
 
 std::filesystem::path Input::directory() const { return std::filesystem::path(source_->name).parent_path(); }
@@ -173,7 +189,8 @@ std::optional<Input> Input::find(std::string_view key) const {
 Input Input::at(std::string_view key, std::string_view example) const {
   if (auto found = find(key)) return *std::move(found);
   if (example.empty() && section_) example = section_->find(key)->example;
-  fail(fmt::format("key \"{}\" is missing{}", key, example.empty() ? "" : fmt::format("; type \"{}: {}\"", key, example)));
+  fail(fmt::format("key \"{}\" is missing{}", key,
+                   example.empty() ? "" : fmt::format("; type \"{}: {}\"", key, example)));
 }
 
 void Input::only_keys() const {
@@ -193,7 +210,8 @@ void Input::only_keys(std::span<const std::string_view> allowed) const {
     const YAML::Mark mark = entry.first.Mark();
     const std::string ways = section_ ? ways_to_type(*section_, allowed, entry.second) : std::string();
     fail_at({mark.line + 1, mark.column + 1},
-            fmt::format("unknown key \"{}\".{}", excerpt(key), ways.empty() ? suggestion(key, allowed) : fmt::format(" Type {} in its place.", ways)));
+            fmt::format("unknown key \"{}\".{}", excerpt(key),
+                        ways.empty() ? suggestion(key, allowed) : fmt::format(" Type {} in its place.", ways)));
   }
 }
 
@@ -273,16 +291,21 @@ long long Input::as_integer() const {
 long long Input::as_integer(long long low, long long high) const {
   constexpr auto unlimited = std::numeric_limits<long long>();
   std::string range;
-  if (low != unlimited.min() && high != unlimited.max()) range = fmt::format(" from {} to {}", low, high);
-  else if (low != unlimited.min()) range = fmt::format(" >= {}", low);
-  else if (high != unlimited.max()) range = fmt::format(" <= {}", high);
+  if (low != unlimited.min() && high != unlimited.max())
+    range = fmt::format(" from {} to {}", low, high);
+  else if (low != unlimited.min())
+    range = fmt::format(" >= {}", low);
+  else if (high != unlimited.max())
+    range = fmt::format(" <= {}", high);
   const std::string takes = fmt::format("takes an integer{}; ", range);
 
-  if (!is_scalar()) fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list"));
+  if (!is_scalar())
+    fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list"));
   const std::string& text = node_.Scalar();
   long long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("{}\"{}\" is not one", takes, excerpt(text)));
+  if (error != std::errc{} || end != text.data() + text.size())
+    fail(fmt::format("{}\"{}\" is not one", takes, excerpt(text)));
   if (value < low || value > high) fail(fmt::format("{}\"{}\" is outside", takes, excerpt(text)));
   return value;
 }

@@ -22,18 +22,19 @@ namespace pounding {
 
 /// One node of a YAML file, with its place. Cheap to copy; the file's text lives as long as any of its nodes.
 ///
-/// A node that is read by a section of the catalogue (words/sections.hpp) knows the words of its keys, and so do its children:
-/// their dimensions, bounds, choices, defaults and examples are those of the words. A key that is asked for and is not in the section
-/// is a std::logic_error, and so is a value that is asked for without a word.
+/// A node that is read by a section of the catalogue (words/sections.hpp) knows the words of its keys, and so do its
+/// children: their dimensions, bounds, choices, defaults and examples are those of the words. A key that is asked for
+/// and is not in the section is a std::logic_error, and so is a value that is asked for without a word.
 ///
 /// Every function that reads throws InputError with "file:line:column: key.path: " in front (counted from 1).
 class Input {
  public:
-  /// The whole file. Throws for a missing file, a text that is not UTF-8, bad YAML, a key given twice, an empty file, more than one
-  /// document, and for what goes beyond the limits of yaml_limits.hpp.
+  /// The whole file. Throws for a missing file, a text that is not UTF-8, bad YAML, a key given twice, an empty file,
+  /// more than one document, and for what goes beyond the limits of yaml_limits.hpp.
   static Input read_file(const std::string& path);
-  /// A text in memory, with or without the mark of UTF-8 in front; `name` stands for the file in messages, and its folder is where relative paths start.
-  /// `files` holds contents of files by the names that the text gives them, such as those of records; other files are read from disk.
+  /// A text in memory, with or without the mark of UTF-8 in front; `name` stands for the file in messages, and its
+  /// folder is where relative paths start. `files` holds contents of files by the names that the text gives them, such
+  /// as those of records; other files are read from disk.
   using Files = std::shared_ptr<const std::map<std::string, std::string>>;
   static Input read_text(std::string text, std::string name, Files files = {});
 
@@ -78,7 +79,8 @@ class Input {
   /// The child with this key, or nothing.
   std::optional<Input> find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key).has_value(); }
-  /// The child with this key, which must be there. `example` completes the message, by default that of the word: type "gap: 20 mm".
+  /// The child with this key, which must be there. `example` completes the message, by default that of the word: type
+  /// "gap: 20 mm".
   Input at(std::string_view key, std::string_view example = {}) const;
   /// Refuses every key that is not in the section, at its own place, with the nearest allowed one.
   void only_keys() const;
@@ -99,7 +101,8 @@ class Input {
   long long as_integer(long long low, long long high) const;
   /// true or false.
   bool as_bool() const;
-  /// A number in SI or with its unit, as the word says; "5 %" is 0.05. `dimension` and `allowed` are given where the model sets them.
+  /// A number in SI or with its unit, as the word says; "5 %" is 0.05. `dimension` and `allowed` are given where the
+  /// model sets them.
   double as_quantity() const;
   double as_quantity(const Dimension& dimension) const;
   double as_quantity(const Dimension& dimension, const Bounds& allowed) const;
@@ -116,8 +119,8 @@ class Input {
   /// The quantity under a key, or nothing when the key is absent.
   std::optional<double> find_quantity(std::string_view key) const;
 
-  /// Puts another text in the place of this scalar: all nodes of the tree read it from now on. text() stays as it was read. Throws InputError for a
-  /// map or a list.
+  /// Puts another text in the place of this scalar: all nodes of the tree read it from now on. text() stays as it was
+  /// read. Throws InputError for a map or a list.
   void rewrite(const std::string& text);
 
   /// Throws InputError with this node's place in front.

@@ -53,15 +53,16 @@ LawInput read_law(const Input& node) {
   for (const laws::ParameterInfo& parameter : entry.parameters)
     if (laws::must_be_given(entry.parameters, parameter, [&](std::string_view name) { return link.has(name); }) &&
         !link.has(parameter.name))
-      law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name, parameter.meaning,
-                                parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
+      law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name,
+                                parameter.meaning, parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
   if (const auto restitution = link.find("restitution")) settings.restitution = read_restitution(*restitution, entry);
   settings.impact_velocity = link.find_quantity("impact_velocity");
   if (const auto formula = link.find("formula")) {
     std::vector<std::string_view> formulas;
     for (const laws::Formula& each : entry.formulas) formulas.push_back(each.name);
-    if (formulas.empty()) formula->fail_at_key(fmt::format("the law {} has no damping formula; leave it out", settings.law));
+    if (formulas.empty())
+      formula->fail_at_key(fmt::format("the law {} has no damping formula; leave it out", settings.law));
     settings.formula = formula->as_choice(fmt::format("formula of {}", settings.law), formulas);
   }
   // A unit such as "N/m^n" depends on the exponent that the link chose.
@@ -69,8 +70,8 @@ LawInput read_law(const Input& node) {
     const auto value = link.find(parameter.name);
     if (!value) continue;
     if (parameter.name == "stiffness" && entry.presses_soil && is_estimate(*value))
-      value->fail(fmt::format("is estimated from two solid bodies, and {} presses soil; type {}: {:g} {}", settings.law, parameter.name,
-                              parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
+      value->fail(fmt::format("is estimated from two solid bodies, and {} presses soil; type {}: {:g} {}", settings.law,
+                              parameter.name, parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
     if (parameter.name == "stiffness") read.stiffness = read_stiffness_estimate(*value);
     if (parameter.name == "stiffness" && read.stiffness) continue;
     settings.values.emplace(

@@ -16,11 +16,12 @@ struct LawInput {
   std::optional<StiffnessEstimate> stiffness;  ///< where the settings have none
 };
 
-/// The law that a link names, with its parameters. Beside them the link may hold what every link can, and no other key. Throws
-/// InputError with the place.
+/// The law that a link names, with its parameters. Beside them the link may hold what every link can, and no other key.
+/// Throws InputError with the place.
 LawInput read_law(const Input& node);
 
-/// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that the text names.
+/// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that
+/// the text names.
 Input place_of_law(const std::string& refusal, const Input& node);
 
 }  // namespace pounding

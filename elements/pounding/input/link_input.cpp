@@ -28,7 +28,8 @@ int structure_named(const std::string& name, const Input& node, const Model& mod
   std::vector<std::string_view> names;
   for (const Structure& s : model.structures) names.push_back(s.name);
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) node.fail(fmt::format("unknown structure \"{}\".{}", excerpt(name), suggestion(name, names)));
+  if (found == names.end())
+    node.fail(fmt::format("unknown structure \"{}\".{}", excerpt(name), suggestion(name, names)));
   return static_cast<int>(found - names.begin());
 }
 
@@ -49,13 +50,15 @@ ContactLocation read_end(const Input& node, const Model& model) {
     const std::string text = node.as_text();
     const std::size_t dot = text.find('.');
     end.structure = structure_named(text.substr(0, dot), node, model);
-    if (dot != std::string::npos) end.floor = read_floor(text.substr(dot + 1), text, node, model.structures[end.structure]);
+    if (dot != std::string::npos)
+      end.floor = read_floor(text.substr(dot + 1), text, node, model.structures[end.structure]);
     return end;
   }
   node.only_keys();
   const Input name = node.at("structure");
   end.structure = structure_named(name.as_text(), name, model);
-  const std::optional<Input> floor = node.find("floor"), at_node = node.find("node"), elevation = node.find("elevation");
+  const std::optional<Input> floor = node.find("floor"), at_node = node.find("node"),
+                             elevation = node.find("elevation");
   if (floor.has_value() + at_node.has_value() + elevation.has_value() > 1)
     node.fail("takes one of floor, node and elevation; keep one of them");
   if (floor) end.floor = read_floor(floor->as_text(), floor->as_text(), *floor, model.structures[end.structure]);
@@ -108,7 +111,8 @@ LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   return options;
 }
 
-std::pair<LinkOptions, laws::Settings> read_options_and_law(const Input& node, std::optional<FacingFloors> floors, int count, bool is_drawn) {
+std::pair<LinkOptions, laws::Settings> read_options_and_law(const Input& node, std::optional<FacingFloors> floors,
+                                                            int count, bool is_drawn) {
   LinkOptions options = read_options(node, count, is_drawn);
   options.floors = floors;
   const LawInput law = read_law(node);
@@ -121,8 +125,9 @@ void require_neighbours(const Input& between) {
   const std::string read = between.as_text();
   if (read == allowed[0]) return;
   const bool is_near = !nearest_name(read, allowed).empty();
-  between.fail(is_near ? fmt::format("unknown word \"{}\".{}", excerpt(read), suggestion(read, allowed))
-                       : "takes two structures, the left one first; type between: [left, right], or between: neighbours");
+  between.fail(is_near
+                   ? fmt::format("unknown word \"{}\".{}", excerpt(read), suggestion(read, allowed))
+                   : "takes two structures, the left one first; type between: [left, right], or between: neighbours");
 }
 
 void read_links_of_neighbours(const Input& node, const Input& between, Model& model) {

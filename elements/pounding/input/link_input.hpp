@@ -8,7 +8,8 @@
 
 namespace pounding {
 
-/// Adds the links of one entry of the section to the model, whose structures have been read. Throws InputError with the place.
+/// Adds the links of one entry of the section to the model, whose structures have been read. Throws InputError with the
+/// place.
 void read_link(const Input& node, Model& model);
 
 /// The two ends that stand under `between`, the left one first. Throws InputError.

@@ -20,7 +20,8 @@ constexpr std::size_t longest_file = 10'000'000;
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+  return begin == std::string_view::npos ? std::string_view{}
+                                         : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
 // Parts between any of these characters; empty ones are kept between commas only.
@@ -55,8 +56,10 @@ const Structure& find_structure(const Model& model, const PushoverWords& words) 
   }
   if (!words.structure.empty()) option.refuse(unknown_name("structure", words.structure, names));
   if (yielding.size() != 1)
-    option.refuse(yielding.empty() ? "no structure of this model yields; give yield_force to an oscillator or a shear_building, or hinges to a frame"
-                                   : fmt::format("{} structures of this model yield; name one of them, such as {}", yielding.size(), yielding.front()));
+    option.refuse(yielding.empty() ? "no structure of this model yields; give yield_force to an oscillator or a "
+                                     "shear_building, or hinges to a frame"
+                                   : fmt::format("{} structures of this model yield; name one of them, such as {}",
+                                                 yielding.size(), yielding.front()));
   for (const Structure& s : model.structures)
     if (s.name == yielding.front()) return s;
   option.refuse("it is not there");
@@ -72,11 +75,13 @@ double read_target(const Option& option, std::string_view text, double height) {
     if (!parse_number(trimmed(text.substr(0, text.size() - 1)), number))
       option.refuse(fmt::format(R"("{}" is no part of the height; type one such as "2 % roof")", excerpt(whole)));
     if (std::isnan(height))
-      option.refuse(fmt::format(R"(the heights of this structure are not known, so "{}" is no length; give height to its storeys, or type a displacement such as "250 mm")",
-                                excerpt(whole)));
+      option.refuse(fmt::format(
+          R"(the heights of this structure are not known, so "{}" is no length; give height to its storeys, or type a displacement such as "250 mm")",
+          excerpt(whole)));
     target = number / 100 * height;
   } else if (parse_number(text, number)) {
-    option.refuse(fmt::format(R"("{0}" has no unit; type "{0} mm", or a part of the height such as "2 % roof")", excerpt(text)));
+    option.refuse(
+        fmt::format(R"("{0}" has no unit; type "{0} mm", or a part of the height such as "2 % roof")", excerpt(text)));
   } else {
     try {
       target = parse_quantity(text, dimension::length);
@@ -84,9 +89,11 @@ double read_target(const Option& option, std::string_view text, double height) {
       option.refuse(fmt::format(R"({}; or a part of the height such as "2 % roof")", error.what()));
     }
   }
-  if (target == 0) option.refuse(R"(a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
+  if (target == 0)
+    option.refuse(R"(a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
   if (std::abs(target) > height)
-    option.refuse(fmt::format(R"("{}" is farther than the roof is high, {}; type less)", excerpt(whole), format_quantity(height, dimension::length)));
+    option.refuse(fmt::format(R"("{}" is farther than the roof is high, {}; type less)", excerpt(whole),
+                              format_quantity(height, dimension::length)));
   return target;
 }
 
@@ -94,8 +101,10 @@ std::vector<double> read_targets(const Structure& s, const PushoverWords& words)
   const double height = roof_height(s);
   std::vector<double> targets;
   if (!words.cyclic.empty())
-    for (const std::string_view text : split(words.cyclic, ",", true)) targets.push_back(read_target(Option(words, "cyclic"), text, height));
-  if (!words.to.empty() || words.cyclic.empty()) targets.push_back(read_target(Option(words, "to"), trimmed(words.to), height));
+    for (const std::string_view text : split(words.cyclic, ",", true))
+      targets.push_back(read_target(Option(words, "cyclic"), text, height));
+  if (!words.to.empty() || words.cyclic.empty())
+    targets.push_back(read_target(Option(words, "to"), trimmed(words.to), height));
   return targets;
 }
 
@@ -106,12 +115,16 @@ std::vector<double> read_forces(const Option& option, const std::string& path, s
   for (const std::string_view line : split(text, "\n", true)) {
     ++number;
     for (const std::string_view item : split(line.substr(0, line.find('#')), " \t,;", false))
-      if (double force = 0; parse_number(item, force)) forces.push_back(force);
-      else option.refuse(fmt::format("{}:{}: \"{}\" is no number; the file holds one force a floor, from the ground up", path, number, excerpt(item)));
+      if (double force = 0; parse_number(item, force))
+        forces.push_back(force);
+      else
+        option.refuse(fmt::format("{}:{}: \"{}\" is no number; the file holds one force a floor, from the ground up",
+                                  path, number, excerpt(item)));
   }
   if (forces.size() != floors)
-    option.refuse(fmt::format("{} holds {} numbers, and the structure has {} floor{}; write one force a floor, from the ground up", path, forces.size(),
-                              floors, floors == 1 ? "" : "s"));
+    option.refuse(fmt::format(
+        "{} holds {} numbers, and the structure has {} floor{}; write one force a floor, from the ground up", path,
+        forces.size(), floors, floors == 1 ? "" : "s"));
   return forces;
 }
 
@@ -125,7 +138,8 @@ void read_load(const Structure& s, const PushoverWords& words, PushoverOptions& 
     }
   std::error_code unknown;
   if (!std::filesystem::exists(words.load, unknown))
-    option.refuse(fmt::format("\"{}\" is neither a pattern nor a file.{}", excerpt(words.load), suggestion(words.load, names)));
+    option.refuse(
+        fmt::format("\"{}\" is neither a pattern nor a file.{}", excerpt(words.load), suggestion(words.load, names)));
   options.pattern = LoadPattern::given;
   options.forces = read_forces(option, words.load, s.floors.size());
 }

@@ -28,15 +28,16 @@ AnalysisSettings read_analysis(const Input& node) {
   settings.tolerance = node.quantity("tolerance");
   if (const auto output_step = node.find("output_step")) {
     const double longest = settings.duration > 0 ? settings.duration : std::numeric_limits<double>::infinity();
-    settings.output_step = output_step->as_quantity(dimension::time, Bounds{.low = 0, .high = longest, .without_low = true});
+    settings.output_step =
+        output_step->as_quantity(dimension::time, Bounds{.low = 0, .high = longest, .without_low = true});
   }
-  if (const auto integrator = node.find("integrator"))
-    settings.scheme.kind = Scheme::kind_of(integrator->as_choice());
+  if (const auto integrator = node.find("integrator")) settings.scheme.kind = Scheme::kind_of(integrator->as_choice());
   if (const auto radius = node.find("spectral_radius")) {
     if (settings.scheme.kind != Scheme::Kind::generalized_alpha)
-      radius->fail(node.find("integrator")
-                       ? fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name())
-                       : "belongs to generalized_alpha; type integrator: generalized_alpha beside it");
+      radius->fail(
+          node.find("integrator")
+              ? fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name())
+              : "belongs to generalized_alpha; type integrator: generalized_alpha beside it");
     settings.scheme.spectral_radius = radius->as_quantity();
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
@@ -48,7 +49,8 @@ AnalysisSettings read_analysis(const Input& node) {
 
 CheckpointSettings read_checkpoints(const Input& node) {
   if (!node.is_map() || node.entries().empty())
-    node.fail("takes how often; type checkpoint: {every: 60 s} for run time, {every_simulated: 1 s} for simulated time");
+    node.fail(
+        "takes how often; type checkpoint: {every: 60 s} for run time, {every_simulated: 1 s} for simulated time");
   node.only_keys();
   return {node.find_quantity("every").value_or(0), node.find_quantity("every_simulated").value_or(0)};
 }

@@ -10,24 +10,30 @@ Reduction read_reduction(const Input& node) {
   Reduction reduction;
   if (!node.is_map()) {
     const std::string word = node.as_choice();
-    reduction.kind = word == "auto" ? Reduction::Kind::automatic : word == "none" ? Reduction::Kind::none : Reduction::Kind::all_modes;
+    reduction.kind = word == "auto"   ? Reduction::Kind::automatic
+                     : word == "none" ? Reduction::Kind::none
+                                      : Reduction::Kind::all_modes;
     return reduction;
   }
   node.only_keys();
   if (const auto check = node.find("check")) reduction.check = check->as_bool();
-  const auto links = node.find("links"), ground = node.find("ground"), modes = node.find("modes"), error = node.find("error"), of = node.find("of");
-  if (of && !error) of->fail_at_key("says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
+  const auto links = node.find("links"), ground = node.find("ground"), modes = node.find("modes"),
+             error = node.find("error"), of = node.find("of");
+  if (of && !error)
+    of->fail_at_key("says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
   if (error) {
     for (const auto& other : {links, ground, modes})
       if (other) other->fail_at_key("is a depth, and error finds the depth by itself; keep one of the two");
     reduction.kind = Reduction::Kind::automatic;
     reduction.error = error->as_quantity();
     if (of)
-      for (const Input& what : of->items()) (what.as_choice() == "members" ? reduction.of_members : reduction.of_acceleration) = true;
+      for (const Input& what : of->items())
+        (what.as_choice() == "members" ? reduction.of_members : reduction.of_acceleration) = true;
     return reduction;
   }
   if (modes) {
-    if (links || ground) (links ? links : ground)->fail_at_key("belongs to blocks, and modes is given too; keep one of the two");
+    if (links || ground)
+      (links ? links : ground)->fail_at_key("belongs to blocks, and modes is given too; keep one of the two");
     reduction.kind = Reduction::Kind::lowest;
     reduction.modes = static_cast<int>(modes->as_integer());
     return reduction;
@@ -58,7 +64,10 @@ void check_reductions(const Model& model, const Input& root) {
     if (const auto own = place.find("reduction"))
       own->fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: none", name, reason));
     if (model.structures[i].size() > small_structure)
-      root.at("analysis").at("reduction").fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: auto, which reduces what can be", name, reason));
+      root.at("analysis")
+          .at("reduction")
+          .fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: auto, which reduces what can be", name,
+                            reason));
   }
 }
 

@@ -23,11 +23,13 @@ constexpr int max_shown_matrix = 20;
 // Every digit that a double needs, and no more.
 std::string exact(double value) { return fmt::format("{}", value); }
 
-// A word or number that needs no quotes. Whether a text needs them the emitter finds out by regular expressions, most of the time that emitting takes.
+// A word or number that needs no quotes. Whether a text needs them the emitter finds out by regular expressions, most
+// of the time that emitting takes.
 struct Plain {
   std::string_view text;
 };
-// yaml-cpp writes such texts through a stream, which without memory for more than 15 letters cuts them and says nothing.
+// yaml-cpp writes such texts through a stream, which without memory for more than 15 letters cuts them and says
+// nothing.
 YAML::Emitter& operator<<(YAML::Emitter& out, const Plain& plain) {
   out.WriteIntegralType(plain.text);
   if (!std::string_view(out.c_str(), out.size()).ends_with(plain.text)) throw std::bad_alloc();
@@ -57,7 +59,8 @@ void emit_isolators(YAML::Emitter& out, const Structure& s) {
   field(out, "isolators") << YAML::BeginMap;
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
-    out << YAML::Key << part.name << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key << "law" << YAML::Value << part.law;
+    out << YAML::Key << part.name << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key << "law" << YAML::Value
+        << part.law;
     for (const YieldingPart::Parameter& parameter : part.parameters)
       if (std::isfinite(parameter.value)) emit(out, parameter.name, parameter.value);
     emit(out, "stiffness", part.spring->stiffness());
@@ -111,11 +114,11 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
 void emit_springs(YAML::Emitter& out, std::span<const YieldingPart> storeys) {
   const YieldingPart& first = storeys.front();
   const bool plain = first.law == "bilinear" && first.parameters.size() == 2;
-  if (!plain)
-    field(out, "spring") << YAML::BeginMap << YAML::Key << first.law << YAML::Value << YAML::BeginMap;
+  if (!plain) field(out, "spring") << YAML::BeginMap << YAML::Key << first.law << YAML::Value << YAML::BeginMap;
   for (std::size_t k = 0; k < first.parameters.size(); ++k) {
     const auto choices = hysteresis::find_law(first.law).choices;
-    if (const auto choice = std::ranges::find(choices, first.parameters[k].name, &hysteresis::ChoiceInfo::name); choice != choices.end()) {
+    if (const auto choice = std::ranges::find(choices, first.parameters[k].name, &hysteresis::ChoiceInfo::name);
+        choice != choices.end()) {
       out << YAML::Key << first.parameters[k].name << YAML::Value
           << std::string(choice->words[static_cast<std::size_t>(first.parameters[k].value)]);
       continue;
@@ -160,7 +163,8 @@ void emit_devices(YAML::Emitter& out, const Structure& s) {
   field(out, "devices") << YAML::BeginMap;
   for (const YieldingPart& part : s.yielding) {
     if (!part.is_device()) continue;
-    out << YAML::Key << part.name << YAML::Value << YAML::BeginMap << YAML::Key << "device" << YAML::Value << part.device;
+    out << YAML::Key << part.name << YAML::Value << YAML::BeginMap << YAML::Key << "device" << YAML::Value
+        << part.device;
     for (const YieldingPart::Parameter& parameter : part.parameters) emit(out, parameter.name, parameter.value);
     out << YAML::EndMap;
   }
@@ -229,25 +233,27 @@ void emit_ground(YAML::Emitter& out, const Model& model) {
   out << YAML::EndMap;
 }
 
-std::string face_source(const LinkEnd& end) { return !end.face_column.empty() ? end.face_column : end.face ? "the input" : "none"; }
+std::string face_source(const LinkEnd& end) {
+  return !end.face_column.empty() ? end.face_column : end.face ? "the input" : "none";
+}
 
 void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::BeginMap;
   field(out, "name") << link.name;
-  field(out, "between") << YAML::Flow << YAML::BeginSeq
-      << end_of(model, link.left) << end_of(model, link.right) << YAML::EndSeq;
+  field(out, "between") << YAML::Flow << YAML::BeginSeq << end_of(model, link.left) << end_of(model, link.right)
+                        << YAML::EndSeq;
   emit(out, "gap", link.gap);
   if (link.left.face || link.right.face) {
     emit_list(out, "face", {link.left.face.value_or(0), link.right.face.value_or(0)});
     if (!link.left.face_column.empty() || !link.right.face_column.empty())
-      field(out, "face_from") << YAML::Flow << YAML::BeginSeq << face_source(link.left) << face_source(link.right) << YAML::EndSeq;
+      field(out, "face_from") << YAML::Flow << YAML::BeginSeq << face_source(link.left) << face_source(link.right)
+                              << YAML::EndSeq;
   }
   if (link.preload) field(out, "preload") << true;
   field(out, "law") << link.law;
   if (!link.formula.empty()) field(out, "formula") << link.formula;
   emit(out, "reduced_mass", link.reduced_mass);
-  field(out, "reduced_mass_from")
-      << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
+  field(out, "reduced_mass_from") << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
   if (!link.stiffness_from.empty()) field(out, "stiffness_from") << link.stiffness_from;
   if (link.friction > 0) {
     emit(out, "friction", link.friction);
@@ -255,15 +261,14 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   }
   field(out, "parameters") << YAML::BeginMap;
   for (const laws::ResolvedValue& value : link.parameters)
-    field(out, value.name) << Plain{exact(value.value)}
-        << YAML::Comment(value.unit.empty() ? "-" : value.unit);
+    field(out, value.name) << Plain{exact(value.value)} << YAML::Comment(value.unit.empty() ? "-" : value.unit);
   out << YAML::EndMap << YAML::EndMap;
 }
 
 void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
   out << YAML::Key << device.name << YAML::Value << YAML::BeginMap;
-  field(out, "between") << YAML::Flow << YAML::BeginSeq
-      << end_of(model, device.left) << end_of(model, device.right) << YAML::EndSeq;
+  field(out, "between") << YAML::Flow << YAML::BeginSeq << end_of(model, device.left) << end_of(model, device.right)
+                        << YAML::EndSeq;
   emit_list(out, "direction", {device.direction.begin(), device.direction.end()});
   if (device.length) emit(out, "length", *device.length);
   if (device.parts.bar) {
@@ -281,8 +286,10 @@ void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
     field(out, "damper") << YAML::BeginMap;
     emit(out, "coefficient", damper->coefficient);
     emit(out, "exponent", damper->exponent);
-    if (damper->has_stiffness()) emit(out, "stiffness", damper->stiffness);
-    else if (!damper->is_linear()) emit(out, "rounding_velocity", damper->rounding_velocity);
+    if (damper->has_stiffness())
+      emit(out, "stiffness", damper->stiffness);
+    else if (!damper->is_linear())
+      emit(out, "rounding_velocity", damper->rounding_velocity);
     out << YAML::EndMap;
   }
   out << YAML::EndMap;

@@ -7,8 +7,8 @@
 
 namespace pounding {
 
-/// A complete model with every default and calibrated parameter filled in, SI, as YAML. It is written from the model alone and is
-/// for people: it cannot be read as an input again.
+/// A complete model with every default and calibrated parameter filled in, SI, as YAML. It is written from the model
+/// alone and is for people: it cannot be read as an input again.
 std::string resolved_yaml(const Model& model);
 
 }  // namespace pounding

@@ -25,7 +25,8 @@ Section read_shape(const Input& node, std::string_view shape) {
   try {
     if (shape == "circle") return circle_section(node.as_quantity());
     if (shape == "rectangle") {
-      if (!node.is_list() || node.items().size() != 2) node.fail("takes [width, depth]; type rectangle: [0.4 m, 0.6 m]");
+      if (!node.is_list() || node.items().size() != 2)
+        node.fail("takes [width, depth]; type rectangle: [0.4 m, 0.6 m]");
       return rectangle_section(node.items()[0].as_quantity(), node.items()[1].as_quantity());
     }
     if (shape == "tube") {
@@ -77,14 +78,18 @@ std::pair<int, int> storeys_of(const std::string& key, const Input& place, int s
   const char *begin = key.data(), *end = begin + key.size();
   const auto [dash, bad_first] = std::from_chars(begin, end, first);
   bool is_range = bad_first == std::errc{};
-  if (is_range && dash == end) last = first;
+  if (is_range && dash == end)
+    last = first;
   else if (is_range && *dash == '-') {
     const auto [after, bad_last] = std::from_chars(dash + 1, end, last);
     is_range = bad_last == std::errc{} && after == end;
-  } else is_range = false;
-  if (!is_range) place.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", excerpt(key)));
+  } else
+    is_range = false;
+  if (!is_range)
+    place.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", excerpt(key)));
   if (first < 1 || last < first || last > storeys)
-    place.fail_at_key(fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", excerpt(key), storeys));
+    place.fail_at_key(
+        fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", excerpt(key), storeys));
   return {first, last};
 }
 
@@ -113,7 +118,8 @@ Section read_section(const Input& node, int dimension) {
   for (const std::string_view each : shapes) {
     const auto found = node.find(each);
     if (!found) continue;
-    if (shape) found->fail_at_key(fmt::format("a section has one shape, and a {} is given too; keep one of the two", *shape));
+    if (shape)
+      found->fail_at_key(fmt::format("a section has one shape, and a {} is given too; keep one of the two", *shape));
     shape = each;
   }
   for (const std::string_view key : numbers)
@@ -150,7 +156,8 @@ std::vector<Section> SectionLibrary::of_storey(const Input& node, int lines) con
   if (!node.is_list()) return {section(node)};
   const std::vector<Input> items = node.items();
   if (static_cast<int>(items.size()) != lines)
-    node.fail(fmt::format("takes one section for the storey, or a list of {} by line; a list of {} was read", lines, items.size()));
+    node.fail(fmt::format("takes one section for the storey, or a list of {} by line; a list of {} was read", lines,
+                          items.size()));
   std::vector<Section> sections;
   for (const Input& item : items) sections.push_back(section(item));
   return sections;
@@ -161,7 +168,8 @@ GridSections SectionLibrary::sections_of_grid(const Input& node, int storeys, in
   if (node.is_list()) {
     const std::vector<Input> items = node.items();
     if (static_cast<int>(items.size()) != storeys)
-      node.fail(fmt::format("takes one section or a list of {} from the ground up; a list of {} was read", storeys, items.size()));
+      node.fail(fmt::format("takes one section or a list of {} from the ground up; a list of {} was read", storeys,
+                            items.size()));
     for (const Input& item : items) rows.push_back(of_storey(item, lines));
     return rows;
   }
@@ -176,7 +184,9 @@ GridSections SectionLibrary::sections_of_grid(const Input& node, int storeys, in
   }
   for (int storey = 1; storey <= storeys; ++storey)
     if (rows[storey - 1].empty())
-      node.fail(fmt::format("storey {} is missing; the keys name every storey from 1 to {} once, as in {{1-3: C60, 4-5: C50}}", storey, storeys));
+      node.fail(fmt::format(
+          "storey {} is missing; the keys name every storey from 1 to {} once, as in {{1-3: C60, 4-5: C50}}", storey,
+          storeys));
   return rows;
 }
 

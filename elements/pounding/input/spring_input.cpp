@@ -22,7 +22,8 @@ const hysteresis::Entry& law_of(const Input& spring) {
     } catch (const std::invalid_argument& error) {
       spring.fail(error.what());
     }
-    if (!spring.knows(name)) spring.fail(fmt::format("{} is no law of storeys; pounding words spring lists them", name));
+    if (!spring.knows(name))
+      spring.fail(fmt::format("{} is no law of storeys; pounding words spring lists them", name));
     spring.fail(fmt::format("says the law alone; type spring: {{{}: {{yield_force: 2 MN}}}} with its numbers", name));
   }
   spring.only_keys();
@@ -37,7 +38,9 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
   const hysteresis::Entry* chosen = nullptr;
   for (const hysteresis::Entry& entry : hysteresis::catalogue())
     if (const auto found = map.knows(entry.name) ? map.find(entry.name) : std::nullopt) {
-      if (chosen) found->fail_at_key(fmt::format("{} follows one law, and {} is given too; keep one of the two", what, chosen->name));
+      if (chosen)
+        found->fail_at_key(
+            fmt::format("{} follows one law, and {} is given too; keep one of the two", what, chosen->name));
       chosen = &entry;
     }
   return chosen;
@@ -67,11 +70,11 @@ SpringOptions read_storey_spring(const Input& spring, const std::vector<double>&
   for (const hysteresis::ParameterInfo& parameter : entry.parameters) {
     if (parameter.name == "stiffness") continue;
     if (parameter.need == hysteresis::Need::required) law.at(parameter.name);
-    if (const auto value = law.find(parameter.name)) options.values.emplace(parameter.name, value->as_quantities(storeys));
+    if (const auto value = law.find(parameter.name))
+      options.values.emplace(parameter.name, value->as_quantities(storeys));
   }
   options.words = read_choices(law, entry);
-  for (int i = 0; i < storeys; ++i)
-    try {
+  for (int i = 0; i < storeys; ++i) try {
       make_spring(options.of_storey(i, stiffness));
     } catch (const std::invalid_argument& error) {
       const Input place = place_of(error.what(), law, entry);

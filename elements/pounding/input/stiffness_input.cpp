@@ -17,13 +17,15 @@ std::array<double, 2> read_both(const Input& node) {
     return {both, both};
   }
   const std::vector<Input> items = node.items();
-  if (items.size() != 2) node.fail(fmt::format("takes one value for both bodies, or two; a list of {} was read", items.size()));
+  if (items.size() != 2)
+    node.fail(fmt::format("takes one value for both bodies, or two; a list of {} was read", items.size()));
   return {items[0].as_quantity(), items[1].as_quantity()};
 }
 
 void refuse_beside(const Input& node, std::string_view key, std::initializer_list<std::string_view> others) {
   for (const std::string_view other : others)
-    if (const auto found = node.find(other)) found->fail_at_key(fmt::format("has no part in an estimate by {}; keep one of the two", key));
+    if (const auto found = node.find(other))
+      found->fail_at_key(fmt::format("has no part in an estimate by {}; keep one of the two", key));
 }
 
 }  // namespace
@@ -38,11 +40,13 @@ std::optional<StiffnessEstimate> read_stiffness_estimate(const Input& node) {
     refuse_beside(node, "penetration", {"E", "poisson", "density", "radius", "area", "length"});
     return StiffnessOfPenetration{penetration->as_quantity(), node.quantity("velocity")};
   }
-  if (const auto velocity = node.find("velocity")) velocity->fail_at_key("belongs to penetration; type penetration: 5 mm beside it");
+  if (const auto velocity = node.find("velocity"))
+    velocity->fail_at_key("belongs to penetration; type penetration: 5 mm beside it");
   const auto area = node.find("area"), length = node.find("length");
   if (area || length) {
     refuse_beside(node, "slabs", {"poisson", "density", "radius"});
-    return StiffnessOfSlabs{.young = node.quantity("E"), .areas = read_both(node.at("area")), .lengths = read_both(node.at("length"))};
+    return StiffnessOfSlabs{
+        .young = node.quantity("E"), .areas = read_both(node.at("area")), .lengths = read_both(node.at("length"))};
   }
   const auto radius = node.find("radius");
   ContactMaterial material{.young = node.quantity("E"), .poisson = node.quantity("poisson")};

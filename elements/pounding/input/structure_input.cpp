@@ -33,15 +33,15 @@ void read_yielding(const Input& body, Structure& s) {
     for (const auto& beside : {force, hardening})
       if (beside) beside->fail_at_key("belongs to a bilinear storey, and a spring is given too; keep one of the two");
     const std::vector<double> stiffness = stiffness_of_storeys(s);
-    return let_storeys_yield(s, read_storey_spring(*spring, stiffness, s.size() - static_cast<int>(stiffness.size()) + 1));
+    return let_storeys_yield(s,
+                             read_storey_spring(*spring, stiffness, s.size() - static_cast<int>(stiffness.size()) + 1));
   }
   if (hardening && !force)
     hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
   if (!force) return;
   const int storeys = static_cast<int>(stiffness_of_storeys(s).size());
   const auto forces = force->as_quantities(storeys);
-  const auto ratios = hardening ? hardening->as_quantities(storeys)
-                                : std::vector<double>(storeys, 0.0);
+  const auto ratios = hardening ? hardening->as_quantities(storeys) : std::vector<double>(storeys, 0.0);
   let_storeys_yield(s, forces, ratios);
 }
 
@@ -55,7 +55,8 @@ Structure read_oscillator(const Input& body) {
   if (stiffness) options.stiffness = stiffness->as_quantity();
   if (period) options.period = period->as_quantity();
   if (const double k = period ? stiffness_of_period(options.mass, *options.period) : 1; !(std::isfinite(k) && k > 0))
-    period->fail(fmt::format("is so {} that the stiffness m (2 pi/T)^2 is {}", k > 0 ? "short" : "long", k > 0 ? "no number" : "zero"));
+    period->fail(fmt::format("is so {} that the stiffness m (2 pi/T)^2 is {}", k > 0 ? "short" : "long",
+                             k > 0 ? "no number" : "zero"));
   Structure s = make_oscillator(options);
   read_yielding(body, s);
   return s;
@@ -63,15 +64,18 @@ Structure read_oscillator(const Input& body) {
 
 IsolatorOptions read_building_isolator(const Input& isolator) {
   IsolatorOptions options = read_isolator_law(isolator);
-  if (const auto coupled = isolator.find("coupled")) coupled->fail_at_key("is for frames in space; a shear building moves along x only, so leave it out");
+  if (const auto coupled = isolator.find("coupled"))
+    coupled->fail_at_key("is for frames in space; a shear building moves along x only, so leave it out");
   return options;
 }
 
 // That of the storeys above the isolators, where there are any.
 std::vector<double> read_stiffness(const Input& node, int storeys, bool is_isolated) {
   if (is_isolated && node.is_list() && static_cast<int>(node.items().size()) != storeys)
-    node.fail(fmt::format("takes one value, or a list of {}, of the storeys above the isolators, whose law has their stiffness; a list of {} was read",
-                          storeys, node.items().size()));
+    node.fail(
+        fmt::format("takes one value, or a list of {}, of the storeys above the isolators, whose law has their "
+                    "stiffness; a list of {} was read",
+                    storeys, node.items().size()));
   return node.as_quantities(storeys);
 }
 
@@ -106,12 +110,11 @@ struct Kind {
 };
 
 // The kinds of structures. A new one has its line here, and its key and its section in words/structures.cpp.
-constexpr Kind structure_kinds[] = {
-    {"body", read_body},
-    {"oscillator", read_oscillator},
-    {"shear_building", read_shear_building},
-    {"frame", read_frame_structure},
-    {"wall", read_wall}};
+constexpr Kind structure_kinds[] = {{"body", read_body},
+                                    {"oscillator", read_oscillator},
+                                    {"shear_building", read_shear_building},
+                                    {"frame", read_frame_structure},
+                                    {"wall", read_wall}};
 
 const Kind& kind_of(const Input& place) {
   std::vector<std::string_view> words;
@@ -163,14 +166,17 @@ Damping read_damping(const Input& node, const Structure& s) {
   if (rayleigh.has_value() == modal.has_value())
     node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
   if (rayleigh && is_isolated(s))
-    rayleigh->fail_at_key("would brake what the isolators do; type damping: 2 %, which is in proportion to the stiffness above them, or damping: {modal: "
-                          "{ratio: 2 %}}");
+    rayleigh->fail_at_key(
+        "would brake what the isolators do; type damping: 2 %, which is in proportion to the stiffness above them, or "
+        "damping: {modal: "
+        "{ratio: 2 %}}");
   if (rayleigh) return read_rayleigh(*rayleigh, s);
   modal->only_keys();
   return ModalDamping{modal->quantity("ratio")};
 }
 
-// Floors have one value each, but a frame moves as a whole; of a wall, and of a frame without floors, the model refuses any.
+// Floors have one value each, but a frame moves as a whole; of a wall, and of a frame without floors, the model refuses
+// any.
 OneOrEach read_velocity(const Input& node, const Structure& s) {
   if (s.dimension > 1) return node.as_quantity();
   return node.as_quantities(s.size());
@@ -275,6 +281,8 @@ class StructureInput {
 
 }  // namespace
 
-void read_structure(const std::string& name, const Input& place, Model& model) { StructureInput(name, place).read(model); }
+void read_structure(const std::string& name, const Input& place, Model& model) {
+  StructureInput(name, place).read(model);
+}
 
 }  // namespace pounding

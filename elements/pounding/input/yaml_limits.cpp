@@ -42,7 +42,8 @@ struct Extent {
   int depth = 0;
 };
 
-/// Follows the parser through one document, throws a Refusal where it goes beyond a limit, and so ends the parser's own recursion too.
+/// Follows the parser through one document, throws a Refusal where it goes beyond a limit, and so ends the parser's own
+/// recursion too.
 class Limits : public YAML::EventHandler {
  public:
   bool is_empty() const { return is_empty_; }
@@ -54,15 +55,18 @@ class Limits : public YAML::EventHandler {
     if (open_.empty()) is_empty_ = true;
     add(mark, anchor, {1, 0});
   }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
     refuse_tag(mark, tag);
     if (value.size() > longest_value)
-      throw Refusal{mark, fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?", value.size(),
-                                      longest_value)};
+      throw Refusal{mark,
+                    fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?",
+                                value.size(), longest_value)};
     for (std::string_view rest = value; !rest.empty();) {
       const laws::Character c = laws::first_character(rest);
       if (!c.is_valid || (laws::is_control(c.code) && c.code != '\n' && c.code != '\t'))
-        throw Refusal{mark, fmt::format("\"{}\" holds the control character {}; leave it out", excerpt(value), excerpt(rest.substr(0, c.size)))};
+        throw Refusal{mark, fmt::format("\"{}\" holds the control character {}; leave it out", excerpt(value),
+                                        excerpt(rest.substr(0, c.size)))};
       rest.remove_prefix(c.size);
     }
     add(mark, anchor, {1, 0});
@@ -73,11 +77,13 @@ class Limits : public YAML::EventHandler {
       throw Refusal{mark, "does an alias contain itself? This one stands inside its own anchor; write the values out"};
     add(mark, 0, known->second);
   }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
     begin_collection(mark, tag, anchor);
   }
   void OnSequenceEnd() override { end_collection(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
     begin_collection(mark, tag, anchor);
   }
   void OnMapEnd() override { end_collection(); }
@@ -91,7 +97,8 @@ class Limits : public YAML::EventHandler {
   };
 
   static void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
-    if (!tag.empty() && tag != "?" && tag != "!") throw Refusal{mark, fmt::format("the tag {} is not read; leave it out", excerpt(tag))};
+    if (!tag.empty() && tag != "?" && tag != "!")
+      throw Refusal{mark, fmt::format("the tag {} is not read; leave it out", excerpt(tag))};
   }
   void begin_collection(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     refuse_tag(mark, tag);
@@ -113,8 +120,10 @@ class Limits : public YAML::EventHandler {
     inside.depth = std::max(inside.depth, extent.depth);
     read_ = std::max(read_ + 1, inside.values);
     if (read_ > most_values)
-      throw Refusal{mark, fmt::format("more than {} values have been read until here, aliases written out; a model has at most that many",
-                                      most_values)};
+      throw Refusal{
+          mark, fmt::format(
+                    "more than {} values have been read until here, aliases written out; a model has at most that many",
+                    most_values)};
   }
   void refuse_depth(const YAML::Mark& mark, int more) const {
     if (static_cast<int>(open_.size()) + more > deepest)
@@ -144,8 +153,9 @@ void refuse_tab(const std::string& name, std::string_view text, int last_line) {
   for (std::size_t begin = 0; begin < text.size() && line <= last_line; ++line) {
     const std::size_t content = std::min(text.find_first_not_of(" \t", begin), text.size());
     if (const std::size_t tab = text.find('\t', begin); tab < content)
-      fail(name, line, static_cast<int>(tab - begin) + 1,
-           "a tab indents this line, and YAML takes blanks only; replace it by two blanks, and set the editor to do so");
+      fail(
+          name, line, static_cast<int>(tab - begin) + 1,
+          "a tab indents this line, and YAML takes blanks only; replace it by two blanks, and set the editor to do so");
     begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
   }
 }
@@ -156,8 +166,10 @@ std::string remedy(std::string_view message) {
       {"illegal map value", R"(; put a text with a colon in quotes, as in title: "Case 2: soft soil")"},
       {"end of map flow not found", R"(; a "{" lacks its "}")"},
       {"end of sequence flow not found", R"(; a "[" lacks its "]")"},
-      {"end of map not found", R"(; look for a missing blank behind "-" or ":", a missing colon, or a line that is indented otherwise than its neighbours)"},
-      {"end of sequence not found", R"(; look for a missing blank behind "-", or a line that is indented otherwise than its neighbours)"}};
+      {"end of map not found",
+       R"(; look for a missing blank behind "-" or ":", a missing colon, or a line that is indented otherwise than its neighbours)"},
+      {"end of sequence not found",
+       R"(; look for a missing blank behind "-", or a line that is indented otherwise than its neighbours)"}};
   for (const auto& [words, what] : known)
     if (message.starts_with(words)) return what;
   return "";
@@ -170,13 +182,16 @@ void check_document(std::string_view text, const std::string& name) {
   Limits first;
   if (!parser.HandleNextDocument(first)) fail(name, 1, 1, "the file is empty");
   if (parser) {
-    // The parser goes on where the model ended, be it at a second document or at a comma or bracket that closes nothing.
+    // The parser goes on where the model ended, be it at a second document or at a comma or bracket that closes
+    // nothing.
     Limits second;
     parser.HandleNextDocument(second);
     const YAML::Mark& mark = second.begin();
     const std::string_view rest = line_at(text, mark);
-    if (rest.starts_with("---")) fail(name, mark.line + 1, mark.column + 1, "a second YAML document; one file holds one model");
-    fail(name, mark.line + 1, mark.column + 1, fmt::format("\"{}\" stands outside the model; one file holds one YAML document", excerpt(rest)));
+    if (rest.starts_with("---"))
+      fail(name, mark.line + 1, mark.column + 1, "a second YAML document; one file holds one model");
+    fail(name, mark.line + 1, mark.column + 1,
+         fmt::format("\"{}\" stands outside the model; one file holds one YAML document", excerpt(rest)));
   }
   if (first.is_empty()) fail(name, 1, 1, "the file is empty");
 }
@@ -185,8 +200,8 @@ void check_document(std::string_view text, const std::string& name) {
 
 void check_yaml(std::string_view text, const std::string& name) {
   if (text.size() > longest_model)
-    throw InputError(fmt::format("{}: has {} MB, and a model has at most {} MB; is it the right file?", name, text.size() / 1'000'000,
-                                 longest_model / 1'000'000));
+    throw InputError(fmt::format("{}: has {} MB, and a model has at most {} MB; is it the right file?", name,
+                                 text.size() / 1'000'000, longest_model / 1'000'000));
   if (const auto wrong = wrong_text(text)) fail(name, wrong->line, wrong->column, wrong->what);
   try {
     check_document(text, name);
@@ -194,7 +209,8 @@ void check_yaml(std::string_view text, const std::string& name) {
     fail(name, refusal.mark.line + 1, refusal.mark.column + 1, refusal.text);
   } catch (const YAML::Exception& error) {
     refuse_tab(name, text, error.mark.line + 1);
-    fail(name, error.mark.line + 1, error.mark.column + 1, fmt::format("this is not YAML: {}{}", excerpt(error.msg), remedy(error.msg)));
+    fail(name, error.mark.line + 1, error.mark.column + 1,
+         fmt::format("this is not YAML: {}{}", excerpt(error.msg), remedy(error.msg)));
   }
 }
 

@@ -18,8 +18,8 @@ double exact_adams_impact(const CalibrationTarget& asked);
 /// F = max(0, k d^n + c STEP(d) d'), STEP = s^2 (3 - 2 s) with s = d/depth, 1 beyond depth: the IMPACT function.
 ///
 /// k [N/m^n], n >= 1 [-], c [N s/m] full damping, depth [m] where it is reached, d [m], d' [m/s]. MSC Adams, Altair
-/// MotionSolve, SolidWorks Motion. The restitution depends on the closing speed; `exact` solves for c at each impact. The
-/// pull is cut; with n < 2 the spring can press again before the penetration is zero.
+/// MotionSolve, SolidWorks Motion. The restitution depends on the closing speed; `exact` solves for c at each impact.
+/// The pull is cut; with n < 2 the spring can press again before the penetration is zero.
 struct AdamsImpact {
   static constexpr std::string_view name = "adams_impact", shape = "F = max(0, k d^n + c STEP(d/depth) d')";
   static constexpr std::string_view summary = "IMPACT function of multibody programs, damping grows up to a depth";
@@ -34,17 +34,16 @@ struct AdamsImpact {
       "press again before the penetration is zero";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
-  static constexpr std::array formulas{
-      Formula{"exact", "root of e(c) = e at each closing speed", "integrated impact", "gives what is asked",
-              &exact_adams_impact}};
+  static constexpr std::array formulas{Formula{"exact", "root of e(c) = e at each closing speed", "integrated impact",
+                                               "gives what is asked", &exact_adams_impact}};
 
-  double stiffness = 0;                       ///< k [N/m^n]
-  double exponent = 1.5;                      ///< n [-]
-  double depth = 0;                           ///< penetration of full damping [m]
+  double stiffness = 0;                         ///< k [N/m^n]
+  double exponent = 1.5;                        ///< n [-]
+  double depth = 0;                             ///< penetration of full damping [m]
   std::optional<double> restitution{};          ///< e in (0, 1], or
   std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
   std::optional<double> impact_velocity{};      ///< fixed design velocity instead of the fresh closing speed [m/s]
-  double reduced_mass = 0;                    ///< m [kg]
+  double reduced_mass = 0;                      ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
@@ -84,8 +83,8 @@ struct AdamsImpact {
 
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
     const Power p = power(penetration, exponent), part = step(penetration);
-    return {stiffness * p.value + impact.damping * part.value * rate, stiffness * p.slope + impact.damping * part.slope * rate,
-            impact.damping * part.value};
+    return {stiffness * p.value + impact.damping * part.value * rate,
+            stiffness * p.slope + impact.damping * part.slope * rate, impact.damping * part.value};
   }
   /// Changes sign where the damping reaches its full value [m].
   double corner(double penetration, double, const Impact&) const noexcept { return penetration - depth; }
@@ -112,12 +111,12 @@ inline double exact_adams_impact(const CalibrationTarget& asked) {
   // An impact that stays far short of the depth of full damping meets 3 (d/depth)^2 of it.
   const double scale = std::max(1.0, depth * depth / 3);
   return scale * number_of_restitution(asked.restitution, [&](double number) {
-    return AdamsImpact{.stiffness = 1,
-                       .exponent = asked.exponent,
-                       .depth = depth,
-                       .damping_coefficient = scale * number,
-                       .reduced_mass = 1};
-  });
+           return AdamsImpact{.stiffness = 1,
+                              .exponent = asked.exponent,
+                              .depth = depth,
+                              .damping_coefficient = scale * number,
+                              .reduced_mass = 1};
+         });
 }
 
 }  // namespace pounding::laws

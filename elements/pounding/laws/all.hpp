@@ -1,6 +1,6 @@
 #pragma once
-/// The one list of contact laws. Parser, reports, bindings, documentation and the contract test read it: a new law needs
-/// its header and two lines here. Sources that are linked with Pounding::links include compiled.hpp instead.
+/// The one list of contact laws. Parser, reports, bindings, documentation and the contract test read it: a new law
+/// needs its header and two lines here. Sources that are linked with Pounding::links include compiled.hpp instead.
 
 #include <span>
 #include <stdexcept>
@@ -30,23 +30,9 @@
 namespace pounding::laws {
 
 /// One of the laws of this library.
-using AnyLaw = std::variant<LinearSpring,
-                            KelvinVoigt,
-                            KelvinVoigtNoTension,
-                            Komodromos,
-                            ModifiedLinearViscoelastic,
-                            ModifiedKelvin,
-                            Hertz,
-                            HertzDamped,
-                            Jankowski,
-                            BilinearHertz,
-                            ViscousHertz,
-                            KuwabaraKono,
-                            AdamsImpact,
-                            LimitedDamper,
-                            Stereomechanical,
-                            Elastoplastic,
-                            Backfill>;
+using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Komodromos, ModifiedLinearViscoelastic,
+                            ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono,
+                            AdamsImpact, LimitedDamper, Stereomechanical, Elastoplastic, Backfill>;
 
 /// Every law with its tables, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
@@ -58,8 +44,8 @@ inline const Entry& find_law(std::string_view name) {
   throw std::invalid_argument("unknown law \"" + excerpt(name) + "\"." + law_suggestion(name, catalogue()));
 }
 
-/// A checked law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest known name), a
-/// missing required one, a wrong value, damping given twice or not at all, and a formula without a restitution.
+/// A checked law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest known name),
+/// a missing required one, a wrong value, damping given twice or not at all, and a formula without a restitution.
 inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
 
 /// The entry of a made law.

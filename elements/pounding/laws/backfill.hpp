@@ -9,23 +9,33 @@
 
 namespace pounding::laws {
 
-/// F = d/(1/K + Rf d/Fu) while the soil is pressed further than ever, K_ur (d - r) while it is not; what is pressed in opens the gap.
+/// F = d/(1/K + Rf d/Fu) while the soil is pressed further than ever, K_ur (d - r) while it is not; what is pressed in
+/// opens the gap.
 ///
-/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf [-] failure ratio,
-/// Fu [N] ultimate passive force; the hyperbola ends at Fu/Rf. d [m] is counted from the soil that nothing has pressed, d_m the deepest
-/// one so far, r = d_m - F(d_m)/K_ur what stays pressed in. Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees
-/// HyperbolicGapMaterial, which has the signs turned round. The wall and the soil have no mass; there is no dashpot.
+/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf
+/// [-] failure ratio, Fu [N] ultimate passive force; the hyperbola ends at Fu/Rf. d [m] is counted from the soil that
+/// nothing has pressed, d_m the deepest one so far, r = d_m - F(d_m)/K_ur what stays pressed in. Duncan & Mokwa 2001,
+/// J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, which has the signs turned round. The wall and
+/// the soil have no mass; there is no dashpot.
 struct Backfill {
-  static constexpr std::string_view name = "backfill", shape = "F = d/(1/K + Rf d/Fu) for d = d_m, K_ur (d - r) for d < d_m; r = d_m - F(d_m)/K_ur";
-  static constexpr std::string_view summary = "wall with backfill: a hyperbola, steeper unloading, what is pressed in stays (HyperbolicGapMaterial)";
-  static constexpr std::string_view source = "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial";
+  static constexpr std::string_view
+      name = "backfill",
+      shape = "F = d/(1/K + Rf d/Fu) for d = d_m, K_ur (d - r) for d < d_m; r = d_m - F(d_m)/K_ur";
+  static constexpr std::string_view summary =
+      "wall with backfill: a hyperbola, steeper unloading, what is pressed in stays (HyperbolicGapMaterial)";
+  static constexpr std::string_view source =
+      "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial";
   static constexpr std::string_view symbols =
-      "K [N/m] initial stiffness of the soil, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate passive force, Rf [-] failure "
-      "ratio, d counted from the soil that nothing has pressed, d_m [m] the deepest one so far, r [m] what stays pressed in";
+      "K [N/m] initial stiffness of the soil, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate passive "
+      "force, Rf [-] failure "
+      "ratio, d counted from the soil that nothing has pressed, d_m [m] the deepest one so far, r [m] what stays "
+      "pressed in";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1";
   static constexpr std::string_view beware =
-      "the numbers are those of the whole width of the wall; what is pressed in is added to the gap, which is wider for the following impacts of "
-      "the run, and these lose nothing unless they press deeper; the wall has no mass, and nothing depends on the speed";
+      "the numbers are those of the whole width of the wall; what is pressed in is added to the gap, which is wider "
+      "for the following impacts of "
+      "the run, and these lose nothing unless they press deeper; the wall has no mass, and nothing depends on the "
+      "speed";
   static constexpr bool leaves_indentation = true, presses_soil = true;
 
   double stiffness = 0;      ///< K > 0 [N/m]
@@ -36,7 +46,8 @@ struct Backfill {
   static constexpr std::array parameters{
       Parameter<Backfill>{{"stiffness", "N/m", "initial stiffness of the soil K", 2.5e8}, &Backfill::stiffness},
       Parameter<Backfill>{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75}, &Backfill::failure_ratio},
+      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
+                          &Backfill::failure_ratio},
       Parameter<Backfill>{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength}};
 
   void check() const { soil().check(); }
@@ -48,7 +59,9 @@ struct Backfill {
     return std::max(impact.crushed, soil().left(impact.crushed) + impact.largest_penetration);
   }
   /// Growth of r in this impact [m].
-  double indentation(const Impact& impact) const noexcept { return soil().left(crushed(impact)) - soil().left(impact.crushed); }
+  double indentation(const Impact& impact) const noexcept {
+    return soil().left(crushed(impact)) - soil().left(impact.crushed);
+  }
 
   Response contact(double penetration, double, const Impact& impact) const noexcept {
     const double deepest = crushed(impact), d = depth(penetration, impact);
@@ -61,12 +74,18 @@ struct Backfill {
     return soil().stored(std::max(d, crushed(impact)), d);
   }
   /// Changes sign where the slope jumps, at the deepest d so far [m].
-  double corner(double penetration, double, const Impact& impact) const noexcept { return depth(penetration, impact) - crushed(impact); }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept { return pressed(*this, penetration, rate, impact); }
+  double corner(double penetration, double, const Impact& impact) const noexcept {
+    return depth(penetration, impact) - crushed(impact);
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
 
  private:
   // The penetration counts from what earlier impacts have left.
-  double depth(double penetration, const Impact& impact) const noexcept { return penetration + soil().left(impact.crushed); }
+  double depth(double penetration, const Impact& impact) const noexcept {
+    return penetration + soil().left(impact.crushed);
+  }
 };
 
 }  // namespace pounding::laws

@@ -14,8 +14,8 @@
 
 namespace pounding::laws {
 
-/// Restitution of the bilinear law at its design speed, where a Hertz spring of the same k would reach d_m; loss = dE over
-/// the kinetic energy. With k d_m^(n-1) = d_m = 1 the loading curve stores 1/(n+1) at the penetration p reached.
+/// Restitution of the bilinear law at its design speed, where a Hertz spring of the same k would reach d_m; loss = dE
+/// over the kinetic energy. With k d_m^(n-1) = d_m = 1 the loading curve stores 1/(n+1) at the penetration p reached.
 inline double restitution_of_bilinear_loss(double loss, double exponent, double yield_ratio) {
   const double y = yield_ratio, share = loss / (exponent + 1), energy = 1 / (exponent + 1);
   const double k1 = 1 + share / y, k2 = 1 - share / (1 - y);
@@ -36,8 +36,9 @@ inline double exact_bilinear_loss(const CalibrationTarget& q) {
   const double e = q.restitution, high = largest_bilinear_loss(q.exponent, q.yield_ratio);
   const double least = restitution_of_bilinear_loss(high, q.exponent, q.yield_ratio);
   if (e <= least)
-    throw std::invalid_argument("restitution " + number_text(e) + " cannot be reached by bilinear_hertz with yield_ratio " +
-                                number_text(q.yield_ratio) + ", which gives more than " + number_text(least) +
+    throw std::invalid_argument("restitution " + number_text(e) +
+                                " cannot be reached by bilinear_hertz with yield_ratio " + number_text(q.yield_ratio) +
+                                ", which gives more than " + number_text(least) +
                                 "; take another restitution, yield_ratio or law");
   // Squares: the restitution itself leaves 1 with a finite slope, but its square is smoother where e is small.
   const auto miss = [&](double loss) {
@@ -52,16 +53,18 @@ inline double exact_bilinear_loss(const CalibrationTarget& q) {
 /// F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y], a spring K2 beside an elastic-plastic one with slip s [m].
 /// K1 = K_eff + dE/(a_y d_m^2), K2 = K_eff - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m], K_eff = k d_m^(n-1),
 /// dE = loss k d_m^(n+1)/(n+1) [J]; k [N/m^n], n >= 1 [-], a_y [-] yield_ratio, m [kg] reduced mass, d [m].
-/// d_m [m] is the penetration of a Hertz spring at the closing speed, or at impact_velocity. A contact that closes nearly at rest would be
-/// very soft: at a closed gap, and wherever other forces press it far beyond d_m, it is refused without a fixed impact_velocity. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811;
-/// OpenSees ImpactMaterial. Never pulls. The published loss gives more than asked, because the loading curve stores more
-/// than the Hertz spring (0.50 asked gives 0.69).
+/// d_m [m] is the penetration of a Hertz spring at the closing speed, or at impact_velocity. A contact that closes
+/// nearly at rest would be very soft: at a closed gap, and wherever other forces press it far beyond d_m, it is refused
+/// without a fixed impact_velocity. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811; OpenSees ImpactMaterial.
+/// Never pulls. The published loss gives more than asked, because the loading curve stores more than the Hertz spring
+/// (0.50 asked gives 0.69).
 ///
-/// Instead of all this K1, K2 and d_y may be given themselves, as initial_stiffness, secondary_stiffness and yield_penetration: as
-/// OpenSees takes them, the same for every impact.
+/// Instead of all this K1, K2 and d_y may be given themselves, as initial_stiffness, secondary_stiffness and
+/// yield_penetration: as OpenSees takes them, the same for every impact.
 struct BilinearHertz {
   static constexpr std::string_view name = "bilinear_hertz", shape = "F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y]";
-  static constexpr std::string_view summary = "bilinear hysteresis instead of a dashpot (truss contact, ImpactMaterial)";
+  static constexpr std::string_view summary =
+      "bilinear hysteresis instead of a dashpot (truss contact, ImpactMaterial)";
   static constexpr std::string_view source = "Muthukumar & DesRoches 2006, EESD 35:811; OpenSees ImpactMaterial";
   static constexpr std::string_view symbols =
       "K1, K2 = k d_m^(n-1) + dE/(a_y d_m^2), k d_m^(n-1) - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m] yield "
@@ -71,22 +74,24 @@ struct BilinearHertz {
       "n >= 1, restitutions that leave K2 positive: with a_y = 0.1 and n = 1.5 above 0.354 for exact, all for the "
       "published loss";
   static constexpr std::string_view beware =
-      "the springs are made for the closing speed of each impact, so a contact that closes nearly at rest and is pressed "
-      "further is refused; a fixed impact_velocity or given K1, K2 and d_y serve it; the slopes jump where it yields and unloads; it never pulls";
+      "the springs are made for the closing speed of each impact, so a contact that closes nearly at rest and is "
+      "pressed "
+      "further is refused; a fixed impact_velocity or given K1, K2 and d_y serve it; the slopes jump where it yields "
+      "and unloads; it never pulls";
   static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of e(loss) = e at the design speed", "closed form", "gives what is asked at the design speed",
-              &exact_bilinear_loss},
-      Formula{"muthukumar_desroches", "loss = 1 - e^2", "Muthukumar & DesRoches 2006, EESD 35:811", "0.50 asked gives 0.69",
-              &muthukumar_desroches}};
+      Formula{"exact", "root of e(loss) = e at the design speed", "closed form",
+              "gives what is asked at the design speed", &exact_bilinear_loss},
+      Formula{"muthukumar_desroches", "loss = 1 - e^2", "Muthukumar & DesRoches 2006, EESD 35:811",
+              "0.50 asked gives 0.69", &muthukumar_desroches}};
 
-  double stiffness = 0;                   ///< k [N/m^n]
-  double exponent = 1.5;                  ///< n [-]
-  double yield_ratio = 0.1;               ///< a_y = d_y/d_m [-]
+  double stiffness = 0;                     ///< k [N/m^n]
+  double exponent = 1.5;                    ///< n [-]
+  double yield_ratio = 0.1;                 ///< a_y = d_y/d_m [-]
   std::optional<double> restitution{};      ///< e in (0, 1]
   std::optional<double> impact_velocity{};  ///< fixed design velocity instead of the fresh closing speed [m/s]
-  double reduced_mass = 0;                ///< m [kg]
+  double reduced_mass = 0;                  ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   std::optional<double> initial_stiffness{};    ///< K1 [N/m], or with the next two instead of all above
@@ -96,8 +101,8 @@ struct BilinearHertz {
   static constexpr std::array parameters{
       Parameter<BilinearHertz>{{"stiffness", "N/m^n", "Hertz stiffness k", 2.75e9}, &BilinearHertz::stiffness},
       Parameter<BilinearHertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &BilinearHertz::exponent},
-      Parameter<BilinearHertz>{
-          {"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional}, &BilinearHertz::yield_ratio},
+      Parameter<BilinearHertz>{{"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional},
+                               &BilinearHertz::yield_ratio},
       Parameter<BilinearHertz>{{"initial_stiffness", "N/m", "stiffness K1 up to the yield", 1.2e9, Need::together},
                                nullptr,
                                &BilinearHertz::initial_stiffness},
@@ -182,16 +187,19 @@ struct BilinearHertz {
   }
   void check_given() const {
     if (!(initial_stiffness && secondary_stiffness && yield_penetration))
-      throw std::invalid_argument("bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration together");
+      throw std::invalid_argument(
+          "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration together");
     require_positive("initial_stiffness", initial_stiffness);
     require_positive("secondary_stiffness", secondary_stiffness);
     require_positive("yield_penetration", yield_penetration);
     require_not_negative("reduced_mass", reduced_mass);
     if (*secondary_stiffness > *initial_stiffness)
-      refuse("secondary_stiffness", *secondary_stiffness, "at most the initial_stiffness, " + number_text(*initial_stiffness));
+      refuse("secondary_stiffness", *secondary_stiffness,
+             "at most the initial_stiffness, " + number_text(*initial_stiffness));
     if (restitution || impact_velocity)
-      throw std::invalid_argument("bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without " +
-                                  std::string(restitution ? "restitution" : "impact_velocity") + ", which would have no effect");
+      throw std::invalid_argument(
+          "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without " +
+          std::string(restitution ? "restitution" : "impact_velocity") + ", which would have no effect");
   }
 };
 

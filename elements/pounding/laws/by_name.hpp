@@ -1,6 +1,6 @@
 #pragma once
-/// Laws by name, for any variant of laws: the catalogue, making a law from settings, and describing a made law. Everything
-/// is read from the laws' own tables. all.hpp applies it to the laws of this library.
+/// Laws by name, for any variant of laws: the catalogue, making a law from settings, and describing a made law.
+/// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
 
 #include <algorithm>
 #include <array>
@@ -28,8 +28,8 @@
 
 namespace pounding::laws {
 
-/// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law without
-/// damping. Throws std::invalid_argument where the formula has no value for the law's restitution.
+/// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law
+/// without damping. Throws std::invalid_argument where the formula has no value for the law's restitution.
 template <class... L>
 double damping_number(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -40,8 +40,8 @@ double damping_number(const std::variant<L...>& law, double closing_speed) {
       law);
 }
 
-/// Damping coefficient of a made law at this closing speed [m/s], in the unit of Entry::coefficient; 0 for a law without
-/// damping. Throws as damping_number does.
+/// Damping coefficient of a made law at this closing speed [m/s], in the unit of Entry::coefficient; 0 for a law
+/// without damping. Throws as damping_number does.
 template <class... L>
 double damping_coefficient(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -115,10 +115,12 @@ void set(L& law, std::string_view name, double value) {
       law.*p.choice = value;
     return;
   }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + excerpt(name) + "\"." + suggestion(name, known));
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + excerpt(name) + "\"." +
+                              suggestion(name, known));
 }
 
-/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
+/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
+/// of range.
 template <class L>
 L make(const Settings& s) {
   const std::string law_name(L::name);
@@ -138,17 +140,20 @@ L make(const Settings& s) {
       law.restitution = s.restitution;
     }
   } else if (s.restitution) {
-    throw std::invalid_argument(law_name + " takes no restitution: " +
-                                (leaves_indentation<L> ? "what it loses follows from its curves" : "it loses no energy"));
+    throw std::invalid_argument(
+        law_name + " takes no restitution: " +
+        (leaves_indentation<L> ? "what it loses follows from its curves" : "it loses no energy"));
   }
 
   if (!s.formula.empty()) {
     if constexpr (has_formulas<L>) {
       const auto found = std::ranges::find(L::formulas, s.formula, &Formula::name);
       if (found == L::formulas.end())
-        throw std::invalid_argument(law_name + " has no formula \"" + excerpt(s.formula) + "\"." + suggestion(s.formula, names(L::formulas)));
+        throw std::invalid_argument(law_name + " has no formula \"" + excerpt(s.formula) + "\"." +
+                                    suggestion(s.formula, names(L::formulas)));
       if (!s.restitution)
-        throw std::invalid_argument("formula \"" + excerpt(s.formula) + "\" needs a restitution to find the damping of " + law_name);
+        throw std::invalid_argument("formula \"" + excerpt(s.formula) +
+                                    "\" needs a restitution to find the damping of " + law_name);
       law.formula = found->function;
     } else {
       throw std::invalid_argument(law_name + " takes no formula: it has no damping to calibrate");
@@ -177,8 +182,8 @@ Any make_any(const Settings& s) {
   }
 }
 
-/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s]; of a law that is given by
-/// parameters that go together, these. Without a reduced mass there may be no number.
+/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s]; of a law that is given
+/// by parameters that go together, these. Without a reduced mass there may be no number.
 template <class L>
 std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   double exponent = 1;
@@ -188,9 +193,8 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
     if (std::ranges::find(result, name, &ResolvedValue::name) == result.end())
       result.push_back({std::string(name), value, resolved_unit(unit, exponent)});
   };
-  const bool together = std::ranges::any_of(L::parameters, [&](const Parameter<L>& p) {
-    return p.info.need == Need::together && law.*p.choice;
-  });
+  const bool together = std::ranges::any_of(
+      L::parameters, [&](const Parameter<L>& p) { return p.info.need == Need::together && law.*p.choice; });
   for (const Parameter<L>& p : L::parameters) {
     if (p.value && !together) add(p.info.name, law.*p.value, p.info.unit);
     if (p.choice && law.*p.choice) add(p.info.name, *(law.*p.choice), p.info.unit);
@@ -208,7 +212,8 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   if constexpr (has_damping<L>) {
     if constexpr (requires { law.impact_velocity; })
       if (!law.impact_velocity) add("closing_speed", closing_speed, "m/s");
-    if (const double number = law.damping_number(closing_speed); std::isfinite(number)) add(L::number.name, number, L::number.unit);
+    if (const double number = law.damping_number(closing_speed); std::isfinite(number))
+      add(L::number.name, number, L::number.unit);
     add(L::coefficient.name, law.damping_for(closing_speed), L::coefficient.unit);
   }
   return result;
@@ -216,8 +221,8 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
 
 }  // namespace by_name
 
-/// The parameters of a made law, its damping number and its coefficient, for reports. Where the coefficient depends on the
-/// closing speed, it holds for `closing_speed` [m/s], which is then listed too.
+/// The parameters of a made law, its damping number and its coefficient, for reports. Where the coefficient depends on
+/// the closing speed, it holds for `closing_speed` [m/s], which is then listed too.
 template <class... L>
 std::vector<ResolvedValue> describe(const std::variant<L...>& law, double closing_speed = 1) {
   return std::visit([&](const auto& chosen) { return by_name::describe(chosen, closing_speed); }, law);

@@ -1,5 +1,6 @@
 #pragma once
-/// Checks of parameters. They throw std::invalid_argument with the parameter, the value that was read, and the allowed range.
+/// Checks of parameters. They throw std::invalid_argument with the parameter, the value that was read, and the allowed
+/// range.
 
 #include <charconv>
 #include <cmath>
@@ -27,10 +28,12 @@ inline std::string short_text(double value) {
 
 /// Throws std::invalid_argument with the text "NAME is VALUE, but must be ALLOWED".
 [[noreturn]] inline void refuse(std::string_view name, double value, std::string_view allowed) {
-  throw std::invalid_argument(std::string(name) + " is " + number_text(value) + ", but must be " + std::string(allowed));
+  throw std::invalid_argument(std::string(name) + " is " + number_text(value) + ", but must be " +
+                              std::string(allowed));
 }
 
-/// Throws std::invalid_argument unless the value is finite and positive. In all checks a value that was not given is allowed.
+/// Throws std::invalid_argument unless the value is finite and positive. In all checks a value that was not given is
+/// allowed.
 inline void require_positive(std::string_view name, double value) {
   if (!(std::isfinite(value) && value > 0)) refuse(name, value, "finite and positive");
 }
@@ -44,13 +47,15 @@ inline void require_not_negative(std::string_view name, const std::optional<doub
   if (value && !(std::isfinite(*value) && *value >= 0)) refuse(name, *value, "finite and not negative");
 }
 
-/// Throws std::invalid_argument unless the restitution lies in (0, 1], or in [0, 1] where the law `sticks_at_zero`. Numbers so small that they
-/// have fewer digits count as 0: damping that grows with 1/e would be infinite.
+/// Throws std::invalid_argument unless the restitution lies in (0, 1], or in [0, 1] where the law `sticks_at_zero`.
+/// Numbers so small that they have fewer digits count as 0: damping that grows with 1/e would be infinite.
 inline void require_restitution(const std::optional<double>& value, bool sticks_at_zero = false) {
   constexpr double least = std::numeric_limits<double>::min();
   if (!value || (*value >= (sticks_at_zero ? 0 : least) && *value <= 1)) return;
   if (*value >= 0 && *value < least)
-    refuse("restitution", *value, "in (0, 1]: no damping of this law stops the bodies; with stereomechanical and kelvin_voigt they stick at 0");
+    refuse(
+        "restitution", *value,
+        "in (0, 1]: no damping of this law stops the bodies; with stereomechanical and kelvin_voigt they stick at 0");
   refuse("restitution", *value, sticks_at_zero ? "in [0, 1]" : "in (0, 1]");
 }
 
@@ -60,13 +65,12 @@ inline void require_exponent(double value) {
 }
 
 /// Throws std::invalid_argument unless damping is given exactly once: by a restitution or by one direct value.
-inline void require_one_damping(std::string_view law, const std::optional<double>& restitution,
-                                std::initializer_list<std::pair<std::string_view, const std::optional<double>*>> direct) {
+inline void require_one_damping(
+    std::string_view law, const std::optional<double>& restitution,
+    std::initializer_list<std::pair<std::string_view, const std::optional<double>*>> direct) {
   std::string names = "restitution", given;
   int count = 0;
-  const auto note = [&](std::string_view name) {
-    given += (count++ ? " and " : "") + std::string(name);
-  };
+  const auto note = [&](std::string_view name) { given += (count++ ? " and " : "") + std::string(name); };
   if (restitution) note("restitution");
   for (const auto& [name, value] : direct) {
     names += " or " + std::string(name);
@@ -74,11 +78,13 @@ inline void require_one_damping(std::string_view law, const std::optional<double
   }
   if (count == 0) throw std::invalid_argument(std::string(law) + " needs its damping: give " + names);
   if (count > 1)
-    throw std::invalid_argument(std::string(law) + " takes its damping once, but " + given + " are given; keep one of them");
+    throw std::invalid_argument(std::string(law) + " takes its damping once, but " + given +
+                                " are given; keep one of them");
 }
 
 /// Throws std::invalid_argument for a design velocity beside a direct coefficient, where it would have no effect.
-inline void require_velocity_used(const std::optional<double>& impact_velocity, const std::optional<double>& coefficient) {
+inline void require_velocity_used(const std::optional<double>& impact_velocity,
+                                  const std::optional<double>& coefficient) {
   if (impact_velocity && coefficient)
     throw std::invalid_argument("impact_velocity has no effect beside damping_coefficient; leave one of them out");
 }

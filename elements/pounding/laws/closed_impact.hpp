@@ -44,7 +44,8 @@ inline FreeImpact elastic_impact(double k, double n, double m, double v) {
                        m, v);
 }
 
-/// A linear spring and dashpot of ratio z up to the largest penetration: its restitution and duration are left to the law.
+/// A linear spring and dashpot of ratio z up to the largest penetration: its restitution and duration are left to the
+/// law.
 inline FreeImpact oscillator_approach(double k, double z, double m, double v) {
   const double w = std::sqrt(k / m), angle = angle_ratio(z);
   FreeImpact r{.peak_force = 2 * z * m * w * v,
@@ -64,7 +65,9 @@ FreeImpact closed_impact(const L&, double, double) {
   return {};
 }
 
-inline FreeImpact closed_impact(const LinearSpring& law, double m, double v) { return elastic_impact(law.stiffness, 1, m, v); }
+inline FreeImpact closed_impact(const LinearSpring& law, double m, double v) {
+  return elastic_impact(law.stiffness, 1, m, v);
+}
 
 inline FreeImpact closed_impact(const Hertz& law, double m, double v) {
   return elastic_impact(law.stiffness, law.exponent, m, v);
@@ -75,7 +78,8 @@ inline FreeImpact closed_impact(const KelvinVoigt& law, double m, double v) {
   const double k = law.stiffness, z = law.damping_for(v) / (2 * std::sqrt(k * m));
   FreeImpact r = oscillator_approach(k, z, m, v);
   r.restitution = restitution_to_zero_penetration(z);
-  r.duration = z < 1 ? std::numbers::pi / std::sqrt(k / m * (1 - z) * (1 + z)) : std::numeric_limits<double>::infinity();
+  r.duration =
+      z < 1 ? std::numbers::pi / std::sqrt(k / m * (1 - z) * (1 + z)) : std::numeric_limits<double>::infinity();
   return with_momentum(r, m, v);
 }
 
@@ -109,7 +113,9 @@ inline FreeImpact proportional_impact(double k, double n, double zeta, double m,
   const double a = zeta * v / k;
   if (!(a > 0)) return elastic_impact(k, n, m, v);
   const double excess = log_excess(a), scale = m * (n + 1) * v * v / (k * a * a);
-  const auto rise = [&](double u) { return u * n / (n + 1) + log_excess(u) - excess; };  // zero where the force is largest
+  const auto rise = [&](double u) {
+    return u * n / (n + 1) + log_excess(u) - excess;
+  };  // zero where the force is largest
   const double u = find_root(rise, 0, -excess, a, rise(a));
   return with_momentum({.restitution = restitution_of_factor(a),
                         .peak_force = k * std::pow(scale * n * u / (n + 1), n / (n + 1)) * (1 + u),
@@ -156,7 +162,8 @@ inline FreeImpact closed_impact(const BilinearHertz& law, double m, double v) {
                        m, v);
 }
 
-/// On sound surfaces. Unloading is the elastic impact at e v to a depth of e^2 d_m, and takes e times as long as loading.
+/// On sound surfaces. Unloading is the elastic impact at e v to a depth of e^2 d_m, and takes e times as long as
+/// loading.
 inline FreeImpact closed_impact(const Elastoplastic& law, double m, double v) {
   FreeImpact r = elastic_impact(law.stiffness, law.exponent, m, v);
   r.restitution = std::sqrt(1 - law.damping_for(v));

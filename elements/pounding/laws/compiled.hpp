@@ -1,6 +1,6 @@
 #pragma once
-/// The laws of the list for sources that are linked with Pounding::links, which holds their code: nothing of it is compiled
-/// again. all.hpp and free_impact.hpp alone give the same functions without a library.
+/// The laws of the list for sources that are linked with Pounding::links, which holds their code: nothing of it is
+/// compiled again. all.hpp and free_impact.hpp alone give the same functions without a library.
 
 #include <pounding/laws/all.hpp>
 #include <pounding/laws/free_impact.hpp>

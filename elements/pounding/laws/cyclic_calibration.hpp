@@ -1,7 +1,7 @@
 #pragma once
-/// Calibration by the cyclic process of Naderpour, Barros & Khatami 2015 (section 6, Fig. 9): a formula is given an assumed
-/// restitution, the impact is analysed, the area of its hysteresis loop is compared with the kinetic energy that the
-/// restitution asked for would lose (Eq. 18), and the assumed restitution is changed until both are equal.
+/// Calibration by the cyclic process of Naderpour, Barros & Khatami 2015 (section 6, Fig. 9): a formula is given an
+/// assumed restitution, the impact is analysed, the area of its hysteresis loop is compared with the kinetic energy
+/// that the restitution asked for would lose (Eq. 18), and the assumed restitution is changed until both are equal.
 ///
 /// It needs no closed form, and where it converges it ends at the exact calibration, whichever formula it started from.
 
@@ -32,17 +32,21 @@ struct CyclicCalibration {
   double assumed() const { return analyses.back().assumed; }  ///< what the formula must be given
 };
 
-/// The process for the law and the formula of `settings`, whose own restitution is not used: e in (0, 1) asked, reduced mass
-/// [kg], closing speed [m/s]. Ends when the area is right to 1e-9 of itself.
-/// Throws std::invalid_argument for wrong settings, for a law without a loop or without a formula, and when no restitution
-/// that the formula takes makes the loop lose what is asked.
-inline CyclicCalibration calibrate_cyclically(Settings settings, double restitution, double reduced_mass, double closing_speed) {
+/// The process for the law and the formula of `settings`, whose own restitution is not used: e in (0, 1) asked, reduced
+/// mass [kg], closing speed [m/s]. Ends when the area is right to 1e-9 of itself. Throws std::invalid_argument for
+/// wrong settings, for a law without a loop or without a formula, and when no restitution that the formula takes makes
+/// the loop lose what is asked.
+inline CyclicCalibration calibrate_cyclically(Settings settings, double restitution, double reduced_mass,
+                                              double closing_speed) {
   constexpr double accuracy = 1e-9;
   if (!(restitution > 0 && restitution < 1)) refuse("restitution", restitution, "in (0, 1) for the cyclic process");
   settings.restitution = restitution;
   settings.reduced_mass = reduced_mass;
-  integrated_free_impact(make_law({.law = settings.law, .formula = "exact", .restitution = restitution,
-                                   .impact_velocity = settings.impact_velocity, .reduced_mass = reduced_mass,
+  integrated_free_impact(make_law({.law = settings.law,
+                                   .formula = "exact",
+                                   .restitution = restitution,
+                                   .impact_velocity = settings.impact_velocity,
+                                   .reduced_mass = reduced_mass,
                                    .values = settings.values}),
                          reduced_mass, closing_speed);  // what is wrong in itself is refused here, not by the search
 
@@ -77,9 +81,9 @@ inline CyclicCalibration calibrate_cyclically(Settings settings, double restitut
     do {
       next = 0.5 * (known + limit);
       if (std::abs(next - limit) < 1e-9)
-        throw std::invalid_argument("the cyclic process does not end: formula \"" + settings.formula + "\" of " + settings.law +
-                                    " comes no nearer to a restitution of " + number_text(restitution) + " than " +
-                                    number_text(result.analyses.back().restitution));
+        throw std::invalid_argument("the cyclic process does not end: formula \"" + settings.formula + "\" of " +
+                                    settings.law + " comes no nearer to a restitution of " + number_text(restitution) +
+                                    " than " + number_text(result.analyses.back().restitution));
       at_next = excess(next);
       if (!at_next) limit = next;
     } while (!at_next);

@@ -1,6 +1,6 @@
 #pragma once
-/// Published formulas for damping as a function of the restitution e. Most miss the restitution that is asked: the notes
-/// beside them in the laws say by how much. Valid for 0 < e <= 1 unless said.
+/// Published formulas for damping as a function of the restitution e. Most miss the restitution that is asked: the
+/// notes beside them in the laws say by how much. Valid for 0 < e <= 1 unless said.
 ///
 /// Displacement-proportional damping, F = k d^n (1 + a d'/v): a [-].
 /// Linear dashpot, c = 2 zeta sqrt(k m): zeta [-]. Jankowski: xi [-]. Exact calibrations: exact_damping.hpp.
@@ -33,12 +33,15 @@ inline double lankarani_nikravesh(const CalibrationTarget& q) { return 0.75 * (1
 inline double gonthier(const CalibrationTarget& q) { return (1 - q.restitution * q.restitution) / q.restitution; }
 
 /// a = 3(1-e^2) exp[2(1-e)]/4. Zhiying & Qishao 2006.
-inline double zhiying_qishao(const CalibrationTarget& q) { return lankarani_nikravesh(q) * std::exp(2 * (1 - q.restitution)); }
+inline double zhiying_qishao(const CalibrationTarget& q) {
+  return lankarani_nikravesh(q) * std::exp(2 * (1 - q.restitution));
+}
 
 /// a = 8(1-e)/(5e). Ye, Li & Zhu 2009, EESD 38:1135; Flores et al. 2011; paper Eq. 14.
 inline double ye_2009(const CalibrationTarget& q) { return 1.6 * (1 - q.restitution) / q.restitution; }
 
-/// a = 3(1-e)/(2e). Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433 for n = 1 (paper Eq. 13); Hu & Guo 2015 for n = 1.5.
+/// a = 3(1-e)/(2e). Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433 for n = 1 (paper Eq. 13); Hu & Guo 2015 for n
+/// = 1.5.
 inline double hu_guo(const CalibrationTarget& q) { return 1.5 * (1 - q.restitution) / q.restitution; }
 
 /// a = 1/e, which is right for small e only. Gharib & Hurmuzlu 2012.
@@ -60,8 +63,8 @@ inline double naderpour_2015(const CalibrationTarget& q) {
          std::pow(e, std::lerp(M[row], M[row + 1], t));
 }
 
-/// zeta = -ln e/sqrt(pi^2 + ln^2 e): exact for a linear dashpot in contact until d = 0; its limit 1 for e = 0. Anagnostopoulos 1988;
-/// paper Eq. 7.
+/// zeta = -ln e/sqrt(pi^2 + ln^2 e): exact for a linear dashpot in contact until d = 0; its limit 1 for e = 0.
+/// Anagnostopoulos 1988; paper Eq. 7.
 inline double anagnostopoulos(const CalibrationTarget& q) {
   if (q.restitution == 0) return 1;
   const double log_e = std::log(q.restitution);
@@ -77,8 +80,11 @@ inline double mahmoud_jankowski_2011(const CalibrationTarget& q) {
 /// zeta = (1-e^2)/(pi e), dashpot in the approach only. The first, simple form; paper Table 4.
 inline double simple_approach(const CalibrationTarget& q) { return gonthier(q) / std::numbers::pi; }
 
-/// zeta or xi = [2 (1-e^2)/(e sqrt(pi))]^2. Naderpour, Barros & Khatami 2015, Eq. 38: far too much damping below e = 0.85.
-inline double naderpour_2015_eq38(const CalibrationTarget& q) { return 4 / std::numbers::pi * gonthier(q) * gonthier(q); }
+/// zeta or xi = [2 (1-e^2)/(e sqrt(pi))]^2. Naderpour, Barros & Khatami 2015, Eq. 38: far too much damping below e =
+/// 0.85.
+inline double naderpour_2015_eq38(const CalibrationTarget& q) {
+  return 4 / std::numbers::pi * gonthier(q) * gonthier(q);
+}
 
 /// xi = sqrt(5) (1-e^2)/(2 pi e). Jankowski 2005, EESD 34:595; paper Eq. 10.
 inline double jankowski_2005(const CalibrationTarget& q) { return std::sqrt(5.0) / 2 * simple_approach(q); }
@@ -90,6 +96,8 @@ inline double jankowski_2006(const CalibrationTarget& q) {
 }
 
 /// alpha = sqrt(2 (n+1)) (-ln e)/sqrt(pi^2 + ln^2 e), contact until d = 0. Antypov & Elliott 2011.
-inline double antypov_elliott(const CalibrationTarget& q) { return std::sqrt(2 * (q.exponent + 1)) * anagnostopoulos(q); }
+inline double antypov_elliott(const CalibrationTarget& q) {
+  return std::sqrt(2 * (q.exponent + 1)) * anagnostopoulos(q);
+}
 
 }  // namespace pounding::laws

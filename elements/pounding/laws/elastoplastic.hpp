@@ -18,33 +18,39 @@ inline double exact_indentation(const CalibrationTarget& q) { return (1 - q.rest
 /// F = k d^n while the bodies crush, F_m [(d - d_p)/(d_m - d_p)]^n while they do not; what is left is added to the gap.
 ///
 /// k [N/m^n], n >= 1 [-], d [m] penetration from the sound surface, d_m [m] the deepest one so far, F_m = k d_m^n [N],
-/// d_p = r d_m [m] indentation, r in [0, 1) [-]. Unloading begins 1/(1-r) times as steep as loading ends. At F = 0 the contact
-/// ends and d_p stays: later impacts meet a gap that is wider by d_p, press the unloading curve up to (d_m, F_m), and crush from
-/// there on. n = 1: Walton & Braun 1986, J. Rheol. 30:949, with k1 = k, k2 = k/e^2, e = sqrt(k1/k2). Any n: Lankarani & Nikravesh
-/// 1994, Nonlinear Dyn. 5:193. For concrete: van Mier et al. 1991, J. Struct. Eng. 117:354.
+/// d_p = r d_m [m] indentation, r in [0, 1) [-]. Unloading begins 1/(1-r) times as steep as loading ends. At F = 0 the
+/// contact ends and d_p stays: later impacts meet a gap that is wider by d_p, press the unloading curve up to (d_m,
+/// F_m), and crush from there on. n = 1: Walton & Braun 1986, J. Rheol. 30:949, with k1 = k, k2 = k/e^2, e =
+/// sqrt(k1/k2). Any n: Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193. For concrete: van Mier et al. 1991, J. Struct.
+/// Eng. 117:354.
 ///
-/// A first impact has e = sqrt(1-r) at every speed. A later one with the energy E, after crushing up to E_m = k d_m^(n+1)/(n+1),
-/// has 1 where E <= e^2 E_m, else sqrt{e^2 [1 + (1-e^2) E_m/E]}.
+/// A first impact has e = sqrt(1-r) at every speed. A later one with the energy E, after crushing up to E_m = k
+/// d_m^(n+1)/(n+1), has 1 where E <= e^2 E_m, else sqrt{e^2 [1 + (1-e^2) E_m/E]}.
 struct Elastoplastic {
   static constexpr std::string_view name = "elastoplastic",
-                                    shape = "F = k d^n for d = d_m, k d_m^n [(d-d_p)/(d_m-d_p)]^n for d < d_m; d_p = r d_m";
+                                    shape =
+                                        "F = k d^n for d = d_m, k d_m^n [(d-d_p)/(d_m-d_p)]^n for d < d_m; d_p = r d_m";
   static constexpr std::string_view summary = "power spring that crushes: steeper unloading, the indentation stays";
   static constexpr std::string_view source =
-      "Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193; n = 1: Walton & Braun 1986, J. Rheol. 30:949; for concrete: van Mier et al. "
+      "Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193; n = 1: Walton & Braun 1986, J. Rheol. 30:949; for concrete: "
+      "van Mier et al. "
       "1991, J. Struct. Eng. 117:354";
   static constexpr std::string_view symbols =
-      "k [N/m^n] contact stiffness, n [-] exponent, d counted from the sound surface, d_m [m] the deepest penetration of all "
+      "k [N/m^n] contact stiffness, n [-] exponent, d counted from the sound surface, d_m [m] the deepest penetration "
+      "of all "
       "impacts so far, d_p [m] indentation, r [-] indentation ratio";
   static constexpr std::string_view range = "n >= 1, 0 <= r < 1";
   static constexpr std::string_view beware =
-      "the indentation is added to the gap, which is wider for the following impacts of the run; the restitution asked for is that "
-      "of an impact on sound surfaces, and later impacts that crush no deeper lose nothing; no damping, no dependence on the speed";
+      "the indentation is added to the gap, which is wider for the following impacts of the run; the restitution asked "
+      "for is that "
+      "of an impact on sound surfaces, and later impacts that crush no deeper lose nothing; no damping, no dependence "
+      "on the speed";
   static constexpr Quantity number{"indentation_ratio", ""}, coefficient{"indentation_ratio", ""};
   static constexpr bool leaves_indentation = true;
 
-  static constexpr std::array formulas{
-      Formula{"exact", "r = 1 - e^2", "closed form, the same for every n: Walton & Braun 1986",
-              "gives what is asked where the surfaces are sound", &exact_indentation}};
+  static constexpr std::array formulas{Formula{"exact", "r = 1 - e^2",
+                                               "closed form, the same for every n: Walton & Braun 1986",
+                                               "gives what is asked where the surfaces are sound", &exact_indentation}};
 
   double stiffness = 0;                       ///< k [N/m^n]
   double exponent = 1.5;                      ///< n [-]
@@ -69,7 +75,9 @@ struct Elastoplastic {
   }
 
   /// r [-], the same at every closing speed.
-  double damping_number(double) const { return restitution ? formula({.restitution = *restitution}) : *indentation_ratio; }
+  double damping_number(double) const {
+    return restitution ? formula({.restitution = *restitution}) : *indentation_ratio;
+  }
   double damping_for(double closing_speed) const { return damping_number(closing_speed); }
 
   /// d_m [m], with r = impact.damping.
@@ -77,7 +85,9 @@ struct Elastoplastic {
     return std::max(impact.crushed, impact.damping * impact.crushed + impact.largest_penetration);
   }
   /// Growth of d_p in this impact [m].
-  double indentation(const Impact& impact) const noexcept { return impact.damping * (crushed(impact) - impact.crushed); }
+  double indentation(const Impact& impact) const noexcept {
+    return impact.damping * (crushed(impact) - impact.crushed);
+  }
 
   Response contact(double penetration, double, const Impact& impact) const noexcept {
     const double deepest = crushed(impact), d = penetration + impact.damping * impact.crushed;

@@ -1,5 +1,6 @@
 #pragma once
-/// Laws by what they are called and take: settings, entry in the catalogue, and the law that a wrong name probably meant.
+/// Laws by what they are called and take: settings, entry in the catalogue, and the law that a wrong name probably
+/// meant.
 
 #include <algorithm>
 #include <functional>
@@ -47,8 +48,8 @@ struct Entry {
   }
 };
 
-/// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
-/// mass of floors of 100 t and 150 t [kg].
+/// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the
+/// reduced mass of floors of 100 t and 150 t [kg].
 inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
 
 /// Settings of a law from the typical values of its table, calibrated to the typical restitution.
@@ -72,8 +73,8 @@ std::vector<std::string_view> names(const Range& range) {
 
 }  // namespace by_name
 
-/// The end of the message about a law that is not in the catalogue: the one that was probably meant, how to type a damping formula
-/// that stands in its place, or all laws. A formula is known by its name or by its first author's.
+/// The end of the message about a law that is not in the catalogue: the one that was probably meant, how to type a
+/// damping formula that stands in its place, or all laws. A formula is known by its name or by its first author's.
 inline std::string law_suggestion(std::string_view read, std::span<const Entry> catalogue) {
   const std::vector<std::string_view> laws = by_name::names(catalogue);
   if (!nearest_name(read, laws).empty()) return suggestion(read, laws);
@@ -84,15 +85,16 @@ inline std::string law_suggestion(std::string_view read, std::span<const Entry> 
   std::string_view meant = nearest_name(read, formulas);
   if (meant.empty())  // the shortest that begins so: of ye_2009 and ye_2009_linear the first
     for (const std::string_view formula : formulas)
-      if (formula.size() > read.size() && formula[read.size()] == '_' && edit_distance(read, formula.substr(0, read.size())) == 0 &&
-          (meant.empty() || formula.size() < meant.size()))
+      if (formula.size() > read.size() && formula[read.size()] == '_' &&
+          edit_distance(read, formula.substr(0, read.size())) == 0 && (meant.empty() || formula.size() < meant.size()))
         meant = formula;
   if (meant.empty()) return suggestion(read, laws);
   std::string with;
   for (const Entry& entry : catalogue)
     if (std::ranges::find(entry.formulas, meant, &Formula::name) != entry.formulas.end())
       with += (with.empty() ? "" : " or ") + std::string(entry.name);
-  return " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with + ", formula: " + std::string(meant) + ".";
+  return " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with +
+         ", formula: " + std::string(meant) + ".";
 }
 
 }  // namespace pounding::laws

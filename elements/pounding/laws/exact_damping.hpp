@@ -1,6 +1,6 @@
 #pragma once
-/// Restitution that a damping number really gives in a free impact, in closed form, and the exact calibration: the number
-/// that gives a restitution, to 1e-12. Three families cover most laws:
+/// Restitution that a damping number really gives in a free impact, in closed form, and the exact calibration: the
+/// number that gives a restitution, to 1e-12. Three families cover most laws:
 ///
 /// - displacement-proportional, F = k d^n (1 + a d'/v): independent of k, m, n and v;
 /// - a linear oscillator of damping ratio z, released where its force is zero;
@@ -41,8 +41,8 @@ inline double exp_excess(double x) noexcept {
 /// e = [1 + W0(-(1+a) exp(-(1+a)))]/a of F = k d^n (1 + a d'/v). a >= 0.
 inline double restitution_of_factor(double a) noexcept {
   if (!(a > 0)) return 1;
-  // With u = a e the law of motion gives -u - ln(1-u) = a - ln(1+a); in s = ln(1-u) its left side is exp_excess(s), convex
-  // and falling, so Newton from below never overshoots.
+  // With u = a e the law of motion gives -u - ln(1-u) = a - ln(1+a); in s = ln(1-u) its left side is exp_excess(s),
+  // convex and falling, so Newton from below never overshoots.
   const double excess = log_excess(a);
   double s = -(excess + std::sqrt(2 * excess));
   for (int i = 0; i < 100; ++i) {
@@ -68,7 +68,8 @@ inline double exact_factor(const CalibrationTarget& q) {
 inline double angle_ratio(double z) noexcept {
   const double half = std::sqrt(std::abs(1 - z) / 2);
   if (half == 0) return 1;
-  return z < 1 ? std::asin(half) / (half * std::sqrt(1 - half * half)) : std::asinh(half) / (half * std::sqrt(1 + half * half));
+  return z < 1 ? std::asin(half) / (half * std::sqrt(1 - half * half))
+               : std::asinh(half) / (half * std::sqrt(1 + half * half));
 }
 
 /// Contact until d = 0: exp(-pi z/sqrt(1-z^2)); for z >= 1 the bodies never part, 0.

@@ -41,14 +41,16 @@ constexpr Character first_character(std::string_view text) noexcept {
 /// Whether a character is a control character of ASCII or Latin-1, line feed and tab among them.
 constexpr bool is_control(std::uint32_t code) noexcept { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Whether a character is shown as itself: no control character, line or paragraph separator, mark of the direction of writing or of
-/// the order of bytes.
+/// Whether a character is shown as itself: no control character, line or paragraph separator, mark of the direction of
+/// writing or of the order of bytes.
 constexpr bool is_shown(std::uint32_t code) noexcept {
-  const bool is_mark = (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F);
+  const bool is_mark =
+      (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F);
   return !is_control(code) && !is_mark && code != 0xFEFF && (code & 0xFFFEu) != 0xFFFE;
 }
 
-/// A text for a message: at most `most` characters, then "..."; characters that are not shown, and bytes that are no UTF-8, as in
+/// A text for a message: at most `most` characters, then "..."; characters that are not shown, and bytes that are no
+/// UTF-8, as in
 /// "\n", "\x1b", "\u202e". `kept` is a character that stays as it is.
 inline std::string excerpt(std::string_view text, std::size_t most = longest_excerpt, char kept = ' ') {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -60,12 +62,17 @@ inline std::string excerpt(std::string_view text, std::size_t most = longest_exc
     if (c.is_valid && (is_shown(c.code) || c.code == static_cast<unsigned char>(kept))) {
       ++count;
     } else {
-      if (c.code == '\n') next = "\\n";
-      else if (c.code == '\t') next = "\\t";
-      else if (c.code == '\r') next = "\\r";
-      else next = c.code < 0x100 ? "\\x" : "\\u";
+      if (c.code == '\n')
+        next = "\\n";
+      else if (c.code == '\t')
+        next = "\\t";
+      else if (c.code == '\r')
+        next = "\\r";
+      else
+        next = c.code < 0x100 ? "\\x" : "\\u";
       if (next == "\\x" || next == "\\u")
-        for (int shift = c.code < 0x100 ? 4 : c.code < 0x10000 ? 12 : 20; shift >= 0; shift -= 4) next += digits[(c.code >> shift) & 0xFu];
+        for (int shift = c.code < 0x100 ? 4 : c.code < 0x10000 ? 12 : 20; shift >= 0; shift -= 4)
+          next += digits[(c.code >> shift) & 0xFu];
       count += next.size();
     }
     if (count > most) return shown + "...";

@@ -16,9 +16,9 @@ struct ExtrapolatedStep {
   double error = 0;  ///< largest error estimate over its tolerance; acceptable up to 1
 };
 
-/// y' = f(x, y) from x to x + h. Gragg's midpoint rule with 2, 4 ... 12 substeps, extrapolated in the square of the substep
-/// (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.9). The states are scaled to order one;
-/// tolerance is absolute below one and relative above.
+/// y' = f(x, y) from x to x + h. Gragg's midpoint rule with 2, 4 ... 12 substeps, extrapolated in the square of the
+/// substep (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.9). The states are scaled to order
+/// one; tolerance is absolute below one and relative above.
 template <std::size_t N, class F>
 ExtrapolatedStep<N> extrapolated_step(F&& f, double x, const std::array<double, N>& y, double h, double tolerance) {
   constexpr std::size_t columns = 6;
@@ -50,7 +50,8 @@ ExtrapolatedStep<N> extrapolated_step(F&& f, double x, const std::array<double, 
   ExtrapolatedStep<N> step{row[columns - 1]};
   // Two estimates: at a corner of f one of them can vanish by accident.
   for (std::size_t i = 0; i < N; ++i) {
-    const double spread = std::max(std::abs(step.state[i] - row[columns - 2][i]), std::abs(step.state[i] - diagonal[i]));
+    const double spread =
+        std::max(std::abs(step.state[i] - row[columns - 2][i]), std::abs(step.state[i] - diagonal[i]));
     step.error = std::max(step.error, spread / (tolerance * (1 + std::abs(step.state[i]))));
   }
   return step;

@@ -12,8 +12,8 @@
 
 namespace pounding::laws {
 
-/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s]. Values that have no
-/// closed form are integrated to 1e-10. Throws std::invalid_argument unless mass and speed are finite and positive.
+/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s]. Values that have
+/// no closed form are integrated to 1e-10. Throws std::invalid_argument unless mass and speed are finite and positive.
 template <class L>
 FreeImpact free_impact(const L& law, double reduced_mass, double closing_speed) {
   require_positive("reduced_mass", reduced_mass);

@@ -18,7 +18,8 @@ struct Hertz {
   static constexpr std::string_view source = "Hertz 1882; Jing & Young 1991; Chau & Wei 2001";
   static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent";
   static constexpr std::string_view range = "any penetration, n >= 1; n = 1.5 is Hertz's contact of spheres";
-  static constexpr std::string_view beware = "restitution 1 whatever the bodies: energy is lost in the structures alone";
+  static constexpr std::string_view beware =
+      "restitution 1 whatever the bodies: energy is lost in the structures alone";
 
   double stiffness = 0;   ///< k [N/m^n]
   double exponent = 1.5;  ///< n [-]

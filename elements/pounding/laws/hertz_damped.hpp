@@ -14,10 +14,10 @@ namespace pounding::laws {
 
 /// F = k d^n + zeta d^n d' = k d^n (1 + a d'/v), zeta = a k/v: damping that grows with the penetration (Hertzdamp).
 ///
-/// k [N/m^n], n >= 1 [-], zeta [N s/m^(n+1)], a [-], d [m], d' [m/s], v [m/s] closing speed of the impact. Hunt & Crossley
-/// 1975; Lankarani & Nikravesh 1990; Muthukumar & DesRoches 2006, EESD 35:811. The restitution depends on a alone, not on
-/// k, m, n, v. In a free impact the force never pulls; bodies torn apart faster than v/a meet the cut. Most published
-/// formulas miss: asked 0.40, Lankarani-Nikravesh gives 0.70, Ye 0.36.
+/// k [N/m^n], n >= 1 [-], zeta [N s/m^(n+1)], a [-], d [m], d' [m/s], v [m/s] closing speed of the impact. Hunt &
+/// Crossley 1975; Lankarani & Nikravesh 1990; Muthukumar & DesRoches 2006, EESD 35:811. The restitution depends on a
+/// alone, not on k, m, n, v. In a free impact the force never pulls; bodies torn apart faster than v/a meet the cut.
+/// Most published formulas miss: asked 0.40, Lankarani-Nikravesh gives 0.70, Ye 0.36.
 struct HertzDamped {
   static constexpr std::string_view name = "hertz_damped", shape = "F = k d^n (1 + a d'/v)";
   static constexpr std::string_view summary = "Hertz spring, damping proportional to d^n (Hertzdamp, Hunt-Crossley)";
@@ -33,8 +33,9 @@ struct HertzDamped {
 
   static constexpr std::array formulas{
       Formula{"exact", "root of a(1+e) = ln[(1+a)/(1-a e)]", "closed form", "gives what is asked", &exact_factor},
-      Formula{"lankarani_nikravesh", "a = 3(1-e^2)/4", "Lankarani & Nikravesh 1990, J. Mech. Des. 112:369; paper Eq. 12",
-              "0.50 asked gives 0.725", &lankarani_nikravesh},
+      Formula{"lankarani_nikravesh", "a = 3(1-e^2)/4",
+              "Lankarani & Nikravesh 1990, J. Mech. Des. 112:369; paper Eq. 12", "0.50 asked gives 0.725",
+              &lankarani_nikravesh},
       Formula{"hunt_crossley", "a = 3(1-e)/2", "Hunt & Crossley 1975", "0.50 asked gives 0.663", &hunt_crossley},
       Formula{"ye_2009", "a = 8(1-e)/(5e)", "Ye, Li & Zhu 2009, EESD 38:1135; Flores et al. 2011; paper Eq. 14",
               "0.50 asked gives 0.470", &ye_2009},
@@ -46,14 +47,14 @@ struct HertzDamped {
       Formula{"lee_wang", "a = 3(1-e)/4", "Lee & Wang 1983", "0.50 asked gives 0.799", &lee_wang},
       Formula{"zhiying_qishao", "a = 3(1-e^2) exp[2(1-e)]/4", "Zhiying & Qishao 2006", "0.50 asked gives 0.483",
               &zhiying_qishao},
-      Formula{"gharib_hurmuzlu", "a = 1/e", "Gharib & Hurmuzlu 2012", "for small restitutions only; 0.50 asked gives 0.411",
-              &gharib_hurmuzlu},
+      Formula{"gharib_hurmuzlu", "a = 1/e", "Gharib & Hurmuzlu 2012",
+              "for small restitutions only; 0.50 asked gives 0.411", &gharib_hurmuzlu},
       Formula{"naderpour_2015", "a = (k/v)^(N-1) (1-e^2)/e^M, N and M from a table over e",
               "Naderpour, Barros & Khatami 2015, Eqs. 15-17, Table 2",
               "not homogeneous: k/v taken in kN, m, s as printed; 0.1 <= e <= 0.9", &naderpour_2015}};
 
-  double stiffness = 0;                       ///< k [N/m^n]
-  double exponent = 1.5;                      ///< n [-]
+  double stiffness = 0;                         ///< k [N/m^n]
+  double exponent = 1.5;                        ///< n [-]
   std::optional<double> restitution{};          ///< e in (0, 1], or
   std::optional<double> damping_factor{};       ///< a >= 0 [-], or
   std::optional<double> damping_coefficient{};  ///< zeta >= 0 [N s/m^(n+1)]

@@ -7,10 +7,12 @@
 
 namespace pounding::laws {
 
-/// Soil behind a wall that is pressed in by x [m], with what its first loading and its unloading have to do with each other.
+/// Soil behind a wall that is pressed in by x [m], with what its first loading and its unloading have to do with each
+/// other.
 ///
-/// First loading: F = x/(1/K + Rf x/Fu), a hyperbola that ends at Fu/Rf. Unloading and reloading: K_ur (x - r), where r is left of the
-/// deepest x. Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248. It holds no history: contact law and path law share it.
+/// First loading: F = x/(1/K + Rf x/Fu), a hyperbola that ends at Fu/Rf. Unloading and reloading: K_ur (x - r), where r
+/// is left of the deepest x. Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248. It holds no history: contact
+/// law and path law share it.
 struct Hyperbola {
   double stiffness = 0;      ///< K > 0 [N/m]
   double unloading = 0;      ///< K_ur >= K [N/m]
@@ -21,7 +23,8 @@ struct Hyperbola {
   void check() const {
     require_positive("stiffness", stiffness);
     if (!(std::isfinite(unloading) && unloading >= stiffness))
-      refuse("unloading", unloading, "finite and at least stiffness, " + number_text(stiffness) + ": flatter unloading would create energy");
+      refuse("unloading", unloading,
+             "finite and at least stiffness, " + number_text(stiffness) + ": flatter unloading would create energy");
     if (!(failure_ratio > 0 && failure_ratio <= 1)) refuse("failure_ratio", failure_ratio, "in (0, 1]");
     require_positive("strength", strength);
   }
@@ -36,8 +39,8 @@ struct Hyperbola {
   double left(double deepest) const noexcept { return deepest - force(deepest) / unloading; }
   /// Depth at which the soil has half the stiffness of the start [m].
   double half_stiffness() const noexcept { return (std::sqrt(2.0) - 1) * strength / (failure_ratio * stiffness); }
-  /// Work of the first loading between two depths [J]. In c = K Rf/Fu: K [x/c - log(1 + c x)/c^2], as its series where that would lose
-  /// digits.
+  /// Work of the first loading between two depths [J]. In c = K Rf/Fu: K [x/c - log(1 + c x)/c^2], as its series where
+  /// that would lose digits.
   double area(double from, double to) const noexcept {
     const double c = stiffness * failure_ratio / strength, way = to - from, part = c * way / (1 + c * from);
     if (part > 1e-3) return stiffness / c * (way - std::log1p(part) / c);

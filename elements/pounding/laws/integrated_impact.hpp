@@ -34,15 +34,16 @@ struct FreeImpact {
   } closed_form{};
 };
 
-/// The integration behind integrated_free_impact; penetration, rate, impulse and work over their scales D, v, m v, m v^2.
+/// The integration behind integrated_free_impact; penetration, rate, impulse and work over their scales D, v, m v, m
+/// v^2.
 template <class L>
 class ImpactIntegration {
  public:
   ImpactIntegration(const L& law, double reduced_mass, double closing_speed)
       : law_(law), mass_(reduced_mass), speed_(closing_speed), impact_(touch(law, closing_speed)), length_(scale()) {}
 
-  /// From the touch to the end of the force. Throws std::runtime_error when the steps do not end, std::domain_error when a number of the
-  /// impact is too large to be one.
+  /// From the touch to the end of the force. Throws std::runtime_error when the steps do not end, std::domain_error
+  /// when a number of the impact is too large to be one.
   FreeImpact run() {
     note_peak({0, 1, 0, 0}, 0);
     approach();
@@ -64,7 +65,9 @@ class ImpactIntegration {
   static constexpr double tolerance = 1e-13;
   static constexpr int max_steps = 20000;
 
-  [[noreturn]] static void beyond_numbers() { throw std::domain_error(std::string(L::name) + ": forces of a free impact are beyond the range of numbers"); }
+  [[noreturn]] static void beyond_numbers() {
+    throw std::domain_error(std::string(L::name) + ": forces of a free impact are beyond the range of numbers");
+  }
 
   /// Penetration at which the force stops the bodies, to a factor of two [m].
   double scale() const {
@@ -97,8 +100,8 @@ class ImpactIntegration {
     if (const double f = force(y); f > peak_) peak_ = f, time_of_peak_ = time;
   }
 
-  // Advances to the end of a phase. `ended` looks at a trial step and gives the part of it at which the phase ends, if it
-  // does. The independent variable x gives the time clock(x) with the slope clock_slope(x).
+  // Advances to the end of a phase. `ended` looks at a trial step and gives the part of it at which the phase ends, if
+  // it does. The independent variable x gives the time clock(x) with the slope clock_slope(x).
   template <class Clock, class ClockSlope, class Ended>
   void advance(double step, Clock&& clock, ClockSlope&& clock_slope, Ended&& ended) {
     const auto f = [&](double at, const State& y) { return slope(y, clock_slope(at)); };
@@ -112,7 +115,8 @@ class ImpactIntegration {
       };
       bool landed = shorten(ended(state_, step, trial.state, try_step));
       // Up to a corner the force may have been released and not pressed again yet.
-      if (shorten(corner_inside(trial.state, step, try_step))) landed = shorten(ended(state_, step, trial.state, try_step));
+      if (shorten(corner_inside(trial.state, step, try_step)))
+        landed = shorten(ended(state_, step, trial.state, try_step));
       // Below this step rounding, not the method, makes the error.
       if (trial.error > 1 && step > 1e-12) {
         step *= std::clamp(0.8 * std::pow(trial.error, -1.0 / 11), 0.1, 0.7);
@@ -165,7 +169,8 @@ class ImpactIntegration {
   // Until the force is released or the penetration is zero; true when it was released earlier than that.
   bool restitution() {
     bool released = false;
-    const auto end_of_force = [&](const State& start, double step, const State& end, auto&& try_step) -> std::optional<double> {
+    const auto end_of_force = [&](const State& start, double step, const State& end,
+                                  auto&& try_step) -> std::optional<double> {
       released = false;  // an earlier trial may have been thrown away
       if (start[0] <= 0) return 0.0;
       const auto penetration = [&](double h) { return try_step(h).state[0]; };
@@ -221,10 +226,10 @@ class ImpactIntegration {
   double time_ = 0, peak_ = 0, time_of_peak_ = 0, deepest_ = 0;
 };
 
-/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s], integrated to 1e-10
-/// whatever the law. Throws std::invalid_argument unless mass and speed are finite and positive, and std::runtime_error
-/// when the contact does not end. kelvin_voigt with a damping ratio of 1 or more creeps back for ever; rounding ends it, with
-/// a restitution of 0 and a duration that means nothing.
+/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s], integrated to
+/// 1e-10 whatever the law. Throws std::invalid_argument unless mass and speed are finite and positive, and
+/// std::runtime_error when the contact does not end. kelvin_voigt with a damping ratio of 1 or more creeps back for
+/// ever; rounding ends it, with a restitution of 0 and a duration that means nothing.
 template <class L>
   requires(!instantaneous<L>)
 FreeImpact integrated_free_impact(const L& law, double reduced_mass, double closing_speed) {
@@ -233,9 +238,9 @@ FreeImpact integrated_free_impact(const L& law, double reduced_mass, double clos
   return ImpactIntegration<L>(law, reduced_mass, closing_speed).run();
 }
 
-/// The damping number that gives a restitution e in (0, 1], to 1e-12, found on integrated impacts of unit mass and speed.
-/// `law_with(number)` makes the law in the units where its stiffness, its mass and the closing speed are one; its
-/// restitution falls from 1 as the number grows from 0.
+/// The damping number that gives a restitution e in (0, 1], to 1e-12, found on integrated impacts of unit mass and
+/// speed. `law_with(number)` makes the law in the units where its stiffness, its mass and the closing speed are one;
+/// its restitution falls from 1 as the number grows from 0.
 template <class MakeLaw>
 double number_of_restitution(double e, MakeLaw&& law_with) {
   if (e >= 1) return 0;

@@ -15,15 +15,17 @@ namespace pounding::laws {
 
 /// F = k d^1.5 + c d' in approach (d' > 0), k d^1.5 in restitution; c = 2 xi sqrt(k sqrt(d) m).
 ///
-/// k [N/m^1.5], xi [-], m [kg] reduced mass, d [m], d' [m/s], c [N s/m]. The nonlinear viscoelastic model, Jankowski 2005,
-/// EESD 34:595; paper Eqs. 8-10. Kept as prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25]. CalibrationTarget 0.50, the
-/// formula of 2005 gives 0.558, that of 2006 gives 0.495.
+/// k [N/m^1.5], xi [-], m [kg] reduced mass, d [m], d' [m/s], c [N s/m]. The nonlinear viscoelastic model, Jankowski
+/// 2005, EESD 34:595; paper Eqs. 8-10. Kept as prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25].
+/// CalibrationTarget 0.50, the formula of 2005 gives 0.558, that of 2006 gives 0.495.
 ///
 /// The law's own slope by d is infinite at d = 0 (d^0.25); there the slope is bounded by its value at shallowest_slope,
-/// the force is not altered. The slope by d' jumps at the reversal, and at d' = 0 is that of the restitution. Never pulls.
+/// the force is not altered. The slope by d' jumps at the reversal, and at d' = 0 is that of the restitution. Never
+/// pulls.
 struct Jankowski {
-  static constexpr std::string_view name = "jankowski",
-                                    shape = "F = k d^1.5 + c d' for d' > 0, k d^1.5 for d' <= 0; c = 2 xi sqrt(k sqrt(d) m)";
+  static constexpr std::string_view
+      name = "jankowski",
+      shape = "F = k d^1.5 + c d' for d' > 0, k d^1.5 for d' <= 0; c = 2 xi sqrt(k sqrt(d) m)";
   static constexpr std::string_view summary = "Hertz spring, nonlinear dashpot in the approach only";
   static constexpr std::string_view source = "Jankowski 2005, EESD 34:595";
   static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, xi [-] damping ratio, c [N s/m]";
@@ -43,10 +45,10 @@ struct Jankowski {
       Formula{"naderpour_2015_eq38", "xi = [2 (1-e^2)/(e sqrt(pi))]^2", "Naderpour, Barros & Khatami 2015, Eq. 38",
               "far too much damping below 0.85", &naderpour_2015_eq38}};
 
-  double stiffness = 0;                 ///< k [N/m^1.5]
+  double stiffness = 0;                   ///< k [N/m^1.5]
   std::optional<double> restitution{};    ///< e in (0, 1], or
   std::optional<double> damping_ratio{};  ///< xi >= 0 [-]
-  double reduced_mass = 0;              ///< m [kg]
+  double reduced_mass = 0;                ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{

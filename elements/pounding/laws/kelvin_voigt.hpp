@@ -13,9 +13,9 @@ namespace pounding::laws {
 
 /// F = k d + c d', c = 2 zeta sqrt(k m): linear spring and dashpot, in contact until d = 0.
 ///
-/// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Anagnostopoulos 1988, EESD 16:443; paper Eqs. 5-7.
-/// The force jumps to c v at the touch and pulls near separation, as published; kelvin_voigt_no_tension cuts the pull.
-/// zeta >= 1 never separates in a free impact; e = 0 is zeta = 1. The published formula is exact here.
+/// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Anagnostopoulos 1988, EESD 16:443; paper Eqs.
+/// 5-7. The force jumps to c v at the touch and pulls near separation, as published; kelvin_voigt_no_tension cuts the
+/// pull. zeta >= 1 never separates in a free impact; e = 0 is zeta = 1. The published formula is exact here.
 struct KelvinVoigt {
   static constexpr std::string_view name = "kelvin_voigt", shape = "F = k d + c d', c = 2 zeta sqrt(k m)";
   static constexpr std::string_view summary = "linear spring and dashpot as published: pulls near separation";
@@ -34,21 +34,20 @@ struct KelvinVoigt {
       Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
               "exact for this law", &anagnostopoulos}};
 
-  double stiffness = 0;                 ///< k [N/m]
-  std::optional<double> restitution{};    ///< e in [0, 1], or
-  std::optional<double> damping_ratio{};  ///< zeta >= 0 [-], or
+  double stiffness = 0;                         ///< k [N/m]
+  std::optional<double> restitution{};          ///< e in [0, 1], or
+  std::optional<double> damping_ratio{};        ///< zeta >= 0 [-], or
   std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
-  double reduced_mass = 0;              ///< m [kg]
+  double reduced_mass = 0;                      ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
       Parameter<KelvinVoigt>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &KelvinVoigt::stiffness},
-      Parameter<KelvinVoigt>{{"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping},
-                           nullptr,
-                           &KelvinVoigt::damping_ratio},
+      Parameter<KelvinVoigt>{
+          {"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping}, nullptr, &KelvinVoigt::damping_ratio},
       Parameter<KelvinVoigt>{{"damping_coefficient", "N s/m", "damping c", 6.6e5, Need::damping},
-                           nullptr,
-                           &KelvinVoigt::damping_coefficient}};
+                             nullptr,
+                             &KelvinVoigt::damping_coefficient}};
 
   void check() const { check_dashpot(*this); }
 

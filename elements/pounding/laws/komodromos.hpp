@@ -11,14 +11,16 @@
 
 namespace pounding::laws {
 
-/// F = k d + c d' while positive, c = 2 zeta sqrt(k m); at F = 0 the contact ends and the penetration left is added to the
-/// gap.
+/// F = k d + c d' while positive, c = 2 zeta sqrt(k m); at F = 0 the contact ends and the penetration left is added to
+/// the gap.
 ///
-/// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Komodromos, Polycarpou, Papaloizou & Phocas 2007,
-/// EESD 36:1917. In one free impact it is kelvin_voigt_no_tension; the indentation shows in the following ones.
+/// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Komodromos, Polycarpou, Papaloizou & Phocas
+/// 2007, EESD 36:1917. In one free impact it is kelvin_voigt_no_tension; the indentation shows in the following ones.
 struct Komodromos {
-  static constexpr std::string_view name = "komodromos", shape = "F = k d + c d' until F = 0, then the contact ends; c = 2 zeta sqrt(k m)";
-  static constexpr std::string_view summary = "linear spring and dashpot; ends at zero force, indentation widens the gap";
+  static constexpr std::string_view name = "komodromos",
+                                    shape = "F = k d + c d' until F = 0, then the contact ends; c = 2 zeta sqrt(k m)";
+  static constexpr std::string_view summary =
+      "linear spring and dashpot; ends at zero force, indentation widens the gap";
   static constexpr std::string_view source = "Komodromos et al. 2007, EESD 36:1917";
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any zeta >= 0";
@@ -34,21 +36,20 @@ struct Komodromos {
       Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
               "assumes contact until d = 0; 0.50 asked gives 0.55 here", &anagnostopoulos}};
 
-  double stiffness = 0;                 ///< k [N/m]
-  std::optional<double> restitution{};    ///< e in (0, 1], or
-  std::optional<double> damping_ratio{};  ///< zeta >= 0 [-], or
+  double stiffness = 0;                         ///< k [N/m]
+  std::optional<double> restitution{};          ///< e in (0, 1], or
+  std::optional<double> damping_ratio{};        ///< zeta >= 0 [-], or
   std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
-  double reduced_mass = 0;              ///< m [kg]
+  double reduced_mass = 0;                      ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
       Parameter<Komodromos>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &Komodromos::stiffness},
-      Parameter<Komodromos>{{"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping},
-                           nullptr,
-                           &Komodromos::damping_ratio},
+      Parameter<Komodromos>{
+          {"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping}, nullptr, &Komodromos::damping_ratio},
       Parameter<Komodromos>{{"damping_coefficient", "N s/m", "damping c", 6.6e5, Need::damping},
-                           nullptr,
-                           &Komodromos::damping_coefficient}};
+                            nullptr,
+                            &Komodromos::damping_coefficient}};
 
   void check() const { check_dashpot(*this); }
 

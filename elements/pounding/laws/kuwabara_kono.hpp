@@ -17,9 +17,9 @@ double exact_kuwabara_kono(const CalibrationTarget& asked);
 
 /// F = max(0, k d^1.5 + (3/2) A k d^0.5 d'): viscoelastic spheres; the restitution falls with the closing speed.
 ///
-/// k [N/m^1.5], A [s] dissipation time of the material, d [m], d' [m/s]. Kuwabara & Kono 1987; Brilliantov et al. 1996. The
-/// pull near separation is cut. A restitution is met at each impact by an A of its own, A = A* D/v with
-/// D = (m v^2/k)^(2/5); with a fixed impact_velocity or a given dissipation_time the law keeps its speed dependence.
+/// k [N/m^1.5], A [s] dissipation time of the material, d [m], d' [m/s]. Kuwabara & Kono 1987; Brilliantov et al. 1996.
+/// The pull near separation is cut. A restitution is met at each impact by an A of its own, A = A* D/v with D = (m
+/// v^2/k)^(2/5); with a fixed impact_velocity or a given dissipation_time the law keeps its speed dependence.
 ///
 /// The slope by d is infinite at d = 0; there it is bounded by its value at shallowest_slope, the force is not altered.
 struct KuwabaraKono {
@@ -34,15 +34,14 @@ struct KuwabaraKono {
       "the touch, where the law gives a bounded one";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
 
-  static constexpr std::array formulas{
-      Formula{"exact", "A = A* D/v, D = (m v^2/k)^(2/5), A* the root of e(A*) = e", "integrated impact",
-              "gives what is asked", &exact_kuwabara_kono}};
+  static constexpr std::array formulas{Formula{"exact", "A = A* D/v, D = (m v^2/k)^(2/5), A* the root of e(A*) = e",
+                                               "integrated impact", "gives what is asked", &exact_kuwabara_kono}};
 
-  double stiffness = 0;                    ///< k [N/m^1.5]
+  double stiffness = 0;                      ///< k [N/m^1.5]
   std::optional<double> restitution{};       ///< e in (0, 1], or
   std::optional<double> dissipation_time{};  ///< A >= 0 [s]
   std::optional<double> impact_velocity{};   ///< fixed design velocity instead of the fresh closing speed [m/s]
-  double reduced_mass = 0;                 ///< m [kg]
+  double reduced_mass = 0;                   ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{

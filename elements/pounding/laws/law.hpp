@@ -1,6 +1,6 @@
 #pragma once
-/// Shared by all contact laws: their answer, the history of an impact that they may use, the no-tension rule, and how that
-/// history begins and moves.
+/// Shared by all contact laws: their answer, the history of an impact that they may use, the no-tension rule, and how
+/// that history begins and moves.
 ///
 /// A law is a plain struct with parameters as members and
 ///
@@ -9,13 +9,13 @@
 ///     double damping_for(double closing_speed) const;                // dissipative laws only
 ///     Response contact(double penetration, double rate, const Impact&) const noexcept;  // the formula, uncut
 ///     Response respond(double penetration, double rate, const Impact&) const noexcept;  // what acts on the bodies
-///     double corner(double penetration, double rate, const Impact&) const noexcept;  // optional: changes sign where slopes jump
-///     void keep(double penetration, double rate, Impact&) const noexcept;               // laws with memory only
-///     double stored_energy(double penetration, const Impact&) const noexcept;  // optional, see stored_energy() below
-///     double crushed(const Impact&) const noexcept;                                     // laws that crush only, see crushes
-///     double indentation(const Impact&) const noexcept;
-///     bool needs_closing_speed() const noexcept;                        // optional, see designed_for_speed below
-///     double softening(double penetration, const Impact&) const noexcept;
+///     double corner(double penetration, double rate, const Impact&) const noexcept;  // optional: changes sign where
+///     slopes jump void keep(double penetration, double rate, Impact&) const noexcept;               // laws with
+///     memory only double stored_energy(double penetration, const Impact&) const noexcept;  // optional, see
+///     stored_energy() below double crushed(const Impact&) const noexcept;                                     // laws
+///     that crush only, see crushes double indentation(const Impact&) const noexcept; bool needs_closing_speed() const
+///     noexcept;                        // optional, see designed_for_speed below double softening(double penetration,
+///     const Impact&) const noexcept;
 ///
 /// `contact` continues the formula smoothly past its end, and its sign tells where the force is released; `respond` is
 /// zero for an open gap and never pulls, unless the law says `static constexpr bool may_pull = true`.
@@ -34,7 +34,8 @@
 
 namespace pounding::laws {
 
-/// x where `kept`, else +0. A bit mask: on arrays of unordered states a mispredicted branch would cost more than most laws.
+/// x where `kept`, else +0. A bit mask: on arrays of unordered states a mispredicted branch would cost more than most
+/// laws.
 constexpr double only_if(bool kept, double x) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & -std::uint64_t{kept});
 }
@@ -57,7 +58,7 @@ struct Impact {
   double damping = 0;              ///< the law's coefficient for this impact, in the law's own unit
   double largest_penetration = 0;  ///< so far in this impact [m]
   double slip = 0;                 ///< plastic slip of laws that have one [m]
-  double crushed = 0;              ///< deepest penetration of all impacts before, from the sound surface, of laws that crush [m]
+  double crushed = 0;  ///< deepest penetration of all impacts before, from the sound surface, of laws that crush [m]
 };
 
 /// The no-tension rule, for a force [N]: contact cannot pull, so a force that is not positive becomes +0.
@@ -68,8 +69,8 @@ constexpr Response no_tension(const Response& r) noexcept { return only_if(r.for
 /// Lower bound of the closing speed in damping formulas, which divide by it [m/s].
 inline constexpr double slowest_closing_speed = 1e-6;
 
-/// The speed that calibrates an impact [m/s]: the fixed design velocity when there is one, else the fresh closing speed,
-/// never below slowest_closing_speed.
+/// The speed that calibrates an impact [m/s]: the fixed design velocity when there is one, else the fresh closing
+/// speed, never below slowest_closing_speed.
 constexpr double calibration_speed(const std::optional<double>& impact_velocity, double closing_speed) noexcept {
   return std::max(impact_velocity.value_or(closing_speed), slowest_closing_speed);
 }
@@ -109,15 +110,16 @@ inline constexpr bool instantaneous = [] {
   return false;
 }();
 
-/// True for a law that takes a restitution of 0: the bodies stay together after the touch until something pulls them apart.
+/// True for a law that takes a restitution of 0: the bodies stay together after the touch until something pulls them
+/// apart.
 template <class L>
 inline constexpr bool sticks_at_zero = [] {
   if constexpr (requires { L::sticks_at_zero; }) return L::sticks_at_zero;
   return false;
 }();
 
-/// True for a law that remembers how deep the bodies were crushed: `crushed` is the deepest penetration so far, this impact
-/// included, from the sound surface [m], and `indentation` what this impact has added to the gap [m].
+/// True for a law that remembers how deep the bodies were crushed: `crushed` is the deepest penetration so far, this
+/// impact included, from the sound surface [m], and `indentation` what this impact has added to the gap [m].
 template <class L>
 inline constexpr bool crushes = requires(const L& law, const Impact& impact) {
   law.crushed(impact);
@@ -128,16 +130,17 @@ inline constexpr bool crushes = requires(const L& law, const Impact& impact) {
 template <class L>
 inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
 
-/// True for a law whose stiffness is designed for the closing speed of each impact. `needs_closing_speed` is false if a fixed design speed or
-/// the stiffness itself is given. `softening` is the stiffness of an undamped contact at a penetration over that of the design [-].
+/// True for a law whose stiffness is designed for the closing speed of each impact. `needs_closing_speed` is false if a
+/// fixed design speed or the stiffness itself is given. `softening` is the stiffness of an undamped contact at a
+/// penetration over that of the design [-].
 template <class L>
 inline constexpr bool designed_for_speed = requires(const L& law, const Impact& impact) {
   law.needs_closing_speed();
   law.softening(1.0, impact);
 };
 
-/// Largest softening of an impact. It is reached at a hundred times the design penetration for an exponent of 1.5; a free impact stays below
-/// the design penetration.
+/// Largest softening of an impact. It is reached at a hundred times the design penetration for an exponent of 1.5; a
+/// free impact stays below the design penetration.
 inline constexpr double max_softening = 10;
 
 /// A contact was pressed so deep that the design of its stiffness no longer holds. The text says what to give instead.
@@ -146,20 +149,22 @@ class BeyondDesign : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Throws BeyondDesign for a contact that is softer than max_softening allows at this penetration: bodies that touch nearly at rest and are
-/// pressed together by other forces.
+/// Throws BeyondDesign for a contact that is softer than max_softening allows at this penetration: bodies that touch
+/// nearly at rest and are pressed together by other forces.
 template <class L>
 void require_design(const L& law, double penetration, const Impact& impact) {
   if constexpr (designed_for_speed<L>) {
     if (!law.needs_closing_speed() || !(law.softening(penetration, impact) > max_softening)) return;
-    throw BeyondDesign(std::string(L::name) + " takes its stiffness from the closing speed, " + short_text(impact.closing_speed) +
-                       " m/s in this impact, and is " + short_text(law.softening(penetration, impact)) +
-                       " times too soft at the penetration of " + short_text(penetration) + " m; give a design speed, such as " +
+    throw BeyondDesign(std::string(L::name) + " takes its stiffness from the closing speed, " +
+                       short_text(impact.closing_speed) + " m/s in this impact, and is " +
+                       short_text(law.softening(penetration, impact)) + " times too soft at the penetration of " +
+                       short_text(penetration) + " m; give a design speed, such as " +
                        "impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and yield_penetration");
   }
 }
 
-/// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s], `crushed` that of the impact before.
+/// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s], `crushed` that of the
+/// impact before.
 template <class L>
 Impact touch(const L& law, double closing_speed, double crushed = 0) {
   Impact impact{.closing_speed = closing_speed, .crushed = crushed};
@@ -175,9 +180,9 @@ void keep(const L& law, double penetration, double rate, Impact& impact) noexcep
   if constexpr (requires { law.keep(penetration, rate, impact); }) law.keep(penetration, rate, impact);
 }
 
-/// Energy [J] that the contact gives back when the bodies part slowly from this penetration [m]: the integral of the force at rate
-/// zero. A law whose force has corners there answers by a member of its own. The integral of a force in proportion to d^n is
-/// exact for n = 1, 1.5, 2, ... up to 4, and right to 1e-7 between them.
+/// Energy [J] that the contact gives back when the bodies part slowly from this penetration [m]: the integral of the
+/// force at rate zero. A law whose force has corners there answers by a member of its own. The integral of a force in
+/// proportion to d^n is exact for n = 1, 1.5, 2, ... up to 4, and right to 1e-7 between them.
 template <class L>
 double stored_energy(const L& law, double penetration, const Impact& impact) noexcept {
   if (!(penetration > 0)) return 0;
@@ -194,8 +199,9 @@ double stored_energy(const L& law, double penetration, const Impact& impact) noe
   }
 }
 
-/// Force on the bodies, and slopes: zero across an open gap, and without tension unless the law may pull. The formula is
-/// evaluated in any case: in a loop over states the part of it that depends on the impact alone is then computed once.
+/// Force on the bodies, and slopes: zero across an open gap, and without tension unless the law may pull. The formula
+/// is evaluated in any case: in a loop over states the part of it that depends on the impact alone is then computed
+/// once.
 template <class L>
 Response pressed(const L& law, double penetration, double rate, const Impact& impact) noexcept {
   const Response r = law.contact(penetration, rate, impact);

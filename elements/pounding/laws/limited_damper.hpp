@@ -17,8 +17,8 @@ double exact_limited_damper(const CalibrationTarget& asked);
 
 /// F = k d^n + clamp(c d', -k d^n, k d^n): a dashpot whose force is limited to that of the spring.
 ///
-/// k [N/m^n], n >= 1 [-], c [N s/m], d [m], d' [m/s]. Modelica ElastoGap; MapleSim contact. The force starts from zero and
-/// never pulls. A restitution is met at each impact by c = c* m v/D with D = (m v^2/k)^(1/(n+1)). Where the dashpot
+/// k [N/m^n], n >= 1 [-], c [N s/m], d [m], d' [m/s]. Modelica ElastoGap; MapleSim contact. The force starts from zero
+/// and never pulls. A restitution is met at each impact by c = c* m v/D with D = (m v^2/k)^(1/(n+1)). Where the dashpot
 /// outweighs the spring in the approach the force is 2 k d^n; the slopes jump at the corner.
 struct LimitedDamper {
   static constexpr std::string_view name = "limited_damper", shape = "F = k d^n + clamp(c d', -k d^n, k d^n)";
@@ -31,16 +31,16 @@ struct LimitedDamper {
       "slopes jump there; with a given c the restitution depends on the closing speed";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
-  static constexpr std::array formulas{
-      Formula{"exact", "c = c* m v/D, D = (m v^2/k)^(1/(n+1)), c* the root of e(c*) = e", "integrated impact",
-              "gives what is asked", &exact_limited_damper}};
+  static constexpr std::array formulas{Formula{"exact",
+                                               "c = c* m v/D, D = (m v^2/k)^(1/(n+1)), c* the root of e(c*) = e",
+                                               "integrated impact", "gives what is asked", &exact_limited_damper}};
 
-  double stiffness = 0;                       ///< k [N/m^n]
-  double exponent = 1.5;                      ///< n [-]
+  double stiffness = 0;                         ///< k [N/m^n]
+  double exponent = 1.5;                        ///< n [-]
   std::optional<double> restitution{};          ///< e in (0, 1], or
   std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
   std::optional<double> impact_velocity{};      ///< fixed design velocity instead of the fresh closing speed [m/s]
-  double reduced_mass = 0;                    ///< m [kg]
+  double reduced_mass = 0;                      ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{

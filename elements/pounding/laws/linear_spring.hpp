@@ -17,7 +17,8 @@ struct LinearSpring {
   static constexpr std::string_view source = "Maison & Kasai 1990";
   static constexpr std::string_view symbols = "k [N/m] contact stiffness";
   static constexpr std::string_view range = "any penetration";
-  static constexpr std::string_view beware = "restitution 1 whatever the bodies: energy is lost in the structures alone";
+  static constexpr std::string_view beware =
+      "restitution 1 whatever the bodies: energy is lost in the structures alone";
   static constexpr bool is_linear = true;
 
   double stiffness = 0;  ///< k [N/m]
@@ -27,7 +28,9 @@ struct LinearSpring {
 
   void check() const { require_positive("stiffness", stiffness); }
 
-  Response contact(double penetration, double, const Impact&) const noexcept { return {stiffness * penetration, stiffness, 0}; }
+  Response contact(double penetration, double, const Impact&) const noexcept {
+    return {stiffness * penetration, stiffness, 0};
+  }
   Response respond(double penetration, double rate, const Impact& impact) const noexcept {
     return pressed(*this, penetration, rate, impact);
   }

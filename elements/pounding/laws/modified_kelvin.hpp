@@ -13,9 +13,9 @@ namespace pounding::laws {
 
 /// F = k d + zeta d d' = k d (1 + a d'/v), zeta = a k/v: linear spring, damping proportional to the penetration.
 ///
-/// k [N/m], zeta [N s/m^2], a [-], d [m], d' [m/s], v [m/s] closing speed of the impact. Ye, Li & Zhu 2009, Earthq. Eng.
-/// Eng. Vib. 8:433; paper Eq. 13. It is hertz_damped with n = 1, so its restitution follows from a in the same way; the
-/// published formula gives 0.488 for 0.50 asked. The force starts from zero and never pulls in a free impact.
+/// k [N/m], zeta [N s/m^2], a [-], d [m], d' [m/s], v [m/s] closing speed of the impact. Ye, Li & Zhu 2009, Earthq.
+/// Eng. Eng. Vib. 8:433; paper Eq. 13. It is hertz_damped with n = 1, so its restitution follows from a in the same
+/// way; the published formula gives 0.488 for 0.50 asked. The force starts from zero and never pulls in a free impact.
 struct ModifiedKelvin {
   static constexpr std::string_view name = "modified_kelvin", shape = "F = k d (1 + a d'/v)";
   static constexpr std::string_view summary = "linear spring, damping proportional to the penetration";
@@ -33,7 +33,7 @@ struct ModifiedKelvin {
       Formula{"ye_2009_linear", "a = 3(1-e)/(2e)", "Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433; paper Eq. 13",
               "0.50 asked gives 0.488", &hu_guo}};
 
-  double stiffness = 0;                       ///< k [N/m]
+  double stiffness = 0;                         ///< k [N/m]
   std::optional<double> restitution{};          ///< e in (0, 1], or
   std::optional<double> damping_factor{};       ///< a >= 0 [-], or
   std::optional<double> damping_coefficient{};  ///< zeta >= 0 [N s/m^2]
@@ -42,9 +42,8 @@ struct ModifiedKelvin {
 
   static constexpr std::array parameters{
       Parameter<ModifiedKelvin>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &ModifiedKelvin::stiffness},
-      Parameter<ModifiedKelvin>{{"damping_factor", "", "damping factor a", 0.79, Need::damping},
-                                nullptr,
-                                &ModifiedKelvin::damping_factor},
+      Parameter<ModifiedKelvin>{
+          {"damping_factor", "", "damping factor a", 0.79, Need::damping}, nullptr, &ModifiedKelvin::damping_factor},
       Parameter<ModifiedKelvin>{{"damping_coefficient", "N s/m^2", "damping zeta", 7.4e7, Need::damping},
                                 nullptr,
                                 &ModifiedKelvin::damping_coefficient}};
@@ -62,7 +61,8 @@ struct ModifiedKelvin {
 
   /// a [-] of an impact at this closing speed [m/s].
   double damping_number(double closing_speed) const {
-    if (damping_coefficient) return *damping_coefficient * calibration_speed(impact_velocity, closing_speed) / stiffness;
+    if (damping_coefficient)
+      return *damping_coefficient * calibration_speed(impact_velocity, closing_speed) / stiffness;
     return damping_factor ? *damping_factor : formula({.restitution = *restitution});
   }
   /// zeta [N s/m^2] of an impact at this closing speed [m/s].

@@ -21,7 +21,9 @@ constexpr char folded(char c) noexcept {
 }
 
 /// Whether two names are equal for comparison.
-constexpr bool is_same_name(std::string_view a, std::string_view b) noexcept { return std::ranges::equal(a, b, {}, folded, folded); }
+constexpr bool is_same_name(std::string_view a, std::string_view b) noexcept {
+  return std::ranges::equal(a, b, {}, folded, folded);
+}
 
 /// Number of letters to insert, delete, replace, or swap with their neighbour that turns one name into the other.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -32,7 +34,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = folded(a[i - 1]) == folded(b[j - 1]);
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
-      const bool swapped = i > 1 && j > 1 && folded(a[i - 1]) == folded(b[j - 2]) && folded(a[i - 2]) == folded(b[j - 1]);
+      const bool swapped =
+          i > 1 && j > 1 && folded(a[i - 1]) == folded(b[j - 2]) && folded(a[i - 2]) == folded(b[j - 1]);
       if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
     }
     before_last.swap(last);
@@ -47,29 +50,61 @@ struct OtherWord {
 };
 
 /// Contact materials are OpenSees's; `gap` is the contact of most programs for structures.
-inline constexpr std::array other_words{
-    OtherWord{"ImpactMaterial", "bilinear_hertz"}, OtherWord{"Hertzdamp", "hertz_damped"}, OtherWord{"JankowskiImpact", "jankowski"},
-    OtherWord{"ViscoelasticGap", "kelvin_voigt"}, OtherWord{"ElasticPPGap", "linear_spring"}, OtherWord{"gap", "linear_spring"},
-    OtherWord{"kelvin", "kelvin_voigt"}, OtherWord{"linear_viscoelastic", "kelvin_voigt"}, OtherWord{"linear", "linear_spring"},
-    OtherWord{"newton", "stereomechanical"}, OtherWord{"cor", "restitution"}, OtherWord{"e", "restitution"}, OtherWord{"cr", "restitution"},
-    OtherWord{"coefficient_of_restitution", "restitution"}, OtherWord{"k", "stiffness"}, OtherWord{"mu", "friction"},
-    OtherWord{"n", "exponent"}, OtherWord{"m", "mass"}, OtherWord{"T", "period"}, OtherWord{"zeta", "damping"}, OtherWord{"xi", "damping"},
-    OtherWord{"rho", "density"}, OtherWord{"nu", "poisson"}, OtherWord{"young", "E"}, OtherWord{"percent", "%"}, OtherWord{"pct", "%"},
-    OtherWord{"meter", "m"}, OtherWord{"meters", "m"}, OtherWord{"metre", "m"}, OtherWord{"metres", "m"},
-    OtherWord{"millimetre", "mm"}, OtherWord{"millimetres", "mm"}, OtherWord{"inch", "in"}, OtherWord{"inches", "in"}, OtherWord{"feet", "ft"},
-    OtherWord{"sec", "s"},
-    OtherWord{"second", "s"}, OtherWord{"seconds", "s"}, OtherWord{"ton", "t"}, OtherWord{"tons", "t"}, OtherWord{"tonne", "t"},
-    OtherWord{"tonnes", "t"}, OtherWord{"newton", "N"}};
+inline constexpr std::array other_words{OtherWord{"ImpactMaterial", "bilinear_hertz"},
+                                        OtherWord{"Hertzdamp", "hertz_damped"},
+                                        OtherWord{"JankowskiImpact", "jankowski"},
+                                        OtherWord{"ViscoelasticGap", "kelvin_voigt"},
+                                        OtherWord{"ElasticPPGap", "linear_spring"},
+                                        OtherWord{"gap", "linear_spring"},
+                                        OtherWord{"kelvin", "kelvin_voigt"},
+                                        OtherWord{"linear_viscoelastic", "kelvin_voigt"},
+                                        OtherWord{"linear", "linear_spring"},
+                                        OtherWord{"newton", "stereomechanical"},
+                                        OtherWord{"cor", "restitution"},
+                                        OtherWord{"e", "restitution"},
+                                        OtherWord{"cr", "restitution"},
+                                        OtherWord{"coefficient_of_restitution", "restitution"},
+                                        OtherWord{"k", "stiffness"},
+                                        OtherWord{"mu", "friction"},
+                                        OtherWord{"n", "exponent"},
+                                        OtherWord{"m", "mass"},
+                                        OtherWord{"T", "period"},
+                                        OtherWord{"zeta", "damping"},
+                                        OtherWord{"xi", "damping"},
+                                        OtherWord{"rho", "density"},
+                                        OtherWord{"nu", "poisson"},
+                                        OtherWord{"young", "E"},
+                                        OtherWord{"percent", "%"},
+                                        OtherWord{"pct", "%"},
+                                        OtherWord{"meter", "m"},
+                                        OtherWord{"meters", "m"},
+                                        OtherWord{"metre", "m"},
+                                        OtherWord{"metres", "m"},
+                                        OtherWord{"millimetre", "mm"},
+                                        OtherWord{"millimetres", "mm"},
+                                        OtherWord{"inch", "in"},
+                                        OtherWord{"inches", "in"},
+                                        OtherWord{"feet", "ft"},
+                                        OtherWord{"sec", "s"},
+                                        OtherWord{"second", "s"},
+                                        OtherWord{"seconds", "s"},
+                                        OtherWord{"ton", "t"},
+                                        OtherWord{"tons", "t"},
+                                        OtherWord{"tonne", "t"},
+                                        OtherWord{"tonnes", "t"},
+                                        OtherWord{"newton", "N"}};
 
 /// Letters of a name up to which a slip is looked for.
 inline constexpr std::size_t longest_name_compared = 64;
 
-/// The allowed name that `read` says in another word, else the one nearest to it by edit distance; an empty view when none is near.
+/// The allowed name that `read` says in another word, else the one nearest to it by edit distance; an empty view when
+/// none is near.
 inline std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed) {
   if (read.size() > longest_name_compared) return {};
   if (std::find(allowed.begin(), allowed.end(), read) == allowed.end())
     for (const OtherWord& other : other_words)
-      if (is_same_name(read, other.word) && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end()) return other.name;
+      if (is_same_name(read, other.word) && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end())
+        return other.name;
   // One slip in three letters is a typing mistake; more is another word.
   std::size_t nearest_distance = std::max<std::size_t>(1, read.size() / 3) + 1;
   std::string_view nearest;
@@ -86,7 +121,8 @@ inline std::string_view nearest_name(std::string_view read, std::span<const std:
   return nearest;
 }
 
-/// ` Did you mean "hertz_damped"?` when a near name exists; otherwise ` Allowed: a, b, c.`; empty when nothing is allowed.
+/// ` Did you mean "hertz_damped"?` when a near name exists; otherwise ` Allowed: a, b, c.`; empty when nothing is
+/// allowed.
 inline std::string suggestion(std::string_view read, std::span<const std::string_view> allowed) {
   if (const std::string_view name = nearest_name(read, allowed); !name.empty())
     return " Did you mean \"" + excerpt(name) + "\"?";

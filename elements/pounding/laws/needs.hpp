@@ -13,18 +13,19 @@ namespace pounding::laws {
 /// Whether a parameter must be given, where `has(name)` tells of each name whether it is.
 template <class Has>
 bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInfo& parameter, Has&& has) {
-  const bool together = std::ranges::any_of(
-      parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
+  const bool together =
+      std::ranges::any_of(parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
   return parameter.need == (together ? Need::together : Need::required);
 }
 
-/// Throws std::invalid_argument for a parameter that has no effect beside those that are given together; `has` as above.
+/// Throws std::invalid_argument for a parameter that has no effect beside those that are given together; `has` as
+/// above.
 template <class Has>
 void refuse_beside_together(std::span<const ParameterInfo> parameters, Has&& has) {
-  const auto other = std::ranges::find_if(
-      parameters, [&](const ParameterInfo& p) { return p.need != Need::together && has(p.name); });
-  const auto first = std::ranges::find_if(
-      parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
+  const auto other =
+      std::ranges::find_if(parameters, [&](const ParameterInfo& p) { return p.need != Need::together && has(p.name); });
+  const auto first =
+      std::ranges::find_if(parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
   if (first != parameters.end() && other != parameters.end())
     throw std::invalid_argument(std::string(other->name) + " has no effect beside " + std::string(first->name) +
                                 "; leave one of them out");

@@ -10,8 +10,8 @@ namespace pounding::laws {
 
 /// No force: the relative velocity changes from v to -e v at the located instant of touch.
 ///
-/// e in [0, 1] restitution: v1+ = v1 - (1+e) m2 (v1-v2)/(m1+m2), v2+ = v2 + (1+e) m1 (v1-v2)/(m1+m2). Goldsmith 1960. Gives
-/// neither force nor duration. With e = 0 the bodies move as one after the touch until a force pulls them apart.
+/// e in [0, 1] restitution: v1+ = v1 - (1+e) m2 (v1-v2)/(m1+m2), v2+ = v2 + (1+e) m1 (v1-v2)/(m1+m2). Goldsmith 1960.
+/// Gives neither force nor duration. With e = 0 the bodies move as one after the touch until a force pulls them apart.
 struct Stereomechanical {
   static constexpr std::string_view name = "stereomechanical", shape = "v+ = -e v-";
   static constexpr std::string_view summary = "rigid impact: a velocity jump at the touch, no force history";

@@ -25,8 +25,8 @@ struct ParameterInfo {
 template <class L>
 struct Parameter {
   ParameterInfo info;
-  double L::*value = nullptr;
-  std::optional<double> L::*choice = nullptr;
+  double L::* value = nullptr;
+  std::optional<double> L::* choice = nullptr;
 };
 
 /// Arguments of a damping formula; most formulas use the restitution only.

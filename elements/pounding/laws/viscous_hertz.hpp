@@ -13,17 +13,19 @@
 
 namespace pounding::laws {
 
-/// F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d'): damping in both phases, so that the restitution is the same at every
-/// speed.
+/// F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d'): damping in both phases, so that the restitution is the same at
+/// every speed.
 ///
-/// k [N/m^n], n >= 1 [-], alpha [-], m [kg] reduced mass, d [m], d' [m/s]. Tsuji et al. 1992; Antypov & Elliott 2011. In
-/// stretched time it is a linear oscillator of ratio alpha/sqrt(2 (n+1)). The published alpha assumes contact until d = 0,
-/// where the force pulls; this law cuts the pull and then gives 0.55 for 0.50 asked. `exact` accounts for the cut.
+/// k [N/m^n], n >= 1 [-], alpha [-], m [kg] reduced mass, d [m], d' [m/s]. Tsuji et al. 1992; Antypov & Elliott 2011.
+/// In stretched time it is a linear oscillator of ratio alpha/sqrt(2 (n+1)). The published alpha assumes contact until
+/// d = 0, where the force pulls; this law cuts the pull and then gives 0.55 for 0.50 asked. `exact` accounts for the
+/// cut.
 ///
-/// Given as damping_ratio, the value is alpha. The slope by d is infinite at d = 0 for n < 3; there it is bounded by its
-/// value at shallowest_slope, the force is not altered.
+/// Given as damping_ratio, the value is alpha. The slope by d is infinite at d = 0 for n < 3; there it is bounded by
+/// its value at shallowest_slope, the force is not altered.
 struct ViscousHertz {
-  static constexpr std::string_view name = "viscous_hertz", shape = "F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d')";
+  static constexpr std::string_view name = "viscous_hertz",
+                                    shape = "F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d')";
   static constexpr std::string_view summary = "Hertz spring, dashpot of speed-independent restitution, pull cut off";
   static constexpr std::string_view source = "Tsuji et al. 1992; Antypov & Elliott 2011";
   static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent, alpha [-] damping ratio";
@@ -37,21 +39,23 @@ struct ViscousHertz {
   static constexpr std::array formulas{
       Formula{"exact", "alpha = sqrt(2 (n+1)) z, z the root of e = exp(-2 z arccos(z)/sqrt(1-z^2))",
               "closed form in stretched time, contact until F = 0", "gives what is asked", &exact_viscous},
-      Formula{"antypov_elliott", "alpha = sqrt(2 (n+1)) (-ln e)/sqrt(pi^2 + ln^2 e)", "Antypov & Elliott 2011; Feng 2026",
-              "assumes contact until d = 0; 0.50 asked gives 0.55 here", &antypov_elliott}};
+      Formula{"antypov_elliott", "alpha = sqrt(2 (n+1)) (-ln e)/sqrt(pi^2 + ln^2 e)",
+              "Antypov & Elliott 2011; Feng 2026", "assumes contact until d = 0; 0.50 asked gives 0.55 here",
+              &antypov_elliott}};
 
-  double stiffness = 0;                 ///< k [N/m^n]
-  double exponent = 1.5;                ///< n [-]
+  double stiffness = 0;                   ///< k [N/m^n]
+  double exponent = 1.5;                  ///< n [-]
   std::optional<double> restitution{};    ///< e in (0, 1], or
   std::optional<double> damping_ratio{};  ///< alpha >= 0 [-]
-  double reduced_mass = 0;              ///< m [kg]
+  double reduced_mass = 0;                ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
       Parameter<ViscousHertz>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &ViscousHertz::stiffness},
       Parameter<ViscousHertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &ViscousHertz::exponent},
-      Parameter<ViscousHertz>{
-          {"damping_ratio", "", "alpha of the law, not a ratio to critical", 0.33, Need::damping}, nullptr, &ViscousHertz::damping_ratio}};
+      Parameter<ViscousHertz>{{"damping_ratio", "", "alpha of the law, not a ratio to critical", 0.33, Need::damping},
+                              nullptr,
+                              &ViscousHertz::damping_ratio}};
 
   void check() const {
     require_positive("stiffness", stiffness);
@@ -67,7 +71,9 @@ struct ViscousHertz {
     return restitution ? formula({.restitution = *restitution, .exponent = exponent}) : *damping_ratio;
   }
   /// alpha sqrt(m k) [N s/m^((n+1)/2)], the same at every closing speed.
-  double damping_for(double closing_speed) const { return damping_number(closing_speed) * std::sqrt(stiffness * reduced_mass); }
+  double damping_for(double closing_speed) const {
+    return damping_number(closing_speed) * std::sqrt(stiffness * reduced_mass);
+  }
 
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
     if (!(penetration > 0)) return {};

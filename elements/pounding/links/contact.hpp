@@ -1,6 +1,6 @@
 #pragma once
-/// A unilateral link as the integrator sees it: pure forces, event functions whose zeros end the present phase, and a history
-/// that moves at kept states only.
+/// A unilateral link as the integrator sees it: pure forces, event functions whose zeros end the present phase, and a
+/// history that moves at kept states only.
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ struct LinkMotion {
   double penetration = 0;  ///< [m]
   double rate = 0;         ///< [m/s]
   // Of a spring with a dashpot inside alone (Spring::slips), else zero:
-  double slip = 0;         ///< length that the dashpot has got, but for what follows [m]
-  double lag = 0;          ///< to which this time at its present rate is added [s]; infinite for what is at rest
+  double slip = 0;  ///< length that the dashpot has got, but for what follows [m]
+  double lag = 0;   ///< to which this time at its present rate is added [s]; infinite for what is at rest
 };
 
 /// One kept step of a link: motion and force at its beginning, its middle and its end.
@@ -32,10 +32,12 @@ struct LinkStep {
   double acceleration_begin = 0, acceleration_end = 0;      ///< time derivative of the rate [m/s^2]
 };
 
-/// Penetration inside a kept step, with its rate: the polynomial of degree five through motions and accelerations at its ends.
+/// Penetration inside a kept step, with its rate: the polynomial of degree five through motions and accelerations at
+/// its ends.
 constexpr Quintic path(const LinkStep& step) noexcept {
   return {{step.motion_begin.penetration, step.motion_begin.rate, step.acceleration_begin},
-          {step.motion_end.penetration, step.motion_end.rate, step.acceleration_end}, step.end - step.begin};
+          {step.motion_end.penetration, step.motion_end.rate, step.acceleration_end},
+          step.end - step.begin};
 }
 
 /// Motion inside a kept step on that path, s from 0 to 1.
@@ -66,8 +68,8 @@ class CubicPenetration {
   double h_, a_, b_;  // the rate is begin.rate + b s + a s^2
 };
 
-/// Velocity jump of a rigid contact. Several impulses at one instant, as in a row of bodies that pass them back and forth,
-/// count as one.
+/// Velocity jump of a rigid contact. Several impulses at one instant, as in a row of bodies that pass them back and
+/// forth, count as one.
 struct Jump {
   double impulse = 0;                      ///< [N s]
   double work = 0;                         ///< kinetic energy taken from the bodies [J]
@@ -75,8 +77,8 @@ struct Jump {
   double penetration = 0;                  ///< zero but for rounding [m]
 };
 
-/// One contact between two ends that approach each other. The integrator asks for forces and event functions as often as it
-/// likes, and tells which steps it keeps and where it has located an event.
+/// One contact between two ends that approach each other. The integrator asks for forces and event functions as often
+/// as it likes, and tells which steps it keeps and where it has located an event.
 class Contact {
  public:
   static constexpr int max_event_functions = 3;
@@ -87,29 +89,36 @@ class Contact {
 
   /// Force on the bodies, and slopes, when they have come slowly to this penetration [m], the first time. Pure.
   virtual laws::Response first_loading(double /*penetration*/) const noexcept { return {}; }
-  /// The run begins with the bodies at rest and pressed together by this penetration > 0 [m]; the energy stored in it is part of
-  /// work(). Throws std::invalid_argument for a contact that cannot begin so.
+  /// The run begins with the bodies at rest and pressed together by this penetration > 0 [m]; the energy stored in it
+  /// is part of work(). Throws std::invalid_argument for a contact that cannot begin so.
   virtual void press(double penetration);
 
   /// Present phase, as the last kept state left it.
   virtual ContactPhase phase() const noexcept = 0;
-  /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed state.
+  /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed
+  /// state.
   virtual double penetration(double relative_displacement) const noexcept = 0;
-  /// Force [N] and its slopes in the present phase. Pure. The law's formula is continued smoothly past the end of the phase,
-  /// also to negative forces, so that a trial step may overshoot; see acting_force.
+  /// Force [N] and its slopes in the present phase. Pure. The law's formula is continued smoothly past the end of the
+  /// phase, also to negative forces, so that a trial step may overshoot; see acting_force.
   virtual laws::Response evaluate(const LinkMotion& motion) const noexcept = 0;
   /// True if the published law may give tension near the separation.
   virtual bool may_pull() const noexcept { return false; }
-  /// Force on the bodies [N] where `evaluate` gives `law_force` [N] inside a step: without tension unless the law may pull.
+  /// Force on the bodies [N] where `evaluate` gives `law_force` [N] inside a step: without tension unless the law may
+  /// pull.
   double acting_force(double law_force) const noexcept { return may_pull() ? law_force : laws::no_tension(law_force); }
-  /// Event functions of the present phase. Pure. `force` is the link force of the state [N]; only a resting contact uses it.
+  /// Event functions of the present phase. Pure. `force` is the link force of the state [N]; only a resting contact
+  /// uses it.
   virtual EventFunctions event_functions(const LinkMotion& motion, double force) const noexcept = 0;
-  /// Round-off of an event function that follows the sign of a force, for this round-off of penetration [m] and rate [m/s].
-  /// Pure; has the scale of the event function, no unit.
-  virtual double force_event_noise(const LinkMotion& /*motion*/, const LinkMotion& /*rounding*/) const noexcept { return 0; }
-  /// True for a law whose stiffness follows from the closing speed of each impact; a contact that is closed at rest has none.
+  /// Round-off of an event function that follows the sign of a force, for this round-off of penetration [m] and rate
+  /// [m/s]. Pure; has the scale of the event function, no unit.
+  virtual double force_event_noise(const LinkMotion& /*motion*/, const LinkMotion& /*rounding*/) const noexcept {
+    return 0;
+  }
+  /// True for a law whose stiffness follows from the closing speed of each impact; a contact that is closed at rest has
+  /// none.
   virtual bool needs_closing_speed() const noexcept { return false; }
-  /// A step was kept: moves histories and peaks. Throws laws::BeyondDesign for a contact that is pressed further than its law allows.
+  /// A step was kept: moves histories and peaks. Throws laws::BeyondDesign for a contact that is pressed further than
+  /// its law allows.
   virtual void accept(const LinkStep& step) = 0;
   /// The event function with this index is zero at a kept state, at this time [s]: enters the next phase.
   virtual void on_event(int event, double time, const LinkMotion& motion) = 0;
@@ -125,8 +134,8 @@ class Contact {
 
   /// Work done on the link since the beginning, stored and lost [J]; with what it stored at the beginning.
   virtual double work() const noexcept = 0;
-  /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts, and splits
-  /// its work so far into what is lost and what is stored.
+  /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts,
+  /// and splits its work so far into what is lost and what is stored.
   virtual std::span<const ImpactRow> impacts() const noexcept = 0;
   /// Reads or writes all that moves in accept(), on_event() and jumped().
   virtual void archive(Archive& archive) = 0;

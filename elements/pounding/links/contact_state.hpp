@@ -22,13 +22,15 @@ constexpr bool presses(ContactPhase phase) noexcept {
   return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
 }
 
-/// History of one contact. It moves at kept states only, by the three functions below; copying it back takes a step back.
+/// History of one contact. It moves at kept states only, by the three functions below; copying it back takes a step
+/// back.
 struct ContactState {
   ContactPhase phase = ContactPhase::open;
   laws::Impact impact{};  ///< of the present impact; while the contact is open, of the one before
   double gap = 0;         ///< present gap [m]: the initial one and the indentation that the law has left in it
 
-  /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed state.
+  /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed
+  /// state.
   constexpr double penetration(double relative_displacement) const noexcept { return relative_displacement - gap; }
 
   /// An impact begins at this rate [m/s]; a negative one counts as zero. The law calibrates its damping here.
@@ -45,15 +47,16 @@ struct ContactState {
     keep(law, penetration, 0);
   }
 
-  /// A state inside the impact was kept: penetration [m] and rate [m/s]. Throws laws::BeyondDesign as laws::require_design() does.
+  /// A state inside the impact was kept: penetration [m] and rate [m/s]. Throws laws::BeyondDesign as
+  /// laws::require_design() does.
   template <class Law>
   void keep(const Law& law, double penetration, double rate) {
     laws::require_design(law, penetration, impact);
     laws::keep(law, penetration, rate, impact);
   }
 
-  /// The impact is over. `left` >= 0 is the penetration at which the force ended [m]; a law with permanent indentation adds
-  /// it to the gap, or its own indentation where it remembers how deep the bodies were crushed.
+  /// The impact is over. `left` >= 0 is the penetration at which the force ended [m]; a law with permanent indentation
+  /// adds it to the gap, or its own indentation where it remembers how deep the bodies were crushed.
   template <class Law>
   void end(const Law& law, double left) noexcept {
     phase = ContactPhase::open;

@@ -8,13 +8,13 @@
 
 namespace pounding {
 
-/// Coulomb's friction at one contact, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2), with the
-/// force F_n of the contact and the sliding velocities v_t of the columns `first` .. `first + count - 1` of B.
+/// Coulomb's friction at one contact, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2), with
+/// the force F_n of the contact and the sliding velocities v_t of the columns `first` .. `first + count - 1` of B.
 struct Friction {
-  int contact = 0;              ///< link whose force is F_n
-  int first = 0, count = 1;     ///< columns of B: one in a plane model, two in space
-  double coefficient = 0;       ///< of Coulomb [-]
-  double sliding = 0;           ///< velocity at which the force is 0.71 of coefficient * F_n [m/s]
+  int contact = 0;           ///< link whose force is F_n
+  int first = 0, count = 1;  ///< columns of B: one in a plane model, two in space
+  double coefficient = 0;    ///< of Coulomb [-]
+  double sliding = 0;        ///< velocity at which the force is 0.71 of coefficient * F_n [m/s]
 };
 
 /// A vector in the plane of a contact; the second component is zero where only one direction slides.
@@ -28,8 +28,10 @@ struct FrictionForce {
   std::array<Sliding, 2> by_sliding{};  ///< [i][j]: slope of component i by sliding velocity j [N s/m]
 };
 
-/// Regularised Coulomb force for a contact's response and sliding velocities v_t [m/s]; zero where the contact is in tension.
-inline FrictionForce friction_force(const Friction& friction, const laws::Response& contact, const Sliding& rates) noexcept {
+/// Regularised Coulomb force for a contact's response and sliding velocities v_t [m/s]; zero where the contact is in
+/// tension.
+inline FrictionForce friction_force(const Friction& friction, const laws::Response& contact,
+                                    const Sliding& rates) noexcept {
   FrictionForce f;
   if (!(contact.force > 0)) return f;
   const double size = std::sqrt(rates[0] * rates[0] + rates[1] * rates[1] + friction.sliding * friction.sliding);
@@ -39,7 +41,8 @@ inline FrictionForce friction_force(const Friction& friction, const laws::Respon
     f.by_penetration[i] = friction.coefficient * contact.by_penetration * direction[i];
     f.by_rate[i] = friction.coefficient * contact.by_rate * direction[i];
     for (int j = 0; j < 2; ++j)
-      f.by_sliding[i][j] = friction.coefficient * contact.force / size * ((i == j ? 1 : 0) - direction[i] * direction[j]);
+      f.by_sliding[i][j] =
+          friction.coefficient * contact.force / size * ((i == j ? 1 : 0) - direction[i] * direction[j]);
   }
   return f;
 }

@@ -8,7 +8,9 @@
 
 namespace pounding {
 
-void Contact::press(double) { throw std::invalid_argument("this contact has no force to press with; take a law that has one"); }
+void Contact::press(double) {
+  throw std::invalid_argument("this contact has no force to press with; take a law that has one");
+}
 
 std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link) {
   return std::visit(

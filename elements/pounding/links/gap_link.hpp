@@ -1,5 +1,6 @@
 #pragma once
-/// A gap link with a contact law: no force until the gap is closed, then the law's force. Each impact is recorded in a row.
+/// A gap link with a contact law: no force until the gap is closed, then the law's force. Each impact is recorded in a
+/// row.
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,8 @@ namespace pounding {
 template <class Law>
 class GapLink final : public Contact {
  public:
-  /// Initial gap [m], negative for ends that would overlap and are pressed together; `link` is written into the rows of the
-  /// impacts. Throws std::invalid_argument for a gap that is not finite and for parameters that the law refuses.
+  /// Initial gap [m], negative for ends that would overlap and are pressed together; `link` is written into the rows of
+  /// the impacts. Throws std::invalid_argument for a gap that is not finite and for parameters that the law refuses.
   GapLink(Law law, double gap, int link = 0) : law_(std::move(law)), state_{.gap = gap}, log_(link) {
     if (!std::isfinite(gap)) throw std::invalid_argument("gap must be finite");
     law_.check();
@@ -37,7 +38,9 @@ class GapLink final : public Contact {
   double gap() const noexcept { return state_.gap; }
 
   ContactPhase phase() const noexcept override { return state_.phase; }
-  double penetration(double relative_displacement) const noexcept override { return state_.penetration(relative_displacement); }
+  double penetration(double relative_displacement) const noexcept override {
+    return state_.penetration(relative_displacement);
+  }
 
   laws::Response first_loading(double penetration) const noexcept override {
     return laws::pressed(law_, penetration, 0, laws::touch(law_, 0));
@@ -47,8 +50,9 @@ class GapLink final : public Contact {
   void press(double penetration) override {
     const auto force = [&](double speed) { return law_.contact(penetration, 1, laws::touch(law_, speed)).force; };
     if (force(1) != force(2))
-      throw std::invalid_argument("a contact that presses from the start has no closing speed to find its force by; give an "
-                                  "impact_velocity, or a law that needs none, such as linear_spring or hertz");
+      throw std::invalid_argument(
+          "a contact that presses from the start has no closing speed to find its force by; give an "
+          "impact_velocity, or a law that needs none, such as linear_spring or hertz");
     state_.press(law_, penetration);
     log_.begin(0, 0);
     const double stored = laws::stored_energy(law_, penetration, state_.impact);
@@ -142,14 +146,15 @@ class GapLink final : public Contact {
     return pounding::signed_force(law_, motion.penetration, motion.rate, state_.impact);
   }
 
-  // A force that rises at the beginning of a step and falls at its end has its peak inside, where its slope on the polynomial of degree five through
-  // the motion at both ends is zero.
+  // A force that rises at the beginning of a step and falls at its end has its peak inside, where its slope on the
+  // polynomial of degree five through the motion at both ends is zero.
   void record_peak(const LinkStep& step) {
     const auto slope = [&](const LinkMotion& motion, double acceleration) {
       const laws::Response f = evaluate(motion);
       return f.by_penetration * motion.rate + f.by_rate * acceleration;
     };
-    const double begin = slope(step.motion_begin, step.acceleration_begin), end = slope(step.motion_end, step.acceleration_end);
+    const double begin = slope(step.motion_begin, step.acceleration_begin),
+                 end = slope(step.motion_end, step.acceleration_end);
     if (!(begin > 0) || !(end <= 0)) return;
     const Quintic path = pounding::path(step);
     const auto slope_at = [&](double s) {
@@ -171,7 +176,8 @@ class GapLink final : public Contact {
   ImpactLog log_;
 };
 
-/// The link for a law chosen by name: a RigidGapLink for stereomechanical, else a GapLink. Arguments and errors as theirs.
+/// The link for a law chosen by name: a RigidGapLink for stereomechanical, else a GapLink. Arguments and errors as
+/// theirs.
 std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link = 0);
 
 }  // namespace pounding

@@ -34,8 +34,9 @@ void ImpactLog::add(const LinkStep& step) {
   ImpactRow& row = rows_.back();
   const double h = step.end - step.begin;
   const double impulse = h / 6 * (step.force_begin + 4 * step.force_middle + step.force_end);
-  const double work = h / 6 * (step.force_begin * step.motion_begin.rate + 4 * step.force_middle * step.motion_middle.rate +
-                               step.force_end * step.motion_end.rate);
+  const double work = h / 6 *
+                      (step.force_begin * step.motion_begin.rate + 4 * step.force_middle * step.motion_middle.rate +
+                       step.force_end * step.motion_end.rate);
   row.impulse += impulse;
   work_of_impact_ += work;
   work_ += work;

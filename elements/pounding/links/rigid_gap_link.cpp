@@ -7,8 +7,10 @@
 
 namespace pounding {
 
-RigidGapLink::RigidGapLink(double restitution, double gap, int link) : restitution_(restitution), gap_(gap), log_(link) {
-  if (gap < 0) throw std::invalid_argument("a rigid contact has no force to press with: gap must be finite and not negative");
+RigidGapLink::RigidGapLink(double restitution, double gap, int link)
+    : restitution_(restitution), gap_(gap), log_(link) {
+  if (gap < 0)
+    throw std::invalid_argument("a rigid contact has no force to press with: gap must be finite and not negative");
   if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
   if (!(restitution >= 0 && restitution <= 1)) throw std::invalid_argument("restitution must lie in [0, 1]");
 }

@@ -11,8 +11,8 @@ namespace pounding {
 /// Rigid contact: Newton's impact law at each touch, and rest after the last bounce that is worth resolving.
 class RigidGapLink final : public Contact {
  public:
-  /// Restitution in [0, 1] and initial gap >= 0 [m]; throws std::invalid_argument for other values. `link` is written into
-  /// the rows of the impacts. With restitution 0 the first touch is the last bounce.
+  /// Restitution in [0, 1] and initial gap >= 0 [m]; throws std::invalid_argument for other values. `link` is written
+  /// into the rows of the impacts. With restitution 0 the first touch is the last bounce.
   RigidGapLink(double restitution, double gap, int link = 0);
 
   ContactPhase phase() const noexcept override { return phase_; }

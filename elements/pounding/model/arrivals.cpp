@@ -36,7 +36,8 @@ class Arrivals {
   void place(const std::vector<Meeting>& all) {
     // Drawn faces first, then through others without a place, so that the order of the links does not matter.
     take_all(all, true);
-    while (take_all(all, false)) {}
+    while (take_all(all, false)) {
+    }
     for (std::size_t i = 0; i < structures_.size(); ++i)
       if (places_[i]) structures_[i].supports.front().position = *places_[i];
     for (std::size_t i = 0; i < structures_.size(); ++i)
@@ -72,12 +73,13 @@ class Arrivals {
     std::optional<Eigen::Vector3d>& place = places_[end.structure];
     if (place) {
       // The ground does not move a free body.
-      if (!s.is_free && is_drawn(other.structure) &&
-          std::abs(along(*position) - along(*place)) > one_arrival)
+      if (!s.is_free && is_drawn(other.structure) && std::abs(along(*position) - along(*place)) > one_arrival)
         throw ModelError(ModelOption::wave, end.structure,
-                         fmt::format("{} has no place in plan, and the wave reaches the faces that it meets one after the other, at {} and {} along its "
+                         fmt::format("{} has no place in plan, and the wave reaches the faces that it meets one after "
+                                     "the other, at {} and {} along its "
                                      "way; draw it as a frame, or give it a ground_motion of its own",
-                                     s.name, format_quantity(along(*place), dimension::length, 6), format_quantity(along(*position), dimension::length, 6)));
+                                     s.name, format_quantity(along(*place), dimension::length, 6),
+                                     format_quantity(along(*position), dimension::length, 6)));
       return false;
     }
     place = position;
@@ -92,8 +94,9 @@ class Arrivals {
         const LinkEnd& other = end == meeting.left ? *meeting.right : *meeting.left;
         const std::optional<Eigen::Vector3d> position = end->structure == wall ? face(other, meeting) : std::nullopt;
         if (!position) continue;
-        const auto same = std::ranges::find_if(
-            positions, [&](const Eigen::Vector3d& each) { return std::abs(along(each) - along(*position)) <= one_arrival; });
+        const auto same = std::ranges::find_if(positions, [&](const Eigen::Vector3d& each) {
+          return std::abs(along(each) - along(*position)) <= one_arrival;
+        });
         ends.emplace_back(end, static_cast<std::size_t>(same - positions.begin()));
         if (same == positions.end()) positions.push_back(*position);
       }

@@ -49,8 +49,8 @@ int total_size(const Model& model) {
   return count;
 }
 
-// Adds the displacement of one end of a link along `direction`, with the unknowns at rest, to the link's row on ground motions. The
-// first support carries the whole structure; the others add their part.
+// Adds the displacement of one end of a link along `direction`, with the unknowns at rest, to the link's row on ground
+// motions. The first support carries the whole structure; the others add their part.
 void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const LinkEnd& end, const Structure& s,
                        const SupportMotion& ground, const Eigen::Vector3d& direction) {
   for (int i = 0; i < 3; ++i) {
@@ -58,7 +58,8 @@ void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const 
     if (ground.at_first(i) >= 0) by_ground(link, ground.at_first(i)) += sign * direction[i];
     const auto influence = [&](std::size_t support, int axis) {
       double moved = end.point.motion[i].dot(s.supports[support].influence.col(axis));
-      if (end.point.supported[i].nonZeros() > 0) moved += end.point.supported[i].dot(s.supports[support].enforced.col(axis));
+      if (end.point.supported[i].nonZeros() > 0)
+        moved += end.point.supported[i].dot(s.supports[support].enforced.col(axis));
       return sign * direction[i] * moved;
     };
     ground.project(influence, by_ground.row(link));
@@ -68,7 +69,8 @@ void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const 
 double displacement_along(const LinkEnd& end, const Eigen::Vector3d& direction, const Eigen::VectorXd& unknowns) {
   double sum = 0;
   for (int i = 0; i < 3; ++i)
-    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0) sum += direction[i] * end.point.motion[i].dot(unknowns);
+    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0)
+      sum += direction[i] * end.point.motion[i].dot(unknowns);
   return sum;
 }
 
@@ -110,7 +112,8 @@ std::vector<int> offsets(const Model& model) {
 }
 
 System assemble(const Model& model, bool with_links) {
-  if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() before it is assembled");
+  if (!model.is_complete())
+    throw std::logic_error("this model is not complete; call its complete() before it is assembled");
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);
@@ -132,9 +135,15 @@ System assemble(const Model& model, bool with_links) {
       for (int j = 0; j < 3; ++j)
         if (const int ground = plan.supports[i].at(k, j); ground >= 0)
           system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
-    Group group{.first = first[i], .count = s.size(), .displacement_floor = 1e-12, .velocity_floor = 1e-9,
-                .by_mass = s.by_mass, .by_stiffness = s.by_stiffness, .modal_ratio = s.modal_ratio};
-    // A structure that nothing holds has no period; the ground moves it for as long as it moves, which a second stands for.
+    Group group{.first = first[i],
+                .count = s.size(),
+                .displacement_floor = 1e-12,
+                .velocity_floor = 1e-9,
+                .by_mass = s.by_mass,
+                .by_stiffness = s.by_stiffness,
+                .modal_ratio = s.modal_ratio};
+    // A structure that nothing holds has no period; the ground moves it for as long as it moves, which a second stands
+    // for.
     const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
     group.rigid_motions = s.rigid_motions;
     // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
@@ -216,7 +225,8 @@ System assemble(const Model& model, bool with_links) {
     if (link.friction == 0) continue;
     int dimension = 1;
     for (const LinkEnd* end : {&link.left, &link.right})
-      if (const Structure& s = model.structures[end->structure]; !s.is_rigid()) dimension = std::max(dimension, s.dimension);
+      if (const Structure& s = model.structures[end->structure]; !s.is_rigid())
+        dimension = std::max(dimension, s.dimension);
     const std::vector<Eigen::Vector3d> sliding = tangents(link.direction, dimension);
     system.frictions.push_back({.contact = static_cast<int>(i),
                                 .first = static_cast<int>(columns.size()),

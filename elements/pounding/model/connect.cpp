@@ -51,7 +51,8 @@ double reduced_mass(double left, double right) {
 }
 
 // One link of several pairs, or of one that meets at several points.
-std::string name_of(const LinkOptions& options, const LinkPair& pair, const Structure& a, const Structure& b, int number, bool is_one) {
+std::string name_of(const LinkOptions& options, const LinkPair& pair, const Structure& a, const Structure& b,
+                    int number, bool is_one) {
   if (!options.name) return text_of(pair.left, a) + "-" + text_of(pair.right, b);
   return is_one ? *options.name : fmt::format("{}.{}", *options.name, number + 1);
 }
@@ -61,7 +62,8 @@ void check_name(const std::string& name, const LinkOptions& options, const std::
   if (is_given && (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos))
     refuse(ModelOption::link_name,
            "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as third_floor");
-  if (const std::string wrong = is_given ? wrong_name(name) : std::string(); !wrong.empty()) refuse(ModelOption::link_name, wrong);
+  if (const std::string wrong = is_given ? wrong_name(name) : std::string(); !wrong.empty())
+    refuse(ModelOption::link_name, wrong);
   for (const Link& other : others)
     if (other.name == name)
       refuse(is_given ? ModelOption::link_name : ModelOption::between,
@@ -75,27 +77,31 @@ void check_options(const LinkOptions& options, const ContactLaw& law, bool is_dr
   if (options.reduced_mass && !(*options.reduced_mass > 0 && std::isfinite(*options.reduced_mass)))
     refuse(ModelOption::reduced_mass, "reduced_mass must be positive and finite");
   if (options.reduced_mass && law.reduced_mass() > 0)
-    refuse(ModelOption::reduced_mass, "the reduced mass is given twice, by the law and by the link; keep one of the two");
+    refuse(ModelOption::reduced_mass,
+           "the reduced mass is given twice, by the law and by the link; keep one of the two");
   if (options.level_within && !options.floors && !is_drawn)
-    refuse_idle(ModelOption::level_within, "belongs to floors: all, level or any, and to ends that are drawn; leave it out");
+    refuse_idle(ModelOption::level_within,
+                "belongs to floors: all, level or any, and to ends that are drawn; leave it out");
   if (options.sliding_velocity && !options.friction)
     refuse_idle(ModelOption::sliding_velocity, "belongs to friction; type friction: 0.3 beside it, or leave it out");
 }
 
 // Faces belong to a drawing: the gap of other ends is given.
-void set_faces(Link& link, const ContactLocation& left, const ContactLocation& right, const Structure& a, const Structure& b, Side side,
-               bool is_drawn) {
+void set_faces(Link& link, const ContactLocation& left, const ContactLocation& right, const Structure& a,
+               const Structure& b, Side side, bool is_drawn) {
   for (const auto& [location, option] : {std::pair(&left, ModelOption::left), std::pair(&right, ModelOption::right)})
     if (location->face && !is_drawn)
-      refuse(option, fmt::format("face is for gaps that are drawn, and the one between {} and {} is typed, from face to face; leave face out",
-                                      a.name, b.name));
+      refuse(option, fmt::format("face is for gaps that are drawn, and the one between {} and {} is typed, from face "
+                                 "to face; leave face out",
+                                 a.name, b.name));
   if (!is_drawn) return;
   set_face(link.left, a, left.face, side, ModelOption::left);
   set_face(link.right, b, right.face, opposite(side), ModelOption::right);
 }
 
 // Height in which two ends may differ and still face each other [m].
-double level_of_ends(const LinkEnd& left, const LinkEnd& right, const Structure& a, const Structure& b, std::optional<double> level_within) {
+double level_of_ends(const LinkEnd& left, const LinkEnd& right, const Structure& a, const Structure& b,
+                     std::optional<double> level_within) {
   if (left.floor < 0 || right.floor < 0) return usual_offset;
   return level_within.value_or(std::max(usual_offset, level_of(a.floors[left.floor], b.floors[right.floor], {})));
 }
@@ -107,9 +113,10 @@ std::vector<std::optional<double>> gaps_of(const LinkOptions& options, int count
     const std::vector<double> gaps = options.gap.of_each(count, "gap");
     for (const double gap : gaps)
       if (!std::isfinite(gap) || (gap < 0 && !options.preload))
-        throw std::invalid_argument(gap < 0 && std::isfinite(gap)
-                                        ? "gap must be finite and not negative; with preload: true a negative one presses from the start"
-                                        : "gap must be finite and not negative");
+        throw std::invalid_argument(
+            gap < 0 && std::isfinite(gap)
+                ? "gap must be finite and not negative; with preload: true a negative one presses from the start"
+                : "gap must be finite and not negative");
     return {gaps.begin(), gaps.end()};
   } catch (const std::invalid_argument& error) {
     refuse(ModelOption::gap, error.what());
@@ -121,12 +128,16 @@ void set_law(Link& link, const LinkOptions& options, const ContactLaw& law, doub
   const double left = link.left.point.mass / share, right = link.right.point.mass / share;
   const double of_ends = reduced_mass(left, right);
   link.reduced_mass_given = options.reduced_mass.has_value() || law.reduced_mass() > 0;
-  link.reduced_mass = options.reduced_mass ? *options.reduced_mass : law.reduced_mass() > 0 ? law.reduced_mass() : of_ends;
+  link.reduced_mass = options.reduced_mass     ? *options.reduced_mass
+                      : law.reduced_mass() > 0 ? law.reduced_mass()
+                                               : of_ends;
   try {
     ContactStiffness stiffness{.factor = factor};
     if (options.stiffness) {
       const CollidingMasses bodies{{left, right}, link.reduced_mass};
-      stiffness.estimate = [&, bodies](double exponent) { return estimated_stiffness(*options.stiffness, bodies, exponent); };
+      stiffness.estimate = [&, bodies](double exponent) {
+        return estimated_stiffness(*options.stiffness, bodies, exponent);
+      };
       link.stiffness_from = describe(*options.stiffness, bodies);
     }
     ContactLaw::Made made = law.make(link.reduced_mass, link.gap, number, stiffness);
@@ -143,7 +154,8 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
   if (!options.friction) return;
   link.friction = *options.friction;
   link.sliding_velocity = options.sliding_velocity.value_or(usual_sliding);
-  if (!(link.friction >= 0) || std::isinf(link.friction)) refuse(ModelOption::friction, "friction must be finite and not negative");
+  if (!(link.friction >= 0) || std::isinf(link.friction))
+    refuse(ModelOption::friction, "friction must be finite and not negative");
   if (!(link.sliding_velocity > 0) || std::isinf(link.sliding_velocity))
     refuse(ModelOption::sliding_velocity, "sliding_velocity must be positive and finite");
   const auto slides = [](const Structure& s) { return !s.is_rigid() && s.dimension > 1; };
@@ -156,11 +168,15 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
 // A gap that is closed at rest, where the law needs the closing speed of an impact.
 void require_closing_speed(const Link& link, double overlap, const Structure& a, const Structure& b) {
   constexpr double closed = 1e-9;  // [m]
-  if (overlap < -closed || !link.contact->needs_closing_speed() || a.initial_velocity.any() || b.initial_velocity.any()) return;
-  refuse(ModelOption::gap, fmt::format("{} takes its stiffness from the closing speed of each impact, and the bodies of {} touch at rest from the "
-                                       "start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
-                                       "yield_penetration",
-                                       link.law, link.name));
+  if (overlap < -closed || !link.contact->needs_closing_speed() || a.initial_velocity.any() || b.initial_velocity.any())
+    return;
+  refuse(
+      ModelOption::gap,
+      fmt::format(
+          "{} takes its stiffness from the closing speed of each impact, and the bodies of {} touch at rest from the "
+          "start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
+          "yield_penetration",
+          link.law, link.name));
 }
 
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
@@ -174,18 +190,22 @@ void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
     if (s.at_rest.size() > 0) u += s.at_rest;
     return displacement_rounding(end, s, link.direction, u);
   };
-  if (overlap <= rounding(link.left, a) + rounding(link.right, b) + std::numeric_limits<double>::epsilon() * link.gap) return;
+  if (overlap <= rounding(link.left, a) + rounding(link.right, b) + std::numeric_limits<double>::epsilon() * link.gap)
+    return;
   const std::string by = format_quantity(overlap, dimension::length);
   const bool displaced = a.initial_displacement.any() || b.initial_displacement.any();
-  const std::string apart = are_drawn(a, b) ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
-                                                          displaced ? "are displaced" : "lean", displaced ? "" : " under their loads", b.name, by)
-                                            : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
+  const std::string apart =
+      are_drawn(a, b)
+          ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
+                        displaced ? "are displaced" : "lean", displaced ? "" : " under their loads", b.name, by)
+          : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
   refuse(ModelOption::gap, fmt::format("{} and {} overlap by {} at the start; {}", a.name, b.name, by, apart));
 }
 
 }  // namespace
 
-void Model::link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law) {
+void Model::link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options,
+                 const ContactLaw& law) {
   require_open();
   const std::vector<LinkPair> pairs = pairs_of(*this, left, right, options.floors, options.level_within);
   const Structure &a = structures[left.structure], &b = structures[right.structure];
@@ -195,12 +215,14 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
   const int count = static_cast<int>(pairs.size());
   const std::vector<std::optional<double>> gaps = gaps_of(options, count);
   if (options.preload && std::none_of(gaps.begin(), gaps.end(), [](const auto& gap) { return gap && *gap < 0; }))
-    refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
+    refuse_idle(ModelOption::preload,
+                "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
     if (static_cast<double>(links.size() + along.size()) > limits::links)
-      refuse(ModelOption::between, fmt::format("a model has at most {:g} links; link fewer floors, or take fewer points along their edges",
-                                               limits::links));
+      refuse(ModelOption::between,
+             fmt::format("a model has at most {:g} links; link fewer floors, or take fewer points along their edges",
+                         limits::links));
     for (std::size_t k = 0; k < along.size(); ++k) {
       Link link;
       link.left = place_end(pairs[i].left, a, side, along[k], ModelOption::left);

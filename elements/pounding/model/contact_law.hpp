@@ -22,13 +22,19 @@ namespace pounding {
   throw std::invalid_argument(std::string(law) + " takes no estimate of a stiffness");
 }
 
-/// The exponent n of a law whose stiffness is k in F = k d^n. Throws std::invalid_argument for a law without a stiffness, or one
-/// that tells no exponent.
+/// The exponent n of a law whose stiffness is k in F = k d^n. Throws std::invalid_argument for a law without a
+/// stiffness, or one that tells no exponent.
 template <class Law>
 double stiffness_exponent(const Law& law) {
-  if constexpr (requires { law.stiffness; law.exponent; }) {
+  if constexpr (requires {
+                  law.stiffness;
+                  law.exponent;
+                }) {
     return law.exponent;
-  } else if constexpr (requires { law.stiffness; Law::parameters; }) {
+  } else if constexpr (requires {
+                         law.stiffness;
+                         Law::parameters;
+                       }) {
     for (const auto& parameter : Law::parameters)
       if (parameter.info.name == "stiffness") return parameter.info.unit == "N/m" ? 1 : 1.5;
   }
@@ -37,12 +43,14 @@ double stiffness_exponent(const Law& law) {
 
 /// A stiffness other than the one that a law was given.
 struct ContactStiffness {
-  std::function<double(double exponent)> estimate{};  ///< k [N/m^n] for a law with this exponent n; empty: the law's own
-  double factor = 1;                                  ///< multiplies either
+  std::function<double(double exponent)>
+      estimate{};     ///< k [N/m^n] for a law with this exponent n; empty: the law's own
+  double factor = 1;  ///< multiplies either
 };
 
-/// A law of the library, a law by name (laws::Settings), or a user's own struct of the form that laws/law.hpp describes. A model
-/// makes one contact a link of it and sets its reduced mass to that of the bodies at the link's ends, unless one is given.
+/// A law of the library, a law by name (laws::Settings), or a user's own struct of the form that laws/law.hpp
+/// describes. A model makes one contact a link of it and sets its reduced mass to that of the bodies at the link's
+/// ends, unless one is given.
 class ContactLaw {
  public:
   /// A contact, and what reports say of its law.
@@ -70,15 +78,17 @@ class ContactLaw {
         refuse_estimate(Law::name);
       }
       if constexpr (requires { own.reduced_mass; }) own.reduced_mass = reduced_mass;
-      if constexpr (is_of_the_library<Law>(static_cast<laws::AnyLaw*>(nullptr))) return made(laws::AnyLaw(own), gap, link);
-      else return made_of_own(own, gap, link);
+      if constexpr (is_of_the_library<Law>(static_cast<laws::AnyLaw*>(nullptr)))
+        return made(laws::AnyLaw(own), gap, link);
+      else
+        return made_of_own(own, gap, link);
     };
   }
 
   /// The reduced mass that the law was given by its user [kg]; 0 for none.
   double reduced_mass() const noexcept { return reduced_mass_; }
-  /// A contact of this law with a gap [m] for the link with this number. Throws std::invalid_argument for what the law refuses, and for
-  /// an estimated stiffness of a law that has none.
+  /// A contact of this law with a gap [m] for the link with this number. Throws std::invalid_argument for what the law
+  /// refuses, and for an estimated stiffness of a law that has none.
   Made make(double reduced_mass, double gap, int link, const ContactStiffness& stiffness = {}) const {
     return make_(reduced_mass, gap, link, stiffness);
   }
@@ -100,9 +110,12 @@ class ContactLaw {
       Law::number;
       Law::coefficient;
     };
-    if constexpr (has_table && (!laws::has_damping<Law> || names_its_damping)) made.parameters = laws::by_name::describe(law, 1);
-    if constexpr (laws::instantaneous<Law>) made.contact = std::make_unique<RigidGapLink>(law.restitution, gap, link);
-    else made.contact = std::make_unique<GapLink<Law>>(law, gap, link);
+    if constexpr (has_table && (!laws::has_damping<Law> || names_its_damping))
+      made.parameters = laws::by_name::describe(law, 1);
+    if constexpr (laws::instantaneous<Law>)
+      made.contact = std::make_unique<RigidGapLink>(law.restitution, gap, link);
+    else
+      made.contact = std::make_unique<GapLink<Law>>(law, gap, link);
     return made;
   }
 

@@ -22,7 +22,8 @@ template <class... F>
 Each(F...) -> Each<F...>;
 
 double positive(double value, std::string_view name) {
-  if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(fmt::format("{} must be positive and finite", name));
+  if (!(value > 0) || std::isinf(value))
+    throw std::invalid_argument(fmt::format("{} must be positive and finite", name));
   return value;
 }
 
@@ -35,7 +36,8 @@ double curvature(double radius) {
 double radius_of_ball(double mass, double density) { return std::cbrt(3 * mass / (4 * std::numbers::pi * density)); }
 
 double hertz(double curvatures, const ContactMaterial& material) {
-  if (!(curvatures > 0)) throw std::invalid_argument("two flat bodies have no stiffness of Hertz; give one of them a radius");
+  if (!(curvatures > 0))
+    throw std::invalid_argument("two flat bodies have no stiffness of Hertz; give one of them a radius");
   positive(material.young, "E");
   if (!(material.poisson >= 0 && material.poisson <= 0.5)) throw std::invalid_argument("poisson must lie in [0, 0.5]");
   const double modulus = material.young / (2 * (1 - material.poisson * material.poisson));
@@ -58,7 +60,8 @@ double of_slabs(const StiffnessOfSlabs& slabs) {
   positive(slabs.young, "E");
   double flexibility = 0;
   for (int i = 0; i < 2; ++i) {
-    if (!(slabs.lengths[i] >= 0) || std::isinf(slabs.lengths[i])) throw std::invalid_argument("length must be finite and not negative");
+    if (!(slabs.lengths[i] >= 0) || std::isinf(slabs.lengths[i]))
+      throw std::invalid_argument("length must be finite and not negative");
     if (slabs.lengths[i] > 0) flexibility += slabs.lengths[i] / (slabs.young * positive(slabs.areas[i], "area"));
   }
   if (!(flexibility > 0)) throw std::invalid_argument("one of the slabs needs a length");
@@ -99,15 +102,16 @@ double estimated_stiffness(const StiffnessEstimate& estimate, const CollidingMas
 std::string describe(const StiffnessEstimate& estimate, const CollidingMasses& bodies) {
   return std::visit(
       Each{[&](const StiffnessOfBalls& balls) {
-             return fmt::format("Hertz, balls of {} and {}, {}", mass_text(bodies.masses[0]), mass_text(bodies.masses[1]),
-                                material_text(balls.material));
+             return fmt::format("Hertz, balls of {} and {}, {}", mass_text(bodies.masses[0]),
+                                mass_text(bodies.masses[1]), material_text(balls.material));
            },
            [&](const StiffnessOfRadii& given) {
-             return fmt::format("Hertz, radii {:g} m and {:g} m, {}", given.radii[0], given.radii[1], material_text(given.material));
+             return fmt::format("Hertz, radii {:g} m and {:g} m, {}", given.radii[0], given.radii[1],
+                                material_text(given.material));
            },
            [&](const StiffnessOfSlabs& slabs) {
-             return fmt::format("slabs of {:g} m and {:g} m to the centres of mass, E {}", slabs.lengths[0], slabs.lengths[1],
-                                format_quantity(slabs.young, dimension::stress));
+             return fmt::format("slabs of {:g} m and {:g} m to the centres of mass, E {}", slabs.lengths[0],
+                                slabs.lengths[1], format_quantity(slabs.young, dimension::stress));
            },
            [&](const StiffnessOfPenetration& wanted) {
              return fmt::format("{} deep in an impact at {}", format_quantity(wanted.penetration, dimension::length),

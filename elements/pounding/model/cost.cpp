@@ -53,7 +53,8 @@ Steps least_steps(const Model& model) {
       }
   }
   for (const GroundMotion& motion : plan.motions) {
-    const double lasts = std::min(duration, motion.duration()) - motion.start(), of_motion = motion.longest_step(motion.start());
+    const double lasts = std::min(duration, motion.duration()) - motion.start(),
+                 of_motion = motion.longest_step(motion.start());
     if (lasts > least.count * of_motion)
       least = {lasts / of_motion, fmt::format("the ground motion ({}) makes them so short", motion.source())};
   }
@@ -65,10 +66,12 @@ void require_steps(const Model& model) {
   const Steps least = least_steps(model);
   if (!(least.count > most)) return;
   const bool can_be_raised = least.count < limits::most_steps;
-  refuse_analysis(fmt::format("a run of {:g} s takes {:.3g} steps or more, and {:.10g} are allowed: {}; look at the units, or type analysis: {{duration: "
-                     "{:.2g} s}}{}",
-                     model.analysis.duration, least.count, most, least.reason, model.analysis.duration * most / least.count,
-                     can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}} and some patience", std::ceil(2 * least.count)) : ""));
+  refuse_analysis(fmt::format(
+      "a run of {:g} s takes {:.3g} steps or more, and {:.10g} are allowed: {}; look at the units, or type analysis: "
+      "{{duration: "
+      "{:.2g} s}}{}",
+      model.analysis.duration, least.count, most, least.reason, model.analysis.duration * most / least.count,
+      can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}} and some patience", std::ceil(2 * least.count)) : ""));
 }
 
 // Numbers that the histories keep at each output time.
@@ -77,7 +80,8 @@ double numbers_of(const Structure& s) {
   const double on_floors = 3 * directions + (s.has_storeys() ? 2 * std::min(directions, 2.0) : 0);
   const double on_nodes = 3.0 * static_cast<double>(s.nodes.motion.size() * s.nodes.directions.size());
   const double of_members = static_cast<double>(s.reported_members.size() * s.forces.components.size());
-  const double reactions = static_cast<double>(s.forces.rows.rows()) - static_cast<double>(s.forces.members.size() * s.forces.components.size());
+  const double reactions = static_cast<double>(s.forces.rows.rows()) -
+                           static_cast<double>(s.forces.members.size() * s.forces.components.size());
   return floors * on_floors + on_nodes + of_members + std::max(reactions, 0.0);
 }
 
@@ -85,14 +89,18 @@ void require_outputs(const Model& model) {
   const auto& [duration, output_step] = std::pair(model.analysis.duration, model.analysis.output_step);
   const double outputs = duration / output_step;
   if (outputs > limits::outputs)
-    refuse_analysis(fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}", outputs, duration / 1e4));
+    refuse_analysis(fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}", outputs,
+                                duration / 1e4));
   double numbers = 0;
   for (const Structure& s : model.structures) numbers += numbers_of(s);
   const double bytes = outputs * numbers * sizeof(double), memory = limits::memory();
   if (bytes > memory)
-    refuse_analysis(fmt::format("{:.3g} output times of {:.3g} numbers each take {}, and there are {}; type analysis: {{output_step: {:.2g} s}}, or report "
-                       "fewer nodes and members",
-                       outputs, numbers, limits::text_of_bytes(bytes), limits::text_of_bytes(memory), 4 * output_step * bytes / memory));
+    refuse_analysis(
+        fmt::format("{:.3g} output times of {:.3g} numbers each take {}, and there are {}; type analysis: "
+                    "{{output_step: {:.2g} s}}, or report "
+                    "fewer nodes and members",
+                    outputs, numbers, limits::text_of_bytes(bytes), limits::text_of_bytes(memory),
+                    4 * output_step * bytes / memory));
 }
 
 }  // namespace

@@ -22,12 +22,14 @@ std::string describe(const Structure& s) {
   if (s.is_free) return text;
   if (s.rigid_motions > 0) text += ", without supports";
   const auto period = [&](int mode) { return fmt::format("{:.4g} s", 2 * M_PI / s.frequencies[mode]); };
-  return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1)) : ", period " + period(0));
+  return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1))
+                                          : ", period " + period(0));
 }
 
 std::string range(const std::string& from, const std::string& to) { return from == to ? from : from + " to " + to; }
 
-// "     4 isolators, lead_rubber: stiffness 8.75 MN/m, yield displacement 13.2 mm at 115.8 kN, isolated period 3.096 s, capacity 300 mm"
+// "     4 isolators, lead_rubber: stiffness 8.75 MN/m, yield displacement 13.2 mm at 115.8 kN, isolated period 3.096 s,
+// capacity 300 mm"
 std::string describe_isolators(const Structure& s) {
   constexpr double none = std::numeric_limits<double>::infinity();
   struct Range {
@@ -50,9 +52,12 @@ std::string describe_isolators(const Structure& s) {
     if (laws.find(part.law) == std::string::npos) laws += (laws.empty() ? "" : ", ") + part.law;
   }
   const double period = isolated_period(s);
-  std::string text = fmt::format("     {}, {}: stiffness {}, yield displacement {} at {}, ", s.dimension == 1 ? "isolators" : fmt::format("{} isolator{}", count, count == 1 ? "" : "s"),
-                                 laws, stiffness.text(dimension::stiffness), yield.text(dimension::length), force.text(dimension::force));
-  text += std::isfinite(period) ? fmt::format("isolated period {:.4g} s", period) : "no isolated period, nothing brings it back";
+  std::string text =
+      fmt::format("     {}, {}: stiffness {}, yield displacement {} at {}, ",
+                  s.dimension == 1 ? "isolators" : fmt::format("{} isolator{}", count, count == 1 ? "" : "s"), laws,
+                  stiffness.text(dimension::stiffness), yield.text(dimension::length), force.text(dimension::force));
+  text += std::isfinite(period) ? fmt::format("isolated period {:.4g} s", period)
+                                : "no isolated period, nothing brings it back";
   if (capacity.largest > 0) text += ", capacity " + capacity.text(dimension::length);
   return text + '\n';
 }
@@ -73,7 +78,8 @@ std::string describe_hinges(const Structure& s) {
   }
   const auto moment = [](double value) { return fmt::format("{:.4g} kN m", value / 1e3); };
   if (count == 0) return {};
-  std::string text = fmt::format("     {} hinge{}: yield moment {}, yield rotation {}", count, count == 1 ? "" : "s", range(moment(weakest), moment(strongest)),
+  std::string text = fmt::format("     {} hinge{}: yield moment {}, yield rotation {}", count, count == 1 ? "" : "s",
+                                 range(moment(weakest), moment(strongest)),
                                  range(fmt::format("{:.4g}", least), fmt::format("{:.4g}", largest)));
   if (at_rest > 0) text += fmt::format(", at rest up to {:.3g} % of it", 100 * at_rest);
   return text + '\n';
@@ -84,7 +90,8 @@ std::string faces_of(const Link& link) {
   if (!link.left.face && !link.right.face) return {};
   const auto face = [](const LinkEnd& end) {
     const std::string distance = format_quantity(end.face.value_or(0), dimension::length, 6);
-    return end.face_column.empty() ? fmt::format("{} as typed", distance) : fmt::format("{} from the axis of {}", distance, end.face_column);
+    return end.face_column.empty() ? fmt::format("{} as typed", distance)
+                                   : fmt::format("{} from the axis of {}", distance, end.face_column);
   };
   const std::string left = link.left.face ? face(link.left) : "", right = link.right.face ? face(link.right) : "";
   return fmt::format(" between faces ({}{}{})", left, left.empty() || right.empty() ? "" : " and ", right);
@@ -93,7 +100,9 @@ std::string faces_of(const Link& link) {
 // ", floors 10 mm apart in height"; empty for floors that are level but for rounding, and for other ends.
 std::string heights_of(const Model& model, const Link& link) {
   if (link.left.floor < 0 || link.right.floor < 0) return {};
-  const auto elevation = [&](const LinkEnd& end) { return model.structures[end.structure].floors[end.floor].elevation; };
+  const auto elevation = [&](const LinkEnd& end) {
+    return model.structures[end.structure].floors[end.floor].elevation;
+  };
   const auto left = elevation(link.left), right = elevation(link.right);
   if (!left || !right || std::abs(*left - *right) <= drawn_rounding) return {};
   return fmt::format(", floors {} apart in height", format_quantity(std::abs(*left - *right), dimension::length));
@@ -116,7 +125,8 @@ std::string describe(const Model& model) {
     if (is_isolated(s)) text += describe_isolators(s);
     for (const YieldingPart& part : s.yielding)
       if (part.is_device()) text += fmt::format("     device {}: {}\n", part.name, part.device);
-    for (const AppliedForce& force : s.applied_forces) text += fmt::format("     force on {}: {}\n", force.place, force.history.source());
+    for (const AppliedForce& force : s.applied_forces)
+      text += fmt::format("     force on {}: {}\n", force.place, force.history.source());
   }
   text += describe_joined(model);
   for (const Link& link : model.links) {

@@ -19,8 +19,9 @@ Bar bar_of(const std::variant<Bar, BarSection>& given, std::optional<double> len
   if (!(section.young > 0 && section.area > 0))
     refuse(ModelOption::bar, "Young's modulus and area of a bar must be positive");
   if (!length.value_or(0))
-    refuse(ModelOption::bar, "E and area need the length of the bar, which is drawn between frames that stand apart; type bar: "
-                             "{stiffness: 50 MN/m}");
+    refuse(ModelOption::bar,
+           "E and area need the length of the bar, which is drawn between frames that stand apart; type bar: "
+           "{stiffness: 50 MN/m}");
   return {section.young * section.area / *length};
 }
 
@@ -58,12 +59,15 @@ void require_digits(const DeviceParts& parts, double stiffness, double mass) {
   stiffness = std::max(stiffness, mass * slow * slow);
   const auto require = [&](ModelOption option, const char* what, double value, double of_structures, const char* unit) {
     if (of_structures > 0 && value > largest_ratio * of_structures)
-      refuse(option, fmt::format("{} is far too stiff: {:.3g} {}, and the structures at its ends have {:.3g} {}; beyond {:g} times that its force is round-off. Look "
-                                 "at the unit, or type at most {:.3g} {}",
-                                 what, value, unit, of_structures, unit, largest_ratio, largest_ratio * of_structures, unit));
+      refuse(option,
+             fmt::format("{} is far too stiff: {:.3g} {}, and the structures at its ends have {:.3g} {}; beyond {:g} "
+                         "times that its force is round-off. Look "
+                         "at the unit, or type at most {:.3g} {}",
+                         what, value, unit, of_structures, unit, largest_ratio, largest_ratio * of_structures, unit));
   };
   if (parts.bar) require(ModelOption::bar, "the bar", parts.bar->stiffness, stiffness, "N/m");
-  if (parts.law) require(ModelOption::device_law, "the device", DeviceSpring({.law = parts.law}).first_slope(), stiffness, "N/m");
+  if (parts.law)
+    require(ModelOption::device_law, "the device", DeviceSpring({.law = parts.law}).first_slope(), stiffness, "N/m");
   if (!parts.damper || parts.damper->has_stiffness()) return;
   const double rate = parts.damper->exponent > 1 ? 1 : 0;  // where the slope is to be compared [m/s]
   require(ModelOption::damper, "the damper", parts.damper->slope(rate), std::sqrt(stiffness * mass), "N s/m");
@@ -71,10 +75,12 @@ void require_digits(const DeviceParts& parts, double stiffness, double mass) {
 
 DeviceParts parts_of(const DeviceOptions& options, std::optional<double> length) {
   if (!options.bar && !options.law && !options.damper)
-    refuse(ModelOption::device, "is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}, "
-                                "bilinear: {stiffness: 50 MN/m, yield_force: 600 kN} or damper: {coefficient: 200 kN s/m}");
+    refuse(ModelOption::device,
+           "is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}, "
+           "bilinear: {stiffness: 50 MN/m, yield_force: 600 kN} or damper: {coefficient: 200 kN s/m}");
   if (options.bar && options.law)
-    refuse(ModelOption::device_law, "a device has a bar or a law of yielding, and a bar is given too; keep one of the two");
+    refuse(ModelOption::device_law,
+           "a device has a bar or a law of yielding, and a bar is given too; keep one of the two");
   DeviceParts parts;
   checked(ModelOption::bar, [&] {
     if (!options.bar) return;

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
-#include <pounding/model/drawing.hpp>
 #include <pounding/model/device_parts.hpp>
+#include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
 #include <pounding/model/place_ends.hpp>
 #include <pounding/model/refuse_option.hpp>
@@ -23,7 +23,8 @@ constexpr int max_joined_modes = 3;
 
 void check_name(const std::string& name, const std::vector<Device>& others) {
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
-    refuse(ModelOption::device_name, "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as top damper");
+    refuse(ModelOption::device_name,
+           "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as top damper");
   for (const Device& other : others)
     if (other.name == name)
       refuse(ModelOption::device_name, fmt::format("a device \"{}\" exists already; give this one another name", name));
@@ -35,9 +36,10 @@ void lay_between_nodes(Device& device, const LinkPair& pair, const Structure& a,
   device.right = place_end(pair.right, b, Side::minus_x, 0, ModelOption::right);
   const Eigen::Vector3d line = device.right.point.position - device.left.point.position;
   if (line.norm() <= drawn_rounding)
-    refuse(ModelOption::between, fmt::format("{} of {} and {} of {} stand at one point, and a device acts along the line between its "
-                                             "ends; name nodes apart from each other, or floors",
-                                             device.left.label, a.name, device.right.label, b.name));
+    refuse(ModelOption::between,
+           fmt::format("{} of {} and {} of {} stand at one point, and a device acts along the line between its "
+                       "ends; name nodes apart from each other, or floors",
+                       device.left.label, a.name, device.right.label, b.name));
   device.direction = unit_vector(line);
   device.length = line.norm();
 }
@@ -53,20 +55,22 @@ void lay_between_sides(Device& device, const LinkPair& pair, const Model& model)
   if (are_drawn(a, b)) device.length = drawn_gap(model, device.left, device.right, side, {});
 }
 
-// The end moves with mass along every axis along which the device acts, so that its force is nowhere taken by a support alone and
-// gives nothing any velocity at once.
+// The end moves with mass along every axis along which the device acts, so that its force is nowhere taken by a support
+// alone and gives nothing any velocity at once.
 void require_motion(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction, ModelOption option) {
   if (s.is_rigid()) return;
   if (end.point.member >= 0)
-    refuse(option, fmt::format("the device meets member {} of {} between its ends; name a node there, or a floor", s.forces.members[end.point.member],
-                               s.name));
+    refuse(option, fmt::format("the device meets member {} of {} between its ends; name a node there, or a floor",
+                               s.forces.members[end.point.member], s.name));
   constexpr char axes[] = "xyz";
   for (int axis = 0; axis < 3; ++axis) {
     if (direction[axis] == 0) continue;
     const Row& row = end.point.motion[axis];
     if (row.nonZeros() == 0)
-      refuse(option, fmt::format("{} of {} does not move along {}, and the device acts there; name a floor, or a node that moves", end.label,
-                                 s.name, axes[axis]));
+      refuse(
+          option,
+          fmt::format("{} of {} does not move along {}, and the device acts there; name a floor, or a node that moves",
+                      end.label, s.name, axes[axis]));
     for (Row::InnerIterator it(row); it; ++it)
       if (it.value() != 0 && !(s.mass.coeff(it.index(), it.index()) > 0))
         refuse(option, fmt::format("the device acts on {} of {}, which has no mass; give it one, or name a floor",
@@ -92,12 +96,14 @@ double first_stiffness(const Device& device) { return device.member->first_slope
 void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
   for (int axis = 0; axis < 3; ++axis)
     if (direction[axis] != 0)
-      for (Row::InnerIterator it(end.point.motion[axis]); it; ++it) row.coeffRef(first + it.index()) += direction[axis] * it.value();
+      for (Row::InnerIterator it(end.point.motion[axis]); it; ++it)
+        row.coeffRef(first + it.index()) += direction[axis] * it.value();
 }
 
 }  // namespace
 
-void Model::connect(const std::string& name, const ContactLocation& left, const ContactLocation& right, const DeviceOptions& options) {
+void Model::connect(const std::string& name, const ContactLocation& left, const ContactLocation& right,
+                    const DeviceOptions& options) {
   require_open();
   check_name(name, devices);
   if (left.structure == right.structure)
@@ -120,7 +126,8 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
     if (s->is_rigid()) continue;
     Row row(s->size());
     for (int axis = 0; axis < 3; ++axis)
-      if (device.direction[axis] != 0 && end->point.motion[axis].nonZeros() > 0) row += device.direction[axis] * end->point.motion[axis];
+      if (device.direction[axis] != 0 && end->point.motion[axis].nonZeros() > 0)
+        row += device.direction[axis] * end->point.motion[axis];
     stiffness = std::max(stiffness, against(s->stiffness, row));
     mass = std::max(mass, against(s->mass, row));
   }
@@ -142,7 +149,8 @@ JoinedByBars joined_by_bars(const Model& model) {
   int n = 0, modes = 0;
   const auto add = [](std::vector<Eigen::Triplet<double>>& entries, const SparseMatrix& block, int at) {
     for (int j = 0; j < block.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator it(block, j); it; ++it) entries.emplace_back(at + static_cast<int>(it.row()), at + j, it.value());
+      for (SparseMatrix::InnerIterator it(block, j); it; ++it)
+        entries.emplace_back(at + static_cast<int>(it.row()), at + j, it.value());
   };
   for (const int number : joined.structures) {
     const Structure& s = model.structures[number];
@@ -157,7 +165,8 @@ JoinedByBars joined_by_bars(const Model& model) {
     if (k == 0) continue;
     Eigen::SparseVector<double> elongation(n);
     for (const auto& [end, sign] : {std::pair(&device.left, -1.0), std::pair(&device.right, 1.0)})
-      if (!model.structures[end->structure].is_rigid()) add_motion(*end, sign * device.direction, first[end->structure], elongation);
+      if (!model.structures[end->structure].is_rigid())
+        add_motion(*end, sign * device.direction, first[end->structure], elongation);
     for (Row::InnerIterator i(elongation); i; ++i)
       for (Row::InnerIterator j(elongation); j; ++j)
         stiffness.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), k * i.value() * j.value());
@@ -175,8 +184,8 @@ std::string describe_joined(const Model& model) {
   for (const double w : joined.frequencies)
     if (w > 0) periods += fmt::format("{}{:.4g} s", periods.empty() ? "" : ", ", 2 * M_PI / w);
   if (periods.empty()) return {};
-  return fmt::format("joined by bars: {} together, first periods {}; those above are of each by itself\n", names_of(model, joined.structures),
-                     periods);
+  return fmt::format("joined by bars: {} together, first periods {}; those above are of each by itself\n",
+                     names_of(model, joined.structures), periods);
 }
 
 std::string describe(const DeviceParts& parts) {
@@ -194,7 +203,8 @@ std::string describe(const DeviceParts& parts) {
   text += damper.is_linear() ? "s/m" : fmt::format("(s/m)^{:g}", damper.exponent);
   if (damper.has_stiffness()) return text + " behind " + format_quantity(damper.stiffness, dimension::stiffness, 6);
   if (!damper.is_linear())
-    text += fmt::format(", rounded as c v (v^2 + v0^2)^{:g} with v0 = {:g} mm/s", 0.5 * (damper.exponent - 1), 1e3 * damper.rounding_velocity);
+    text += fmt::format(", rounded as c v (v^2 + v0^2)^{:g} with v0 = {:g} mm/s", 0.5 * (damper.exponent - 1),
+                        1e3 * damper.rounding_velocity);
   return text;
 }
 

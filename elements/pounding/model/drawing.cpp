@@ -12,7 +12,8 @@
 namespace pounding {
 namespace {
 
-// Distances between axes of columns whose faces may pound: no recommendation of such a gap without a word about the axes [m].
+// Distances between axes of columns whose faces may pound: no recommendation of such a gap without a word about the
+// axes [m].
 constexpr double widest_between_axes = 1.5;
 // A difference of about half the depths of the columns is within this fraction of them.
 constexpr double about = 0.2;
@@ -21,7 +22,9 @@ constexpr double relative_rounding = 1e-3;
 // Distances are rounded to nanometres, so that 18.02 m less 18 m is 20 mm to the last bit [1/m].
 constexpr double nanometres = 1e9;
 
-std::string metres(double length) { return format_quantity(std::abs(length) * nanometres < 1 ? 0 : length, dimension::length, 6); }
+std::string metres(double length) {
+  return format_quantity(std::abs(length) * nanometres < 1 ? 0 : length, dimension::length, 6);
+}
 
 // "floor 3 of left", "node b of left", "the column of left 10.5 m up".
 std::string placed_text(const LinkEnd& end, const Structure& s) {
@@ -36,14 +39,16 @@ struct Ends {
 
   std::string at(int axis) const {
     constexpr char axes[] = "xyz";
-    return fmt::format("{} ({} = {}) and {} ({} = {})", placed_text(left, a), axes[axis], metres(left.point.position[axis]),
-                       placed_text(right, b), axes[axis], metres(right.point.position[axis]));
+    return fmt::format("{} ({} = {}) and {} ({} = {})", placed_text(left, a), axes[axis],
+                       metres(left.point.position[axis]), placed_text(right, b), axes[axis],
+                       metres(right.point.position[axis]));
   }
   bool has_face() const { return left.face.value_or(0) > 0 || right.face.value_or(0) > 0; }
   // " between faces 300 mm and 250 mm before the axes", empty for ends that are drawn by their faces.
   std::string faces() const {
     if (!has_face()) return {};
-    return fmt::format(" between faces {} and {} before the axes", metres(left.face.value_or(0)), metres(right.face.value_or(0)));
+    return fmt::format(" between faces {} and {} before the axes", metres(left.face.value_or(0)),
+                       metres(right.face.value_or(0)));
   }
   // How to bring the second structure to another distance from the first one.
   std::string move(Side side, double farther) const {
@@ -57,31 +62,41 @@ void require_facing(const Ends& ends, int axis, double reach) {
   if (std::abs(ends.left.point.position[axis] - ends.right.point.position[axis]) <= reach) return;
   const bool in_height = axis == 2;
   const double up = ends.left.point.position.z();
-  throw ModelError(ModelOption::between,
-                   fmt::format("{} do not face each other; {}", ends.at(axis),
-                               in_height ? fmt::format("link ends that are level, or the column there, as in {{structure: {}, elevation: {}}}",
-                                                       ends.b.name, metres(up))
-                                         : "link ends that do, or move one of the two by its origin"));
+  throw ModelError(
+      ModelOption::between,
+      fmt::format(
+          "{} do not face each other; {}", ends.at(axis),
+          in_height
+              ? fmt::format("link ends that are level, or the column there, as in {{structure: {}, elevation: {}}}",
+                            ends.b.name, metres(up))
+              : "link ends that do, or move one of the two by its origin"));
 }
 
-// The advice to a drawing by axes where a difference from the requested gap, or the distance itself, has the size of columns; else empty.
+// The advice to a drawing by axes where a difference from the requested gap, or the distance itself, has the size of
+// columns; else empty.
 std::string cause_by_axes(const Model& model, const Ends& ends, Side side, double asked, double drawn) {
   const AxisAdvice advice = advice_on_axes(model, ends.left, ends.right, side);
   const double difference = drawn - asked;
-  bool is_of_columns = advice.sum() > 0 && drawn >= std::max(narrowest_between_axes, (1 - about) * advice.sum()) && drawn <= widest_between_axes;
+  bool is_of_columns = advice.sum() > 0 && drawn >= std::max(narrowest_between_axes, (1 - about) * advice.sum()) &&
+                       drawn <= widest_between_axes;
   for (const double half : {advice.halves[0], advice.halves[1], advice.sum()})
     is_of_columns = is_of_columns || (half > 0 && std::abs(difference - half) <= about * half);
   if (!is_of_columns) return {};
   const double between = drawn - advice.sum();
-  return fmt::format("if the frames are drawn by the axes of their columns, type {}: the columns reach {} and {} beyond the axes, and {}; if they are "
-                     "drawn by their faces, ",
-                     advice.text, metres(advice.halves[0]), metres(advice.halves[1]),
-                     between >= -drawn_rounding ? fmt::format("{} remain between faces", metres(between)) : fmt::format("the faces overlap by {}", metres(-between)));
+  return fmt::format(
+      "if the frames are drawn by the axes of their columns, type {}: the columns reach {} and {} beyond the axes, and "
+      "{}; if they are "
+      "drawn by their faces, ",
+      advice.text, metres(advice.halves[0]), metres(advice.halves[1]),
+      between >= -drawn_rounding ? fmt::format("{} remain between faces", metres(between))
+                                 : fmt::format("the faces overlap by {}", metres(-between)));
 }
 
 }  // namespace
 
-bool are_drawn(const Structure& first, const Structure& second) { return first.surface->plan() && second.surface->plan(); }
+bool are_drawn(const Structure& first, const Structure& second) {
+  return first.surface->plan() && second.surface->plan();
+}
 
 double drawn_distance(const LinkEnd& left, const LinkEnd& right, Side side) {
   return outward(side).dot(right.point.position - left.point.position) - left.face.value_or(0) - right.face.value_or(0);
@@ -107,7 +122,8 @@ AxisAdvice advice_on_axes(const Model& model, const LinkEnd& left, const LinkEnd
   return advice;
 }
 
-double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side, std::optional<double> asked, double level) {
+double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side, std::optional<double> asked,
+                 double level) {
   const Ends ends{model.structures[left.structure], model.structures[right.structure], left, right};
   const bool along_x = side == Side::plus_x || side == Side::minus_x;
   const double drawn = drawn_distance(left, right, side);
@@ -122,9 +138,9 @@ double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, 
   if (!asked) return std::max(0.0, std::round(drawn * nanometres) / nanometres);
   if (std::abs(*asked - drawn) > std::max(drawn_rounding, relative_rounding * *asked))
     throw ModelError(ModelOption::gap,
-                     fmt::format("is {}, but {} are drawn {} apart{}; {}leave the gap out to take this distance, or {}", metres(*asked),
-                                 ends.at(along_x ? 0 : 1), metres(drawn), ends.faces(), cause_by_axes(model, ends, side, *asked, drawn),
-                                 ends.move(side, *asked - drawn)));
+                     fmt::format("is {}, but {} are drawn {} apart{}; {}leave the gap out to take this distance, or {}",
+                                 metres(*asked), ends.at(along_x ? 0 : 1), metres(drawn), ends.faces(),
+                                 cause_by_axes(model, ends, side, *asked, drawn), ends.move(side, *asked - drawn)));
   return *asked;
 }
 

@@ -14,8 +14,8 @@
 
 namespace pounding {
 
-/// The size of the deformation at which a spring that has not been deformed yields on its way to this one; nothing where it stays elastic.
-/// Where it yields at two sizes, that of this direction.
+/// The size of the deformation at which a spring that has not been deformed yields on its way to this one; nothing
+/// where it stays elastic. Where it yields at two sizes, that of this direction.
 inline std::optional<double> yields_before(const Spring& spring, double deformation) {
   const double weaker = spring.yield_deformation();
   if (!(std::abs(deformation) > weaker)) return {};
@@ -26,7 +26,8 @@ inline std::optional<double> yields_before(const Spring& spring, double deformat
 
 /// A drift of a storey or an isolator, "12 mm", or a rotation in a frame, "0.0012 rad".
 inline std::string deformation_text(const Structure& s, const YieldingPart& part, double deformation) {
-  return s.dimension == 1 || isolates(part) ? format_quantity(deformation, dimension::length) : fmt::format("{:.4g} rad", deformation);
+  return s.dimension == 1 || isolates(part) ? format_quantity(deformation, dimension::length)
+                                            : fmt::format("{:.4g} rad", deformation);
 }
 
 }  // namespace pounding

@@ -17,7 +17,8 @@ namespace {
 const Row& motion_of_floor(const Structure& s, const ForceOptions& options) {
   const int count = static_cast<int>(s.floors.size());
   if (count == 0) refuse("the frame has no floors; type the node on which the force acts, as in node: b");
-  if (!options.floor && count > 1) refuse(fmt::format("its place is missing; type floor: {}, or the node of a frame", count));
+  if (!options.floor && count > 1)
+    refuse(fmt::format("its place is missing; type floor: {}, or the node of a frame", count));
   const int floor = options.floor.value_or(1);
   if (floor < 1 || floor > count) refuse(fmt::format("there is no floor {} among {}", floor, count));
   const std::vector<Row>& motion = s.floors[floor - 1].motion;
@@ -45,12 +46,15 @@ AppliedForce applied_force(const Structure& s, const ForceOptions& options) {
     force.place = fmt::format("node {} {}", options.node, options.dof);
   }
   force.direction.prune(0.0);
-  if (force.direction.nonZeros() == 0) refuse(fmt::format("{} is held, and a force there moves nothing; leave it out", force.place));
+  if (force.direction.nonZeros() == 0)
+    refuse(fmt::format("{} is held, and a force there moves nothing; leave it out", force.place));
   for (Row::InnerIterator it(force.direction); it; ++it)
     if (!has_mass(s.mass, static_cast<int>(it.index()))) {
       const bool turns = s.unknowns[it.index()].find(" r") != std::string::npos;
-      refuse(fmt::format("the force acts on {0}, which has no mass; give it one under masses, such as {1}, or type mass: consistent "
-                         "with a density", s.unknowns[it.index()], turns ? "100 kg m^2" : "1 t"));
+      refuse(fmt::format(
+          "the force acts on {0}, which has no mass; give it one under masses, such as {1}, or type mass: consistent "
+          "with a density",
+          s.unknowns[it.index()], turns ? "100 kg m^2" : "1 t"));
     }
   return force;
 }

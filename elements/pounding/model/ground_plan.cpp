@@ -19,12 +19,13 @@ double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
   if (!model.ground.wave) return 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Structure& s : model.structures)
-    for (const Support& support : s.supports) nearest = std::min(nearest, support.position.dot(model.ground.wave->direction));
+    for (const Support& support : s.supports)
+      nearest = std::min(nearest, support.position.dot(model.ground.wave->direction));
   return (position.dot(model.ground.wave->direction) - nearest) / model.ground.wave->velocity;
 }
 
-// A structure without unknowns along an axis follows its ground there, and whatever rubs on it feels that. A free body is the
-// exception: it has an unknown along x and stays where it is along y and z.
+// A structure without unknowns along an axis follows its ground there, and whatever rubs on it feels that. A free body
+// is the exception: it has an unknown along x and stays where it is along y and z.
 bool moves_along(const Structure& s, int direction) { return direction == 0 || !s.is_free; }
 
 // Off the diagonal the masses hardly matter to a scale.
@@ -37,7 +38,9 @@ double share_of(const AppliedForce& force, const Structure& s) {
 }
 
 // The difference of the velocities before and after a motion.
-double last_velocity(const GroundMotion& motion) { return std::abs(motion.velocity(motion.duration()) - motion.initial_velocity()); }
+double last_velocity(const GroundMotion& motion) {
+  return std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
+}
 
 }  // namespace
 
@@ -68,7 +71,8 @@ GroundPlan ground_plan(const Model& model) {
   for (std::vector<std::array<int, 3>>& under : indices) plan.supports.emplace_back(plan.motions, std::move(under));
   for (std::size_t i = 0; i < model.structures.size(); ++i)
     for (const AppliedForce& force : model.structures[i].applied_forces) {
-      plan.forces.push_back({static_cast<int>(i), static_cast<int>(plan.motions.size()), share_of(force, model.structures[i])});
+      plan.forces.push_back(
+          {static_cast<int>(i), static_cast<int>(plan.motions.size()), share_of(force, model.structures[i])});
       plan.motions.push_back(force.history);
     }
   return plan;
@@ -83,7 +87,8 @@ double GroundPlan::duration() const {
 double GroundPlan::sample_step() const {
   double shortest = 0;
   for (const GroundMotion& motion : motions)
-    if (motion.sample_step() > 0) shortest = shortest > 0 ? std::min(shortest, motion.sample_step()) : motion.sample_step();
+    if (motion.sample_step() > 0)
+      shortest = shortest > 0 ? std::min(shortest, motion.sample_step()) : motion.sample_step();
   return shortest;
 }
 
@@ -98,7 +103,8 @@ double GroundPlan::largest(int structure, const Least& least) const {
   double found = 0;
   for (std::size_t k = 0; k < motions.size() - forces.size(); ++k) found = std::max(found, least(motions[k]));
   for (const Force& force : forces)
-    if (force.structure == structure) found = std::max(found, force.share * least(motions[static_cast<std::size_t>(force.motion)]));
+    if (force.structure == structure)
+      found = std::max(found, force.share * least(motions[static_cast<std::size_t>(force.motion)]));
   return found;
 }
 
@@ -111,7 +117,8 @@ double GroundPlan::least_displacement(int structure, double w) const {
 
 double GroundPlan::least_velocity(int structure, double w) const {
   return largest(structure, [w](const GroundMotion& motion) {
-    return std::min({least_part * motion.peak() / w, motion.peak_velocity(), w * motion.peak_displacement() + last_velocity(motion)});
+    return std::min({least_part * motion.peak() / w, motion.peak_velocity(),
+                     w * motion.peak_displacement() + last_velocity(motion)});
   });
 }
 

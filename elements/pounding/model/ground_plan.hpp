@@ -10,7 +10,8 @@ namespace pounding {
 
 class Model;
 
-/// Which motions the ground makes, each component once, which of them moves which support, and the forces over time behind them.
+/// Which motions the ground makes, each component once, which of them moves which support, and the forces over time
+/// behind them.
 struct GroundPlan {
   /// A force as one more column of the load.
   struct Force {
@@ -18,7 +19,8 @@ struct GroundPlan {
     int motion = 0;    ///< its history among the motions, a force for an acceleration [N]
     double share = 0;  ///< root mean square of the accelerations by a unit force at rest, weighed by the masses [1/kg]
   };
-  std::vector<GroundMotion> motions;    ///< of the ground, delays included, at least one, which may stay at rest; then of the forces
+  std::vector<GroundMotion>
+      motions;  ///< of the ground, delays included, at least one, which may stay at rest; then of the forces
   std::vector<SupportMotion> supports;  ///< one a structure, in the model's order
   std::vector<Force> forces;            ///< structure by structure
   double last_arrival = 0;              ///< of the model's own ground motion at its supports [s]
@@ -29,9 +31,10 @@ struct GroundPlan {
   double sample_step() const;
   /// Longest step from time t to the next break that resolves all motions, see GroundMotion::longest_step [s].
   double longest_step(double t) const;
-  /// A response that errors can be compared with before there is a motion, of a structure whose circular frequency is w > 0 [rad/s]: a
-  /// hundredth of its static response to the largest acceleration; the response to the velocity or displacement of the ground where
-  /// that is smaller, as it is to a short pulse. Forces count in the structure on which they act. Displacement [m] and velocity [m/s].
+  /// A response that errors can be compared with before there is a motion, of a structure whose circular frequency is w
+  /// > 0 [rad/s]: a hundredth of its static response to the largest acceleration; the response to the velocity or
+  /// displacement of the ground where that is smaller, as it is to a short pulse. Forces count in the structure on
+  /// which they act. Displacement [m] and velocity [m/s].
   double least_displacement(int structure, double w) const;
   double least_velocity(int structure, double w) const;
 
@@ -41,8 +44,8 @@ struct GroundPlan {
   double largest(int structure, const Least& least) const;
 };
 
-/// The ground under a model. A support without a motion of its own has the model's, later by the delay of the support and by the
-/// arrival of a travelling wave.
+/// The ground under a model. A support without a motion of its own has the model's, later by the delay of the support
+/// and by the arrival of a travelling wave.
 GroundPlan ground_plan(const Model& model);
 
 }  // namespace pounding

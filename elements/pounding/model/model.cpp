@@ -31,18 +31,22 @@ constexpr double together = 1e-6;
 void require_free_name(const std::string& name, const std::vector<Structure>& others) {
   for (const Structure& other : others)
     if (other.name == name)
-      throw ModelError(ModelOption::name, fmt::format("a structure \"{}\" exists already; give this one another name", name));
+      throw ModelError(ModelOption::name,
+                       fmt::format("a structure \"{}\" exists already; give this one another name", name));
 }
 
 void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver& modes) {
   const bool is_damped = !s.damping_note.empty();
   if (s.is_rigid() || s.is_free) {
     if (damping)
-      throw ModelError(ModelOption::damping, fmt::format("a {} has no damping of its own; leave it out", s.kind)).as_idle();
+      throw ModelError(ModelOption::damping, fmt::format("a {} has no damping of its own; leave it out", s.kind))
+          .as_idle();
     return;
   }
-  if (!damping && !is_damped) throw ModelError(ModelOption::structure, "damping is missing; type damping: 5 %, or damping: 0 for none");
-  if (damping && is_damped) throw ModelError(ModelOption::damping, "the structure was made with its damping; keep one of the two");
+  if (!damping && !is_damped)
+    throw ModelError(ModelOption::structure, "damping is missing; type damping: 5 %, or damping: 0 for none");
+  if (damping && is_damped)
+    throw ModelError(ModelOption::damping, "the structure was made with its damping; keep one of the two");
   try {
     if (s.frequencies.size() == 0) set_frequencies(s, modes);
   } catch (const std::invalid_argument& error) {
@@ -61,12 +65,13 @@ void refuse_initial_yield(const Structure& s) {
     const double strained = part.at_rest + part.deformation.dot(s.initial_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
       throw ModelError(ModelOption::initial_displacement,
-                       fmt::format("strains {} by {}, and it yields at {}; take less, or an initial_velocity", part.name,
-                                   deformation_text(s, part, strained), deformation_text(s, part, *yield)));
+                       fmt::format("strains {} by {}, and it yields at {}; take less, or an initial_velocity",
+                                   part.name, deformation_text(s, part, strained), deformation_text(s, part, *yield)));
   }
 }
 
-// Floors of a structure along x are its unknowns; a frame moves along x as a whole, with all its supports, and is displaced by its floors.
+// Floors of a structure along x are its unknowns; a frame moves along x as a whole, with all its supports, and is
+// displaced by its floors.
 Eigen::VectorXd initial_motion(const OneOrEach& given, const Structure& s, ModelOption option, const char* what) {
   if (given.empty()) return Eigen::VectorXd::Zero(s.size());
   if (s.is_rigid()) throw ModelError(option, "a wall moves with the ground; leave it out").as_idle();
@@ -101,7 +106,9 @@ void set_initial_motion(Structure& s, const StructureOptions& options) {
       initial_motion(options.initial_displacement, s, ModelOption::initial_displacement, "initial_displacement");
   if (!options.initial_node_displacements.empty()) {
     if (!options.initial_displacement.empty())
-      throw ModelError(ModelOption::initial_node_displacements, "initial_displacement is given too; keep one of the two").as_idle();
+      throw ModelError(ModelOption::initial_node_displacements,
+                       "initial_displacement is given too; keep one of the two")
+          .as_idle();
     try {
       s.initial_displacement = shape_of_nodes(s, options.initial_node_displacements);
     } catch (const std::invalid_argument& error) {
@@ -114,7 +121,10 @@ void set_initial_motion(Structure& s, const StructureOptions& options) {
 void take_face(Structure& s, const std::optional<Face>& face) {
   if (!face) return;
   if (!s.surface->plan())
-    throw ModelError(ModelOption::face, fmt::format("face is for frames, which are drawn; gaps to this {} are typed, from face to face: leave face out", s.kind))
+    throw ModelError(
+        ModelOption::face,
+        fmt::format("face is for frames, which are drawn; gaps to this {} are typed, from face to face: leave face out",
+                    s.kind))
         .as_idle();
   require_face(*face, ModelOption::face);
   s.face = face;
@@ -131,7 +141,8 @@ void refuse_idle_components(const GroundComponents& ground, int dimension, int s
   };
   const bool of_one = structure >= 0;
   if (!ground[1].is_still() && dimension < 3)
-    refuse(1, fmt::format("{} in space; leave the motion along y out", of_one ? "the structure is not" : "no structure is"));
+    refuse(1, fmt::format("{} in space; leave the motion along y out",
+                          of_one ? "the structure is not" : "no structure is"));
   if (!ground[2].is_still() && dimension < 2)
     refuse(2, fmt::format("{} up and down; leave the motion along z out",
                           of_one ? "the structure does not move" : "no structure moves"));
@@ -144,7 +155,8 @@ void require_devices_on_one_ground(const Model& model) {
       for (const YieldingPart& part : s.yielding)
         if (part.is_device())
           throw ModelError(ModelOption::structures,
-                           fmt::format("{} has a device, {}, and its supports move differently; leave out their delay and ground_motion, the "
+                           fmt::format("{} has a device, {}, and its supports move differently; leave out their delay "
+                                       "and ground_motion, the "
                                        "wave, or the device",
                                        s.name, part.name));
 }
@@ -159,22 +171,26 @@ void form_modal_damping(Model& model) {
     try {
       s.modal_damping = modal_damping_matrix(s.mass, s.stiffness, s.modal_ratio);
     } catch (const std::invalid_argument& error) {
-      throw ModelError(ModelOption::damping, static_cast<int>(i),
-                       fmt::format("{}, or analysis: {{reduction: auto}}, which needs no matrix where it reduces the structure", error.what()));
+      throw ModelError(
+          ModelOption::damping, static_cast<int>(i),
+          fmt::format("{}, or analysis: {{reduction: auto}}, which needs no matrix where it reduces the structure",
+                      error.what()));
     }
   }
 }
 
 // A ground that waits is at rest, and would have to take its velocity up at once.
 bool begins_with_velocity(const GroundComponents& ground) {
-  return std::any_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.initial_velocity() != 0; });
+  return std::any_of(ground.begin(), ground.end(),
+                     [](const GroundMotion& motion) { return motion.initial_velocity() != 0; });
 }
 
 }  // namespace
 
 void require_structure_name(const std::string& name) {
   if (name.empty() || name.find_first_of("/.") != std::string::npos)
-    throw ModelError(ModelOption::name, "a name must not be empty or contain \".\" or \"/\"; type a name such as left_building");
+    throw ModelError(ModelOption::name,
+                     "a name must not be empty or contain \".\" or \"/\"; type a name such as left_building");
   if (const std::string wrong = wrong_name(name); !wrong.empty()) throw ModelError(ModelOption::name, wrong);
 }
 
@@ -190,7 +206,8 @@ StructureHandle Model::add(const std::string& name, Structure s, const Structure
   if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
   if (!s.is_rigid() && count_of_modes(s) == 0)
     throw ModelError(ModelOption::structure,
-                     "nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 kg/m^3 in a material");
+                     "nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 "
+                     "kg/m^3 in a material");
   damp(s, options.damping, mode_solver);
   set_initial_motion(s, options);
   apply_forces(s, options.forces);
@@ -224,7 +241,8 @@ std::vector<Support> Model::supports_on_ground(int structure) const {
   for (const Support& support : supports)
     if (support.delay > 0 && begins_with_velocity(support.motion ? *support.motion : ground.components))
       throw ModelError(ModelOption::delay, structure,
-                       "the ground motion begins with a velocity, which it cannot take up at once after a delay; leave the delay out, "
+                       "the ground motion begins with a velocity, which it cannot take up at once after a delay; leave "
+                       "the delay out, "
                        "or give harmonics another phase");
   if (!is_still(ground.components)) return supports;
   for (const Support& support : supports) {
@@ -257,8 +275,9 @@ void Model::check_ground() const {
   refuse_idle_components(ground.components, dimension, -1);
   if (!ground.wave) return;
   if (begins_with_velocity(ground.components))
-    throw ModelError(ModelOption::wave, "the ground motion begins with a velocity, which it cannot take up at once where the wave "
-                                        "arrives; take a motion that begins at rest");
+    throw ModelError(ModelOption::wave,
+                     "the ground motion begins with a velocity, which it cannot take up at once where the wave "
+                     "arrives; take a motion that begins at rest");
   // A wave that arrives everywhere at once would say nothing.
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
   for (const Structure& s : structures)
@@ -269,7 +288,8 @@ void Model::check_ground() const {
       farthest = std::max(farthest, along);
     }
   if (!(farthest - nearest > together))
-    throw ModelError(ModelOption::wave, "reaches all supports at once; give the frames an origin each, or leave it out").as_idle();
+    throw ModelError(ModelOption::wave, "reaches all supports at once; give the frames an origin each, or leave it out")
+        .as_idle();
 }
 
 namespace {
@@ -284,10 +304,15 @@ std::string fault_of_collapse(const std::vector<Structure>& structures, double c
     const bool known = !storey_heights(s).empty();
     any = any || known;
     if (!known && s.kind == "shear_building" && !s.yielding.empty())
-      return fmt::format("collapse_drift is a part of the height of a storey, and {} has no heights; type height: 3 m in it, or leave out "
-                         "collapse_drift", s.name);
+      return fmt::format(
+          "collapse_drift is a part of the height of a storey, and {} has no heights; type height: 3 m in it, or leave "
+          "out "
+          "collapse_drift",
+          s.name);
   }
-  return any ? std::string() : "collapse_drift is a part of the height of a storey, and no structure has heights; type height: 3 m in one, or leave it out";
+  return any ? std::string()
+             : "collapse_drift is a part of the height of a storey, and no structure has heights; type height: 3 m in "
+               "one, or leave it out";
 }
 
 }  // namespace
@@ -298,9 +323,11 @@ void Model::check_settings() const {
   if (!is_time(analysis.duration) || !is_time(analysis.output_step) || !is_time(analysis.max_step))
     refuse("duration, output_step and max_step must be finite and not negative");
   if (!(analysis.tolerance >= min_tolerance && analysis.tolerance <= max_tolerance))
-    refuse(fmt::format("the tolerance lies in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance, analysis.tolerance));
+    refuse(fmt::format("the tolerance lies in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance,
+                       analysis.tolerance));
   if (analysis.duration > 0 && analysis.output_step > analysis.duration)
-    refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step, analysis.duration));
+    refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step,
+                       analysis.duration));
   if (analysis.most_steps < 1 || analysis.most_steps > limits::most_steps)
     refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::most_steps, analysis.most_steps));
   if (const std::string text = fault_of_collapse(structures, analysis.collapse_drift); !text.empty()) refuse(text);
@@ -308,7 +335,8 @@ void Model::check_settings() const {
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)
     if (std::find(doubt_names.begin(), doubt_names.end(), name) == doubt_names.end())
-      throw ModelError(ModelOption::accept, fmt::format("unknown warning \"{}\".{}", excerpt(name), suggestion(name, doubt_names)));
+      throw ModelError(ModelOption::accept,
+                       fmt::format("unknown warning \"{}\".{}", excerpt(name), suggestion(name, doubt_names)));
   if (!is_time(checkpoint.every) || !is_time(checkpoint.every_simulated))
     throw ModelError(ModelOption::checkpoint, "every and every_simulated must be finite and not negative");
 }
@@ -316,7 +344,8 @@ void Model::check_settings() const {
 void Model::complete() {
   if (is_complete_) return;
   if (std::all_of(structures.begin(), structures.end(), [](const Structure& s) { return s.is_rigid(); }))
-    throw ModelError(ModelOption::structures, "no structure that can move; add a body, an oscillator, a shear_building or a frame");
+    throw ModelError(ModelOption::structures,
+                     "no structure that can move; add a body, an oscillator, a shear_building or a frame");
   check_settings();
   put_on_ground();
   check_ground();
@@ -337,7 +366,8 @@ bool Model::can_move_otherwise() const noexcept {
 }
 
 void Model::move_otherwise(const GroundSection& other) {
-  if (!can_move_otherwise() || other.wave) throw std::logic_error("this model has to be made again for another motion of the ground");
+  if (!can_move_otherwise() || other.wave)
+    throw std::logic_error("this model has to be made again for another motion of the ground");
   ground = other;
   analysis.duration = given_duration_, analysis.output_step = given_output_step_;
   check_ground();
@@ -348,7 +378,8 @@ void Model::move_otherwise(const GroundSection& other) {
 void Model::fill_in_times() {
   const GroundPlan plan = ground_plan(*this);
   if (analysis.duration == 0) analysis.duration = plan.duration();
-  if (analysis.duration == 0 || std::isinf(analysis.duration)) throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");
+  if (analysis.duration == 0 || std::isinf(analysis.duration))
+    throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");
   if (analysis.output_step == 0) {
     const double sample = plan.sample_step();
     analysis.output_step = sample > 0 ? std::min(sample, analysis.duration) : analysis.duration / 1000;

@@ -34,12 +34,13 @@ class ContactLaw;
 
 /// One side of a link.
 struct LinkEnd {
-  int structure = 0;   ///< from 0
-  int floor = -1;      ///< from 0; -1 for a wall, a node, and a point between floors
-  std::string label;   ///< "floor 3", "node b", "10.5 m up"; empty for a wall
+  int structure = 0;  ///< from 0
+  int floor = -1;     ///< from 0; -1 for a wall, a node, and a point between floors
+  std::string label;  ///< "floor 3", "node b", "10.5 m up"; empty for a wall
   ContactPoint point;
-  std::optional<double> face{};  ///< from the point outwards to the face that is hit [m]; nullopt: none was given, the two coincide
-  std::string face_column{};     ///< column whose surface it is; empty if the distance was given
+  std::optional<double>
+      face{};  ///< from the point outwards to the face that is hit [m]; nullopt: none was given, the two coincide
+  std::string face_column{};  ///< column whose surface it is; empty if the distance was given
 };
 
 /// One contact between two points that face each other.
@@ -47,23 +48,23 @@ struct Link {
   std::string name;
   LinkEnd left, right;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< from left to right
-  double gap = 0;  ///< [m]
-  bool preload = false;  ///< presses from the start
+  double gap = 0;                                        ///< [m]
+  bool preload = false;                                  ///< presses from the start
   std::string law, formula;
   double reduced_mass = 0;  ///< that the damping was calibrated with [kg]
   bool reduced_mass_given = false;
-  std::string stiffness_from;  ///< how the stiffness was estimated; empty where it was given
+  std::string stiffness_from;                   ///< how the stiffness was estimated; empty where it was given
   std::vector<laws::ResolvedValue> parameters;  ///< of the law, calibrated damping included
-  double friction = 0;            ///< Coulomb's coefficient
-  double sliding_velocity = 0;    ///< of its regularisation, see Friction [m/s]
+  double friction = 0;                          ///< Coulomb's coefficient
+  double sliding_velocity = 0;                  ///< of its regularisation, see Friction [m/s]
   std::unique_ptr<Contact> contact;
 
   /// Whether one of its ends is on a structure, counted from 0.
   bool hits(int structure) const { return left.structure == structure || right.structure == structure; }
 };
 
-/// A bar or what yields by a law, a damper, or both beside each other between two structures: it always acts, both ways. Gravity and
-/// preloads leave it undeformed.
+/// A bar or what yields by a law, a damper, or both beside each other between two structures: it always acts, both
+/// ways. Gravity and preloads leave it undeformed.
 struct Device {
   std::string name;
   LinkEnd left, right;
@@ -80,14 +81,16 @@ inline constexpr double min_tolerance = 1e-10, max_tolerance = 0.1;
 struct AnalysisSettings {
   double duration = 0;      ///< of the run, which starts at time 0 [s]; 0: until the ground is still
   double tolerance = 1e-4;  ///< error relative to the motion and to link forces [-], in [min_tolerance, max_tolerance]
-  double output_step = 0;   ///< spacing of the output times, the first being 0 [s]; 0: the shortest sample of the ground motions,
-                            ///< without samples a thousandth of the duration
-  Scheme scheme{};          ///< scheme of the time stepping
-  double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
-  long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and can be resumed
-  Reduction reduction{};  ///< of all structures
+  double output_step = 0;  ///< spacing of the output times, the first being 0 [s]; 0: the shortest sample of the ground
+                           ///< motions, without samples a thousandth of the duration
+  Scheme scheme{};         ///< scheme of the time stepping
+  double max_step = 0;  ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
+  long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and
+                                          ///< can be resumed
+  Reduction reduction{};                  ///< of all structures
   std::map<std::string, Reduction> reductions{};  ///< of structures by their names, where they differ
-  double collapse_drift = 0;  ///< size of the drift of a storey over its height at which the run ends, as done [-]; 0: none
+  double collapse_drift =
+      0;  ///< size of the drift of a storey over its height at which the run ends, as done [-]; 0: none
 };
 
 /// How often a run at least leaves a state to go on from; the results file is rewritten then. Zero: not asked for.
@@ -105,7 +108,7 @@ struct ContactLocation {
   std::optional<int> floor{};         ///< from 1 at the lowest
   std::optional<double> elevation{};  ///< of a point of a column [m]
   std::string node{};
-  std::optional<Face> face{};         ///< instead of that of the structure
+  std::optional<Face> face{};  ///< instead of that of the structure
 };
 
 /// A structure of a model. Alone it stands for a wall, or for the one floor of a structure.
@@ -139,13 +142,13 @@ struct StructureOptions {
   std::optional<Damping> damping{};
   /// Along x [m/s]: of the floors, one for all or one each from the ground up; of a frame as a whole.
   OneOrEach initial_velocity{};
-  /// Along x [m]: of the floors, one for all or one each from the ground up. All else of a frame follows as if forces held the floors
-  /// there.
+  /// Along x [m]: of the floors, one for all or one each from the ground up. All else of a frame follows as if forces
+  /// held the floors there.
   OneOrEach initial_displacement{};
   std::vector<NodeDisplacement> initial_node_displacements{};  ///< of a frame, instead; all else follows likewise
-  std::vector<ForceOptions> forces{};  ///< that act over time
-  double delay = 0;                  ///< the ground moves later here [s]
-  std::optional<GroundComponents> ground_motion{};  ///< of its own instead of the model's
+  std::vector<ForceOptions> forces{};                          ///< that act over time
+  double delay = 0;                                            ///< the ground moves later here [s]
+  std::optional<GroundComponents> ground_motion{};             ///< of its own instead of the model's
   std::optional<Face> face{};  ///< of a frame that is drawn by axes: distance to the faces at which it is hit
 };
 
@@ -161,14 +164,16 @@ inline constexpr double usual_level = 0.05;
 
 /// Options of a link beside its law.
 struct LinkOptions {
-  /// >= 0, or < 0 with a preload [m]; with `floors` one for all or one each from the ground up. Between frames it may be left out: it is
-  /// the distance drawn between their faces, and one that differs from it is refused unless it is a preload.
+  /// >= 0, or < 0 with a preload [m]; with `floors` one for all or one each from the ground up. Between frames it may
+  /// be left out: it is the distance drawn between their faces, and one that differs from it is refused unless it is a
+  /// preload.
   OneOrEach gap{};
-  /// The two ends press from the start, where the gap is negative: undeformed they would overlap, and the run begins in static
-  /// equilibrium with the structures pushed apart.
+  /// The two ends press from the start, where the gap is negative: undeformed they would overlap, and the run begins in
+  /// static equilibrium with the structures pushed apart.
   bool preload = false;
   std::optional<FacingFloors> floors{};  ///< links all of these; without it the two ends name one pair
-  /// Largest difference in elevation of two floors that are level [m]: by default the depth of the deeper beam, at least usual_level.
+  /// Largest difference in elevation of two floors that are level [m]: by default the depth of the deeper beam, at
+  /// least usual_level.
   std::optional<double> level_within{};
   /// "left.1-right.1" unless given; of several pairs the first is "name.1".
   std::optional<std::string> name{};
@@ -214,8 +219,8 @@ struct Doubt {
 inline constexpr std::string_view built_by_code =
     "# This model was built by a program and not read from a file; resolved.yaml tells what it was.\n";
 
-/// All that is simulated. Structures are added first, links and devices between them afterwards; ground, analysis and the rest may be set at
-/// any time until the model is completed.
+/// All that is simulated. Structures are added first, links and devices between them afterwards; ground, analysis and
+/// the rest may be set at any time until the model is completed.
 class Model {
  public:
   std::string title;
@@ -225,48 +230,53 @@ class Model {
   bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
   /// Multiplies the stiffness of every contact that is linked from now on, to see how the answer depends on it.
   double stiffness_factor = 1;
-  std::vector<std::string> accept;   ///< names of the doubts, see plausible.hpp, that are meant as they are
-  std::vector<Doubt> read_doubts;    ///< those of the reader, about how numbers were written
+  std::vector<std::string> accept;  ///< names of the doubts, see plausible.hpp, that are meant as they are
+  std::vector<Doubt> read_doubts;   ///< those of the reader, about how numbers were written
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;
   std::string source_text{built_by_code};  ///< the input as given
-  std::string source_file;                 ///< the file as the user named it; relative paths in the input start from its folder
+  std::string source_file;  ///< the file as the user named it; relative paths in the input start from its folder
 
   /// In the order they were added; made by add(), link() and connect(), to be read only.
   std::vector<Structure> structures;
   std::vector<Link> links;
   std::vector<Device> devices;
 
-  /// Adds a structure under a name. Throws ModelError for a name that files cannot hold or that is taken, and for options that
-  /// are missing, given twice, out of range or without a meaning for this structure.
+  /// Adds a structure under a name. Throws ModelError for a name that files cannot hold or that is taken, and for
+  /// options that are missing, given twice, out of range or without a meaning for this structure.
   StructureHandle add(const std::string& name, Structure structure, const StructureOptions& options = {});
 
-  /// Links two structures, the left one first. Geometry is the truth where it is drawn: the sides that face each other and the gap
-  /// follow from where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be, and for what contradicts
-  /// the drawing.
-  void link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law);
+  /// Links two structures, the left one first. Geometry is the truth where it is drawn: the sides that face each other
+  /// and the gap follow from where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be, and
+  /// for what contradicts the drawing.
+  void link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options,
+            const ContactLaw& law);
 
-  /// Connects two structures under a name by a device, the left one first. Two nodes of drawn frames are connected along the line between
-  /// them; all other ends along the horizontal axis in which links act. Throws ModelError for ends that cannot be or have no mass
-  /// along the device, and for numbers out of range.
-  void connect(const std::string& name, const ContactLocation& left, const ContactLocation& right, const DeviceOptions& options);
+  /// Connects two structures under a name by a device, the left one first. Two nodes of drawn frames are connected
+  /// along the line between them; all other ends along the horizontal axis in which links act. Throws ModelError for
+  /// ends that cannot be or have no mass along the device, and for numbers out of range.
+  void connect(const std::string& name, const ContactLocation& left, const ContactLocation& right,
+               const DeviceOptions& options);
 
-  /// Connects two points of one structure by a device, which becomes one of its parts that yield and has no part in its damping. `along` is
-  /// the line between two nodes; nothing stands for it between nodes, and for x else. Nodes of a damper move with mass. Throws ModelError
-  /// as connect() does, and for a structure whose supports move differently or that turns.
-  void connect_within(const std::string& name, const StructureHandle& structure, const DeviceEnd& from, const DeviceEnd& to,
-                      std::optional<DeviceAxis> axis, const DeviceOptions& options);
+  /// Connects two points of one structure by a device, which becomes one of its parts that yield and has no part in its
+  /// damping. `along` is the line between two nodes; nothing stands for it between nodes, and for x else. Nodes of a
+  /// damper move with mass. Throws ModelError as connect() does, and for a structure whose supports move differently or
+  /// that turns.
+  void connect_within(const std::string& name, const StructureHandle& structure, const DeviceEnd& from,
+                      const DeviceEnd& to, std::optional<DeviceAxis> axis, const DeviceOptions& options);
 
-  /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A run does
-  /// this by itself; whoever assembles a model calls it before. Afterwards nothing can be added; a second call does nothing.
-  /// Throws ModelError.
+  /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A
+  /// run does this by itself; whoever assembles a model calls it before. Afterwards nothing can be added; a second call
+  /// does nothing. Throws ModelError.
   void complete();
   bool is_complete() const noexcept { return is_complete_; }
 
-  /// Whether another motion may take the place of the ground's in a complete model: supports have no delay, and no wave passes.
+  /// Whether another motion may take the place of the ground's in a complete model: supports have no delay, and no wave
+  /// passes.
   bool can_move_otherwise() const noexcept;
-  /// Lets the ground of a complete model move otherwise. Duration and output step follow from the new motion where they were left out. Throws ModelError
-  /// as complete(), and std::logic_error where can_move_otherwise() is false or the other motion is a wave.
+  /// Lets the ground of a complete model move otherwise. Duration and output step follow from the new motion where they
+  /// were left out. Throws ModelError as complete(), and std::logic_error where can_move_otherwise() is false or the
+  /// other motion is a wave.
   void move_otherwise(const GroundSection& other);
 
  private:
@@ -290,8 +300,8 @@ class Model {
 /// Throws ModelError for a name of a structure that files cannot hold.
 void require_structure_name(const std::string& name);
 
-/// The equations of motion of a complete model. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
-/// run has left in them. `with_links` false leaves the links out, and no device.
+/// The equations of motion of a complete model. The contacts and springs stay the model's; the springs start
+/// undeformed, whatever an earlier run has left in them. `with_links` false leaves the links out, and no device.
 System assemble(const Model& model, bool with_links = true);
 
 /// First unknown of each structure in the assembled system.
@@ -300,14 +310,16 @@ std::vector<int> offsets(const Model& model);
 /// Initial displacements and velocities of the assembled system. Without its links nothing is displaced by a preload.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true);
 
-/// Structures that bars join, as one: which ones, and the lowest frequencies that they have together, increasing [rad/s].
+/// Structures that bars join, as one: which ones, and the lowest frequencies that they have together, increasing
+/// [rad/s].
 struct JoinedByBars {
   std::vector<int> structures;
   Eigen::VectorXd frequencies;  ///< empty where no bar joins
 };
 JoinedByBars joined_by_bars(const Model& model);
 
-/// One line on the periods of structures that bars join; empty where there are none. Those of structures by themselves have no bars.
+/// One line on the periods of structures that bars join; empty where there are none. Those of structures by themselves
+/// have no bars.
 std::string describe_joined(const Model& model);
 
 /// One line on a device: what it is, between which ends.
@@ -315,8 +327,8 @@ std::string describe(const Model& model, const Device& device);
 /// The parts of a device in words: "bar 50 MN/m, damper 200 kN s/m".
 std::string describe(const DeviceParts& parts);
 
-/// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links with their laws,
-/// gaps and masses, devices.
+/// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links
+/// with their laws, gaps and masses, devices.
 std::string describe(const Model& model);
 
 }  // namespace pounding

@@ -50,8 +50,8 @@ enum class ModelOption {
   axis
 };
 
-/// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where in its
-/// file that stands.
+/// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where
+/// in its file that stands.
 class ModelError : public std::invalid_argument {
  public:
   ModelError(ModelOption option, const std::string& text) : std::invalid_argument(text), option_(option) {}
@@ -78,10 +78,10 @@ class ModelError : public std::invalid_argument {
   }
 
   ModelOption option() const noexcept { return option_; }  ///< that is wrong
-  int structure() const noexcept { return structure_; }  ///< -1: of none, or of one that is not in the model yet
-  int axis() const noexcept { return axis_; }  ///< of a motion of the ground, 0 for x
-  int item() const noexcept { return item_; }  ///< among several of an option, from 0
-  bool is_idle() const noexcept { return is_idle_; }  ///< whether the option should not be there
+  int structure() const noexcept { return structure_; }    ///< -1: of none, or of one that is not in the model yet
+  int axis() const noexcept { return axis_; }              ///< of a motion of the ground, 0 for x
+  int item() const noexcept { return item_; }              ///< among several of an option, from 0
+  bool is_idle() const noexcept { return is_idle_; }       ///< whether the option should not be there
 
  private:
   ModelOption option_;

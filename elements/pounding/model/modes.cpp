@@ -95,8 +95,8 @@ std::string table_along_x(const std::vector<Mode>& found, double total) {
   for (const Mode& mode : found) {
     sum += mode.effective_mass[0];
     text += fmt::format("{:>4}  {:>11.6f}  {:>14.6f}  {:>11.4f}  {:>13.5f}  {:>18.3f} {}\n", ++number, mode.period,
-                        1 / mode.period, 100 * mode.damping_ratio, mode.participation[0], 100 * mode.effective_mass[0] / total,
-                        floor_shape(mode));
+                        1 / mode.period, 100 * mode.damping_ratio, mode.participation[0],
+                        100 * mode.effective_mass[0] / total, floor_shape(mode));
   }
   return text + fmt::format("effective masses add up to {:.3f} % of {:.6g} t\n\n", 100 * sum / total, total / 1e3);
 }
@@ -111,7 +111,8 @@ std::string table_of_frame(const Structure& s, const std::vector<Mode>& found) {
   int number = 0;
   for (const Mode& mode : found) {
     sum += mode.effective_mass;
-    text += fmt::format("{:>4}  {:>11.6f}  {:>14.6f}  {:>11.4f}", ++number, mode.period, 1 / mode.period, 100 * mode.damping_ratio);
+    text += fmt::format("{:>4}  {:>11.6f}  {:>14.6f}  {:>11.4f}", ++number, mode.period, 1 / mode.period,
+                        100 * mode.damping_ratio);
     for (const int j : along)
       text += fmt::format("  {:>15.5f}  {:>20.3f}", without_sign_of_zero(mode.participation[j]),
                           total[j] > 0 ? 100 * mode.effective_mass[j] / total[j] : 0.0);
@@ -119,7 +120,8 @@ std::string table_of_frame(const Structure& s, const std::vector<Mode>& found) {
   }
   text += "effective masses add up to";
   for (const int j : along)
-    text += fmt::format("{} {:.3f} % along {}", j == 0 ? "" : ",", total[j] > 0 ? 100 * sum[j] / total[j] : 0.0, axes[j]);
+    text +=
+        fmt::format("{} {:.3f} % along {}", j == 0 ? "" : ",", total[j] > 0 ? 100 * sum[j] / total[j] : 0.0, axes[j]);
   return text + fmt::format(" of {:.6g} t\n\n", total[0] / 1e3);
 }
 

@@ -17,8 +17,8 @@ struct Mode {
   /// Participation factors phi^T p / phi^T M phi for ground motion along x, y, z, with phi scaled as `shape`.
   Eigen::Vector3d participation = Eigen::Vector3d::Zero();
   Eigen::Vector3d effective_mass = Eigen::Vector3d::Zero();  ///< (phi^T p)^2 / phi^T M phi [kg]
-  /// Reported motion of the floors: [floor, direction]. Scaled so that the top floor of a structure along x, and the largest
-  /// translation of a floor of a frame, is 1.
+  /// Reported motion of the floors: [floor, direction]. Scaled so that the top floor of a structure along x, and the
+  /// largest translation of a floor of a frame, is 1.
   Eigen::MatrixXd shape;
   Eigen::VectorXd unknowns;  ///< the shape at all unknowns, with this scale
 };
@@ -27,12 +27,13 @@ struct Mode {
 std::vector<Mode> modes(const Structure& structure, int count = std::numeric_limits<int>::max(),
                         const ModeSolver& solver = dense_modes);
 
-/// Text with one table a structure: periods, damping ratios, participation, effective masses, shapes. Frames show at most `max_count`
-/// modes, other structures all.
+/// Text with one table a structure: periods, damping ratios, participation, effective masses, shapes. Frames show at
+/// most `max_count` modes, other structures all.
 std::string modes_table(const Model& model, int max_count, const ModeSolver& solver = dense_modes);
-/// JSON object with a list of modes for each structure. With `for_pictures` it is one of four members, the others being what pictures
-/// of frames need: {"modes": this object, "geometry": {NAME: {dimension, nodes, members}}, "node_shapes": {NAME: [mode][node][x y z]},
-/// "elevations": {NAME: []}}.
-std::string modes_json(const Model& model, int max_count, const ModeSolver& solver = dense_modes, bool for_pictures = false);
+/// JSON object with a list of modes for each structure. With `for_pictures` it is one of four members, the others being
+/// what pictures of frames need: {"modes": this object, "geometry": {NAME: {dimension, nodes, members}}, "node_shapes":
+/// {NAME: [mode][node][x y z]}, "elevations": {NAME: []}}.
+std::string modes_json(const Model& model, int max_count, const ModeSolver& solver = dense_modes,
+                       bool for_pictures = false);
 
 }  // namespace pounding

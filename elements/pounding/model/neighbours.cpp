@@ -91,7 +91,8 @@ std::optional<Facing> facing(const Placed& a, const Placed& b) {
   const bool along_x = x >= -drawn_rounding && share(a.along[1], b.along[1]);
   const bool along_y = y >= -drawn_rounding && share(a.along[0], b.along[0]);
   if (along_x == along_y) return {};
-  return along_x ? Facing{0, between_faces(a, b, 0, std::max(0.0, x))} : Facing{1, between_faces(a, b, 1, std::max(0.0, y))};
+  return along_x ? Facing{0, between_faces(a, b, 0, std::max(0.0, x))}
+                 : Facing{1, between_faces(a, b, 1, std::max(0.0, y))};
 }
 
 // Whether the first one crosses the other one's inside.
@@ -104,8 +105,12 @@ bool crosses(const Interval& a, const Interval& b) {
 
 // Whether c stands, even in part, in the space between two that face each other.
 bool is_between(const Placed& c, const Placed& a, const Placed& b, int axis) {
-  const auto gap = [&](int i) { return Interval{std::min(a.along[i].high, b.along[i].high), std::max(a.along[i].low, b.along[i].low)}; };
-  const auto common = [&](int i) { return Interval{std::max(a.along[i].low, b.along[i].low), std::min(a.along[i].high, b.along[i].high)}; };
+  const auto gap = [&](int i) {
+    return Interval{std::min(a.along[i].high, b.along[i].high), std::max(a.along[i].low, b.along[i].low)};
+  };
+  const auto common = [&](int i) {
+    return Interval{std::max(a.along[i].low, b.along[i].low), std::min(a.along[i].high, b.along[i].high)};
+  };
   if (gap(axis).length() <= drawn_rounding || !crosses(c.along[axis], gap(axis))) return false;
   return a.is_plane || b.is_plane || c.is_plane || crosses(c.along[1 - axis], common(1 - axis));
 }
@@ -126,15 +131,18 @@ std::string cause_by_axes(const Placed& a, const Placed& b, const Facing& found)
     reach += half;
   }
   if (names.empty() || reach > found.distance) return {};
-  return fmt::format("if they are drawn by the axes of their columns, type face: auto in {}, which leaves {} between faces; if by their faces, ",
-                     fmt::join(names, " and "), format_quantity(found.distance - reach, dimension::length, 6));
+  return fmt::format(
+      "if they are drawn by the axes of their columns, type face: auto in {}, which leaves {} between faces; if by "
+      "their faces, ",
+      fmt::join(names, " and "), format_quantity(found.distance - reach, dimension::length, 6));
 }
 
 std::string refuse_none(const Model& model, const std::vector<Placed>& all) {
   if (all.size() < 2)
-    return fmt::format("neighbours are found among frames, which have a place in plan, and there {}; name the two structures, as in "
-                       "between: [left, right]",
-                       all.empty() ? "is none" : "is one alone");
+    return fmt::format(
+        "neighbours are found among frames, which have a place in plan, and there {}; name the two structures, as in "
+        "between: [left, right]",
+        all.empty() ? "is none" : "is one alone");
   const Placed *first = nullptr, *second = nullptr;
   Facing nearest{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -145,8 +153,10 @@ std::string refuse_none(const Model& model, const std::vector<Placed>& all) {
       }
   if (!first) return "no two frames face each other in plan; move one by its origin";
   const std::string distance = format_quantity(nearest.distance, dimension::length, 6);
-  return fmt::format("no two frames are near enough; {} and {} are {} apart: {}type within: {}, or move one by its origin",
-                     model.structures[first->structure].name, model.structures[second->structure].name, distance, cause_by_axes(*first, *second, nearest), distance);
+  return fmt::format(
+      "no two frames are near enough; {} and {} are {} apart: {}type within: {}, or move one by its origin",
+      model.structures[first->structure].name, model.structures[second->structure].name, distance,
+      cause_by_axes(*first, *second, nearest), distance);
 }
 
 // Two floors whose edges pass each other, or that are set back, have nothing to hit.
@@ -154,11 +164,13 @@ bool meet(const Model& model, const LinkPair& pair, Side side, double within) {
   const Structure &a = model.structures[pair.left.structure], &b = model.structures[pair.right.structure];
   if (!pair.left.floor || !pair.right.floor) return true;
   if (a.dimension == 3 && b.dimension == 3) {
-    const auto own = a.surface->edge(*pair.left.floor, side), other = b.surface->edge(*pair.right.floor, opposite(side));
+    const auto own = a.surface->edge(*pair.left.floor, side),
+               other = b.surface->edge(*pair.right.floor, opposite(side));
     if (!share({own[0], own[1]}, {other[0], other[1]})) return false;
   }
   const double along = along_the_edge(1, pair, a, b, side).front();
-  LinkEnd left = place_end(pair.left, a, side, along, ModelOption::left), right = place_end(pair.right, b, opposite(side), along, ModelOption::right);
+  LinkEnd left = place_end(pair.left, a, side, along, ModelOption::left),
+          right = place_end(pair.right, b, opposite(side), along, ModelOption::right);
   set_face(left, a, {}, side, ModelOption::between);
   set_face(right, b, {}, opposite(side), ModelOption::between);
   return drawn_distance(left, right, side) <= within + drawn_rounding;
@@ -178,8 +190,10 @@ std::vector<Neighbours> neighbours(const Model& model, double within) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       const Placed &a = all[i], &b = all[j];
-      const bool on_each_other = apart(a.along[0], b.along[0]) < -drawn_rounding && apart(a.along[1], b.along[1]) < -drawn_rounding;
-      if (on_each_other && !a.is_plane && !b.is_plane) facing_side(model.structures[a.structure], model.structures[b.structure]);
+      const bool on_each_other =
+          apart(a.along[0], b.along[0]) < -drawn_rounding && apart(a.along[1], b.along[1]) < -drawn_rounding;
+      if (on_each_other && !a.is_plane && !b.is_plane)
+        facing_side(model.structures[a.structure], model.structures[b.structure]);
       const auto found = facing(a, b);
       if (!found || found->distance > within + drawn_rounding || is_hidden(a, b, found->axis, all)) continue;
       const bool in_order = a.along[found->axis].middle() <= b.along[found->axis].middle();
@@ -189,8 +203,11 @@ std::vector<Neighbours> neighbours(const Model& model, double within) {
 }
 
 void link_neighbours(Model& model, const LinkOptions& options, const ContactLaw& law, double within) {
-  if (!(within > 0) || !std::isfinite(within)) refuse(ModelOption::within, "must be positive and finite, as in within: 1 m");
-  if (options.name) refuse_idle(ModelOption::link_name, "would be that of many pairs; leave it out, and each link has the name of its two ends");
+  if (!(within > 0) || !std::isfinite(within))
+    refuse(ModelOption::within, "must be positive and finite, as in within: 1 m");
+  if (options.name)
+    refuse_idle(ModelOption::link_name,
+                "would be that of many pairs; leave it out, and each link has the name of its two ends");
   const std::vector<Neighbours> found = neighbours(model, within);
   if (found.empty()) refuse(ModelOption::between, refuse_none(model, placed(model)));
   std::set<std::pair<int, int>> linked;
@@ -203,13 +220,15 @@ void link_neighbours(Model& model, const LinkOptions& options, const ContactLaw&
     if (linked.contains(std::minmax(pair.left, pair.right))) continue;
     is_any_left = true;
     const Side side = facing_side(model.structures[pair.left], model.structures[pair.right]);
-    for (const LinkPair& ends :
-         pairs_of(model, {.structure = pair.left}, {.structure = pair.right}, options.floors.value_or(FacingFloors::all), options.level_within))
+    for (const LinkPair& ends : pairs_of(model, {.structure = pair.left}, {.structure = pair.right},
+                                         options.floors.value_or(FacingFloors::all), options.level_within))
       if (meet(model, ends, side, within)) model.link(location(ends.left), location(ends.right), of_one, law);
   }
   if (!is_any_left) refuse_idle(ModelOption::between, "all neighbours are linked already; leave these links out");
   if (model.links.size() == before)
-    refuse(ModelOption::between, fmt::format("no floors of neighbours meet within {}; type a larger within, or link nodes", format_quantity(within, dimension::length, 6)));
+    refuse(ModelOption::between,
+           fmt::format("no floors of neighbours meet within {}; type a larger within, or link nodes",
+                       format_quantity(within, dimension::length, 6)));
 }
 
 }  // namespace pounding

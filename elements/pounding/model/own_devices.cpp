@@ -25,7 +25,7 @@ struct Place {
   std::array<Row, 3> motion;                ///< empty rows where it does not move
   std::optional<Eigen::Vector3d> position;  ///< of a node
   std::string node;
-  int floor = -1;                           ///< the highest that is not above it; -1 for none
+  int floor = -1;  ///< the highest that is not above it; -1 for none
 };
 
 int floor_below(const Structure& s, double elevation) {
@@ -65,12 +65,15 @@ Place placed(const DeviceEnd& end, const Structure& s, ModelOption option) {
 Eigen::Vector3d direction_of(const Place& from, const Place& to, std::optional<DeviceAxis> axis, const Structure& s) {
   const bool is_drawn = from.position && to.position;
   const DeviceAxis chosen = axis.value_or(is_drawn ? DeviceAxis::along : DeviceAxis::x);
-  if (chosen != DeviceAxis::along) return Eigen::Vector3d::Unit(static_cast<int>(chosen) - static_cast<int>(DeviceAxis::x));
+  if (chosen != DeviceAxis::along)
+    return Eigen::Vector3d::Unit(static_cast<int>(chosen) - static_cast<int>(DeviceAxis::x));
   if (!is_drawn) refuse(ModelOption::axis, "along is the line between two nodes; name two, or type axis: x");
   const Eigen::Vector3d line = *to.position - *from.position;
   if (line.norm() <= drawn_rounding)
-    refuse(ModelOption::between, fmt::format("{} and {} of {} stand at one point, and the device acts along the line between them; type axis: x",
-                                             from.label, to.label, s.name));
+    refuse(
+        ModelOption::between,
+        fmt::format("{} and {} of {} stand at one point, and the device acts along the line between them; type axis: x",
+                    from.label, to.label, s.name));
   return unit_vector(line);
 }
 
@@ -86,13 +89,16 @@ Row elongation(const Place& from, const Place& to, const Eigen::Vector3d& direct
   return row;
 }
 
-void require_motion(const Row& row, const Place& from, const Place& to, const Eigen::Vector3d& direction, bool is_damped, const Structure& s) {
+void require_motion(const Row& row, const Place& from, const Place& to, const Eigen::Vector3d& direction,
+                    bool is_damped, const Structure& s) {
   if (row.nonZeros() == 0) {
     std::string along;
     for (int axis = 0; axis < 3; ++axis)
-      if (direction[axis] != 0) along += along.empty() ? fmt::format("{}", axis_names[axis]) : fmt::format(" and {}", axis_names[axis]);
-    refuse(ModelOption::between, fmt::format("{} and {} of {} do not move against each other along {}; name two that do, or another axis",
-                                             from.label, to.label, s.name, along));
+      if (direction[axis] != 0)
+        along += along.empty() ? fmt::format("{}", axis_names[axis]) : fmt::format(" and {}", axis_names[axis]);
+    refuse(ModelOption::between,
+           fmt::format("{} and {} of {} do not move against each other along {}; name two that do, or another axis",
+                       from.label, to.label, s.name, along));
   }
   for (Row::InnerIterator it(row); is_damped && it; ++it)
     if (!(s.mass.coeff(it.index(), it.index()) > 0))
@@ -114,8 +120,10 @@ std::vector<YieldingPart::Parameter> numbers(const DeviceParts& parts) {
   if (!parts.damper) return all;
   all.push_back({"damper_coefficient", parts.damper->coefficient});
   all.push_back({"damper_exponent", parts.damper->exponent});
-  if (parts.damper->has_stiffness()) all.push_back({"damper_stiffness", parts.damper->stiffness});
-  else if (!parts.damper->is_linear()) all.push_back({"damper_rounding_velocity", parts.damper->rounding_velocity});
+  if (parts.damper->has_stiffness())
+    all.push_back({"damper_stiffness", parts.damper->stiffness});
+  else if (!parts.damper->is_linear())
+    all.push_back({"damper_rounding_velocity", parts.damper->rounding_velocity});
   return all;
 }
 
@@ -151,9 +159,10 @@ void add_to_reactions(const Place& from, const Place& to, const Eigen::Vector3d&
       if (place->node.empty() || forces.supports[support] != place->node) continue;
       for (std::size_t d = 0; d < forces.directions.size(); ++d)
         for (int axis = 0; axis < 3; ++axis)
-          if (forces.directions[d] == std::string(1, axis_names[axis]) && direction[axis] != 0 && place->motion[axis].nonZeros() == 0)
-            entries.emplace_back(static_cast<int>(first + support * forces.directions.size() + d), static_cast<int>(count - 1),
-                                 sign * direction[axis]);
+          if (forces.directions[d] == std::string(1, axis_names[axis]) && direction[axis] != 0 &&
+              place->motion[axis].nonZeros() == 0)
+            entries.emplace_back(static_cast<int>(first + support * forces.directions.size() + d),
+                                 static_cast<int>(count - 1), sign * direction[axis]);
     }
   forces.by_yielding.resize(forces.rows.rows(), count);
   forces.by_yielding.setFromTriplets(entries.begin(), entries.end());
@@ -162,23 +171,28 @@ void add_to_reactions(const Place& from, const Place& to, const Eigen::Vector3d&
 void check_name(const std::string& name, const Structure& s) {
   if (name.empty()) refuse(ModelOption::device_name, "a name must not be empty; type a name such as brace");
   for (const YieldingPart& part : s.yielding)
-    if (part.name == name) refuse(ModelOption::device_name, fmt::format("{} has a part \"{}\" already; give this one another name", s.name, name));
+    if (part.name == name)
+      refuse(ModelOption::device_name,
+             fmt::format("{} has a part \"{}\" already; give this one another name", s.name, name));
 }
 
 }  // namespace
 
-void Model::connect_within(const std::string& name, const StructureHandle& structure, const DeviceEnd& from, const DeviceEnd& to,
-                           std::optional<DeviceAxis> axis, const DeviceOptions& options) {
+void Model::connect_within(const std::string& name, const StructureHandle& structure, const DeviceEnd& from,
+                           const DeviceEnd& to, std::optional<DeviceAxis> axis, const DeviceOptions& options) {
   require_open();
   Structure& s = structures[static_cast<std::size_t>(structure.number())];
   check_name(name, s);
   if (s.is_rigid() || s.is_free)
-    refuse(ModelOption::device, fmt::format("{} has no two points that a device could join; connect it to another structure", s.name));
+    refuse(ModelOption::device,
+           fmt::format("{} has no two points that a device could join; connect it to another structure", s.name));
   if (s.elastic)
-    refuse(ModelOption::device, fmt::format("{} turns (geometry: corotational), and its devices would not; type geometry: p_delta", s.name));
+    refuse(ModelOption::device,
+           fmt::format("{} turns (geometry: corotational), and its devices would not; type geometry: p_delta", s.name));
   const Place a = placed(from, s, ModelOption::left), b = placed(to, s, ModelOption::right);
   const Eigen::Vector3d direction = direction_of(a, b, axis, s);
-  const std::optional<double> length = a.position && b.position ? std::optional((*b.position - *a.position).norm()) : std::nullopt;
+  const std::optional<double> length =
+      a.position && b.position ? std::optional((*b.position - *a.position).norm()) : std::nullopt;
   const DeviceParts parts = parts_of(options, length);
   Row row = elongation(a, b, direction, s);
   require_motion(row, a, b, direction, parts.damper.has_value(), s);
@@ -188,8 +202,10 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   part.kind = YieldingPart::Kind::device;
   part.device = fmt::format("{}, between {} and {}", describe(parts), a.label, b.label);
   if (const auto yield = yields_before(*part.spring, strained))
-    refuse(ModelOption::device, fmt::format("is strained by {} at the start, and yields at {}; displace {} less, or give it an initial_velocity",
-                                            format_quantity(strained, dimension::length), format_quantity(*yield, dimension::length), s.name));
+    refuse(ModelOption::device,
+           fmt::format(
+               "is strained by {} at the start, and yields at {}; displace {} less, or give it an initial_velocity",
+               format_quantity(strained, dimension::length), format_quantity(*yield, dimension::length), s.name));
   s.yielding.push_back(std::move(part));
   const auto count = static_cast<Eigen::Index>(s.yielding.size());
   if (s.yielding_flexibility.size() > 0) s.yielding_flexibility.conservativeResize(count, count);

@@ -14,7 +14,8 @@
 namespace pounding {
 
 void require_face(const Face& face, ModelOption option) {
-  if (!(face.distance >= 0) || std::isinf(face.distance)) refuse(option, "face must be finite and not negative; type face: auto, or face: 0.3 m");
+  if (!(face.distance >= 0) || std::isinf(face.distance))
+    refuse(option, "face must be finite and not negative; type face: auto, or face: 0.3 m");
 }
 
 LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double along, ModelOption option) {
@@ -47,17 +48,21 @@ void set_face(LinkEnd& end, const Structure& s, const std::optional<Face>& given
   const std::string place = fmt::format("{} of {}", end.label, s.name);
   const std::optional<ColumnFace> found = s.surface->column_face(end.point.position, side);
   if (!found)
-    refuse(option, fmt::format("no column is in line with {}, so face: auto has no depth to use; type face: 0 m if it is drawn by its face, else "
-                               "the distance from there to the face, such as face: 0.3 m", place));
+    refuse(option, fmt::format("no column is in line with {}, so face: auto has no depth to use; type face: 0 m if it "
+                               "is drawn by its face, else "
+                               "the distance from there to the face, such as face: 0.3 m",
+                               place));
   if (found->is_estimated)
-    refuse(option, fmt::format("face: auto needs sections with a size, and that of {} at {} is given by numbers; type the distance from the "
-                               "axis to the face, some face: {} by its area and inertia", found->column, place,
-                               format_quantity(found->distance, dimension::length)));
+    refuse(option, fmt::format("face: auto needs sections with a size, and that of {} at {} is given by numbers; type "
+                               "the distance from the "
+                               "axis to the face, some face: {} by its area and inertia",
+                               found->column, place, format_quantity(found->distance, dimension::length)));
   end.face = found->distance;
   end.face_column = found->column;
 }
 
-std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {
+std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a,
+                                   const Structure& b, Side side) {
   const auto edge = [](const PairEnd& end, const Structure& s, Side own) -> std::optional<std::array<double, 2>> {
     if (!end.floor || s.dimension < 3) return {};
     return s.surface->edge(*end.floor, own);
@@ -83,8 +88,11 @@ std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pa
   const std::array<double, 2> own = *first, other = *second;
   double low = std::max(own[0], other[0]), high = std::min(own[1], other[1]);
   if (low > high)
-    refuse(ModelOption::link, fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
-                          "move one by its origin, or link nodes", a.name, b.name, own[0], own[1], other[0], other[1]));
+    refuse(
+        ModelOption::link,
+        fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
+                    "move one by its origin, or link nodes",
+                    a.name, b.name, own[0], own[1], other[0], other[1]));
   const bool wide = high > low;
   const int count = points.value_or(wide ? 2 : 1);
   if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
@@ -98,7 +106,8 @@ void require_inertia(const LinkEnd& end, const Structure& s, Side side, ModelOpt
   if (s.is_rigid()) return;
   const int axis = side == Side::plus_x || side == Side::minus_x ? 0 : 1;
   if (end.point.motion[axis].nonZeros() == 0)
-    refuse(option, fmt::format("{} of {} is held by its support and cannot be hit; name a floor, or a node that moves", end.label, s.name));
+    refuse(option, fmt::format("{} of {} is held by its support and cannot be hit; name a floor, or a node that moves",
+                               end.label, s.name));
   if (end.point.mass > 0) return;
   refuse(option, fmt::format("{} of {} has no mass; give it one, or name a floor", end.label, s.name));
 }

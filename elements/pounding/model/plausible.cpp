@@ -41,20 +41,25 @@ bool stands(const Structure& s) { return !s.is_rigid() && !s.is_free; }
 void doubt_period(const Structure& s, std::vector<Doubt>& doubts) {
   const double period = 2 * M_PI / s.frequencies[0];
   if (period >= shortest_period && period <= longest_period) return;
-  doubts.push_back({"period", fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to {:g} s; are "
-                                          "masses and stiffnesses in kg and N/m, or with their units?",
-                                          s.name, period, shortest_period, longest_period)});
+  doubts.push_back(
+      {"period",
+       fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to {:g} s; are "
+                   "masses and stiffnesses in kg and N/m, or with their units?",
+                   s.name, period, shortest_period, longest_period)});
 }
 
 void doubt_mass(const Structure& s, std::vector<Doubt>& doubts) {
   // The number that makes the floors light has been doubted as it was read.
   const std::string place = fmt::format("structures.{}.", s.name);
-  if (std::ranges::any_of(doubts, [&](const Doubt& doubt) { return doubt.name == "mass" && doubt.text.starts_with(place); })) return;
+  if (std::ranges::any_of(doubts,
+                          [&](const Doubt& doubt) { return doubt.name == "mass" && doubt.text.starts_with(place); }))
+    return;
   const auto lightest = std::min_element(s.floors.begin(), s.floors.end(),
                                          [](const Floor& a, const Floor& b) { return a.mass < b.mass; });
   if (lightest == s.floors.end() || lightest->mass >= lightest_floor) return;
-  doubts.push_back({"mass", fmt::format("structure {}: floor {} has {}, under 1 t; a bare mass is in kg, type its unit, as in 250 t", s.name,
-                                        lightest->label, format_quantity(lightest->mass, dimension::mass))});
+  doubts.push_back(
+      {"mass", fmt::format("structure {}: floor {} has {}, under 1 t; a bare mass is in kg, type its unit, as in 250 t",
+                           s.name, lightest->label, format_quantity(lightest->mass, dimension::mass))});
 }
 
 // Height of the highest storey, the first one from the lowest node [m]; of the whole frame where it has no floors.
@@ -76,17 +81,23 @@ void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
   const auto name_of = [&](std::ptrdiff_t member) -> const std::string& { return g.member_names[member]; };
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
   if (const double storey = highest_storey(s); storey > 0 && *deepest > storey)
-    doubts.push_back({"section", fmt::format("structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
-                                             "unit, as in 400 mm",
-                                             s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});
+    doubts.push_back(
+        {"section",
+         fmt::format(
+             "structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
+             "unit, as in 400 mm",
+             s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});
   const auto thinnest = std::min_element(g.depths.begin(), g.depths.end());
   if (*thinnest < thinnest_member)
-    doubts.push_back({"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; look at the unit of its section", s.name,
-                                             name_of(thinnest - g.depths.begin()), metres(*thinnest))});
+    doubts.push_back(
+        {"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; look at the unit of its section",
+                                s.name, name_of(thinnest - g.depths.begin()), metres(*thinnest))});
   const auto softest = std::min_element(g.moduli.begin(), g.moduli.end());
   if (*softest < softest_material)
-    doubts.push_back({"E", fmt::format("structure {}: member {} has E = {}, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa", s.name,
-                                       name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
+    doubts.push_back(
+        {"E", fmt::format(
+                  "structure {}: member {} has E = {}, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa",
+                  s.name, name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
 }
 
 // Isolators stick until they slide, and dampers have no limit.
@@ -101,21 +112,26 @@ void doubt_yielding(const Structure& s, std::vector<Doubt>& doubts) {
   first_doubt("yield", [](const YieldingPart& part) -> std::string {
     const double first = std::min(part.limits.positive, part.limits.negative);
     if (part.kind == YieldingPart::Kind::storey && first < least_yield_drift)
-      return fmt::format("yields at {}, under 0.01 mm; a bare force is in N, type its unit, as in 900 kN", format_quantity(first, dimension::length));
+      return fmt::format("yields at {}, under 0.01 mm; a bare force is in N, type its unit, as in 900 kN",
+                         format_quantity(first, dimension::length));
     if (part.kind == YieldingPart::Kind::hinge && first < least_yield_rotation)
-      return fmt::format("yields at {:.4g} mrad, under 0.02 mrad; a bare moment is in N m, type its unit, as in 250 kN m", 1e3 * first);
+      return fmt::format(
+          "yields at {:.4g} mrad, under 0.02 mrad; a bare moment is in N m, type its unit, as in 250 kN m",
+          1e3 * first);
     return {};
   });
   first_doubt("rotation", [](const YieldingPart& part) -> std::string {
     const double ultimate = part.parameter("ultimate_rotation");
     if (!(ultimate > largest_ultimate_rotation)) return {};
-    return fmt::format("has an ultimate rotation of {:.4g} rad, above 0.5 rad; a bare rotation is in rad, as in 0.03", ultimate);
+    return fmt::format("has an ultimate rotation of {:.4g} rad, above 0.5 rad; a bare rotation is in rad, as in 0.03",
+                       ultimate);
   });
 }
 
 // Force at which an isolator begins to move [N]; NaN if its law does not have one number for it.
 double strength(const YieldingPart& part) {
-  if (const double sliding = part.parameter("friction") * part.parameter("weight"); !std::isnan(sliding)) return sliding;
+  if (const double sliding = part.parameter("friction") * part.parameter("weight"); !std::isnan(sliding))
+    return sliding;
   const double characteristic = part.parameter("strength");
   return std::isnan(characteristic) ? part.parameter("yield_force") : characteristic;
 }
@@ -128,19 +144,26 @@ void doubt_isolators(const Structure& s, std::vector<Doubt>& doubts) {
     if (isolates(part)) sum += strength(part);
   if (s.dimension == 3) sum /= 2;
   if (!(weight > 0) || !(sum > 0) || (sum >= weakest_isolators * weight && sum <= weight)) return;
-  doubts.push_back({"isolator", fmt::format("structure {}: its isolators begin to move at {}, {:.3g} % of its weight of {}, and 2 % to 15 % are usual; a bare "
+  doubts.push_back({"isolator", fmt::format("structure {}: its isolators begin to move at {}, {:.3g} % of its weight "
+                                            "of {}, and 2 % to 15 % are usual; a bare "
                                             "force is in N, type its unit, as in 375 kN",
-                                            s.name, format_quantity(sum, dimension::force), 100 * sum / weight, format_quantity(weight, dimension::force))});
+                                            s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
+                                            format_quantity(weight, dimension::force))});
 }
 
 void doubt_start(const Structure& s, std::vector<Doubt>& doubts) {
-  const auto largest = [](const Eigen::VectorXd& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; };
+  const auto largest = [](const Eigen::VectorXd& values) {
+    return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
+  };
   if (const double moved = largest(s.initial_displacement); moved > largest_start)
-    doubts.push_back({"initial", fmt::format("structure {}: it begins with a displacement of {}, above {:g} m; a bare length is in m, type its unit, as in -5 mm",
+    doubts.push_back({"initial", fmt::format("structure {}: it begins with a displacement of {}, above {:g} m; a bare "
+                                             "length is in m, type its unit, as in -5 mm",
                                              s.name, format_quantity(moved, dimension::length), largest_start)});
   if (const double velocity = largest(s.initial_velocity); velocity > fastest_start)
-    doubts.push_back({"initial", fmt::format("structure {}: it begins with a velocity of {}, above {:g} m/s; a bare velocity is in m/s, type its unit, as in 0.5 "
-                                             "m/s", s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
+    doubts.push_back({"initial", fmt::format("structure {}: it begins with a velocity of {}, above {:g} m/s; a bare "
+                                             "velocity is in m/s, type its unit, as in 0.5 "
+                                             "m/s",
+                                             s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
 }
 
 void doubt_ground(const Model& model, std::vector<Doubt>& doubts) {
@@ -153,25 +176,34 @@ void doubt_ground(const Model& model, std::vector<Doubt>& doubts) {
     for (const Support& support : s.supports)
       if (support.motion) take(*support.motion);
   if (peak <= strongest_ground) return;
-  doubts.push_back({"scale", fmt::format("ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a factor on the record in its own unit, "
+  doubts.push_back({"scale", fmt::format("ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a "
+                                         "factor on the record in its own unit, "
                                          "as in 1.5, and pga: 0.35 g gives the peak itself",
                                          peak / standard_gravity, strongest_ground / standard_gravity)});
 }
 
 void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
-  const auto widest = std::max_element(model.links.begin(), model.links.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
+  const auto widest = std::max_element(model.links.begin(), model.links.end(),
+                                       [](const Link& a, const Link& b) { return a.gap < b.gap; });
   if (widest == model.links.end()) return;
   const auto is_narrow = [](const Link& link) { return link.gap > round_off_of_gap && link.gap < narrowest_gap; };
   if (const auto narrow = std::ranges::find_if(model.links, is_narrow); narrow != model.links.end())
-    doubts.push_back({"gap", fmt::format("link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 where the two touch", narrow->name,
-                                         format_quantity(narrow->gap, dimension::length))});
+    doubts.push_back(
+        {"gap",
+         fmt::format(
+             "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 where the two touch",
+             narrow->name, format_quantity(narrow->gap, dimension::length))});
   if (widest->gap <= widest_gap) return;
-  doubts.push_back({"gap", fmt::format("link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and look at the "
-                                       "origins",
-                                       widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
+  doubts.push_back(
+      {"gap",
+       fmt::format(
+           "link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and look at the "
+           "origins",
+           widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
 }
 
-// Calls visit(samples, last arrival [s]) for each record of the ground, of supports and of forces. Copies of a motion share their samples.
+// Calls visit(samples, last arrival [s]) for each record of the ground, of supports and of forces. Copies of a motion
+// share their samples.
 template <class Visit>
 void for_each_record(const Model& model, const Visit& visit) {
   const auto look_at = [&](const GroundMotion& motion, double arrival) {
@@ -181,7 +213,8 @@ void for_each_record(const Model& model, const Visit& visit) {
   for (const GroundMotion& component : model.ground.components) look_at(component, last_arrival);
   for (const Structure& s : model.structures) {
     for (const Support& support : s.supports)
-      for (std::size_t i = 0; support.motion && i < support.motion->size(); ++i) look_at((*support.motion)[i], support.delay);
+      for (std::size_t i = 0; support.motion && i < support.motion->size(); ++i)
+        look_at((*support.motion)[i], support.delay);
     for (const AppliedForce& force : s.applied_forces) look_at(force.history, 0);
   }
 }
@@ -203,10 +236,12 @@ void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
     needed = std::max(needed, arrival + measure(*samples).t95);
   }
   if (cut > 0)
-    doubts.push_back({"duration", fmt::format("analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the Arias intensity and up "
-                                              "to {:.0f} %; type a duration of at least {:.6g} s, or leave it out",
-                                              model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s", 100 * worst,
-                                              std::ceil(10 * needed) / 10)});
+    doubts.push_back(
+        {"duration", fmt::format("analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the "
+                                 "Arias intensity and up "
+                                 "to {:.0f} %; type a duration of at least {:.6g} s, or leave it out",
+                                 model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s",
+                                 100 * worst, std::ceil(10 * needed) / 10)});
 }
 
 void doubt_records(const Model& model, std::vector<Doubt>& doubts) {
@@ -221,12 +256,16 @@ void doubt_records(const Model& model, std::vector<Doubt>& doubts) {
 void doubt_faces(const Model& model, std::vector<Doubt>& doubts) {
   for (const Link& link : model.links) {
     const Structure &a = model.structures[link.left.structure], &b = model.structures[link.right.structure];
-    if (link.left.face || link.right.face || link.gap < narrowest_between_axes || link.gap > widest_gap || !are_drawn(a, b)) continue;
+    if (link.left.face || link.right.face || link.gap < narrowest_between_axes || link.gap > widest_gap ||
+        !are_drawn(a, b))
+      continue;
     const AxisAdvice advice = advice_on_axes(model, link.left, link.right, side_of(link.direction));
     if (advice.sum() == 0 || link.gap < advice.sum()) continue;
-    doubts.push_back({"face", fmt::format("link {}: the gap is {}, and the columns reach {} and {} beyond their axes; if the frames are drawn by axes, type "
+    doubts.push_back({"face", fmt::format("link {}: the gap is {}, and the columns reach {} and {} beyond their axes; "
+                                          "if the frames are drawn by axes, type "
                                           "{}, which leaves {} between faces",
-                                          link.name, format_quantity(link.gap, dimension::length), format_quantity(advice.halves[0], dimension::length),
+                                          link.name, format_quantity(link.gap, dimension::length),
+                                          format_quantity(advice.halves[0], dimension::length),
                                           format_quantity(advice.halves[1], dimension::length), advice.text,
                                           format_quantity(link.gap - advice.sum(), dimension::length))});
     return;
@@ -246,11 +285,13 @@ void doubt_joints(const Model& model, std::vector<Doubt>& doubts) {
     }
   if (!hit) return;
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
-  doubts.push_back({"joint", fmt::format("link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are level, type level_within: "
-                                         "{}, or link the floors by their numbers",
-                                         nearest->name, model.structures[hit->structure].name, metres(hit->point.to_joint),
-                                         metres(hit->point.column_depth), others > 0 ? fmt::format(" (and {} more)", others) : "",
-                                         metres(std::ceil(hit->point.to_joint * 100) / 100))});
+  doubts.push_back(
+      {"joint", fmt::format("link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are "
+                            "level, type level_within: "
+                            "{}, or link the floors by their numbers",
+                            nearest->name, model.structures[hit->structure].name, metres(hit->point.to_joint),
+                            metres(hit->point.column_depth), others > 0 ? fmt::format(" (and {} more)", others) : "",
+                            metres(std::ceil(hit->point.to_joint * 100) / 100))});
 }
 
 // The texts of those that the model does not accept.
@@ -282,22 +323,28 @@ std::vector<std::string> implausible(const Model& model) {
   doubt_faces(model, doubts);
   doubt_joints(model, doubts);
   if (model.analysis.tolerance > coarsest_tolerance)
-    doubts.push_back({"tolerance", fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
-                                               model.analysis.tolerance, 100 * model.analysis.tolerance)});
+    doubts.push_back(
+        {"tolerance",
+         fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
+                     model.analysis.tolerance, 100 * model.analysis.tolerance)});
   return texts(model, doubts);
 }
 
 std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations) {
   std::vector<Doubt> doubts;
   if (!moved)
-    doubts.push_back({"motion", "nothing moved: the model has no ground motion, no forces and no initial motion; type one of ground_motion:, forces:, "
-                                "initial_displacement: and initial_velocity:"});
+    doubts.push_back({"motion",
+                      "nothing moved: the model has no ground motion, no forces and no initial motion; type one of "
+                      "ground_motion:, forces:, "
+                      "initial_displacement: and initial_velocity:"});
   const auto deepest = std::max_element(penetrations.begin(), penetrations.end());
   if (deepest != penetrations.end() && *deepest > deepest_penetration)
-    doubts.push_back({"penetration", fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft, look at the unit "
-                                                 "of its stiffness",
-                                                 model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
-                                                 format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
+    doubts.push_back(
+        {"penetration",
+         fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft, look at the unit "
+                     "of its stiffness",
+                     model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
+                     format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
   return texts(model, doubts);
 }
 
@@ -311,11 +358,16 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
     std::size_t worst = is_isolated(s) ? 1 : 0;
     for (std::size_t i = worst + 1; i < std::min(heights.size(), drifts[k].size()); ++i)
       if (drifts[k][i] / heights[i] > drifts[k][worst] / heights[worst]) worst = i;
-    if (worst >= std::min(heights.size(), drifts[k].size()) || !(drifts[k][worst] > largest_drift * heights[worst])) continue;
-    doubts.push_back({"drift", fmt::format("structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, where no building stands; look at the "
-                                           "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 %}} to end the run there",
-                                           s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),
-                                           100 * drifts[k][worst] / heights[worst], format_quantity(heights[worst], dimension::length), 100 * largest_drift)});
+    if (worst >= std::min(heights.size(), drifts[k].size()) || !(drifts[k][worst] > largest_drift * heights[worst]))
+      continue;
+    doubts.push_back(
+        {"drift", fmt::format("structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, "
+                              "where no building stands; look at the "
+                              "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 "
+                              "%}} to end the run there",
+                              s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),
+                              100 * drifts[k][worst] / heights[worst],
+                              format_quantity(heights[worst], dimension::length), 100 * largest_drift)});
   }
   return texts(model, doubts);
 }

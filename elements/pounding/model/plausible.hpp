@@ -1,5 +1,6 @@
 #pragma once
-/// Warnings of what a model can say and seldom means: numbers far from those of buildings, mostly by a unit that is missing.
+/// Warnings of what a model can say and seldom means: numbers far from those of buildings, mostly by a unit that is
+/// missing.
 
 #include <array>
 #include <span>
@@ -22,12 +23,11 @@ namespace pounding {
 /// yield        a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
 /// rotation     an ultimate rotation of a hinge above 0.5 rad
 /// pga          a peak acceleration or amplitude without its unit that would be a usual one in g
-/// record       a record with a peak outside 0.005 g to 3 g, a step above 0.1 s, a displacement above 5 m, or times that count its samples
-/// scale        a ground motion with a peak above 10 g
-/// density      a density outside 100 kg/m^3 to 15 t/m^3
-/// stiffness    a factor on the inertias of a section outside 0.02 to 2
-/// damping      a damping ratio outside 0.1 % to 40 %
-/// isolator     a capacity, radius or coefficient far from those of isolators, or isolators that begin to move outside 0.2 % to 100 % of
+/// record       a record with a peak outside 0.005 g to 3 g, a step above 0.1 s, a displacement above 5 m, or times
+/// that count its samples scale        a ground motion with a peak above 10 g density      a density outside 100 kg/m^3
+/// to 15 t/m^3 stiffness    a factor on the inertias of a section outside 0.02 to 2 damping      a damping ratio
+/// outside 0.1 % to 40 % isolator     a capacity, radius or coefficient far from those of isolators, or isolators that
+/// begin to move outside 0.2 % to 100 % of
 ///              the weight on them
 /// height       a storey outside 0.3 m to 50 m, or a bay outside 0.3 m to 300 m
 /// friction     a coefficient of friction above 2
@@ -40,8 +40,9 @@ namespace pounding {
 /// duration     analysis.duration cuts more than 5 % of the Arias intensity of a record
 /// hardening    the hardening of a hinge with a law, which version 0.2.0 took as the ratio of the bare spring
 inline constexpr auto doubt_names = std::to_array<std::string_view>(
-    {"period", "gap", "face", "joint", "mass", "section", "E", "yield", "rotation", "pga", "record", "motion", "penetration", "tolerance",
-     "duration", "hardening", "scale", "density", "stiffness", "damping", "isolator", "height", "friction", "amplitude", "initial", "drift"});
+    {"period",    "gap",     "face",     "joint",       "mass",      "section",   "E",         "yield", "rotation",
+     "pga",       "record",  "motion",   "penetration", "tolerance", "duration",  "hardening", "scale", "density",
+     "stiffness", "damping", "isolator", "height",      "friction",  "amplitude", "initial",   "drift"});
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);

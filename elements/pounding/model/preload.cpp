@@ -28,11 +28,15 @@ constexpr double solved = 1e-14;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
 void require_linear_start(const Structure& s) {
-  if (s.is_free || s.rigid_motions > 0) refuse_preload(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
+  if (s.is_free || s.rigid_motions > 0)
+    refuse_preload(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
   if (s.elastic)
-    refuse_preload(fmt::format("{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out", s.name));
+    refuse_preload(fmt::format(
+        "{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out",
+        s.name));
   if (s.initial_displacement.cwiseAbs().maxCoeff() > 0)
-    refuse_preload(fmt::format("{} starts displaced, and with a preload it starts in equilibrium; leave one of the two out", s.name));
+    refuse_preload(fmt::format(
+        "{} starts displaced, and with a preload it starts in equilibrium; leave one of the two out", s.name));
 }
 
 // How far an end moves along the link by these unknowns.
@@ -56,7 +60,8 @@ double approach(const Link& link, const std::vector<Structure>& structures, Disp
 }
 
 // Penetrations p = p0 - G F(p): Newton's method, with shorter steps while the remainder does not fall.
-Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::MatrixXd& flexibility, const std::vector<const Contact*>& contacts) {
+Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::MatrixXd& flexibility,
+                            const std::vector<const Contact*>& contacts) {
   const auto count = undeformed.size();
   Eigen::VectorXd slopes(count);
   const auto remainder = [&](const Eigen::VectorXd& p) -> Eigen::VectorXd {
@@ -87,8 +92,8 @@ void refuse_yield(const Structure& s) {
     if (part.is_device()) continue;  // undeformed
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
-      refuse_preload(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, part, strained),
-                         deformation_text(s, part, *yield)));
+      refuse_preload(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name,
+                                 deformation_text(s, part, strained), deformation_text(s, part, *yield)));
   }
 }
 
@@ -131,8 +136,10 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
   for (Eigen::Index i = 0; i < count; ++i) {
     Link& link = *pressed[i];
     if (!(penetration[i] > 0))
-      refuse_preload(fmt::format("{} would start {} apart, as the other preloaded links push it open; give it a gap that is more negative, or none",
-                         link.name, format_quantity(-penetration[i], dimension::length)));
+      refuse_preload(
+          fmt::format("{} would start {} apart, as the other preloaded links push it open; give it a gap that is more "
+                      "negative, or none",
+                      link.name, format_quantity(-penetration[i], dimension::length)));
     try {
       link.contact->press(penetration[i]);
     } catch (const std::invalid_argument& error) {
@@ -162,8 +169,9 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
       rounding += displacement_rounding(*end, s, link.direction, at_start(s));
     }
     if (overlap > rounding)
-      refuse_preload(fmt::format("closes {} as well, by {}; give that link a wider gap, or a negative one and preload: true", link.name,
-                         format_quantity(overlap, dimension::length)));
+      refuse_preload(
+          fmt::format("closes {} as well, by {}; give that link a wider gap, or a negative one and preload: true",
+                      link.name, format_quantity(overlap, dimension::length)));
   }
 }
 

@@ -35,10 +35,16 @@ double sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 class Pusher {
  public:
   Pusher(const Structure& s, const PushOptions& options)
-      : structure_(s), statics_(s, options.load, options.control, options.follow), springs_(s), yielding_(s.yielding.size(), 0),
-        has_yielded_(s.yielding.size(), false), hit_(s.yielding.size(), false), slopes_(VectorXd::Zero(statics_.parts())),
+      : structure_(s),
+        statics_(s, options.load, options.control, options.follow),
+        springs_(s),
+        yielding_(s.yielding.size(), 0),
+        has_yielded_(s.yielding.size(), false),
+        hit_(s.yielding.size(), false),
+        slopes_(VectorXd::Zero(statics_.parts())),
         scales_(statics_.parts()) {
-    for (Eigen::Index j = 0; j < scales_.size(); ++j) scales_[j] = deformation_scale(springs_[j], statics_.at_rest()[j]);
+    for (Eigen::Index j = 0; j < scales_.size(); ++j)
+      scales_[j] = deformation_scale(springs_[j], statics_.at_rest()[j]);
     for (const double target : options.targets) range_ = std::max(range_, std::abs(target));
     smooth_step_ = range_ / options.smooth_steps;
     elastic_rate_ = statics_.factor(1, VectorXd::Zero(statics_.parts()));
@@ -52,7 +58,8 @@ class Pusher {
   }
 
  private:
-  // Gravity strains the parts before they are pushed. Laws without corners give a little already, and so does the displacement.
+  // Gravity strains the parts before they are pushed. Laws without corners give a little already, and so does the
+  // displacement.
   void rest() {
     now_.deformations = statics_.at_rest();
     springs_.require_unyielded(now_.deformations);
@@ -80,7 +87,8 @@ class Pusher {
       step = std::min(step, left);
     }
     std::vector<double> corners(hit_.size(), std::numeric_limits<double>::infinity());
-    for (Eigen::Index j = 0; j < tangent.rates.size(); ++j) corners[static_cast<std::size_t>(j)] = next_corner(j, tangent.rates[j], step);
+    for (Eigen::Index j = 0; j < tangent.rates.size(); ++j)
+      corners[static_cast<std::size_t>(j)] = next_corner(j, tangent.rates[j], step);
     for (const double corner : corners) step = std::min(step, corner);
 
     PushPoint next;
@@ -93,11 +101,13 @@ class Pusher {
                                  .maxCoeff() <= straight;
     if (is_straight && solve(next)) {
       for (std::size_t j = 0; j < corners.size(); ++j)
-        hit_[j] = corners[j] - step <= reached * scales_[static_cast<Eigen::Index>(j)] / std::abs(tangent.rates[static_cast<Eigen::Index>(j)]);
+        hit_[j] = corners[j] - step <= reached * scales_[static_cast<Eigen::Index>(j)] /
+                                           std::abs(tangent.rates[static_cast<Eigen::Index>(j)]);
     } else {
       next = curved_step(tangent, way, std::min(step, smooth_step_));
       // A step of the whole length ends on the target, not beside it.
-      if (std::abs(target - next.displacement) < shortest_step * range_ && (next.displacement = target, !solve(next))) fail(target);
+      if (std::abs(target - next.displacement) < shortest_step * range_ && (next.displacement = target, !solve(next)))
+        fail(target);
       std::fill(hit_.begin(), hit_.end(), false);
     }
     slopes_ = tangent.slopes;
@@ -106,13 +116,15 @@ class Pusher {
 
   VectorXd stiffnesses() const {
     VectorXd k(statics_.parts());
-    for (Eigen::Index j = 0; j < k.size(); ++j) k[j] = std::max(springs_.stiffness(j), std::numeric_limits<double>::min());
+    for (Eigen::Index j = 0; j < k.size(); ++j)
+      k[j] = std::max(springs_.stiffness(j), std::numeric_limits<double>::min());
     return k;
   }
 
   // A smooth law that has not reached its yield deformation.
   bool waits_for_yield(Eigen::Index j) const {
-    return !has_yielded_[static_cast<std::size_t>(j)] && !springs_.has_corner(j) && std::isfinite(springs_[j].yield_deformation());
+    return !has_yielded_[static_cast<std::size_t>(j)] && !springs_.has_corner(j) &&
+           std::isfinite(springs_[j].yield_deformation());
   }
 
   // The way to the next corner of a part, or to its first yield; at least to the end of the step where there is none.
@@ -120,7 +132,8 @@ class Pusher {
     const double d = now_.deformations[j], near = reached * scales_[j];
     double found = std::numeric_limits<double>::infinity();
     if (rate == 0) return found;
-    if (const std::optional<double> corner = springs_[j].corner(d + step * rate * (1 + reached)); corner && std::abs(*corner - d) > near)
+    if (const std::optional<double> corner = springs_[j].corner(d + step * rate * (1 + reached));
+        corner && std::abs(*corner - d) > near)
       found = (*corner - d) / rate;
     const double yields_at = sign(rate) * springs_[j].yield_deformation();
     if (waits_for_yield(j) && (yields_at - d) * sign(rate) > near) found = std::min(found, (yields_at - d) / rate);
@@ -143,9 +156,11 @@ class Pusher {
         point.followed = statics_.followed(point.displacement, forces);
         return true;
       }
-      const Eigen::MatrixXd soft = scales_.cwiseInverse().asDiagonal() * statics_.flexibility() * slopes.cwiseProduct(scales_).asDiagonal();
-      d -= scales_.cwiseProduct(
-          (Eigen::MatrixXd::Identity(soft.rows(), soft.cols()) + soft).partialPivLu().solve(rest.cwiseQuotient(scales_)));
+      const Eigen::MatrixXd soft =
+          scales_.cwiseInverse().asDiagonal() * statics_.flexibility() * slopes.cwiseProduct(scales_).asDiagonal();
+      d -= scales_.cwiseProduct((Eigen::MatrixXd::Identity(soft.rows(), soft.cols()) + soft)
+                                    .partialPivLu()
+                                    .solve(rest.cwiseQuotient(scales_)));
     }
     return false;
   }
@@ -178,8 +193,10 @@ class Pusher {
       const auto [inside, between] = at(part);
       if (!inside) fail(now_.displacement);
       const double value = beyond_yield(between);
-      if (value > -reached) high = part, high_value = value, point = between;
-      else low = part, low_value = value;
+      if (value > -reached)
+        high = part, high_value = value, point = between;
+      else
+        low = part, low_value = value;
     }
     return point;
   }
@@ -197,17 +214,20 @@ class Pusher {
     const int point = static_cast<int>(path_.points.size()) - 1;
     for (std::size_t i = 0; i < hit_.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
-      const double d = now_.deformations[j], k = springs_[j].stiffness(), whole = springs_.stiffness(j), side = sign(tangent.rates[j]);
+      const double d = now_.deformations[j], k = springs_[j].stiffness(), whole = springs_.stiffness(j),
+                   side = sign(tangent.rates[j]);
       if (std::abs(tangent.rates[j]) <= 1e-10 * largest * scales_[j]) continue;
       const auto tell = [&](PushEvent::Kind kind, bool is_first = false) {
         path_.events.push_back({.point = point, .part = static_cast<int>(i), .kind = kind, .is_first = is_first});
         yielding_[i] = kind == PushEvent::Kind::yields ? static_cast<int>(side) : 0;
         some_yield |= kind == PushEvent::Kind::yields;
       };
-      const bool falls = hit_[i] && slopes_[j] - tangent.slopes[j] > 1e-9 * whole && (k * d + now_.forces[j]) * side > 1e-6 * whole * scales_[j];
+      const bool falls = hit_[i] && slopes_[j] - tangent.slopes[j] > 1e-9 * whole &&
+                         (k * d + now_.forces[j]) * side > 1e-6 * whole * scales_[j];
       if (yielding_[i] == -static_cast<int>(side)) {
         tell(PushEvent::Kind::unloads);
-      } else if (!has_yielded_[i] && (falls || waits_for_yield(j)) && side * d >= springs_[j].yield_deformation() * (1 - 10 * reached)) {
+      } else if (!has_yielded_[i] && (falls || waits_for_yield(j)) &&
+                 side * d >= springs_[j].yield_deformation() * (1 - 10 * reached)) {
         has_yielded_[i] = true;
         tell(PushEvent::Kind::yields, true);
       } else if (falls && yielding_[i] == 0) {
@@ -239,7 +259,8 @@ class Pusher {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < hit_.size(); ++i)
       if (yielding_[i] != 0 || hit_[i]) names.push_back(structure_.yielding[i].name);
-    path_.collapse = fmt::format("at {:.6g} mm: the parts that yield ({}) {}", 1e3 * now_.displacement, fmt::join(names, ", "), what);
+    path_.collapse = fmt::format("at {:.6g} mm: the parts that yield ({}) {}", 1e3 * now_.displacement,
+                                 fmt::join(names, ", "), what);
   }
 
   [[noreturn]] static void fail(double displacement) {
@@ -249,9 +270,9 @@ class Pusher {
   const Structure& structure_;
   StaticYielding statics_;
   PushedSprings springs_;
-  std::vector<int> yielding_;      // to which side; 0: not
+  std::vector<int> yielding_;            // to which side; 0: not
   std::vector<bool> has_yielded_, hit_;  // hit_: the last step ended at a corner of it
-  VectorXd slopes_, scales_;       // slopes_: along the last step
+  VectorXd slopes_, scales_;             // slopes_: along the last step
   double range_ = 0, smooth_step_ = 0, elastic_rate_ = 0;
   PushPoint now_;
   PushPath path_;

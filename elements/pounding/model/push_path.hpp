@@ -34,7 +34,7 @@ struct PushEvent {
   enum class Kind {
     softens,  ///< its slope falls before its yield deformation, as where concrete cracks
     yields,
-    unloads   ///< it turns back while it yields
+    unloads  ///< it turns back while it yields
   };
   int point = 0;  ///< number of the point
   int part = 0;   ///< number of the part
@@ -46,21 +46,21 @@ struct PushEvent {
 struct PushPath {
   std::vector<PushPoint> points;  ///< the first at rest
   std::vector<PushEvent> events;  ///< in their order; of laws without corners only the first yield
-  /// The first point after which the load would no longer rise if the parts that yield had no hardening: they, and joints, make a
-  /// mechanism. Nothing where that does not come.
+  /// The first point after which the load would no longer rise if the parts that yield had no hardening: they, and
+  /// joints, make a mechanism. Nothing where that does not come.
   std::optional<int> mechanism;
   std::vector<int> mechanism_parts;  ///< that yield then
   std::string collapse;              ///< why the path ends before the last target; empty where it does not
 };
 
-/// Pushes a structure by displacement control. Laws that are piecewise linear are followed exactly, to the next corner of any part at
-/// each step; others by Newton's method in short steps, each of which is exact too while no part turns back inside it. A falling load is
-/// followed. The path ends where no load holds the structure any more: it falls to zero, or the parts that yield let it move while the
-/// displacement stays.
+/// Pushes a structure by displacement control. Laws that are piecewise linear are followed exactly, to the next corner
+/// of any part at each step; others by Newton's method in short steps, each of which is exact too while no part turns
+/// back inside it. A falling load is followed. The path ends where no load holds the structure any more: it falls to
+/// zero, or the parts that yield let it move while the displacement stays.
 ///
-/// The springs of the parts start undeformed but for gravity, and are left so. Throws std::invalid_argument for a structure that turns
-/// in large rotations, without parts, or one part of which yields under gravity alone, and as StaticYielding; SolverError where no
-/// equilibrium is found.
+/// The springs of the parts start undeformed but for gravity, and are left so. Throws std::invalid_argument for a
+/// structure that turns in large rotations, without parts, or one part of which yields under gravity alone, and as
+/// StaticYielding; SolverError where no equilibrium is found.
 PushPath push(const Structure& structure, const PushOptions& options);
 
 }  // namespace pounding

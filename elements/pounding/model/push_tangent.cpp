@@ -22,7 +22,8 @@ struct Sides {
   Eigen::VectorXd slopes(const Eigen::VectorXd& sides) const { return (sides.array() > 0).select(up, down); }
 };
 
-Sides sides_at(const std::vector<Spring*>& springs, const Eigen::VectorXd& deformations, const Eigen::VectorXd& scales) {
+Sides sides_at(const std::vector<Spring*>& springs, const Eigen::VectorXd& deformations,
+               const Eigen::VectorXd& scales) {
   const auto count = deformations.size();
   Sides sides{Eigen::VectorXd(count), Eigen::VectorXd(count)};
   for (Eigen::Index j = 0; j < count; ++j) {
@@ -34,7 +35,8 @@ Sides sides_at(const std::vector<Spring*>& springs, const Eigen::VectorXd& defor
 }
 
 // The part that goes fastest to the side for which its slope does not hold; -1 for none.
-Eigen::Index most_wrong(const Sides& sides, const Eigen::VectorXd& chosen, const Eigen::VectorXd& scaled, const std::vector<bool>& refused) {
+Eigen::Index most_wrong(const Sides& sides, const Eigen::VectorXd& chosen, const Eigen::VectorXd& scaled,
+                        const std::vector<bool>& refused) {
   const double largest = scaled.cwiseAbs().maxCoeff();
   Eigen::Index found = -1;
   double worst = still * largest;
@@ -64,7 +66,8 @@ PushTangent rates_of(const StaticYielding& statics, const Eigen::VectorXd& scale
   if (!active.empty()) {
     // In parts of the scales, so that metres and radians weigh alike.
     const Eigen::VectorXd scale = scales(active), slope = slopes(active);
-    const Eigen::MatrixXd soft = scale.cwiseInverse().asDiagonal() * statics.flexibility()(active, active) * slope.cwiseProduct(scale).asDiagonal();
+    const Eigen::MatrixXd soft = scale.cwiseInverse().asDiagonal() * statics.flexibility()(active, active) *
+                                 slope.cwiseProduct(scale).asDiagonal();
     const Eigen::PartialPivLU<Eigen::MatrixXd> factors(Eigen::MatrixXd::Identity(soft.rows(), soft.cols()) + soft);
     tangent.exists = factors.rcond() > singular;
     if (!tangent.exists) return tangent;
@@ -79,10 +82,12 @@ PushTangent rates_of(const StaticYielding& statics, const Eigen::VectorXd& scale
   return tangent;
 }
 
-PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>& springs, const Eigen::VectorXd& deformations, double way) {
+PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>& springs,
+                       const Eigen::VectorXd& deformations, double way) {
   const auto count = deformations.size();
   Eigen::VectorXd scales(count);
-  for (Eigen::Index j = 0; j < count; ++j) scales[j] = deformation_scale(*springs[static_cast<std::size_t>(j)], deformations[j]);
+  for (Eigen::Index j = 0; j < count; ++j)
+    scales[j] = deformation_scale(*springs[static_cast<std::size_t>(j)], deformations[j]);
   const Sides sides = sides_at(springs, deformations, scales);
   const std::vector<bool> none(static_cast<std::size_t>(count), false);
 
@@ -96,8 +101,8 @@ PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>
       if (std::abs(scaled[j]) > still * scaled.cwiseAbs().maxCoeff()) chosen[j] = scaled[j] > 0 ? 1 : -1;
   }
 
-  // From the stiffer sides on. A part without hardening that would make the tangent singular stays as it is, when those that
-  // yield already take its motion.
+  // From the stiffer sides on. A part without hardening that would make the tangent singular stays as it is, when those
+  // that yield already take its motion.
   for (Eigen::Index j = 0; j < count; ++j) chosen[j] = sides.up[j] > sides.down[j] ? 1 : -1;
   std::vector<bool> refused = none;
   PushTangent tangent = rates_of(statics, scales, sides.slopes(chosen), way);

@@ -42,7 +42,8 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> PushedSprings::law(const Eigen::Vect
 void PushedSprings::follow(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
   for (Eigen::Index j = 0; j < from.size(); ++j) {
     const auto motion = [&](double s) { return LinkMotion{from[j] + s * (to[j] - from[j]), to[j] - from[j]}; };
-    LinkStep step{.begin = 0, .end = 1, .motion_begin = motion(0), .motion_middle = motion(0.5), .motion_end = motion(1)};
+    LinkStep step{
+        .begin = 0, .end = 1, .motion_begin = motion(0), .motion_middle = motion(0.5), .motion_end = motion(1)};
     step.force_begin = (*this)[j].evaluate_slowly(step.motion_begin.penetration).force;
     step.force_middle = (*this)[j].evaluate_slowly(step.motion_middle.penetration).force;
     step.force_end = (*this)[j].evaluate_slowly(step.motion_end.penetration).force;
@@ -55,8 +56,9 @@ void PushedSprings::require_unyielded(const Eigen::VectorXd& deformations) const
     const double at = deformations[j], yield = (*this)[j].yield_deformation();
     const std::optional<double> corner = (*this)[j].corner(at);
     if (std::abs(at) >= yield && (!has_corner(j) || corner))
-      throw std::invalid_argument(fmt::format("{} yields under gravity alone: {:.4g} of its yield deformation; make it stronger",
-                                              structure_.yielding[static_cast<std::size_t>(j)].name, at / corner.value_or(std::copysign(yield, at))));
+      throw std::invalid_argument(fmt::format(
+          "{} yields under gravity alone: {:.4g} of its yield deformation; make it stronger",
+          structure_.yielding[static_cast<std::size_t>(j)].name, at / corner.value_or(std::copysign(yield, at))));
   }
 }
 

@@ -8,7 +8,8 @@
 namespace pounding {
 namespace {
 
-// Columns of a damping matrix beside the Rayleigh and the modal damping that are dashpots still; modal damping above isolators fills all of them.
+// Columns of a damping matrix beside the Rayleigh and the modal damping that are dashpots still; modal damping above
+// isolators fills all of them.
 constexpr int most_dashpots = 64;
 
 int columns_in_use(const SparseMatrix& matrix) {
@@ -34,13 +35,16 @@ std::string why_not_reduced(const Model& model, int structure) {
   if (s.elastic) return "its members turn (corotational), so that its stiffness changes";
   if (s.is_free || s.rigid_motions > 0) return "nothing holds it to the ground, so that it has no static answers";
   if (columns_in_use(s.damping) > most_dashpots)
-    return "its damping is a full matrix, as modal damping makes it above isolators; type damping: 5 %, in proportion to the stiffness above them";
+    return "its damping is a full matrix, as modal damping makes it above isolators; type damping: 5 %, in proportion "
+           "to the stiffness above them";
   for (const Link& link : model.links) {
     if (link.left.structure != structure && link.right.structure != structure) continue;
     if (link.contact->is_rigid())
-      return fmt::format("link \"{}\" hits it without a stiffness, by a jump of velocities that few modes cannot follow; type a law with a "
-                         "stiffness",
-                         link.name);
+      return fmt::format(
+          "link \"{}\" hits it without a stiffness, by a jump of velocities that few modes cannot follow; type a law "
+          "with a "
+          "stiffness",
+          link.name);
   }
   return {};
 }
@@ -50,9 +54,11 @@ std::string why_not_checked(const Model& model, int structure) {
   if (!reduction_of(model, structure).check || s.is_rigid() || !(s.modal_ratio > 0)) return {};
   const auto modes = split_by_mass(s.mass).dynamic.size();
   if (modes <= static_cast<std::size_t>(max_for_modal_damping)) return {};
-  return fmt::format("the modal damping of \"{}\" would fill a matrix of {} x {} modes in the equations of all its unknowns; type damping: 5 %, or "
-                     "check: false",
-                     s.name, modes, modes);
+  return fmt::format(
+      "the modal damping of \"{}\" would fill a matrix of {} x {} modes in the equations of all its unknowns; type "
+      "damping: 5 %, or "
+      "check: false",
+      s.name, modes, modes);
 }
 
 }  // namespace pounding

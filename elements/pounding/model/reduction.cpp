@@ -51,20 +51,24 @@ std::string Reduction::text() const {
 std::string ReducedStructure::size_text() const {
   std::string text = fmt::format("{}: {} coordinates of {} (", name, coordinates, unknowns);
   text += modes > 0 ? fmt::format("{} lowest modes, static answers", modes)
-                    : fmt::format("links {} x {}{}, ground {} x {}", link_blocks, links, links_text(*this), ground_blocks, grounds);
+                    : fmt::format("links {} x {}{}, ground {} x {}", link_blocks, links, links_text(*this),
+                                  ground_blocks, grounds);
   if (frequency > 0) text += fmt::format(", one at {:.2g} Hz", frequency);
   return text + ")";
 }
 
 std::string ReducedStructure::error_text() const {
-  const std::string text =
-      listed({{"forces", error_force}, {"displacements", error_displacement}, {"accelerations", error_acceleration}, {"members", error_members}});
+  const std::string text = listed({{"forces", error_force},
+                                   {"displacements", error_displacement},
+                                   {"accelerations", error_acceleration},
+                                   {"members", error_members}});
   return text.empty() ? "not estimated" : text;
 }
 
 std::string ReducedStructure::check_text() const {
   if (checked_windows == 0) return "";
-  return fmt::format("all unknowns in the {}: {}", checked_windows == 1 ? "hardest impact" : fmt::format("{} hardest impacts", checked_windows),
+  return fmt::format("all unknowns in the {}: {}",
+                     checked_windows == 1 ? "hardest impact" : fmt::format("{} hardest impacts", checked_windows),
                      listed({{"forces", check_force}, {"displacements", check_displacement}}));
 }
 

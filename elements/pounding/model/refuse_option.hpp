@@ -11,6 +11,8 @@ namespace pounding {
 /// Throws ModelError: the value of an option is wrong.
 [[noreturn]] inline void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 /// Throws ModelError: an option should not be there at all.
-[[noreturn]] inline void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
+[[noreturn]] inline void refuse_idle(ModelOption option, const std::string& text) {
+  throw ModelError(option, text).as_idle();
+}
 
 }  // namespace pounding

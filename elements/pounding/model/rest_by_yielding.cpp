@@ -46,7 +46,8 @@ class StrainedParts {
     if (!solver.holds()) throw std::invalid_argument("nothing holds it under gravity");
     MatrixXd columns = MatrixXd::Zero(s.size(), size());
     for (Eigen::Index j = 0; j < size(); ++j)
-      for (Row::InnerIterator it(s.yielding[static_cast<std::size_t>(parts_[j])].deformation); it; ++it) columns(it.index(), j) = it.value();
+      for (Row::InnerIterator it(s.yielding[static_cast<std::size_t>(parts_[j])].deformation); it; ++it)
+        columns(it.index(), j) = it.value();
     const MatrixXd by_parts = solver.solve(columns);
     MatrixXd flexibility = columns.transpose() * by_parts;
     if (s.yielding_flexibility.size() > 0) flexibility += MatrixXd(s.yielding_flexibility)(parts_, parts_);

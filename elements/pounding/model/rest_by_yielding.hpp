@@ -11,8 +11,9 @@ namespace pounding {
 ///
 ///     K q + B F = 0,   F = phi(d0 + B^T q - R F),
 ///
-/// where the loads bring the parts straight from nothing to their deformations; devices are put in afterwards. Zero without such parts, and
-/// then empty. Puts the parts back to where they were made. Throws std::invalid_argument where the laws find no equilibrium.
+/// where the loads bring the parts straight from nothing to their deformations; devices are put in afterwards. Zero
+/// without such parts, and then empty. Puts the parts back to where they were made. Throws std::invalid_argument where
+/// the laws find no equilibrium.
 Eigen::VectorXd rest_by_yielding(const Structure& structure);
 
 }  // namespace pounding

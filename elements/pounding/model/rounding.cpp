@@ -6,7 +6,8 @@
 
 namespace pounding {
 
-double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction, const Eigen::VectorXd& u) {
+double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction,
+                             const Eigen::VectorXd& u) {
   if (u.size() == 0) return 0;
   Eigen::VectorXd row = Eigen::VectorXd::Zero(s.size());
   for (int i = 0; i < 3; ++i)
@@ -19,7 +20,8 @@ double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen
   if (factor.info() != Eigen::Success) return of_sum;
   Eigen::Index most_in_a_row = 0;
   for (Eigen::Index j = 0; j < s.stiffness.outerSize(); ++j)
-    most_in_a_row = std::max<Eigen::Index>(most_in_a_row, s.stiffness.outerIndexPtr()[j + 1] - s.stiffness.outerIndexPtr()[j]);
+    most_in_a_row =
+        std::max<Eigen::Index>(most_in_a_row, s.stiffness.outerIndexPtr()[j + 1] - s.stiffness.outerIndexPtr()[j]);
   const Eigen::VectorXd answer = factor.solve(row), change = s.stiffness.cwiseAbs() * u.cwiseAbs();
   return of_sum + static_cast<double>(most_in_a_row) * eps * answer.cwiseAbs().dot(change);
 }

@@ -8,18 +8,21 @@
 
 namespace pounding {
 
-/// Equilibrium K u + B F = factor p with the deformations d = B^T u - R F + d0 of the yielding parts, their forces F on top of K, and a
-/// displacement c^T u that is given instead of the factor. The unknowns are condensed out by static solves, one a part and one for the
-/// load:
+/// Equilibrium K u + B F = factor p with the deformations d = B^T u - R F + d0 of the yielding parts, their forces F on
+/// top of K, and a displacement c^T u that is given instead of the factor. The unknowns are condensed out by static
+/// solves, one a part and one for the load:
 ///
 ///     d = d0 + displacement g - H F,     factor = (displacement + z^T F)/cp
 ///
-/// with a = K^-1 p, Z = K^-1 B, cp = c^T a, z = Z^T c, g = B^T a/cp, H = B^T Z + R - g z^T. What the load does is exact for any law.
+/// with a = K^-1 p, Z = K^-1 B, cp = c^T a, z = Z^T c, g = B^T a/cp, H = B^T Z + R - g z^T. What the load does is exact
+/// for any law.
 class StaticYielding {
  public:
-  /// `load` p has one value an unknown, `control` c and the rows of `follow` are displacements in their terms. Throws std::invalid_argument where K does not hold
-  /// the structure, and where the load does not move the displacement its own way.
-  StaticYielding(const Structure& structure, const Eigen::VectorXd& load, const Row& control, const Eigen::MatrixXd& follow = {});
+  /// `load` p has one value an unknown, `control` c and the rows of `follow` are displacements in their terms. Throws
+  /// std::invalid_argument where K does not hold the structure, and where the load does not move the displacement its
+  /// own way.
+  StaticYielding(const Structure& structure, const Eigen::VectorXd& load, const Row& control,
+                 const Eigen::MatrixXd& follow = {});
 
   int parts() const noexcept { return static_cast<int>(at_rest_.size()); }
   /// d0 [m] or [rad].

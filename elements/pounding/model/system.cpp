@@ -21,11 +21,13 @@ void System::check() const {
     throw std::invalid_argument("System::gap_by_ground needs one row a link and one column a ground motion");
   if (gravity_offset.size() > 0 && gravity_offset.size() != links())
     throw std::invalid_argument("System::gravity_offset needs one value a link");
-  if (frictions_from > links()) throw std::invalid_argument("System::gap_jacobian needs one column a contact and a spring");
+  if (frictions_from > links())
+    throw std::invalid_argument("System::gap_jacobian needs one column a contact and a spring");
   if (spring_flexibility.size() > 0 && (spring_flexibility.rows() != frictions_from - contact_count() ||
                                         spring_flexibility.cols() != spring_flexibility.rows()))
     throw std::invalid_argument("System::spring_flexibility needs one row and one column a spring");
-  std::vector<bool> taken(static_cast<std::size_t>(links() - frictions_from), false);  // by column behind those of the springs
+  std::vector<bool> taken(static_cast<std::size_t>(links() - frictions_from),
+                          false);  // by column behind those of the springs
   for (const Friction& friction : frictions) {
     if (!(friction.coefficient >= 0 && std::isfinite(friction.coefficient)))
       throw std::invalid_argument("the coefficient of a friction must not be negative");
@@ -35,10 +37,13 @@ void System::check() const {
       throw std::invalid_argument("a friction belongs to a contact that does not exist");
     if (contacts[friction.contact]->is_rigid())
       throw std::invalid_argument("a rigid contact takes no friction: its force is not known while it strikes");
-    if (friction.count < 1 || friction.count > 2 || friction.first < frictions_from || friction.first + friction.count > links())
-      throw std::invalid_argument("a friction needs one or two columns of System::gap_jacobian behind those of the springs");
+    if (friction.count < 1 || friction.count > 2 || friction.first < frictions_from ||
+        friction.first + friction.count > links())
+      throw std::invalid_argument(
+          "a friction needs one or two columns of System::gap_jacobian behind those of the springs");
     for (int i = friction.first; i < friction.first + friction.count; ++i) {
-      if (taken[i - frictions_from]) throw std::invalid_argument("two frictions share a column of System::gap_jacobian");
+      if (taken[i - frictions_from])
+        throw std::invalid_argument("two frictions share a column of System::gap_jacobian");
       taken[i - frictions_from] = true;
     }
   }

@@ -25,8 +25,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // One end of a column.
 struct ColumnEnd {
-  std::string name;    // as that of a hinge there
-  double sags, hogs;   // yield moments [N m]; 0 where it is pinned, NaN where it stays elastic
+  std::string name;   // as that of a hinge there
+  double sags, hogs;  // yield moments [N m]; 0 where it is pinned, NaN where it stays elastic
 };
 
 // A member from joint to joint, all its parts where it is cut.
@@ -72,8 +72,8 @@ bool reaches(const Structure& s, const Column& column, int floor) {
 }
 
 bool is_upright(const Structure& s, const Column& column) {
-  const Eigen::Vector3d way =
-      s.geometry.positions[s.geometry.members[column.last][1]] - s.geometry.positions[s.geometry.members[column.first][0]];
+  const Eigen::Vector3d way = s.geometry.positions[s.geometry.members[column.last][1]] -
+                              s.geometry.positions[s.geometry.members[column.first][0]];
   return std::hypot(way.x(), way.y()) < 1e-9 * way.norm();
 }
 
@@ -98,8 +98,8 @@ StoreyMechanism mechanism_of(const Structure& s, int floor, double height) {
 std::vector<std::vector<YieldingFacts>> alike(const std::vector<YieldingFacts>& facts) {
   std::vector<std::vector<YieldingFacts>> groups;
   const auto key = [](const YieldingFacts& f) {
-    return fmt::format("{} {:.5g} {:.5g} {:.5g} {:.5g} {:.3g} {:.3g} {:.5g} {:.5g}", f.law, f.force, f.deformation, f.stiffness, f.hardening, f.over_weight,
-                       f.at_rest, f.end_stiffness, f.end_tangent);
+    return fmt::format("{} {:.5g} {:.5g} {:.5g} {:.5g} {:.3g} {:.3g} {:.5g} {:.5g}", f.law, f.force, f.deformation,
+                       f.stiffness, f.hardening, f.over_weight, f.at_rest, f.end_stiffness, f.end_tangent);
   };
   std::map<std::string, std::size_t> places;
   for (const YieldingFacts& one : facts) {
@@ -115,15 +115,18 @@ std::string tangents_of(const std::vector<YieldingFacts>& facts) {
   std::vector<std::pair<std::string, std::vector<std::string>>> lines;
   for (const YieldingFacts& one : facts) {
     if (!one.is_hinge) continue;
-    const std::string keeps = fmt::format("after yielding at both ends in double curvature the end of the member keeps {:.4g} MN m/rad, {:.3g} % of {:.4g} MN m/rad",
-                                          one.end_tangent / 1e6, 100 * one.end_tangent / one.end_stiffness, one.end_stiffness / 1e6);
+    const std::string keeps = fmt::format(
+        "after yielding at both ends in double curvature the end of the member keeps {:.4g} MN m/rad, {:.3g} % of "
+        "{:.4g} MN m/rad",
+        one.end_tangent / 1e6, 100 * one.end_tangent / one.end_stiffness, one.end_stiffness / 1e6);
     auto known = std::ranges::find(lines, keeps, &std::pair<std::string, std::vector<std::string>>::first);
     if (known == lines.end()) known = lines.insert(lines.end(), {keeps, {}});
     known->second.push_back(one.name);
   }
   std::string text;
   for (const auto& [keeps, names] : lines)
-    text += fmt::format("{}{}: {}\n", names.front(), names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : "", keeps);
+    text += fmt::format("{}{}: {}\n", names.front(),
+                        names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : "", keeps);
   return text;
 }
 
@@ -131,26 +134,29 @@ std::string table_of(const Structure& s) {
   const std::vector<YieldingFacts> facts = yielding_facts(s);
   if (facts.empty()) return {};
   const bool turns = s.dimension > 1;
-  std::string text = fmt::format("{:<14}  {:>12}  {:>12}  {:>12}  {:>7}  {:>8}  {}\n", s.name, turns ? "moment" : "yield force", turns ? "rotation" : "drift", "k",
-                                 "b", turns ? "at rest" : "/ weight", "yields");
-  text += fmt::format("{:<14}  {:>12}  {:>12}  {:>12}  {:>7}  {:>8}\n", "", turns ? "(kN m)" : "(kN)", turns ? "(mrad)" : "(mm)",
-                      turns ? "(MN m/rad)" : "(MN/m)", "", turns ? "(%)" : "");
+  std::string text =
+      fmt::format("{:<14}  {:>12}  {:>12}  {:>12}  {:>7}  {:>8}  {}\n", s.name, turns ? "moment" : "yield force",
+                  turns ? "rotation" : "drift", "k", "b", turns ? "at rest" : "/ weight", "yields");
+  text += fmt::format("{:<14}  {:>12}  {:>12}  {:>12}  {:>7}  {:>8}\n", "", turns ? "(kN m)" : "(kN)",
+                      turns ? "(mrad)" : "(mm)", turns ? "(MN m/rad)" : "(MN/m)", "", turns ? "(%)" : "");
   for (const std::vector<YieldingFacts>& group : alike(facts)) {
     const YieldingFacts& one = group.front();
     std::string names = one.name;
     if (group.size() > 1) names += fmt::format(" and {} more", group.size() - 1);
     const double last = turns ? 100 * one.at_rest : one.over_weight;
-    text += fmt::format("{:<14}  {:>12.5g}  {:>12.4g}  {:>12.5g}  {:>7.4g}  {:>8}  {}\n", one.law, one.force / 1e3, 1e3 * one.deformation,
-                        one.stiffness / 1e6, one.hardening, std::isnan(last) ? "-" : fmt::format("{:.3g}", last), names);
+    text += fmt::format("{:<14}  {:>12.5g}  {:>12.4g}  {:>12.5g}  {:>7.4g}  {:>8}  {}\n", one.law, one.force / 1e3,
+                        1e3 * one.deformation, one.stiffness / 1e6, one.hardening,
+                        std::isnan(last) ? "-" : fmt::format("{:.3g}", last), names);
   }
   text += tangents_of(facts);
   const std::vector<StoreyMechanism> mechanisms = storey_mechanisms(s);
   const auto sways = [](const StoreyMechanism& one) { return one.elastic.empty(); };
   for (const StoreyMechanism& one : mechanisms)
-    if (sways(one)) text += fmt::format("storey {} can sway on its own, at a shear of {:.5g} kN\n", one.storey, one.shear / 1e3);
+    if (sways(one))
+      text += fmt::format("storey {} can sway on its own, at a shear of {:.5g} kN\n", one.storey, one.shear / 1e3);
   if (!mechanisms.empty() && std::ranges::none_of(mechanisms, sways))
-    text += fmt::format("no storey can sway on its own, as columns stay elastic; in storey {} {} does\n", mechanisms.front().storey,
-                        mechanisms.front().elastic);
+    text += fmt::format("no storey can sway on its own, as columns stay elastic; in storey {} {} does\n",
+                        mechanisms.front().storey, mechanisms.front().elastic);
   return text;
 }
 
@@ -165,7 +171,8 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
   for (const Floor& floor : s.floors) carried += floor.mass;
   for (std::size_t i = 0; i < s.yielding.size(); ++i) {
     const YieldingPart& part = s.yielding[i];
-    YieldingFacts facts{.name = part.name, .law = part.law, .stiffness = part.spring->stiffness() + part.spring->first_slope()};
+    YieldingFacts facts{
+        .name = part.name, .law = part.law, .stiffness = part.spring->stiffness() + part.spring->first_slope()};
     if (facts.stiffness == 0) continue;  // a damper
     facts.is_hinge = part.kind == YieldingPart::Kind::hinge;
     if (!std::isnan(part.parameter("member_stiffness"))) facts.law = "rigid-plastic";

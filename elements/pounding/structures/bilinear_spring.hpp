@@ -6,9 +6,9 @@
 
 namespace pounding {
 
-/// F = a k u + (1 - a) k clamp(u - s, -Fy/k, Fy/k): a spring a k beside an elastic, perfectly plastic one with the slip s, see
-/// hysteresis::Bilinear. It answers F - k u, which is -(1 - a) k s while it is elastic; its slope is -(1 - a) k while it yields, else
-/// zero, and at the yield point that of the elastic side.
+/// F = a k u + (1 - a) k clamp(u - s, -Fy/k, Fy/k): a spring a k beside an elastic, perfectly plastic one with the slip
+/// s, see hysteresis::Bilinear. It answers F - k u, which is -(1 - a) k s while it is elastic; its slope is -(1 - a) k
+/// while it yields, else zero, and at the yield point that of the elastic side.
 class BilinearSpring final : public HystereticSpring<hysteresis::Bilinear> {
  public:
   /// Its force over deformation: slope k up to Fy, then a k.

@@ -31,9 +31,10 @@ void factor(Eigen::SimplicialLDLT<SparseMatrix>& ldlt, const SparseMatrix& k, co
   for (int step = 0; step < pivots.size(); ++step) {
     const int i = ldlt.permutationPinv().indices()[step];
     if (!(pivots[step] > no_pivot * k.coeff(i, i)))
-      throw std::invalid_argument(fmt::format("the stiffness at the unknowns without mass is singular or not positive "
-                                              "definite: a motion with unknown {} meets nothing",
-                                              unknowns[i]));
+      throw std::invalid_argument(
+          fmt::format("the stiffness at the unknowns without mass is singular or not positive "
+                      "definite: a motion with unknown {} meets nothing",
+                      unknowns[i]));
   }
 }
 
@@ -90,9 +91,8 @@ Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, 
       massless.empty() ? Eigen::MatrixXd(0, dynamic.size()) : -ldlt.solve(Eigen::MatrixXd(coupling));
   const Eigen::MatrixXd condensed =
       dense_submatrix(stiffness, dynamic, dynamic) + Eigen::MatrixXd(coupling.transpose() * following);
-  const Eigen::MatrixXd shapes = dynamic.empty()
-                                     ? Eigen::MatrixXd(0, 0)
-                                     : eigenmodes(dense_submatrix(mass, dynamic, dynamic), condensed).shapes;
+  const Eigen::MatrixXd shapes =
+      dynamic.empty() ? Eigen::MatrixXd(0, 0) : eigenmodes(dense_submatrix(mass, dynamic, dynamic), condensed).shapes;
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(mass.rows(), count);
   whole(dynamic, Eigen::all) += shapes.leftCols(count);
   whole(massless, Eigen::all) += following * shapes.leftCols(count);
@@ -124,8 +124,8 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& mod
 SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio) {
   const int count = static_cast<int>(split_by_mass(mass).dynamic.size());
   if (count > max_for_modal_damping)
-    throw std::invalid_argument(
-        fmt::format("fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
+    throw std::invalid_argument(fmt::format(
+        "fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
   return SparseMatrix(modal_damping(Eigen::MatrixXd(mass), dense_modes(mass, stiffness, count), ratio).sparseView());
 }
 

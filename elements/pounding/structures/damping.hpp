@@ -18,8 +18,7 @@ struct Eigenmodes {
 };
 
 /// Finds the `count` lowest modes of sparse symmetric M (may have empty rows: massless unknowns), K.
-using ModeSolver = std::function<Eigenmodes(const SparseMatrix& mass,
-                                            const SparseMatrix& stiffness, int count)>;
+using ModeSolver = std::function<Eigenmodes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count)>;
 
 /// A ModeSolver by dense matrices of the size of the unknowns with mass, all others condensed: for hundreds of them.
 ///
@@ -29,10 +28,9 @@ using ModeSolver = std::function<Eigenmodes(const SparseMatrix& mass,
 /// some motion: a structure that buckles.
 Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count);
 
-/// The modes that these columns (n x count) are the shapes of: frequencies by Rayleigh's quotient, order, scale and sign as
-/// dense_modes gives them. Throws std::invalid_argument for a stiffness that is negative for one of them.
-Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffness,
-                           const Eigen::MatrixXd& shapes);
+/// The modes that these columns (n x count) are the shapes of: frequencies by Rayleigh's quotient, order, scale and
+/// sign as dense_modes gives them. Throws std::invalid_argument for a stiffness that is negative for one of them.
+Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffness, const Eigen::MatrixXd& shapes);
 
 /// Throws std::invalid_argument, naming an unknown, when the stiffness is singular over the unknowns without mass.
 void require_static_stiffness(const SparseMatrix& mass, const SparseMatrix& stiffness);
@@ -56,7 +54,8 @@ struct Rayleigh {
   double by_stiffness = 0;  ///< b [s]
 };
 
-/// The ratio `ratio` at the circular frequencies w1 and w2 [rad/s]; w1 = w2 gives a and b that share the ratio equally there.
+/// The ratio `ratio` at the circular frequencies w1 and w2 [rad/s]; w1 = w2 gives a and b that share the ratio equally
+/// there.
 Rayleigh rayleigh_damping(double ratio, double w1, double w2);
 
 /// C = M Phi diag(2 ratio w) Phi^T M: the ratio in every mode.
@@ -65,8 +64,9 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& mod
 /// Modal damping fills a matrix of as many rows as there are modes; of more than these none is formed.
 inline constexpr int max_for_modal_damping = 1500;
 
-/// The matrix of a ratio in every mode of sparse M (may have empty rows), K. Unknowns without mass take no part in it. Throws std::invalid_argument
-/// for more modes than max_for_modal_damping, with what to type instead, and as dense_modes does.
+/// The matrix of a ratio in every mode of sparse M (may have empty rows), K. Unknowns without mass take no part in it.
+/// Throws std::invalid_argument for more modes than max_for_modal_damping, with what to type instead, and as
+/// dense_modes does.
 SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio);
 
 }  // namespace pounding

@@ -19,7 +19,9 @@ DeviceSpring::DeviceSpring(const DeviceParts& parts) : bar_(parts.bar), damper_(
   if (parts.law) yielding_ = make_spring(*parts.law);
 }
 
-laws::Response DeviceSpring::evaluate_slowly(double deformation) const noexcept { return without_damper({deformation, 0}); }
+laws::Response DeviceSpring::evaluate_slowly(double deformation) const noexcept {
+  return without_damper({deformation, 0});
+}
 
 laws::Response DeviceSpring::without_damper(const LinkMotion& motion) const noexcept {
   laws::Response response;
@@ -49,7 +51,9 @@ laws::Response DeviceSpring::evaluate(const LinkMotion& motion) const noexcept {
   return response;
 }
 
-double DeviceSpring::first_slope() const noexcept { return bar_ ? bar_->stiffness : yielding_ ? yielding_->stiffness() : 0; }
+double DeviceSpring::first_slope() const noexcept {
+  return bar_ ? bar_->stiffness : yielding_ ? yielding_->stiffness() : 0;
+}
 
 double DeviceSpring::slip_rate(const LinkMotion& motion) const noexcept {
   return damper_->slip_rate(damper_->stretch(motion.penetration - motion.slip, motion.lag));
@@ -80,7 +84,8 @@ double DeviceSpring::damper_power(const LinkMotion& motion) const noexcept {
 LinkMotion DeviceSpring::motion_inside(const LinkStep& step, double s) const noexcept {
   LinkMotion motion = interpolate(step, s);
   if (!slips()) return motion;
-  const LinkMotion begin{step.motion_begin.slip, slip_rate(step.motion_begin)}, end{step.motion_end.slip, slip_rate(step.motion_end)};
+  const LinkMotion begin{step.motion_begin.slip, slip_rate(step.motion_begin)},
+      end{step.motion_end.slip, slip_rate(step.motion_end)};
   motion.slip = CubicPenetration(begin, end, step.end - step.begin).at(s);
   return motion;
 }
@@ -89,7 +94,8 @@ LinkMotion DeviceSpring::motion_inside(const LinkStep& step, double s) const noe
 double DeviceSpring::damper_work(const LinkStep& step, double until) const noexcept {
   if (!damper_) return 0;
   // Exact for a linear damper in the motion that interpolate() gives.
-  return (step.end - step.begin) * laws::gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
+  return (step.end - step.begin) *
+         laws::gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
 }
 
 Spring::Instant DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {

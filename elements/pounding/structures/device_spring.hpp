@@ -20,7 +20,8 @@ struct DeviceParts {
   void check() const;
 };
 
-/// Deformation and force are elongation and tension. No structure is assembled with its stiffness: the force is all of it.
+/// Deformation and force are elongation and tension. No structure is assembled with its stiffness: the force is all of
+/// it.
 class DeviceSpring final : public Spring {
  public:
   /// Undeformed. Throws as DeviceParts::check() does.
@@ -29,9 +30,15 @@ class DeviceSpring final : public Spring {
   laws::Response evaluate(const LinkMotion& motion) const noexcept override;
   laws::Response evaluate_slowly(double deformation) const noexcept override;
   double first_slope() const noexcept override;
-  double slope_lost(double deformation) const noexcept override { return yielding_ ? yielding_->slope_lost(deformation) : 0; }
-  double yield_deformation() const noexcept override { return yielding_ ? yielding_->yield_deformation() : Spring::yield_deformation(); }
-  double yields_towards(double way) const noexcept override { return yielding_ ? yielding_->yields_towards(way) : Spring::yield_deformation(); }
+  double slope_lost(double deformation) const noexcept override {
+    return yielding_ ? yielding_->slope_lost(deformation) : 0;
+  }
+  double yield_deformation() const noexcept override {
+    return yielding_ ? yielding_->yield_deformation() : Spring::yield_deformation();
+  }
+  double yields_towards(double way) const noexcept override {
+    return yielding_ ? yielding_->yields_towards(way) : Spring::yield_deformation();
+  }
   std::optional<double> corner(double deformation) const noexcept override {
     return yielding_ ? yielding_->corner(deformation) : std::nullopt;
   }

@@ -6,9 +6,9 @@
 
 namespace pounding {
 
-/// Forces that follow from the displacements u of the unknowns without any memory, as the gradient of an energy. u counts
-/// from the state at rest: there energy and force are exactly zero, what acts at rest included, and the tangent is the
-/// stiffness K of the structure. Every function is pure.
+/// Forces that follow from the displacements u of the unknowns without any memory, as the gradient of an energy. u
+/// counts from the state at rest: there energy and force are exactly zero, what acts at rest included, and the tangent
+/// is the stiffness K of the structure. Every function is pure.
 class ElasticForces {
  public:
   virtual ~ElasticForces() = default;

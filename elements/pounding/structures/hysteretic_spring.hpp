@@ -11,8 +11,9 @@ namespace pounding {
 
 /// A spring that follows a law of yielding. Its k is that of the law.
 ///
-/// As a Spring it answers the force of the law minus k u. The law follows straight ways; where the deformation turns within a step,
-/// accept() goes to the turning point of the cubic through both ends of the step first. There is no dashpot.
+/// As a Spring it answers the force of the law minus k u. The law follows straight ways; where the deformation turns
+/// within a step, accept() goes to the turning point of the cubic through both ends of the step first. There is no
+/// dashpot.
 template <hysteresis::Law L>
 class HystereticSpring : public Spring {
  public:
@@ -32,15 +33,19 @@ class HystereticSpring : public Spring {
       return law_.yield_deformation();
   }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
-  /// The slope behind the turn is asked for: it is not k where a force that came back elastically is pressed again on a curve.
+  /// The slope behind the turn is asked for: it is not k where a force that came back elastically is pressed again on a
+  /// curve.
   double slope_lost(double deformation) const noexcept override {
-    const double back = deformation + std::copysign(turned_part * law_.yield_deformation(), kept_.deformation - deformation);
-    return hysteresis::excess(law_, law_.advance(kept_, deformation), back).slope - hysteresis::excess(law_, kept_, deformation).slope;
+    const double back =
+        deformation + std::copysign(turned_part * law_.yield_deformation(), kept_.deformation - deformation);
+    return hysteresis::excess(law_, law_.advance(kept_, deformation), back).slope -
+           hysteresis::excess(law_, kept_, deformation).slope;
   }
   std::optional<Spring::Elastic> elastic() const noexcept override {
     if constexpr (requires { law_.elastic(kept_); }) {
       const hysteresis::Range range = law_.elastic(kept_);
-      return Spring::Elastic{range.low, range.high, hysteresis::excess(law_, kept_, 0.5 * (range.low + range.high)).force};
+      return Spring::Elastic{range.low, range.high,
+                             hysteresis::excess(law_, kept_, 0.5 * (range.low + range.high)).force};
     }
     return {};
   }
@@ -92,19 +97,24 @@ class HystereticSpring : public Spring {
  private:
   /// A way back by this part of the yield deformation is a turn, and no more.
   static constexpr double turned_part = 1e-9;
-  /// Whether the law says itself what it loses. Else the loss is the work less what is stored, which is asked for less often.
+  /// Whether the law says itself what it loses. Else the loss is the work less what is stored, which is asked for less
+  /// often.
   static constexpr bool counts_loss =
       requires(const L& law, const typename L::State& kept, double d) { law.lost(kept, d); };
 
   void follow(double deformation) { follow(kept_, given_, deformation); }
   void follow(typename L::State& state, double& given, double deformation) const {
-    if constexpr (counts_loss) given += law_.lost(state, deformation);
-    else given += law_.work(state, deformation);
+    if constexpr (counts_loss)
+      given += law_.lost(state, deformation);
+    else
+      given += law_.work(state, deformation);
     state = law_.advance(state, deformation);
   }
   double lost(const typename L::State& state, double given) const noexcept {
-    if constexpr (counts_loss) return given;
-    else return given - law_.stored(state);
+    if constexpr (counts_loss)
+      return given;
+    else
+      return given - law_.stored(state);
   }
 
   L law_;

@@ -36,10 +36,15 @@ void replace(int unknown, const Factors& by, Factors& in) {
 SlidingFriction sliding(const IsolatorOptions::Velocity& velocity, const std::vector<YieldingPart::Parameter>& law) {
   const auto number = [&](const char* name) {
     const auto found = std::ranges::find(law, name, &YieldingPart::Parameter::name);
-    if (found == law.end()) throw std::invalid_argument("friction that depends on the velocity belongs to a friction_pendulum");
+    if (found == law.end())
+      throw std::invalid_argument("friction that depends on the velocity belongs to a friction_pendulum");
     return found->value;
   };
-  return {.weight = number("weight"), .radius = number("radius"), .slow = velocity.slow_friction, .fast = number("friction"), .rate = velocity.rate,
+  return {.weight = number("weight"),
+          .radius = number("radius"),
+          .slow = velocity.slow_friction,
+          .fast = number("friction"),
+          .rate = velocity.rate,
           .sliding_deformation = number("yield_displacement")};
 }
 
@@ -49,7 +54,8 @@ bool needs_weight(const IsolatorOptions& isolator) {
   if (isolator.law.values.contains("weight")) return false;
   const auto all = hysteresis::catalogue();
   const auto law = std::ranges::find(all, isolator.law.law, &hysteresis::Entry::name);
-  return law != all.end() && std::ranges::find(law->parameters, "weight", &hysteresis::ParameterInfo::name) != law->parameters.end();
+  return law != all.end() &&
+         std::ranges::find(law->parameters, "weight", &hysteresis::ParameterInfo::name) != law->parameters.end();
 }
 
 YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOptions& isolator, double weight) {
@@ -78,7 +84,8 @@ SparseMatrix stiffness_of_isolators(const Structure& s) {
     if (!isolates(part)) continue;
     for (Row::InnerIterator i(part.deformation); i; ++i)
       for (Row::InnerIterator j(part.deformation); j; ++j)
-        entries.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), part.spring->stiffness() * i.value() * j.value());
+        entries.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()),
+                             part.spring->stiffness() * i.value() * j.value());
   }
   SparseMatrix all(s.size(), s.size());
   all.setFromTriplets(entries.begin(), entries.end());
@@ -107,7 +114,8 @@ SparseMatrix motions_on_fixed_base(const Structure& s) {
   int count = 0;
   for (int i = 0; i < s.size(); ++i)
     if (!given.contains(i)) column[i] = count++;
-  if (count == 0) throw std::invalid_argument("nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
+  if (count == 0)
+    throw std::invalid_argument("nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < s.size(); ++i)
     if (column[i] >= 0) entries.emplace_back(i, column[i], 1);

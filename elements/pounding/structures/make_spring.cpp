@@ -13,7 +13,8 @@
 namespace pounding {
 namespace {
 
-/// Words of a law and of a hinge; none of the first is a part of one that follows it. `hardening` of a hinge is the ratio of the member end.
+/// Words of a law and of a hinge; none of the first is a part of one that follows it. `hardening` of a hinge is the
+/// ratio of the member end.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> moments{
     {{"hardening", "spring_hardening"},
      {"negative_yield_force", "negative_yield_moment"},
@@ -25,7 +26,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> moments{
 
 std::string in_moments(std::string text) {
   for (const auto& [force, moment] : moments)
-    for (std::size_t at = 0; (at = text.find(force, at)) != std::string::npos; at += moment.size()) text.replace(at, force.size(), moment);
+    for (std::size_t at = 0; (at = text.find(force, at)) != std::string::npos; at += moment.size())
+      text.replace(at, force.size(), moment);
   return text;
 }
 

@@ -7,13 +7,14 @@ namespace {
 
 // Calls add(row, column, value), both counted in the submatrix, for each entry of it.
 template <class Add>
-void for_each_entry(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns, int first,
-                    Add&& add) {
+void for_each_entry(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
+                    int first, Add&& add) {
   std::vector<int> row_of(static_cast<std::size_t>(matrix.rows() - first), -1);
   for (std::size_t i = 0; i < rows.size(); ++i) row_of[rows[i]] = static_cast<int>(i);
   for (std::size_t j = 0; j < columns.size(); ++j)
     for (SparseMatrix::InnerIterator it(matrix, first + columns[j]); it; ++it)
-      if (it.row() >= first && row_of[it.row() - first] >= 0) add(row_of[it.row() - first], static_cast<int>(j), it.value());
+      if (it.row() >= first && row_of[it.row() - first] >= 0)
+        add(row_of[it.row() - first], static_cast<int>(j), it.value());
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ MassSplit split_by_mass(const SparseMatrix& mass, int first, int count) {
 
 MassSplit split_by_mass(const SparseMatrix& mass) { return split_by_mass(mass, 0, static_cast<int>(mass.cols())); }
 
-SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns, int first) {
+SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
+                       int first) {
   std::vector<Eigen::Triplet<double>> entries;
   for_each_entry(matrix, rows, columns, first,
                  [&](int row, int column, double value) { entries.emplace_back(row, column, value); });
@@ -41,8 +43,8 @@ SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows,
   return part;
 }
 
-Eigen::MatrixXd dense_submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
-                                int first) {
+Eigen::MatrixXd dense_submatrix(const SparseMatrix& matrix, const std::vector<int>& rows,
+                                const std::vector<int>& columns, int first) {
   Eigen::MatrixXd part = Eigen::MatrixXd::Zero(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
   for_each_entry(matrix, rows, columns, first, [&](int row, int column, double value) { part(row, column) = value; });
   return part;

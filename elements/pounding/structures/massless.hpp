@@ -1,6 +1,6 @@
 #pragma once
-/// Degrees of freedom with and without mass. Only those with mass are dynamic: they have inertia and modes of their own. The
-/// massless ones follow them by the stiffness, K_ss u_s = -K_sm u_m.
+/// Degrees of freedom with and without mass. Only those with mass are dynamic: they have inertia and modes of their
+/// own. The massless ones follow them by the stiffness, K_ss u_s = -K_sm u_m.
 
 #include <vector>
 
@@ -25,11 +25,12 @@ MassSplit split_by_mass(const SparseMatrix& mass, int first, int count);
 /// The split of all degrees of freedom.
 MassSplit split_by_mass(const SparseMatrix& mass);
 
-/// The entries of a matrix at these rows and columns, in their order. Both count from `first`, the first row and column of a
-/// block on the diagonal: entries above the block are left out.
-SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns, int first = 0);
+/// The entries of a matrix at these rows and columns, in their order. Both count from `first`, the first row and column
+/// of a block on the diagonal: entries above the block are left out.
+SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
+                       int first = 0);
 /// As submatrix, as a dense matrix.
-Eigen::MatrixXd dense_submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
-                                int first = 0);
+Eigen::MatrixXd dense_submatrix(const SparseMatrix& matrix, const std::vector<int>& rows,
+                                const std::vector<int>& columns, int first = 0);
 
 }  // namespace pounding

@@ -19,7 +19,8 @@ class OneOrEach {
   OneOrEach(std::vector<double> each) : values_(std::move(each)) {}
 
   bool empty() const noexcept { return values_.empty(); }  ///< whether nothing was given
-  /// The value of each of `count` places. Throws std::invalid_argument, in the name of `what`, for a list of another length.
+  /// The value of each of `count` places. Throws std::invalid_argument, in the name of `what`, for a list of another
+  /// length.
   std::vector<double> of_each(int count, const std::string& what) const {
     if (values_.size() == 1) return std::vector<double>(count, values_.front());
     if (static_cast<int>(values_.size()) != count)

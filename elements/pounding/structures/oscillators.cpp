@@ -19,10 +19,12 @@ namespace pounding {
 namespace {
 
 constexpr const char* needs_yielding = "hardening belongs to storeys that yield; give the yield_force beside it";
-constexpr const char* one_law = "a spring says how the storeys yield; leave out the yield_force and the hardening beside it";
+constexpr const char* one_law =
+    "a spring says how the storeys yield; leave out the yield_force and the hardening beside it";
 
 void require_positive(double value, const char* what) {
-  if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(std::string(what) + " must be positive and finite");
+  if (!(value > 0) || std::isinf(value))
+    throw std::invalid_argument(std::string(what) + " must be positive and finite");
 }
 
 // Floors above each other that move along x only: the unknowns themselves.
@@ -53,7 +55,8 @@ class WallSurface final : public Surface {
 };
 
 // Storeys from the ground up; a free mass has a stiffness of zero and no storey.
-Structure make_stick(const std::vector<double>& masses, const std::vector<double>& stiffnesses, const std::vector<double>& heights) {
+Structure make_stick(const std::vector<double>& masses, const std::vector<double>& stiffnesses,
+                     const std::vector<double>& heights) {
   const int n = static_cast<int>(masses.size());
   Structure s;
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
@@ -128,9 +131,12 @@ Structure make_oscillator(const OscillatorOptions& options) {
     set_damping(s, *options.damping_ratio);
   }
   if (options.spring && (options.yield_force || options.hardening != 0)) throw std::invalid_argument(one_law);
-  if (options.spring) let_storeys_yield(s, *options.spring);
-  else if (options.yield_force) let_storeys_yield(s, {*options.yield_force}, {options.hardening});
-  else if (options.hardening != 0) throw std::invalid_argument(needs_yielding);
+  if (options.spring)
+    let_storeys_yield(s, *options.spring);
+  else if (options.yield_force)
+    let_storeys_yield(s, {*options.yield_force}, {options.hardening});
+  else if (options.hardening != 0)
+    throw std::invalid_argument(needs_yielding);
   return s;
 }
 
@@ -158,9 +164,10 @@ void require_digits_of_storeys(const std::vector<double>& stiffnesses) {
   if (stiffnesses.empty()) return;
   const auto [softest, stiffest] = std::ranges::minmax(stiffnesses);
   if (stiffest > largest_ratio * softest)
-    throw std::invalid_argument(fmt::format("stiffness: storeys of {:.3g} and {:.3g} N/m differ by more than {:g} times, and the motion of the soft one "
-                                            "is round-off; look at the unit, or type at most {:.3g} N/m for the stiff one",
-                                            softest, stiffest, largest_ratio, largest_ratio * softest));
+    throw std::invalid_argument(fmt::format(
+        "stiffness: storeys of {:.3g} and {:.3g} N/m differ by more than {:g} times, and the motion of the soft one "
+        "is round-off; look at the unit, or type at most {:.3g} N/m for the stiff one",
+        softest, stiffest, largest_ratio, largest_ratio * softest));
 }
 
 }  // namespace
@@ -173,7 +180,9 @@ Structure make_shear_building(const ShearBuildingOptions& options) {
   if (options.isolator) isolators = isolators_under(masses, *options.isolator);
   const int above = options.storeys - (isolators ? 1 : 0);
   std::vector<double> stiffnesses;
-  if (above > 0) stiffnesses = options.stiffness.of_each(above, isolators ? "stiffness of the storeys above the isolators" : "stiffness");
+  if (above > 0)
+    stiffnesses =
+        options.stiffness.of_each(above, isolators ? "stiffness of the storeys above the isolators" : "stiffness");
   for (const double stiffness : stiffnesses) require_positive(stiffness, "stiffness");
   require_digits_of_storeys(stiffnesses);
   if (isolators) stiffnesses.insert(stiffnesses.begin(), isolators->spring->stiffness());
@@ -183,12 +192,14 @@ Structure make_shear_building(const ShearBuildingOptions& options) {
   Structure s = make_stick(masses, stiffnesses, heights);
   s.kind = "shear_building";
   if (isolators) s.yielding.push_back(std::move(*isolators));
-  if (options.spring && !(options.yield_force.empty() && options.hardening.empty())) throw std::invalid_argument(one_law);
+  if (options.spring && !(options.yield_force.empty() && options.hardening.empty()))
+    throw std::invalid_argument(one_law);
   if (options.spring) let_storeys_yield(s, *options.spring);
   if (options.yield_force.empty() && !options.hardening.empty()) throw std::invalid_argument(needs_yielding);
   if (!options.yield_force.empty())
-    let_storeys_yield(s, options.yield_force.of_each(above, "yield_force"),
-                      options.hardening.empty() ? std::vector<double>(above, 0.0) : options.hardening.of_each(above, "hardening"));
+    let_storeys_yield(
+        s, options.yield_force.of_each(above, "yield_force"),
+        options.hardening.empty() ? std::vector<double>(above, 0.0) : options.hardening.of_each(above, "hardening"));
   return s;
 }
 
@@ -211,7 +222,8 @@ void let_storeys_yield(Structure& s, const SpringOptions& spring) {
     const std::string name = "storey " + std::to_string(first + i + 1);
     try {
       const hysteresis::Settings settings = spring.of_storey(i, stiffness);
-      s.yielding.emplace_back(name, drift_of(first + i, s.size()), spring.law, parameters_of(settings), make_spring(settings));
+      s.yielding.emplace_back(name, drift_of(first + i, s.size()), spring.law, parameters_of(settings),
+                              make_spring(settings));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(stiffness.size() == 1 ? error.what() : name + ": " + error.what());
     }

@@ -21,12 +21,15 @@ void SlidingFriction::check() const {
   laws::require_positive("weight", weight);
   laws::require_positive("radius", radius);
   laws::require_positive("friction", fast);
-  if (!(slow > 0 && slow <= fast)) laws::refuse("friction", slow, "positive and, the first of two, at most the second, " + laws::number_text(fast));
+  if (!(slow > 0 && slow <= fast))
+    laws::refuse("friction", slow, "positive and, the first of two, at most the second, " + laws::number_text(fast));
   laws::require_positive("rate", rate);
   laws::require_positive("yield_displacement", sliding_deformation);
 }
 
-double SlidingFriction::coefficient(double velocity) const noexcept { return fast - (fast - slow) * std::exp(-rate * std::abs(velocity)); }
+double SlidingFriction::coefficient(double velocity) const noexcept {
+  return fast - (fast - slow) * std::exp(-rate * std::abs(velocity));
+}
 
 double SlidingFriction::slope_of_coefficient(double velocity) const noexcept {
   return std::copysign((fast - slow) * rate * std::exp(-rate * std::abs(velocity)), velocity);
@@ -47,12 +50,14 @@ laws::Response SlidingSpring::evaluate(const LinkMotion& motion) const noexcept 
   const double most = law_.coefficient(motion.rate) * law_.weight;
   if (std::abs(elastic) <= most) return {-k0 * kept_.slip, 0, 0};
   const double q = std::copysign(most, elastic);
-  return {q - k0 * motion.penetration, -k0, std::copysign(law_.weight, elastic) * law_.slope_of_coefficient(motion.rate)};
+  return {q - k0 * motion.penetration, -k0,
+          std::copysign(law_.weight, elastic) * law_.slope_of_coefficient(motion.rate)};
 }
 
 SlidingSpring::State SlidingSpring::slid(State state, const LinkMotion& motion) const noexcept {
   const double elastic = motion.penetration - state.slip;
-  if (std::abs(elastic) > reach(motion.rate)) state.slip = motion.penetration - std::copysign(reach(motion.rate), elastic);
+  if (std::abs(elastic) > reach(motion.rate))
+    state.slip = motion.penetration - std::copysign(reach(motion.rate), elastic);
   state.deformation = motion.penetration;
   state.rate = motion.rate;
   return state;
@@ -73,7 +78,8 @@ double SlidingSpring::balanced_slip_rate(const Jet& at, double way) const noexce
 SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, double from, double to) const noexcept {
   const Jet first = path.at(from);
   const double way = std::copysign(1.0, first.x - state.slip), limit = reach(first.v);
-  const bool sliding = std::abs(first.x - state.slip) > (1 - at_limit) * limit && way * balanced_slip_rate(first, way) > 0;
+  const bool sliding =
+      std::abs(first.x - state.slip) > (1 - at_limit) * limit && way * balanced_slip_rate(first, way) > 0;
   if (!sliding) state = slid(state, {first.x, first.v});
   double low = from;
   const auto is_over = [&](double s) {
@@ -95,7 +101,8 @@ SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, doub
   return {sliding, to};
 }
 
-// Each stage finds by itself that it slides. Where it sticks it does not: what it slipped before, in the same step, is missing in all stages.
+// Each stage finds by itself that it slides. Where it sticks it does not: what it slipped before, in the same step, is
+// missing in all stages.
 std::optional<double> SlidingSpring::bend(const Quintic& path, double near) const noexcept {
   constexpr double near_onset = 1e-3;
   const Phase now = phase(kept_, path, 0, 1);

@@ -11,22 +11,23 @@ namespace pounding {
 ///
 /// v is the rate of d. Constantinou, Mokha & Reinhorn 1990, J. Struct. Eng. 116:455. The weight stays that at rest.
 struct SlidingFriction {
-  double weight = 0;         ///< W > 0 [N]
-  double radius = 0;         ///< R > 0 [m]
-  double slow = 0, fast = 0; ///< mu_slow in (0, mu_fast], mu_fast [-]
-  double rate = 0;           ///< r > 0 [s/m]
+  double weight = 0;                    ///< W > 0 [N]
+  double radius = 0;                    ///< R > 0 [m]
+  double slow = 0, fast = 0;            ///< mu_slow in (0, mu_fast], mu_fast [-]
+  double rate = 0;                      ///< r > 0 [s/m]
   double sliding_deformation = 0.5e-3;  ///< u_y > 0 [m]
 
   /// Throws std::invalid_argument for a number out of its range.
   void check() const;
-  double coefficient(double velocity) const noexcept;        ///< mu [-]
-  double slope_of_coefficient(double velocity) const noexcept;  ///< d mu/d v [s/m]
-  double dish() const noexcept { return weight / radius; }   ///< W/R [N/m]
+  double coefficient(double velocity) const noexcept;                            ///< mu [-]
+  double slope_of_coefficient(double velocity) const noexcept;                   ///< d mu/d v [s/m]
+  double dish() const noexcept { return weight / radius; }                       ///< W/R [N/m]
   double stick() const noexcept { return fast * weight / sliding_deformation; }  ///< k0 [N/m]
 };
 
-/// The slider as a spring. Its k is W/R + k0. At the turns of the deformation it slides at mu_slow. It sticks where its slip stops, which is at the
-/// turn or, where the friction rises faster than k0 could press on, before. Its deformation must be one of unknowns with mass.
+/// The slider as a spring. Its k is W/R + k0. At the turns of the deformation it slides at mu_slow. It sticks where its
+/// slip stops, which is at the turn or, where the friction rises faster than k0 could press on, before. Its deformation
+/// must be one of unknowns with mass.
 class SlidingSpring final : public Spring {
  public:
   /// Undeformed. Throws std::invalid_argument as check().

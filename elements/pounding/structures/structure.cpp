@@ -50,9 +50,7 @@ ContactPoint Surface::column(double, Side, double) const {
   throw std::invalid_argument("it has no columns that could be hit between the floors; name a floor");
 }
 
-ContactPoint Surface::node(const std::string&) const {
-  throw std::invalid_argument("it has no nodes; name a floor");
-}
+ContactPoint Surface::node(const std::string&) const { throw std::invalid_argument("it has no nodes; name a floor"); }
 
 Row Surface::displacement(const std::string&, const std::string&) const {
   throw std::invalid_argument("it has no nodes; name a floor");
@@ -65,7 +63,9 @@ SparseMatrix Structure::formed_damping() const {
 
 SparseMatrix Structure::whole_damping() const {
   const SparseMatrix formed = formed_damping();
-  return modal_ratio > 0 && modal_damping.size() == 0 ? SparseMatrix(formed + modal_damping_matrix(mass, stiffness, modal_ratio)) : formed;
+  return modal_ratio > 0 && modal_damping.size() == 0
+             ? SparseMatrix(formed + modal_damping_matrix(mass, stiffness, modal_ratio))
+             : formed;
 }
 
 Eigen::Vector3d Structure::total_mass() const {
@@ -82,7 +82,8 @@ double YieldingPart::parameter(std::string_view parameter_name) const {
 }
 
 std::size_t Structure::members_that_yield() const {
-  return static_cast<std::size_t>(std::ranges::count_if(yielding, [](const YieldingPart& part) { return !part.is_device(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(yielding, [](const YieldingPart& part) { return !part.is_device(); }));
 }
 
 }  // namespace pounding

@@ -19,7 +19,8 @@ struct TwoFrequencies {
 };
 
 void check_ratio(double ratio) {
-  if (!(ratio >= 0 && ratio < 1)) throw std::invalid_argument(fmt::format("the damping ratio must lie in [0, 1); {} was given", ratio));
+  if (!(ratio >= 0 && ratio < 1))
+    throw std::invalid_argument(fmt::format("the damping ratio must lie in [0, 1); {} was given", ratio));
 }
 
 TwoFrequencies points_of(const RayleighDamping& rayleigh, const Structure& s, const ModeSolver& solver) {
@@ -32,7 +33,8 @@ TwoFrequencies points_of(const RayleighDamping& rayleigh, const Structure& s, co
   const int count = count_of_modes(s);
   const auto [first, second] = rayleigh.modes.value_or(std::array{1, std::min(2, count)});
   if (std::min(first, second) < 1 || std::max(first, second) > count)
-    throw std::invalid_argument(fmt::format("modes {} and {} of the damping: there are the modes 1 to {}", first, second, count));
+    throw std::invalid_argument(
+        fmt::format("modes {} and {} of the damping: there are the modes 1 to {}", first, second, count));
   const int highest = std::max(first, second);
   const Eigen::VectorXd w =
       highest <= s.frequencies.size() ? s.frequencies : solver(s.mass, s.stiffness, highest).frequencies;
@@ -46,7 +48,8 @@ void use_rayleigh(Structure& s, double ratio, const TwoFrequencies& points) {
   s.damping_note = fmt::format("Rayleigh, {:.4g} % in {}", 100 * ratio, points.note);
 }
 
-// b K without the part of the isolators, with the ratio in the first mode on a fixed base: forces of the mass would brake the isolators.
+// b K without the part of the isolators, with the ratio in the first mode on a fixed base: forces of the mass would
+// brake the isolators.
 void damp_above_isolators(Structure& s, double ratio, const ModeSolver& solver) {
   s.damping_note = "none";
   if (ratio == 0) return;
@@ -55,8 +58,10 @@ void damp_above_isolators(Structure& s, double ratio, const ModeSolver& solver) 
   const double w = solver(mass, stiffness, 1).frequencies[0];
   s.by_stiffness = 2 * ratio / w;
   s.damping -= s.by_stiffness * stiffness_of_isolators(s);
-  s.damping_note = fmt::format("{:.4g} % in the first mode on a fixed base, period {:.6g} s, in proportion to the stiffness without the isolators",
-                               100 * ratio, 2 * M_PI / w);
+  s.damping_note = fmt::format(
+      "{:.4g} % in the first mode on a fixed base, period {:.6g} s, in proportion to the stiffness without the "
+      "isolators",
+      100 * ratio, 2 * M_PI / w);
 }
 
 void damp(Structure& s, double ratio, const ModeSolver& solver) {
@@ -64,7 +69,8 @@ void damp(Structure& s, double ratio, const ModeSolver& solver) {
   if (is_isolated(s)) return damp_above_isolators(s, ratio, solver);
   if (s.rigid_motions > 0) {
     s.by_stiffness = 2 * ratio / s.frequencies[0];
-    s.damping_note = fmt::format("{:.4g} % in the first mode that bends it, in proportion to the stiffness", 100 * ratio);
+    s.damping_note =
+        fmt::format("{:.4g} % in the first mode that bends it, in proportion to the stiffness", 100 * ratio);
     return;
   }
   if (count_of_modes(s) == 1 && s.size() == 1) {
@@ -79,11 +85,13 @@ void damp(Structure& s, double ratio, const ModeSolver& solver) {
 void damp(Structure& s, const RayleighDamping& rayleigh, const ModeSolver& solver) {
   check_ratio(rayleigh.ratio);
   if (s.rigid_motions > 0)
-    throw std::invalid_argument("without supports Rayleigh damping would brake the motion as a rigid body; type damping: 5 %, or damping: "
-                                "{modal: {ratio: 5 %}}");
+    throw std::invalid_argument(
+        "without supports Rayleigh damping would brake the motion as a rigid body; type damping: 5 %, or damping: "
+        "{modal: {ratio: 5 %}}");
   if (is_isolated(s))
-    throw std::invalid_argument("on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the "
-                                "stiffness above them, or damping: {modal: {ratio: 2 %}}");
+    throw std::invalid_argument(
+        "on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the "
+        "stiffness above them, or damping: {modal: {ratio: 2 %}}");
   use_rayleigh(s, rayleigh.ratio, points_of(rayleigh, s, solver));
 }
 
@@ -94,7 +102,8 @@ void damp(Structure& s, const ModalDamping& modal, const ModeSolver&) {
     s.damping += modal_damping_matrix(s.mass, s.stiffness - stiffness_of_isolators(s), modal.ratio);
   else
     s.modal_ratio = modal.ratio;
-  s.damping_note = fmt::format("modal, {:.4g} % in every mode{}", 100 * modal.ratio, isolated ? " of the structure without its isolators" : "");
+  s.damping_note = fmt::format("modal, {:.4g} % in every mode{}", 100 * modal.ratio,
+                               isolated ? " of the structure without its isolators" : "");
 }
 
 }  // namespace
@@ -109,9 +118,12 @@ void set_frequencies(Structure& s, const ModeSolver& modes) {
   const int rigid = s.rigid_motions, count = std::min(modes_of_a_structure + rigid, count_of_modes(s));
   s.frequencies = modes(s.mass, s.stiffness, count).frequencies;
   if (rigid == 0) return;
-  if (count <= rigid) throw std::invalid_argument("without supports it has no mode that bends it; take a body, or give more nodes a mass");
+  if (count <= rigid)
+    throw std::invalid_argument(
+        "without supports it has no mode that bends it; take a body, or give more nodes a mass");
   if (!(s.frequencies[rigid] > 0))
-    throw std::invalid_argument("without supports its parts move in other ways than those of one rigid body; connect or brace them");
+    throw std::invalid_argument(
+        "without supports its parts move in other ways than those of one rigid body; connect or brace them");
   s.frequencies = s.frequencies.tail(count - rigid).eval();
 }
 

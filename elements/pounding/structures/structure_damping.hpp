@@ -25,8 +25,8 @@ struct ModalDamping {
   double ratio = 0;  ///< in [0, 1)
 };
 
-/// How a structure is damped. A bare ratio is that of an oscillator's critical damping, and with several modes Rayleigh's in the
-/// first two.
+/// How a structure is damped. A bare ratio is that of an oscillator's critical damping, and with several modes
+/// Rayleigh's in the first two.
 class Damping {
  public:
   Damping(double ratio) : how_(ratio) {}
@@ -41,14 +41,14 @@ class Damping {
 /// Number of modes of a structure: of unknowns with mass.
 int count_of_modes(const Structure& structure);
 
-/// Finds the lowest frequencies of a structure, modes_of_a_structure of them where there are so many; zero for a body. Throws
-/// std::invalid_argument as `modes` does.
+/// Finds the lowest frequencies of a structure, modes_of_a_structure of them where there are so many; zero for a body.
+/// Throws std::invalid_argument as `modes` does.
 void set_frequencies(Structure& structure, const ModeSolver& modes = dense_modes);
 
 /// Adds the damping to a structure whose frequencies have been set, and notes it in damping_note.
 /// Of modal damping it notes the ratio alone, without a matrix, but on isolators, which it leaves out.
-/// Throws std::invalid_argument for a ratio outside [0, 1), modes that it has not, periods that are not positive, both of them,
-/// and modal damping of too many modes on isolators.
+/// Throws std::invalid_argument for a ratio outside [0, 1), modes that it has not, periods that are not positive, both
+/// of them, and modal damping of too many modes on isolators.
 void set_damping(Structure& structure, const Damping& damping, const ModeSolver& modes = dense_modes);
 
 }  // namespace pounding

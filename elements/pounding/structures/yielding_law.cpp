@@ -9,9 +9,11 @@
 namespace pounding {
 
 hysteresis::Settings SpringOptions::of_storey(int storey, const std::vector<double>& stiffness) const {
-  if (values.contains("stiffness")) throw std::invalid_argument("the stiffness of a spring is that of its storey; leave it out");
+  if (values.contains("stiffness"))
+    throw std::invalid_argument("the stiffness of a spring is that of its storey; leave it out");
   hysteresis::Settings settings{.law = law, .words = words};
-  for (const auto& [name, each] : values) settings.values.emplace(name, each.of_each(static_cast<int>(stiffness.size()), name)[storey]);
+  for (const auto& [name, each] : values)
+    settings.values.emplace(name, each.of_each(static_cast<int>(stiffness.size()), name)[storey]);
   settings.values.emplace("stiffness", stiffness[storey]);
   return settings;
 }
@@ -23,8 +25,10 @@ std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& s
         for (const auto& parameter : L::parameters) {
           const std::string name(parameter.info.name);
           if (name == "stiffness") continue;
-          if (parameter.value) all.push_back({name, law.*parameter.value});
-          else if (law.*parameter.choice) all.push_back({name, *(law.*parameter.choice)});
+          if (parameter.value)
+            all.push_back({name, law.*parameter.value});
+          else if (law.*parameter.choice)
+            all.push_back({name, *(law.*parameter.choice)});
         }
         if constexpr (requires { L::choices; })
           for (const auto& choice : L::choices)

@@ -51,16 +51,20 @@ class UnitImpact {
     };
     return laws::extrapolated_step<2>(slope, x_, y_, h, tolerance);
   }
-  // Ends the step where the damping is full or the force is cut: the error estimate can overlook such places. It ends where the bodies turn, too: those that
-  // come just as deep as the depth of full damping would pass it twice in one step.
+  // Ends the step where the damping is full or the force is cut: the error estimate can overlook such places. It ends
+  // where the bodies turn, too: those that come just as deep as the depth of full damping would pass it twice in one
+  // step.
   void land(laws::ExtrapolatedStep<2>& end) {
     const auto place = [&](int which, const State& y) {
-      return which == 0 ? y[1] : which == 1 ? law_.corner(y[0], y[1], impact_) : law_.contact(y[0], y[1], impact_).force;
+      return which == 0   ? y[1]
+             : which == 1 ? law_.corner(y[0], y[1], impact_)
+                          : law_.contact(y[0], y[1], impact_).force;
     };
     for (const int which : {0, 1, 2}) {
       const double before = place(which, y_), after = place(which, end.state);
       if (!(before * after < 0)) continue;
-      const double h = laws::find_root([&](double part) { return place(which, moved(part).state); }, 0, before, h_, after);
+      const double h =
+          laws::find_root([&](double part) { return place(which, moved(part).state); }, 0, before, h_, after);
       if (h > shortest) h_ = h, end = moved(h);
     }
   }
@@ -95,7 +99,11 @@ class Table {
   double solved(double depth) const {
     const double scale = std::max(1.0, depth * depth / 3);
     const auto miss = [&](double number) {
-      const laws::AdamsImpact law{.stiffness = 1, .exponent = exponent_, .depth = depth, .damping_coefficient = scale * number, .reduced_mass = 1};
+      const laws::AdamsImpact law{.stiffness = 1,
+                                  .exponent = exponent_,
+                                  .depth = depth,
+                                  .damping_coefficient = scale * number,
+                                  .reduced_mass = 1};
       return UnitImpact(law).restitution() - restitution_;
     };
     double low = 0, at_low = 1 - restitution_, high = 1, at_high = miss(high);
@@ -108,7 +116,8 @@ class Table {
     return scale * laws::find_root(miss, low, at_low, high, at_high);
   }
 
-  // Logarithms of the numbers over one piece; nothing where they are not smooth: the bodies come just as deep as the depth, or are just released.
+  // Logarithms of the numbers over one piece; nothing where they are not smooth: the bodies come just as deep as the
+  // depth, or are just released.
   std::optional<Series> polynomial(int level, double index) const {
     Series logarithms, series{};
     const auto angle = [](std::size_t i) { return std::numbers::pi * (static_cast<double>(i) + 0.5) / terms; };
@@ -138,8 +147,10 @@ double tabled_adams_impact(const laws::CalibrationTarget& asked) {
   if (asked.restitution >= 1) return 0;
   thread_local std::map<std::pair<double, double>, Table> tables;
   if (tables.size() > 1000) tables.clear();
-  Table& table = tables.try_emplace({asked.restitution, asked.exponent}, asked.restitution, asked.exponent).first->second;
-  return table.number(asked.depth / laws::impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent));
+  Table& table =
+      tables.try_emplace({asked.restitution, asked.exponent}, asked.restitution, asked.exponent).first->second;
+  return table.number(asked.depth /
+                      laws::impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent));
 }
 
 }  // namespace pounding::study

@@ -1,5 +1,6 @@
 #pragma once
-/// Calibrations of a law that are found once and not again at every touch: some of them integrate impacts for milliseconds.
+/// Calibrations of a law that are found once and not again at every touch: some of them integrate impacts for
+/// milliseconds.
 
 #include <array>
 #include <type_traits>
@@ -9,7 +10,8 @@
 
 namespace pounding::study {
 
-/// The last calibration of one formula on this thread. The formula is a pure function, so the bits are those of the formula itself.
+/// The last calibration of one formula on this thread. The formula is a pure function, so the bits are those of the
+/// formula itself.
 struct LastCalibration {
   laws::DampingFormula formula = nullptr;
   laws::CalibrationTarget target{};
@@ -45,8 +47,8 @@ bool same_formula(const Law& a, const Law& b) {
   return true;
 }
 
-/// The law, with a formula that remembers its last answer on this thread. A number that depends on the closing speed is found at every touch as before,
-/// but for those of adams_impact, which are tabled.
+/// The law, with a formula that remembers its last answer on this thread. A number that depends on the closing speed is
+/// found at every touch as before, but for those of adams_impact, which are tabled.
 template <class Law>
 Law remembering(Law law) {
   if constexpr (std::is_same_v<Law, laws::AdamsImpact>) {
@@ -62,7 +64,8 @@ Law remembering(Law law) {
 
 /// True for a law whose curve follows from powers of the closing speed, and which takes the curve instead of them.
 template <class Law>
-inline constexpr bool has_curve = requires(Law law, const laws::Impact& impact) { law.initial_stiffness = law.curve(impact).k1; };
+inline constexpr bool has_curve =
+    requires(Law law, const laws::Impact& impact) { law.initial_stiffness = law.curve(impact).k1; };
 
 /// The law with the curve of one impact, which is found once.
 template <class Law>

@@ -29,8 +29,8 @@ class Clock {
     const double root = std::sqrt(std::fmax(t - touch_, 0));
     return p_ == 2 ? root : std::sqrt(root);
   }
-  /// Time takes a step by s longer the later it is: the factor to the next step of about the same length in time. The step from the touch itself says
-  /// more about s than about time.
+  /// Time takes a step by s longer the later it is: the factor to the next step of about the same length in time. The
+  /// step from the touch itself says more about s than about time.
   double shortening(double s, double ds) const noexcept {
     if (s == 0) return p_ == 1 ? 1 : 0.8;
     const double ratio = (2 * s + ds) / (2 * s + 3 * ds);

@@ -25,7 +25,12 @@ class ContactRun {
   using Links = std::vector<LinkContact<Law>>;
 
   ContactRun(const Structures<M, L>& structures, Links& links, OutputPeaks<M, L>& outputs, const Settings& settings)
-      : s_(structures), links_(links), outputs_(outputs), settings_(settings), step_(structures), jerk_(structures.count) {
+      : s_(structures),
+        links_(links),
+        outputs_(outputs),
+        settings_(settings),
+        step_(structures),
+        jerk_(structures.count) {
     for (Moment<M, L>& moment : moments_) moment = step_.moment();
   }
   // It points at its own moments.
@@ -48,8 +53,8 @@ class ContactRun {
     apply({LinkEvent::touch, link, 0}, ground);
   }
 
-  /// Steps from x until all links are open again or the interval is over. A step may end in the next interval of the same length where the ground goes on
-  /// there. Returns the time of the interval, and the state then in x.
+  /// Steps from x until all links are open again or the interval is over. A step may end in the next interval of the
+  /// same length where the ground goes on there. Returns the time of the interval, and the state then in x.
   double press(const Ground& ground, ModalState<M>& x, double t, double length) {
     Moment<M, L>& m = *begin_;
     m.q = x.q, m.v = x.v, m.time = t;
@@ -96,7 +101,11 @@ class ContactRun {
     clock_ = Clock(begin_->time, links_[l].root());
     reading_ = clock_.reading(begin_->time);
     // A first step that the error test keeps nearly always.
-    ds_ = clock_.reading(begin_->time + (clock_.p() == 1 ? 0.3 : clock_.p() == 2 ? 0.1 : 0.003) * time_scale_) - reading_;
+    ds_ = clock_.reading(begin_->time + (clock_.p() == 1   ? 0.3
+                                         : clock_.p() == 2 ? 0.1
+                                                           : 0.003) *
+                                            time_scale_) -
+          reading_;
   }
 
   // One kept step.
@@ -107,7 +116,8 @@ class ContactRun {
       clock_ = Clock(), reading_ = begin_->time;
     }
     // No step is longer than an interval.
-    const double last = laws::is_linear<Law> || ground.corner > length ? length : begin_->time + length, to_end = clock_.reading(last) - reading_;
+    const double last = laws::is_linear<Law> || ground.corner > length ? length : begin_->time + length,
+                 to_end = clock_.reading(last) - reading_;
     step_.begin(links_, ground, *begin_, settings_.tolerance);
     if constexpr (laws::is_linear<Law>) ds_ = step_.longest();
     for (;;) {
@@ -137,8 +147,8 @@ class ContactRun {
     }
   }
 
-  // Growth of the next step by the square of this one's error: 0.9 error^-0.2, within 7 %, from the logarithm that the bits of a number are.
-  // Whole numbers are computed alike on every machine, powers are not.
+  // Growth of the next step by the square of this one's error: 0.9 error^-0.2, within 7 %, from the logarithm that the
+  // bits of a number are. Whole numbers are computed alike on every machine, powers are not.
   static double growth(double square) noexcept {
     constexpr std::int64_t one = std::bit_cast<std::int64_t>(1.0);
     return 0.9 * std::bit_cast<double>(one - (std::bit_cast<std::int64_t>(square) - one) / 10);
@@ -146,7 +156,8 @@ class ContactRun {
 
   // Square of the step's error over the largest one allowed.
   double take(const Ground& ground, double ds, double end_time) noexcept {
-    return per_allowed_ * step_.take(links_, ground, clock_, *begin_, reading_, ds, end_time, per_square_of_time_, *end_);
+    return per_allowed_ *
+           step_.take(links_, ground, clock_, *begin_, reading_, ds, end_time, per_square_of_time_, *end_);
   }
   // The fastest closing of this impact has grown: so does the error that a step may have.
   void allow() noexcept {
@@ -168,7 +179,8 @@ class ContactRun {
     // Before the laws' memories move: what lies inside the step belongs to those at its beginning.
     const auto jerk = [&](const Moment<M, L>& m) -> const Modes<M>& { return step_.jerk(m, jerk_), jerk_; };
     if (!outputs_.goes_on(*begin_, *end_))
-      outputs_.pressed(*begin_, *end_, h, jerk, [&](double part) -> const Moment<M, L>& { return inside(ground, part); });
+      outputs_.pressed(*begin_, *end_, h, jerk,
+                       [&](double part) -> const Moment<M, L>& { return inside(ground, part); });
     for (std::size_t l = 0; l < s_.links(); ++l) {
       LinkContact<Law>& link = links_[l];
       if (!link.closed()) continue;
@@ -235,12 +247,12 @@ class ContactRun {
   Moment<M, L>*begin_ = &moments_[0], *end_ = &moments_[1], *middle_ = &moments_[2];
   Modes<M> jerk_;
   bool closed_ = false;
-  double time_ = 0;      // of the present interval
-  double fastest_ = 0;   // rate of any link so far
+  double time_ = 0;     // of the present interval
+  double fastest_ = 0;  // rate of any link so far
   Clock clock_;
   double reading_ = 0, ds_ = 0, last_ = 0;
-  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;    // of the present impact
-  double per_allowed_ = 0, per_square_of_time_ = 0;         // inverse squares of the allowed error and of the time
+  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;  // of the present impact
+  double per_allowed_ = 0, per_square_of_time_ = 0;       // inverse squares of the allowed error and of the time
   long steps_ = 0, tries_ = 0;
 };
 

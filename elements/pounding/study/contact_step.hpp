@@ -22,7 +22,8 @@ class ContactStep : public ContactMotion<Law, M, L> {
  public:
   using typename Base::Links;
 
-  explicit ContactStep(const Structures<M, L>& structures) : Base(structures), presses_(numbers<L, int>(s_.link_count)) {
+  explicit ContactStep(const Structures<M, L>& structures)
+      : Base(structures), presses_(numbers<L, int>(s_.link_count)) {
     for (Stage& stage : stages_) stage = {s_.k, s_.k, numbers<L>(s_.link_count), numbers<L>(s_.link_count)};
     if (s_.links() == 1) by_ground_ = s_.closes(0, s_.p), by_force_ = s_.closes(0, s_.closing[0]);
   }
@@ -30,10 +31,11 @@ class ContactStep : public ContactMotion<Law, M, L> {
   /// Steps go on from this complete state.
   void begin(const Links&, const Ground&, const Moment<M, L>&, double) const noexcept {}
 
-  /// A step from `begin` by ds on the clock, ending at the time given; returns the square of the velocity that the error of the modes' energy stands
-  /// for [kg m^2/s^2]; `of_displacement` [1/s^2] is the inverse square of a time between displacements and velocities.
-  double take(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds, double end_time,
-              double of_displacement, Moment<M, L>& end) noexcept {
+  /// A step from `begin` by ds on the clock, ending at the time given; returns the square of the velocity that the
+  /// error of the modes' energy stands for [kg m^2/s^2]; `of_displacement` [1/s^2] is the inverse square of a time
+  /// between displacements and velocities.
+  double take(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s,
+              double ds, double end_time, double of_displacement, Moment<M, L>& end) noexcept {
     if constexpr (L != 1)
       if (s_.links() > 1) return take_with<false>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
     return take_with<true>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
@@ -84,8 +86,9 @@ class ContactStep : public ContactMotion<Law, M, L> {
                                      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
   static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
-  // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that nothing holds: what is left
-  // is smooth there. Of that motion with a load of 1: its velocity, and the time since the corner.
+  // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that
+  // nothing holds: what is left is smooth there. Of that motion with a load of 1: its velocity, and the time since the
+  // corner.
   struct Bend {
     double rate = 0, beyond = 0;
     // Displacement that goes with a velocity.
@@ -97,8 +100,9 @@ class ContactStep : public ContactMotion<Law, M, L> {
   }
 
   template <bool one_link>
-  [[gnu::flatten]] double take_with(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds,
-                                    double end_time, double of_displacement, Moment<M, L>& end) noexcept {
+  [[gnu::flatten]] double take_with(const Links& links, const Ground& ground, const Clock& clock,
+                                    const Moment<M, L>& begin, double s, double ds, double end_time,
+                                    double of_displacement, Moment<M, L>& end) noexcept {
     double times[6];
     read(clock, s, ds, times);
     const bool bent = end_time > ground.corner;
@@ -108,17 +112,22 @@ class ContactStep : public ContactMotion<Law, M, L> {
       const LinkMoment& link = begin.links[l];
       stages_[0].force[l] = link.force.force, stages_[0].rate[l] = link.rate;
       presses_[l] = links[l].pressed();
-      if constexpr (one_link) stages_[0].closing = speeds_[0] * link.rate, stages_[0].closing_faster = speeds_[0] * link.acceleration;
+      if constexpr (one_link)
+        stages_[0].closing = speeds_[0] * link.rate, stages_[0].closing_faster = speeds_[0] * link.acceleration;
     }
     const auto stage = [&]<int I>(std::integral_constant<int, I>) {
       Bend bend;
       move<I>(begin, q, v);
-      if (bent) [[unlikely]] apply(bend = bend_of(ground, times[I]), q, v);
+      if (bent) [[unlikely]]
+        apply(bend = bend_of(ground, times[I]), q, v);
       evaluate<I, one_link>(links, begin, ground.line(times[I]), bend, q, v, acceleration);
       keep(stages_[I], speeds_[I], v, acceleration);
-      if (bent) [[unlikely]] unbend(speeds_[I] * bend.rate, stages_[I].q);
+      if (bent) [[unlikely]]
+        unbend(speeds_[I] * bend.rate, stages_[I].q);
     };
-    [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
+    [&]<int... I>(std::integer_sequence<int, I...>) {
+      (stage(std::integral_constant<int, I + 1>{}), ...);
+    }(std::make_integer_sequence<int, 5>{});
     move<6>(begin, q, v);
     if (bent) apply(bend_of(ground, end_time), q, v);
     if constexpr (M > 0) end.q = q, end.v = v;
@@ -131,7 +140,8 @@ class ContactStep : public ContactMotion<Law, M, L> {
 
   void apply(const Bend& bend, Modes<M>& q, Modes<M>& v) const noexcept {
     const double way = bend.way(bend.rate);
-    for (std::size_t i = 0; i < s_.k.parts(); ++i) q.part(i) -= way * s_.p.part(i), v.part(i) -= bend.rate * s_.p.part(i);
+    for (std::size_t i = 0; i < s_.k.parts(); ++i)
+      q.part(i) -= way * s_.p.part(i), v.part(i) -= bend.rate * s_.p.part(i);
   }
   void unbend(double part, Modes<M>& x) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) x.part(i) += part * s_.p.part(i);
@@ -160,12 +170,15 @@ class ContactStep : public ContactMotion<Law, M, L> {
       auto at_q = begin.q.part(i), at_v = begin.v.part(i);
 #pragma GCC unroll 6
       for (int k = 0; k < I; ++k)
-        if (a[I - 1][k] != 0) at_q += same<Part>(a[I - 1][k]) * stages_[k].q.part(i), at_v += same<Part>(a[I - 1][k]) * stages_[k].v.part(i);
+        if (a[I - 1][k] != 0)
+          at_q += same<Part>(a[I - 1][k]) * stages_[k].q.part(i),
+              at_v += same<Part>(a[I - 1][k]) * stages_[k].v.part(i);
       q.part(i) = at_q, v.part(i) = at_v;
     }
   }
 
-  // Penetration and rate of the one link, moved as those of the modes are: nothing but its last force then waits for the stage before.
+  // Penetration and rate of the one link, moved as those of the modes are: nothing but its last force then waits for
+  // the stage before.
   template <int I>
   void move_link(const LinkMoment& begin, const Bend& bend, Stage& stage, double& d, double& rate) const noexcept {
     d = begin.d, rate = begin.rate;
@@ -181,8 +194,8 @@ class ContactStep : public ContactMotion<Law, M, L> {
 
   // Forces of the links that press and the accelerations, of the state that the I stages before have moved to.
   template <int I, bool one_link>
-  [[gnu::always_inline]] void evaluate(const Links& links, const Moment<M, L>& begin, double ag, const Bend& bend, const Modes<M>& q,
-                                       const Modes<M>& v, Modes<M>& acceleration) noexcept {
+  [[gnu::always_inline]] void evaluate(const Links& links, const Moment<M, L>& begin, double ag, const Bend& bend,
+                                       const Modes<M>& q, const Modes<M>& v, Modes<M>& acceleration) noexcept {
     Stage& stage = stages_[I];
     Base::pull(q, v, ag, acceleration);
     if constexpr (one_link) stage.closing_faster = s_.closes(0, acceleration);
@@ -215,7 +228,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
     return squares_v + of_displacement * squares_q;
   }
 
-  Numbers<L, int> presses_;               // whether a link does in the present step
+  Numbers<L, int> presses_;              // whether a link does in the present step
   double by_ground_ = 0, by_force_ = 0;  // B^T p and B^T B of the one link
   Stage stages_[6];
   double speeds_[6] = {};

@@ -14,8 +14,8 @@ inline double top_of_cubic(double y0, double w0, double y1, double w1) noexcept 
   return 2 * w0 / (-b + std::copysign(std::sqrt(std::max(0.0, b * b - 4 * a * w0)), w0));
 }
 
-/// Part of the step where a quantity is flat, from its slopes of opposite signs at both ends and a first guess, to a ten-thousandth: its error is the
-/// square of that. `slope(s)` is asked for at every guess.
+/// Part of the step where a quantity is flat, from its slopes of opposite signs at both ends and a first guess, to a
+/// ten-thousandth: its error is the square of that. `slope(s)` is asked for at every guess.
 template <class Slope>
 double flat_part(double at_begin, double at_end, double s, const Slope& slope) noexcept {
   double low = 0, high = 1, at_low = at_begin, at_high = at_end;

@@ -13,7 +13,8 @@ template <int M, int L>
 class Flight {
  public:
   /// `h` with omega h <= 1 and 2 zeta omega h <= 1 [s].
-  Flight(const Structures<M, L>& s, double h) : h_(h), qq_(s.k), qv_(s.k), vq_(s.k), vv_(s.k), q0_(s.k), q1_(s.k), v0_(s.k), v1_(s.k) {
+  Flight(const Structures<M, L>& s, double h)
+      : h_(h), qq_(s.k), qv_(s.k), vq_(s.k), vv_(s.k), q0_(s.k), q1_(s.k), v0_(s.k), v1_(s.k) {
     for (std::size_t j = 0; j < s.modes(); ++j) {
       end(motion(s.order, s.k[j], s.c[j], 1, 0, 0, 0), qq_[j], vq_[j]);
       end(motion(s.order, s.k[j], s.c[j], 0, 1, 0, 0), qv_[j], vv_[j]);
@@ -34,7 +35,8 @@ class Flight {
   struct Part {
     typename Modes<M>::Part q, v;
   };
-  Part end(std::size_t i, const typename Modes<M>::Part& q, const typename Modes<M>::Part& v, double a0, double a1) const noexcept {
+  Part end(std::size_t i, const typename Modes<M>::Part& q, const typename Modes<M>::Part& v, double a0,
+           double a1) const noexcept {
     return {qq_.part(i) * q + qv_.part(i) * v + (q0_.part(i) * a0 + q1_.part(i) * a1),
             vq_.part(i) * q + vv_.part(i) * v + (v0_.part(i) * a0 + v1_.part(i) * a1)};
   }
@@ -57,13 +59,15 @@ class PartOfFlight {
 
   void begin(const ModalState<M>& x, const Ground& ground) noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i)
-      motion_terms(s_.order, s_.k.part(i), s_.c.part(i), x.q.part(i), x.v.part(i), ground.at * s_.p.part(i), ground.slope * s_.p.part(i),
+      motion_terms(s_.order, s_.k.part(i), s_.c.part(i), x.q.part(i), x.v.part(i), ground.at * s_.p.part(i),
+                   ground.slope * s_.p.part(i),
                    [&](std::size_t term, const auto& pack) { terms_[term].part(i) = pack; });
   }
   /// The rest of a link's gap.
   Polynomial gap(std::size_t link, double whole) const noexcept {
     Polynomial left{.order = s_.order, .c = {}};
-    for (std::size_t term = 0; term <= static_cast<std::size_t>(s_.order); ++term) left.c[term] = -s_.closes(link, terms_[term]);
+    for (std::size_t term = 0; term <= static_cast<std::size_t>(s_.order); ++term)
+      left.c[term] = -s_.closes(link, terms_[term]);
     left.c[0] += whole;
     return left;
   }
@@ -86,8 +90,8 @@ class PartOfFlight {
   std::array<Modes<M>, taylor_order + 1> terms_;
 };
 
-/// Whether a gap that is open at both ends of an interval may have closed inside: the tangents at both ends meet behind it. Gaps g0, g1 > 0 [m], closing
-/// rates r0, r1 [m/s].
+/// Whether a gap that is open at both ends of an interval may have closed inside: the tangents at both ends meet behind
+/// it. Gaps g0, g1 > 0 [m], closing rates r0, r1 [m/s].
 inline bool may_dip(double g0, double r0, double g1, double r1, double h) noexcept {
   return r0 > 0 && r1 < 0 && g0 * (r0 - r1) <= r0 * (g0 - g1 - r1 * h);
 }

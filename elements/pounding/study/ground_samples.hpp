@@ -1,5 +1,6 @@
 #pragma once
-/// The ground's acceleration as a history wants it: straight in intervals that are short beside the motion of every mode.
+/// The ground's acceleration as a history wants it: straight in intervals that are short beside the motion of every
+/// mode.
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,12 @@ namespace pounding::study {
 class GroundSamples {
  public:
   GroundSamples(const LinearModel& model, const EvenRecord& record)
-      : factor_(record.factor), pieces_(pieces(model, record)), step_(record.step / static_cast<double>(pieces_)),
-        reach_(fastest(model) * step_), refined_(refined(record, pieces_)), samples_(pieces_ == 1 ? record.accelerations : refined_),
+      : factor_(record.factor),
+        pieces_(pieces(model, record)),
+        step_(record.step / static_cast<double>(pieces_)),
+        reach_(fastest(model) * step_),
+        refined_(refined(record, pieces_)),
+        samples_(pieces_ == 1 ? record.accelerations : refined_),
         last_(static_cast<long>(samples_.size()) - 1) {}
   // It points at its own samples.
   GroundSamples(const GroundSamples&) = delete;
@@ -44,7 +49,8 @@ class GroundSamples {
   double slope(long n) const noexcept { return (before(n + 1) - after(n)) / step_; }
   static double fastest(const LinearModel& model) {
     double rate = 0;
-    for (std::size_t j = 0; j < model.stiffness.size(); ++j) rate = std::max({rate, std::sqrt(model.stiffness[j]), model.damping[j]});
+    for (std::size_t j = 0; j < model.stiffness.size(); ++j)
+      rate = std::max({rate, std::sqrt(model.stiffness[j]), model.damping[j]});
     return rate;
   }
   static long pieces(const LinearModel& model, const EvenRecord& record) {
@@ -58,7 +64,8 @@ class GroundSamples {
     all.reserve(samples.size() * static_cast<std::size_t>(pieces));
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
       for (long part = 0; part < pieces; ++part)
-        all.push_back(samples[i] + (samples[i + 1] - samples[i]) * static_cast<double>(part) / static_cast<double>(pieces));
+        all.push_back(samples[i] +
+                      (samples[i + 1] - samples[i]) * static_cast<double>(part) / static_cast<double>(pieces));
     all.push_back(samples.back());
     return all;
   }

@@ -1,5 +1,6 @@
 #pragma once
-/// One history of the kernel: flights between contacts. M modes and L links, 0 for a number that is known at run time only.
+/// One history of the kernel: flights between contacts. M modes and L links, 0 for a number that is known at run time
+/// only.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,14 @@ template <class Law, int M, int L>
 class History {
  public:
   History(const LinearModel& model, const EvenRecord& record, const Settings& settings)
-      : ground_(model, record), s_(model, taylor_order_for(ground_.reach())), record_(record), settings_(settings), outputs_(model, s_),
-        contact_(s_, links_, outputs_, settings), flight_(s_, ground_.step()), part_(s_) {
+      : ground_(model, record),
+        s_(model, taylor_order_for(ground_.reach())),
+        record_(record),
+        settings_(settings),
+        outputs_(model, s_),
+        contact_(s_, links_, outputs_, settings),
+        flight_(s_, ground_.step()),
+        part_(s_) {
     links_.reserve(model.links.size());
     bool one_formula = true;
     for (const LinkModes& link : model.links)
@@ -38,7 +45,8 @@ class History {
 
   Peaks run() {
     const double h = flight_.length();
-    const double whole = settings_.duration > 0 ? settings_.duration : record_.step * static_cast<double>(record_.accelerations.size() - 1);
+    const double whole = settings_.duration > 0 ? settings_.duration
+                                                : record_.step * static_cast<double>(record_.accelerations.size() - 1);
     // Rounding of a duration that is a multiple of the step is no interval.
     const auto intervals = static_cast<long>(std::ceil(whole / h * (1 - 1e-13)));
     const double rest = std::min(h, whole - h * static_cast<double>(intervals - 1));
@@ -67,7 +75,9 @@ class History {
       return !(later.gap > 0) || (gap > 0 ? may_dip(gap, rate, later.gap, later.rate, h) : !(rate < 0));
     }
   };
-  Closing closing(std::size_t l, const ModalState<M>& x) const noexcept { return {links_[l].gap() - s_.closes(l, x.q), s_.closes(l, x.v)}; }
+  Closing closing(std::size_t l, const ModalState<M>& x) const noexcept {
+    return {links_[l].gap() - s_.closes(l, x.q), s_.closes(l, x.v)};
+  }
 
   // Whole intervals without contact, from number n to the first one in which a link may close, or to `end`.
   [[gnu::noinline]] long glide(long n, long end) noexcept {
@@ -97,8 +107,9 @@ class History {
     contact_.saw(fastest);
     return n;
   }
-  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at. One question is asked of each state, with the same
-  // answer for nearly all of them: whether a link could close or a peak be passed within an interval at its present rates.
+  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at. One question is
+  // asked of each state, with the same answer for nearly all of them: whether a link could close or a peak be passed
+  // within an interval at its present rates.
   long glide_pair(long n, long end) noexcept {
     const double h = flight_.length(), per_h = 1 / h, gap = links_[0].gap();
     const auto closing_by = s_.closing[0].part(0);
@@ -111,11 +122,13 @@ class History {
       const auto next = flight_.end(0, q, v, a0, a1);
       const Closing later{gap - sum(closing_by * next.q), sum(closing_by * next.v)};
       const double rate = std::abs(later.rate);
-      const bool calm = (smallest(at_peak - magnitude(next.q) - (0.5 * h) * magnitude(next.v)) >= 0) & (later.gap > h * rate);
+      const bool calm =
+          (smallest(at_peak - magnitude(next.q) - (0.5 * h) * magnitude(next.v)) >= 0) & (later.gap > h * rate);
       if (!(calm & was_calm)) {
         if (now.may_close_before(later, h)) break;
         x_.q.part(0) = q, x_.v.part(0) = v, next_.q.part(0) = next.q, next_.v.part(0) = next.v;
-        if (!outputs_.goes_on(x_, next_)) outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h), at_peak = outputs_.peaks_of_modes().part(0);
+        if (!outputs_.goes_on(x_, next_))
+          outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h), at_peak = outputs_.peaks_of_modes().part(0);
       }
       fastest = std::max(fastest, rate);
       q = next.q, v = next.v;
@@ -127,8 +140,8 @@ class History {
     return n;
   }
 
-  // From a time t of an interval to its end at `length`, with its contacts. A step in contact may end in the next interval where `goes_on`. Returns the time
-  // there.
+  // From a time t of an interval to its end at `length`, with its contacts. A step in contact may end in the next
+  // interval where `goes_on`. Returns the time there.
   double go(long n, double t, double length, bool goes_on) {
     const Ground ground = goes_on ? ground_.in_both(n) : ground_.in(n);
     contact_.begin_interval(flight_.length() * static_cast<double>(n));

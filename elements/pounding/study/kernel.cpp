@@ -12,10 +12,13 @@ void check(const EvenRecord& record, const Settings& settings) {
   if (record.accelerations.size() < 2) throw std::invalid_argument("a record needs two samples at least");
   for (const double a : record.accelerations)
     if (!std::isfinite(a)) throw std::invalid_argument("a sample of the record is not finite");
-  if (!(record.step > 0 && std::isfinite(record.step))) throw std::invalid_argument("the step of the record must be finite and positive");
+  if (!(record.step > 0 && std::isfinite(record.step)))
+    throw std::invalid_argument("the step of the record must be finite and positive");
   if (!std::isfinite(record.factor)) throw std::invalid_argument("the factor of the record must be finite");
-  if (!(settings.duration >= 0 && std::isfinite(settings.duration))) throw std::invalid_argument("duration must be finite and not negative");
-  if (!(settings.tolerance >= 1e-13 && settings.tolerance <= 1e-2)) throw std::invalid_argument("tolerance must be in [1e-13, 1e-2]");
+  if (!(settings.duration >= 0 && std::isfinite(settings.duration)))
+    throw std::invalid_argument("duration must be finite and not negative");
+  if (!(settings.tolerance >= 1e-13 && settings.tolerance <= 1e-2))
+    throw std::invalid_argument("tolerance must be in [1e-13, 1e-2]");
   if (settings.most_steps < 1) throw std::invalid_argument("most_steps must be positive");
 }
 

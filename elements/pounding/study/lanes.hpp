@@ -12,7 +12,8 @@
 
 namespace pounding::study {
 
-/// Arrays over links, of a size that the compiler knows where there are few of them; N is 0 for a size that is known at run time only.
+/// Arrays over links, of a size that the compiler knows where there are few of them; N is 0 for a size that is known at
+/// run time only.
 template <int N, class T = double>
 using Numbers = std::conditional_t<(N > 0), std::array<T, static_cast<std::size_t>(N > 0 ? N : 1)>, std::vector<T>>;
 
@@ -50,7 +51,8 @@ struct Pack<2> {
   Pack operator-() const noexcept { return {-v}; }
 };
 
-/// Four doubles in two registers. One vector of four would go through memory on processors that have no register of its size.
+/// Four doubles in two registers. One vector of four would go through memory on processors that have no register of its
+/// size.
 template <>
 struct Pack<4> {
   Pack<2> low, high;
@@ -88,9 +90,13 @@ inline Pack<4> four(double a, double b, double c, double d) noexcept {
 template <class P>
 constexpr P same(double x) noexcept;
 template <>
-constexpr Pack<2> same(double x) noexcept { return {Pack<2>::Vector{x, x}}; }
+constexpr Pack<2> same(double x) noexcept {
+  return {Pack<2>::Vector{x, x}};
+}
 template <>
-constexpr Pack<4> same(double x) noexcept { return {same<Pack<2>>(x), same<Pack<2>>(x)}; }
+constexpr Pack<4> same(double x) noexcept {
+  return {same<Pack<2>>(x), same<Pack<2>>(x)};
+}
 
 /// One number for each mode, in packs that end with zeros: M modes at most, or as many as there are where M is 0.
 template <int M>

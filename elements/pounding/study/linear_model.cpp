@@ -13,7 +13,8 @@ namespace {
 
 void require_numbers(const std::string& what, const std::vector<double>& values, std::size_t count, bool negative) {
   if (values.size() != count)
-    throw std::invalid_argument(what + ": " + std::to_string(values.size()) + " numbers for " + std::to_string(count) + " modes");
+    throw std::invalid_argument(what + ": " + std::to_string(values.size()) + " numbers for " + std::to_string(count) +
+                                " modes");
   for (const double value : values)
     if (!std::isfinite(value) || (!negative && value < 0))
       throw std::invalid_argument(what + ": a number must be finite" + (negative ? "" : " and not negative"));
@@ -24,7 +25,8 @@ void require_law(const LinkModes& link) {
       [](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
         if constexpr (laws::instantaneous<Law>)
-          throw std::invalid_argument(std::string(Law::name) + ": a jump of the velocity is not a force; the kernel takes penalty laws");
+          throw std::invalid_argument(std::string(Law::name) +
+                                      ": a jump of the velocity is not a force; the kernel takes penalty laws");
         else
           law.check();
       },
@@ -45,7 +47,8 @@ void LinearModel::check() const {
   for (const LinkModes& link : links) {
     require_numbers("link", link.closing, count, true);
     if (!(link.gap >= 0 && std::isfinite(link.gap))) throw std::invalid_argument("gap must be finite and not negative");
-    if (link.law.index() != links.front().law.index()) throw std::invalid_argument("the links of a study share one law");
+    if (link.law.index() != links.front().law.index())
+      throw std::invalid_argument("the links of a study share one law");
     require_law(link);
     double closed = -link.gap;
     for (std::size_t j = 0; j < displacement.size(); ++j) closed += link.closing[j] * displacement[j];
@@ -60,7 +63,8 @@ LinearModel pair_of(const Oscillator& left, const Oscillator& right, double gap,
   for (const Oscillator* o : {&left, &right}) {
     if (!(o->mass > 0 && std::isfinite(o->mass))) throw std::invalid_argument("mass must be finite and positive");
     if (!(o->period > 0 && std::isfinite(o->period))) throw std::invalid_argument("period must be finite and positive");
-    if (!(o->damping_ratio >= 0 && o->damping_ratio < 1)) throw std::invalid_argument("damping_ratio must be in [0, 1)");
+    if (!(o->damping_ratio >= 0 && o->damping_ratio < 1))
+      throw std::invalid_argument("damping_ratio must be in [0, 1)");
     const double w = 2 * std::numbers::pi / o->period, root = std::sqrt(o->mass);
     model.stiffness.push_back(w * w);
     model.damping.push_back(2 * o->damping_ratio * w);
@@ -86,7 +90,8 @@ LinearModel without_links(const LinearModel& model) {
   LinearModel apart = model;
   apart.links.clear();
   apart.outputs.clear();
-  for (const LinkModes& link : model.links) apart.outputs.push_back({.kind = Output::Kind::closing, .factors = link.closing});
+  for (const LinkModes& link : model.links)
+    apart.outputs.push_back({.kind = Output::Kind::closing, .factors = link.closing});
   return apart;
 }
 

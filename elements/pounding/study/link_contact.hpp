@@ -17,8 +17,9 @@ namespace pounding::study {
 /// An event that ends the present phase of a link.
 enum class LinkEvent { none, touch, turn, corner, release, engage, separation };
 
-/// The p for which a law's force is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and of its dashpot at the touch, which are
-/// measured on the law itself. 4 serves exponents that are no multiples of a quarter as well as can be.
+/// The p for which a law's force is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and of its
+/// dashpot at the touch, which are measured on the law itself. 4 serves exponents that are no multiples of a quarter as
+/// well as can be.
 template <class Law>
 int clock_root(const Law& law, const laws::Impact& impact) {
   constexpr double d = 1e-9;
@@ -35,7 +36,8 @@ int clock_root(const Law& law, const laws::Impact& impact) {
   return 4;
 }
 
-/// Whether the answer of a law depends on where exactly the rate changes its sign: it remembers, or has a dashpot in one direction only.
+/// Whether the answer of a law depends on where exactly the rate changes its sign: it remembers, or has a dashpot in
+/// one direction only.
 template <class Law>
 bool turn_matters(const Law& law, const laws::Impact& impact) {
   if constexpr (laws::crushes<Law> || requires(laws::Impact i) { law.keep(0.0, 0.0, i); }) return true;
@@ -43,9 +45,11 @@ bool turn_matters(const Law& law, const laws::Impact& impact) {
   return law.contact(d, rate, impact).by_rate != law.contact(d, -rate, impact).by_rate;
 }
 
-/// True for a law whose slopes jump inside an impact: the error of a step that passes over a jump can be overlooked, so steps end there.
+/// True for a law whose slopes jump inside an impact: the error of a step that passes over a jump can be overlooked, so
+/// steps end there.
 template <class Law>
-inline constexpr bool has_corner = requires(const Law& law, const laws::Impact& impact) { law.corner(0.0, 0.0, impact); };
+inline constexpr bool has_corner =
+    requires(const Law& law, const laws::Impact& impact) { law.corner(0.0, 0.0, impact); };
 
 template <class Law>
 class LinkContact {
@@ -53,14 +57,16 @@ class LinkContact {
   LinkContact(Law law, double gap) : law_(std::move(law)), state_{.gap = gap} {}
 
   bool closed() const noexcept { return state_.phase != ContactPhase::open; }
-  bool pressed() const noexcept { return state_.phase == ContactPhase::approach || state_.phase == ContactPhase::restitution; }
+  bool pressed() const noexcept {
+    return state_.phase == ContactPhase::approach || state_.phase == ContactPhase::restitution;
+  }
   double gap() const noexcept { return state_.gap; }
   /// See clock_root(); known once the link has touched.
   int root() const noexcept { return root_; }
   const LinkPeaks& peaks() const noexcept { return peaks_; }
 
-  /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise. At a corner of the law the slopes are those of the
-  /// side on which the bodies are, whichever of them rounding would take.
+  /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise. At a corner of the
+  /// law the slopes are those of the side on which the bodies are, whichever of them rounding would take.
   laws::Response force(double penetration, double rate) const noexcept {
     if (!pressed()) return {};
     laws::Response f = law().contact(penetration, rate, state_.impact);
@@ -74,9 +80,13 @@ class LinkContact {
     return f;
   }
   /// Slopes of a linear law in the present phase.
-  laws::Response slopes() const noexcept { return law().contact(1, state_.phase == ContactPhase::approach ? 1 : -1, state_.impact); }
+  laws::Response slopes() const noexcept {
+    return law().contact(1, state_.phase == ContactPhase::approach ? 1 : -1, state_.impact);
+  }
   /// The law's formula, whatever the phase.
-  laws::Response uncut(double penetration, double rate) const noexcept { return law().contact(penetration, rate, state_.impact); }
+  laws::Response uncut(double penetration, double rate) const noexcept {
+    return law().contact(penetration, rate, state_.impact);
+  }
   /// Force between bodies that have come slowly to this penetration [N].
   double slow_force(double penetration) const noexcept { return law().contact(penetration, 0, state_.impact).force; }
   double signed_force(double penetration, double rate) const noexcept {
@@ -88,14 +98,15 @@ class LinkContact {
     if constexpr (has_corner<Law>) return side_ * law().corner(penetration, rate, state_.impact);
     return std::numeric_limits<double>::infinity();
   }
-  /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot end it. A touch is looked
-  /// for elsewhere.
+  /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot
+  /// end it. A touch is looked for elsewhere.
   double margin(LinkEvent event, double penetration, double rate) const noexcept {
     constexpr double never = std::numeric_limits<double>::infinity();
     const bool slack = state_.phase == ContactPhase::slack;
     switch (event) {
       case LinkEvent::separation: return penetration;
-      case LinkEvent::turn: return !located_turn_ || slack ? never : state_.phase == ContactPhase::approach ? rate : -rate;
+      case LinkEvent::turn:
+        return !located_turn_ || slack ? never : state_.phase == ContactPhase::approach ? rate : -rate;
       case LinkEvent::release: return laws::may_pull<Law> || slack ? never : signed_force(penetration, rate);
       case LinkEvent::engage: return slack ? -signed_force(penetration, rate) : never;
       case LinkEvent::corner: return slack ? never : before_corner(penetration, rate);
@@ -108,7 +119,8 @@ class LinkContact {
   /// True where no margin is negative, asked first: most steps end so. `force` is that of the state [N].
   bool goes_on(double penetration, double rate, double force) const noexcept {
     if (!pressed() || !(penetration > at_least_a_trace(0, state_.impact))) return false;
-    return (laws::may_pull<Law> || force > 0) && !(located_turn_ && (state_.phase == ContactPhase::approach) != (rate >= 0)) &&
+    return (laws::may_pull<Law> || force > 0) &&
+           !(located_turn_ && (state_.phase == ContactPhase::approach) != (rate >= 0)) &&
            !(before_corner(penetration, rate) < 0);
   }
 
@@ -121,7 +133,9 @@ class LinkContact {
     if (!located_turn_ && pressed()) state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution;
   }
   void record(double force) noexcept { peaks_.peak_force = std::max(peaks_.peak_force, force); }
-  void record_depth(double penetration) noexcept { peaks_.peak_penetration = std::max(peaks_.peak_penetration, penetration); }
+  void record_depth(double penetration) noexcept {
+    peaks_.peak_penetration = std::max(peaks_.peak_penetration, penetration);
+  }
   /// Adds an impulse [N s] and work done on the link [J].
   void push(double impulse, double work) noexcept {
     peaks_.impulse += impulse;

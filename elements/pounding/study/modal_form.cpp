@@ -68,7 +68,8 @@ std::string unfit(const Model& model) {
     if (law && *law != found->index()) return "links by different laws";
     law = found->index();
   }
-  if (model.ground.components[0].is_still() || !model.ground.components[1].is_still() || !model.ground.components[2].is_still())
+  if (model.ground.components[0].is_still() || !model.ground.components[1].is_still() ||
+      !model.ground.components[2].is_still())
     return "the ground does not move along x alone";
   if (ground_plan(model).motions.size() != 1) return "the ground does not move alike under all supports";
   return "";
@@ -88,7 +89,8 @@ std::string needs_solver(const Model& model) {
 }
 
 LinearModel modal_form(const Model& model, bool accelerations) {
-  if (const std::string why = needs_solver(model); !why.empty()) throw std::invalid_argument("this model takes the solver: " + why);
+  if (const std::string why = needs_solver(model); !why.empty())
+    throw std::invalid_argument("this model takes the solver: " + why);
   const std::vector<int> first = offsets(model);
   const System system = assemble(model);
   const auto [u, v] = initial_state(model);
@@ -107,7 +109,8 @@ LinearModel modal_form(const Model& model, bool accelerations) {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(count);
     for (std::size_t i = 0; i < blocks.size(); ++i)
       if (blocks[i].shapes.size() > 0)
-        all.segment(mode[i], blocks[i].shapes.cols()) = blocks[i].shapes.transpose() * factors.segment(first[i], blocks[i].shapes.rows());
+        all.segment(mode[i], blocks[i].shapes.cols()) =
+            blocks[i].shapes.transpose() * factors.segment(first[i], blocks[i].shapes.rows());
     return all;
   };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -141,7 +144,8 @@ LinearModel modal_form(const Model& model, bool accelerations) {
     for (const Floor& floor : floors) output(Output::Kind::displacement, i, floor.motion[0]);
     if (model.structures[i].has_storeys())
       for (std::size_t f = 0; f < floors.size(); ++f)
-        output(Output::Kind::displacement, i, f == 0 ? floors[f].motion[0] : Row(floors[f].motion[0] - floors[f - 1].motion[0]));
+        output(Output::Kind::displacement, i,
+               f == 0 ? floors[f].motion[0] : Row(floors[f].motion[0] - floors[f - 1].motion[0]));
     if (accelerations)
       for (const Floor& floor : floors) output(Output::Kind::acceleration, i, floor.motion[0]);
   }

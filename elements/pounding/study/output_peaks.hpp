@@ -16,10 +16,12 @@ namespace pounding::study {
 template <int M, int L>
 class OutputPeaks {
  public:
-  OutputPeaks(const LinearModel& model, const Structures<M, L>& structures) : s_(structures), beyond_(structures.count), at_peak_(structures.count) {
+  OutputPeaks(const LinearModel& model, const Structures<M, L>& structures)
+      : s_(structures), beyond_(structures.count), at_peak_(structures.count) {
     for (const Output& output : model.outputs) {
       (output.kind == Output::Kind::acceleration ? accelerations_ : displacements_).emplace_back(output, structures);
-      of_oscillators_ = of_oscillators_ && (output.kind == Output::Kind::acceleration || displacements_.back().is_one_mode());
+      of_oscillators_ =
+          of_oscillators_ && (output.kind == Output::Kind::acceleration || displacements_.back().is_one_mode());
       order_.push_back(output.kind == Output::Kind::acceleration);
     }
     for (std::size_t j = structures.modes(); j < beyond_.parts() * Modes<M>::width; ++j) beyond_[j] = 1;
@@ -33,7 +35,13 @@ class OutputPeaks {
     rates_.resize((displacements_.size() + 3) / 4);
     later_.resize(rates_.size());
     for (std::size_t i = 0; i < rates_.size(); ++i) {
-      Block block{.first = structures.modes(), .last = 0, .start = columns_.size(), .empty = {}, .lowest = 0, .known = -1, .turns = false};
+      Block block{.first = structures.modes(),
+                  .last = 0,
+                  .start = columns_.size(),
+                  .empty = {},
+                  .lowest = 0,
+                  .known = -1,
+                  .turns = false};
       const std::size_t rows = std::min<std::size_t>(4, displacements_.size() - 4 * i);
       for (std::size_t k = 0; k < rows; ++k) {
         block.first = std::min(block.first, displacements_[4 * i + k].first());
@@ -48,7 +56,8 @@ class OutputPeaks {
     }
   }
 
-  /// Whether only displacements of single modes are asked for: nothing has to be looked at as long as no velocity of a mode changes its sign.
+  /// Whether only displacements of single modes are asked for: nothing has to be looked at as long as no velocity of a
+  /// mode changes its sign.
   bool are_of_modes() const noexcept { return of_oscillators_ && accelerations_.empty(); }
 
   /// Displacements of the modes at which one of those that are asked for is at its peak, where are_of_modes().
@@ -70,7 +79,8 @@ class OutputPeaks {
     for (Row& row : displacements_) row.see(row.displacement(x.q));
   }
 
-  /// Whether nothing has to be looked at on the way from the last state to `end`, at most an interval later: asked once for each of them.
+  /// Whether nothing has to be looked at on the way from the last state to `end`, at most an interval later: asked once
+  /// for each of them.
   [[gnu::always_inline]] bool goes_on(const ModalState<M>& begin, const ModalState<M>& end) noexcept {
     if (of_oscillators_) {
       calm_ = !modes_turn(begin.v, end.v) || stays_low(std::max(doubled_energy(begin), doubled_energy(end)), lowest_);
@@ -82,14 +92,17 @@ class OutputPeaks {
     return calm_ && accelerations_.empty();
   }
   /// An interval of length h without contact on which something has to be looked at.
-  [[gnu::noinline]] void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground, double h) noexcept {
+  [[gnu::noinline]] void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground,
+                               double h) noexcept {
     for_turning(begin, end, h, [&](Row& row, double later) { row.locate(s_, begin, ground, h, later); });
     for (Row& row : accelerations_) row.fly(s_, begin, end, ground, h);
   }
 
-  /// A step in contact on which something has to be looked at. `jerk(state)` is the derivative of the accelerations of a state, `inside(part)` the state with its accelerations at a part of the step.
+  /// A step in contact on which something has to be looked at. `jerk(state)` is the derivative of the accelerations of
+  /// a state, `inside(part)` the state with its accelerations at a part of the step.
   template <class State, class Jerk, class Inside>
-  [[gnu::noinline]] void pressed(const State& begin, const State& end, double h, const Jerk& jerk, const Inside& inside) noexcept {
+  [[gnu::noinline]] void pressed(const State& begin, const State& end, double h, const Jerk& jerk,
+                                 const Inside& inside) noexcept {
     for_turning(begin, end, h, [&](Row& row, double) { row.turn(begin, end, h); });
     for (Row& row : accelerations_) row.press(begin, end, h, jerk, inside);
   }
@@ -102,21 +115,23 @@ class OutputPeaks {
   std::vector<double> peaks() const {
     std::vector<double> all;
     auto displacement = displacements_.begin(), acceleration = accelerations_.begin();
-    for (const bool of_acceleration : order_) all.push_back((of_acceleration ? acceleration++ : displacement++)->peak());
+    for (const bool of_acceleration : order_)
+      all.push_back((of_acceleration ? acceleration++ : displacement++)->peak());
     return all;
   }
 
  private:
   using Row = OutputRow<M, L>;
 
-  // Whether no displacement, of those with this least doubled energy at their peaks, can get beyond one where it turns between two states with at most an
-  // `energy`: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see
-  // OutputRow::reaches(). Cauchy and Schwarz: (|r^T q| + h/2 |r^T v|)^2 <= sum r^2/k sum k (|q| + h/2 |v|)^2 <= sum r^2/k (1 + (omega h)^2/4) sum (k q^2 + v^2),
-  // and omega h is 1 at most.
+  // Whether no displacement, of those with this least doubled energy at their peaks, can get beyond one where it turns
+  // between two states with at most an `energy`: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see
+  // OutputRow::reaches(). Cauchy and Schwarz: (|r^T q| + h/2 |r^T v|)^2 <= sum r^2/k sum k (|q| + h/2 |v|)^2 <= sum
+  // r^2/k (1 + (omega h)^2/4) sum (k q^2 + v^2), and omega h is 1 at most.
   static bool stays_low(double energy, double lowest) noexcept { return 1.25 * energy < lowest; }
   double doubled_energy(const ModalState<M>& x) const noexcept {
     auto all = s_.k.part(0) * x.q.part(0) * x.q.part(0) + x.v.part(0) * x.v.part(0);
-    for (std::size_t i = 1; i < s_.k.parts(); ++i) all += s_.k.part(i) * x.q.part(i) * x.q.part(i) + x.v.part(i) * x.v.part(i);
+    for (std::size_t i = 1; i < s_.k.parts(); ++i)
+      all += s_.k.part(i) * x.q.part(i) * x.q.part(i) + x.v.part(i) * x.v.part(i);
     return sum(all);
   }
   // The smallest doubled energy at which a displacement may be at its peak.
@@ -130,15 +145,19 @@ class OutputPeaks {
       if (!blocks_.empty()) blocks_[i / 4].lowest = std::min(blocks_[i / 4].lowest, energy);
     }
     if (!are_of_modes()) return;
-    for (std::size_t j = 0; j < at_peak_.parts() * Modes<M>::width; ++j) at_peak_[j] = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < at_peak_.parts() * Modes<M>::width; ++j)
+      at_peak_[j] = std::numeric_limits<double>::infinity();
     // Rounding here is not that of the rows.
-    for (const Row& row : displacements_) at_peak_[row.first()] = std::min(at_peak_[row.first()], (1 - 1e-12) * row.peak() / std::abs(row.factor(row.first())));
+    for (const Row& row : displacements_)
+      at_peak_[row.first()] =
+          std::min(at_peak_[row.first()], (1 - 1e-12) * row.peak() / std::abs(row.factor(row.first())));
   }
 
   // Whether the velocity of a mode changes its sign.
   [[gnu::always_inline]] bool modes_turn(const Modes<M>& v, const Modes<M>& later) const noexcept {
     double least = smallest(v.part(0) * later.part(0) + beyond_.part(0));
-    for (std::size_t i = 1; i < v.parts(); ++i) least = std::min(least, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
+    for (std::size_t i = 1; i < v.parts(); ++i)
+      least = std::min(least, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
     return !(least > 0);
   }
   // Whether the rate of a displacement does that may be at its peak.
@@ -156,7 +175,8 @@ class OutputPeaks {
     }
     return any;
   }
-  // Calls see(row, rate at the second state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
+  // Calls see(row, rate at the second state) where a displacement turns beyond its peak. A turn at the second state
+  // itself is seen here.
   template <class State, class See>
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
     if (calm_) return;
@@ -195,16 +215,16 @@ class OutputPeaks {
 
   const Structures<M, L>& s_;
   std::vector<Row> displacements_, accelerations_;
-  std::vector<bool> order_;      // whether an output is an acceleration
-  bool of_oscillators_ = true;   // every displacement is that of one mode
-  Modes<M> beyond_;              // 1 in places without a mode
+  std::vector<bool> order_;     // whether an output is an acceleration
+  bool of_oscillators_ = true;  // every displacement is that of one mode
+  Modes<M> beyond_;             // 1 in places without a mode
   Modes<M> at_peak_;
   std::vector<Block> blocks_;
   std::vector<Pack<4>> columns_, rates_, later_;  // rates of the displacements by modes, and in two states
-  std::vector<double> energies_;  // the least doubled energy at a displacement of one
-  double lowest_ = 0, energy_ = 0;  // the latter of the last state
-  long states_ = 0;              // looked at so far
-  bool calm_ = false;            // no displacement is at a peak between the last two states
+  std::vector<double> energies_;                  // the least doubled energy at a displacement of one
+  double lowest_ = 0, energy_ = 0;                // the latter of the last state
+  long states_ = 0;                               // looked at so far
+  bool calm_ = false;                             // no displacement is at a peak between the last two states
 };
 
 }  // namespace pounding::study

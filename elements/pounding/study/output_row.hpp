@@ -16,7 +16,14 @@ template <int M, int L>
 class OutputRow {
  public:
   OutputRow(const Output& output, const Structures<M, L>& s)
-      : kind_(output.kind), first_(0), last_(s.modes()), r_(s.count), by_q_(s.count), by_v_(s.count), rate_by_q_(s.count), rate_by_v_(s.count) {
+      : kind_(output.kind),
+        first_(0),
+        last_(s.modes()),
+        r_(s.count),
+        by_q_(s.count),
+        by_v_(s.count),
+        rate_by_q_(s.count),
+        rate_by_v_(s.count) {
     for (std::size_t j = 0; j < s.modes(); ++j) r_[j] = output.factors[j];
     while (first_ < last_ && r_[first_] == 0) ++first_;
     while (last_ > first_ && r_[last_ - 1] == 0) --last_;
@@ -42,7 +49,8 @@ class OutputRow {
   double peak() const noexcept { return peak_; }
   void see(double x) noexcept { peak_ = std::max(peak_, kind_ == Output::Kind::closing ? x : std::abs(x)); }
 
-  /// Whether values with these rates, h apart, turn between them and may do so beyond the peak: the tangents at both ends reach that far.
+  /// Whether values with these rates, h apart, turn between them and may do so beyond the peak: the tangents at both
+  /// ends reach that far.
   bool reaches(double y0, double w0, double y1, double w1, double h) const noexcept {
     if (!(w0 * w1 < 0)) return false;
     return std::max(std::abs(y0) + 0.5 * h * std::abs(w0), std::abs(y1) + 0.5 * h * std::abs(w1)) > peak_;
@@ -53,7 +61,8 @@ class OutputRow {
   template <class State>
   void turn(const State& begin, const State& end, double h) noexcept {
     const double rate = displacement(begin.v), later = displacement(end.v);
-    const Quintic x({displacement(begin.q), rate, displacement(begin.a)}, {displacement(end.q), later, displacement(end.a)}, h);
+    const Quintic x({displacement(begin.q), rate, displacement(begin.a)},
+                    {displacement(end.q), later, displacement(end.a)}, h);
     see(x.at(turn_on(x, rate, later)).x);
   }
   /// Sees the turn between a state and another one, reached without contact after a time h, where the rate is `later`.
@@ -76,7 +85,8 @@ class OutputRow {
     see(y_);
   }
   /// An acceleration over an interval without contact.
-  void fly(const Structures<M, L>& s, const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground, double h) noexcept {
+  void fly(const Structures<M, L>& s, const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground,
+           double h) noexcept {
     const double y = value(end, ground(h)), w = rate(end, ground(h));
     // The ground's slope jumps at samples, and the rate with it.
     const double slope = rate_by_slope_ * ground.slope;
@@ -90,7 +100,8 @@ class OutputRow {
     const double y0 = absolute(begin), y1 = absolute(end);
     see(y1);
     if (std::max(std::abs(y0), std::abs(y1)) < 0.5 * peak_) return;
-    const double w0 = h * (dot(r_, jerk(begin)) + ground_ * begin.slope), w1 = h * (dot(r_, jerk(end)) + ground_ * end.slope);
+    const double w0 = h * (dot(r_, jerk(begin)) + ground_ * begin.slope),
+                 w1 = h * (dot(r_, jerk(end)) + ground_ * end.slope);
     if (w0 * w1 < 0) see(absolute(inside(top_of_cubic(y0, w0, y1, w1))));
   }
   /// An absolute acceleration in contact.
@@ -100,7 +111,9 @@ class OutputRow {
   }
 
  private:
-  double value(const ModalState<M>& x, double ag) const noexcept { return dot(by_q_, x.q) + dot(by_v_, x.v) + by_ground_ * ag; }
+  double value(const ModalState<M>& x, double ag) const noexcept {
+    return dot(by_q_, x.q) + dot(by_v_, x.v) + by_ground_ * ag;
+  }
   // Without the part of the ground's slope.
   double rate(const ModalState<M>& x, double ag) const noexcept {
     return dot(rate_by_q_, x.q) + dot(rate_by_v_, x.v) + rate_by_ground_ * ag;

@@ -1,5 +1,6 @@
 #pragma once
-/// One step in contact by a law whose force is a linear function of penetration and rate: the Taylor series of the motion.
+/// One step in contact by a law whose force is a linear function of penetration and rate: the Taylor series of the
+/// motion.
 
 #include <algorithm>
 #include <array>
@@ -32,10 +33,12 @@ class SeriesStep : public ContactMotion<Law, M, L> {
  public:
   using typename Base::Links;
 
-  explicit SeriesStep(const Structures<M, L>& structures) : Base(structures), links_(numbers<L, Link>(structures.link_count)) {
+  explicit SeriesStep(const Structures<M, L>& structures)
+      : Base(structures), links_(numbers<L, Link>(structures.link_count)) {
     terms_.fill(s_.k);
     for (std::size_t l = 0; l < s_.links(); ++l) squares_.push_back(dot(s_.closing[l], s_.closing[l]));
-    for (std::size_t j = 0; j < s_.modes(); ++j) stiffest_ = std::max(stiffest_, s_.k[j]), strongest_ = std::max(strongest_, s_.c[j]);
+    for (std::size_t j = 0; j < s_.modes(); ++j)
+      stiffest_ = std::max(stiffest_, s_.k[j]), strongest_ = std::max(strongest_, s_.c[j]);
   }
 
   /// Steps go on from this complete state, with a tolerance as in Settings.
@@ -64,16 +67,19 @@ class SeriesStep : public ContactMotion<Law, M, L> {
         const Link& link = links_[l];
         double force = link.slopes.by_penetration * link.d.c[i] + link.slopes.by_rate * (next * link.d.c[i + 1]);
         if (i == 0) force += link.slopes.force;
-        for (std::size_t part = 0; part < s_.k.parts(); ++part) terms_[i + 2].part(part) += force * s_.closing[l].part(part);
+        for (std::size_t part = 0; part < s_.k.parts(); ++part)
+          terms_[i + 2].part(part) += force * s_.closing[l].part(part);
       }
-      for (std::size_t part = 0; part < s_.k.parts(); ++part) terms_[i + 2].part(part) = -taylor_shares[i] * terms_[i + 2].part(part);
+      for (std::size_t part = 0; part < s_.k.parts(); ++part)
+        terms_[i + 2].part(part) = -taylor_shares[i] * terms_[i + 2].part(part);
       for (std::size_t l = 0; l < s_.links(); ++l) links_[l].d.c[i + 2] = s_.closes(l, terms_[i + 2]);
     }
   }
   /// The longest step from there [s].
   double longest() const noexcept { return longest_; }
 
-  /// As for other laws, with the slopes of the present phase: where the bodies turn, rounding gives the rate either sign.
+  /// As for other laws, with the slopes of the present phase: where the bodies turn, rounding gives the rate either
+  /// sign.
   void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
     Base::complete(links, ground, m);
     for (std::size_t l = 0; l < s_.links(); ++l) {
@@ -85,8 +91,8 @@ class SeriesStep : public ContactMotion<Law, M, L> {
   }
 
   /// A step to a time; returns 0, the square of its error.
-  double take(const Links& links, const Ground& ground, const Clock&, const Moment<M, L>& begin, double, double, double end_time, double,
-              Moment<M, L>& end) noexcept {
+  double take(const Links& links, const Ground& ground, const Clock&, const Moment<M, L>& begin, double, double,
+              double end_time, double, Moment<M, L>& end) noexcept {
     length_ = end_time - begin.time;
     motion(length_, end);
     end.time = end_time;
@@ -95,9 +101,13 @@ class SeriesStep : public ContactMotion<Law, M, L> {
   }
 
   /// The motion of a link in the last step.
-  SeriesPath path(std::size_t link, const Moment<M, L>&, const Moment<M, L>&) const noexcept { return {links_[link].d, length_}; }
+  SeriesPath path(std::size_t link, const Moment<M, L>&, const Moment<M, L>&) const noexcept {
+    return {links_[link].d, length_};
+  }
   /// Displacements and velocities at a part of the last step.
-  void inside(double part, const Moment<M, L>&, const Moment<M, L>&, ModalState<M>& x) const noexcept { motion(part * length_, x); }
+  void inside(double part, const Moment<M, L>&, const Moment<M, L>&, ModalState<M>& x) const noexcept {
+    motion(part * length_, x);
+  }
 
   /// Impulse [N s] and work [J] of a link in the last step.
   void push(std::size_t l, LinkContact<Law>& contact) const noexcept {
@@ -106,14 +116,18 @@ class SeriesStep : public ContactMotion<Law, M, L> {
     const double h = length_, d0 = link.d.c[0];
     double d1 = link.d.c[order], all = d1 * (1.0 / (order + 1));
 #pragma GCC unroll 16
-    for (int i = order - 1; i >= 0; --i) d1 = d1 * h + link.d.c[static_cast<std::size_t>(i)], all = all * h + (1.0 / (i + 1)) * link.d.c[static_cast<std::size_t>(i)];
-    contact.push(force * h + k * h * all + c * (d1 - d0), (force + 0.5 * k * (d1 + d0)) * (d1 - d0) + c * squares_of_rate(link.d));
+    for (int i = order - 1; i >= 0; --i)
+      d1 = d1 * h + link.d.c[static_cast<std::size_t>(i)],
+      all = all * h + (1.0 / (i + 1)) * link.d.c[static_cast<std::size_t>(i)];
+    contact.push(force * h + k * h * all + c * (d1 - d0),
+                 (force + 0.5 * k * (d1 + d0)) * (d1 - d0) + c * squares_of_rate(link.d));
   }
 
  private:
   static constexpr int order = 13;
-  // The largest omega h of a step, for omega no lower than any of the structures with these links: errors below 3e-8, 3e-10 and 3e-12 of the motion. One link
-  // is left in two steps at the tolerance of studies. Where another one may touch, a step has one turn at most.
+  // The largest omega h of a step, for omega no lower than any of the structures with these links: errors below 3e-8,
+  // 3e-10 and 3e-12 of the motion. One link is left in two steps at the tolerance of studies. Where another one may
+  // touch, a step has one turn at most.
   double reach(double tolerance) const noexcept {
     const double longest = tolerance >= 1e-5 ? 1.75 : tolerance >= 1e-7 ? 1.25 : 0.9;
     return s_.links() == 1 ? longest : std::min(longest, 1.0);
@@ -137,7 +151,8 @@ class SeriesStep : public ContactMotion<Law, M, L> {
       v = v * t + four(term, term, term, term);
       at_middle = at_middle * middle + term;
     }
-    return length_ * (sum(four(weights[0], weights[1], weights[3], weights[4]) * (v * v)) + weights[2] * at_middle * at_middle);
+    return length_ *
+           (sum(four(weights[0], weights[1], weights[3], weights[4]) * (v * v)) + weights[2] * at_middle * at_middle);
   }
 
   void motion(double t, ModalState<M>& x) const noexcept {

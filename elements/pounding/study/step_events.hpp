@@ -54,10 +54,11 @@ Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m)
   }
 }
 
-/// Part of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 where it stays before it. Bodies may part
-/// and meet again within a step.
+/// Part of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 where
+/// it stays before it. Bodies may part and meet again within a step.
 template <class Law, class Path>
-double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
+double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h,
+           const Path& path) noexcept {
   if (event == LinkEvent::turn || event == LinkEvent::corner || std::isinf(link.margin(event, e.d, e.rate))) return 2;
   const double sign = event == LinkEvent::engage ? -1 : 1;
   const Graph first = way_to(link, event, b), last = way_to(link, event, e);
@@ -70,14 +71,16 @@ double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, c
   };
   const double bottom = event == LinkEvent::separation
                             ? turn_on(way, b.rate, e.rate)
-                            : flat_part(first.slope, last.slope, top_of_cubic(first.value, h * first.slope, last.value, h * last.slope), slope);
+                            : flat_part(first.slope, last.slope,
+                                        top_of_cubic(first.value, h * first.slope, last.value, h * last.slope), slope);
   const Jet jet = way.at(bottom);
   return link.margin(event, jet.x, jet.v) < 0 ? bottom : 2;
 }
 
 /// Part of the step after which a closed link meets an event whose margin is negative at a later part.
 template <class Law, class Path>
-double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, const Path& path, double later = 1) noexcept {
+double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e,
+                const Path& path, double later = 1) noexcept {
   const auto way = path();
   const auto margin = [&](double s) {
     const Jet jet = way.at(s);
@@ -85,7 +88,8 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
   };
   double low = 0, at_low = link.margin(event, b.d, b.rate), high = later, at_high = margin(later);
   // Bodies that have just touched close first, however slowly.
-  if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0) low = turn_on(way, b.rate, e.rate), at_low = margin(low);
+  if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0)
+    low = turn_on(way, b.rate, e.rate), at_low = margin(low);
   // A margin that grows from zero, or from what rounding makes of it, is positive a little later.
   const double trace = 1e-12 * std::abs(at_high);
   for (double s = 0.5 * later; !(at_low > trace) && s > 1e-3 * later; s *= 0.5)
@@ -113,8 +117,10 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
 
 /// The first event of a step from `begin` to `end`; none where the phases of all links last.
 template <class Law, int M, int L, class Step>
-Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, const Moment<M, L>& begin, const Moment<M, L>& end) noexcept {
-  static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::corner, LinkEvent::release, LinkEvent::engage, LinkEvent::separation};
+Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, const Moment<M, L>& begin,
+                  const Moment<M, L>& end) noexcept {
+  static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::corner, LinkEvent::release, LinkEvent::engage,
+                                          LinkEvent::separation};
   const double h = end.time - begin.time;
   Found first;
   for (std::size_t l = 0; l < links.size(); ++l) {
@@ -126,7 +132,8 @@ Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, 
       continue;
     }
     // A margin that is positive at the end has been negative only where it fell at the beginning and rises at the end.
-    const bool may_part = b.rate < 0 && e.rate > 0, may_cross = !link.pressed() || (b.force_rate < 0 && e.force_rate > 0);
+    const bool may_part = b.rate < 0 && e.rate > 0,
+               may_cross = !link.pressed() || (b.force_rate < 0 && e.force_rate > 0);
     if (!may_part && !may_cross && link.goes_on(e.d, e.rate, e.force.force)) continue;
     for (const LinkEvent event : endings) {
       const double later = link.margin(event, e.d, e.rate) < 0 ? 1 : dip(link, event, b, e, h, path);
@@ -137,7 +144,8 @@ Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, 
   return first;
 }
 
-/// Records the peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on the path of the link.
+/// Records the peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on
+/// the path of the link.
 template <class Law, class Path>
 void record_top(LinkContact<Law>& link, const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
   const double p0 = h * b.force_rate, p1 = h * e.force_rate;

@@ -16,7 +16,8 @@ inline constexpr int taylor_order = 14;
 /// Terms that are enough for the same error of shorter pieces; `reach` is the larger one of omega t and 2 zeta omega t.
 constexpr int taylor_order_for(double reach) noexcept {
   int order = 4;
-  for (double left = reach * reach * reach * reach * reach / 120; order < taylor_order && left > 1e-12; ++order) left *= reach / (order + 2);
+  for (double left = reach * reach * reach * reach * reach / 120; order < taylor_order && left > 1e-12; ++order)
+    left *= reach / (order + 2);
   return order;
 }
 
@@ -52,10 +53,11 @@ struct Polynomial {
   }
 };
 
-/// Calls keep(i, c_i) with the terms of q'' + damping q' + stiffness q = -(forcing + forcing_slope t), from q and v at t = 0; a number each, or a pack.
+/// Calls keep(i, c_i) with the terms of q'' + damping q' + stiffness q = -(forcing + forcing_slope t), from q and v at
+/// t = 0; a number each, or a pack.
 template <class Number, class Keep>
-void motion_terms(int order, const Number& stiffness, const Number& damping, const Number& q, const Number& v, const Number& forcing,
-                  const Number& forcing_slope, const Keep& keep) noexcept {
+void motion_terms(int order, const Number& stiffness, const Number& damping, const Number& q, const Number& v,
+                  const Number& forcing, const Number& forcing_slope, const Keep& keep) noexcept {
   Number low = q, high = v;
   keep(0, low), keep(1, high);
   for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(order); ++i) {
@@ -69,9 +71,11 @@ void motion_terms(int order, const Number& stiffness, const Number& damping, con
 }
 
 /// The motion of one mode.
-inline Polynomial motion(int order, double stiffness, double damping, double q, double v, double forcing, double forcing_slope) noexcept {
+inline Polynomial motion(int order, double stiffness, double damping, double q, double v, double forcing,
+                         double forcing_slope) noexcept {
   Polynomial x{.order = order, .c = {}};
-  motion_terms(order, stiffness, damping, q, v, forcing, forcing_slope, [&](std::size_t i, double term) { x.c[i] = term; });
+  motion_terms(order, stiffness, damping, q, v, forcing, forcing_slope,
+               [&](std::size_t i, double term) { x.c[i] = term; });
   return x;
 }
 
@@ -80,7 +84,8 @@ constexpr double straight_root(double low, double at_low, double high, double at
   return low + (high - low) * at_low / (at_low - at_high);
 }
 
-/// Where p is zero between low and high, by a first guess. Newton's method doubles the digits of a guess: the last one has all of them.
+/// Where p is zero between low and high, by a first guess. Newton's method doubles the digits of a guess: the last one
+/// has all of them.
 inline double root_of(const Polynomial& p, double low, double high, bool rises, double start) noexcept {
   return bracketed_root(
       [&](double t) {
@@ -99,8 +104,8 @@ inline double turn_of(const Polynomial& p, double at_zero, double high, double a
       0, high, at_high > 0, at_zero == 0 ? 0.5 * high : straight_root(0, at_zero, high, at_high), enough);
 }
 
-/// First time in [0, end] at which a gap closes, negative for none. A gap of zero at the start that opens is not closed yet. At most one turn of the gap is
-/// looked for.
+/// First time in [0, end] at which a gap closes, negative for none. A gap of zero at the start that opens is not closed
+/// yet. At most one turn of the gap is looked for.
 inline double first_closing(const Polynomial& gap, double end) noexcept {
   const Jet last = gap.at(end);
   const auto touch = [&](double low, double at_low, double high, double at_high) {

@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double pi = 3.14159265358979323846, gap = 0.02, mass[2] = {1e5, 1.5e5}, period[2] = {0.8, 0.4}, ratio = 0.05;
+static const double pi = 3.14159265358979323846, gap = 0.02, mass[2] = {1e5, 1.5e5}, period[2] = {0.8, 0.4},
+                    ratio = 0.05;
 
 typedef struct {
   double u[2], v[2]; /* [m], [m/s] */
@@ -17,16 +18,16 @@ static void stop(int status) {
   exit(2);
 }
 
-static double penetration(const state *s) { return s->u[0] - s->u[1] - gap; }
-static double rate(const state *s) { return s->v[0] - s->v[1]; }
+static double penetration(const state* s) { return s->u[0] - s->u[1] - gap; }
+static double rate(const state* s) { return s->v[0] - s->v[1]; }
 
-static double force(const pnd_law *law, const pnd_contact *contact, const state *s) {
+static double force(const pnd_law* law, const pnd_contact* contact, const state* s) {
   pnd_response r;
   stop(pnd_respond(law, contact, penetration(s), rate(s), &r));
   return r.force;
 }
 
-static state slope(const pnd_law *law, const pnd_contact *contact, double t, const state *s) {
+static state slope(const pnd_law* law, const pnd_contact* contact, double t, const state* s) {
   const double ground = 3 * sin(2 * pi * t / 0.6), f = force(law, contact, s);
   state d;
   for (int i = 0; i < 2; ++i) {
@@ -37,12 +38,12 @@ static state slope(const pnd_law *law, const pnd_contact *contact, double t, con
   return d;
 }
 
-static state moved(state s, double h, const state *d) {
+static state moved(state s, double h, const state* d) {
   for (int i = 0; i < 2; ++i) s.u[i] += h * d->u[i], s.v[i] += h * d->v[i];
   return s;
 }
 
-static state step(const pnd_law *law, const pnd_contact *contact, double t, double h, state s) {
+static state step(const pnd_law* law, const pnd_contact* contact, double t, double h, state s) {
   const state a = slope(law, contact, t, &s), sa = moved(s, h / 2, &a);
   const state b = slope(law, contact, t + h / 2, &sa), sb = moved(s, h / 2, &b);
   const state c = slope(law, contact, t + h / 2, &sb), sc = moved(s, h, &c);
@@ -51,12 +52,12 @@ static state step(const pnd_law *law, const pnd_contact *contact, double t, doub
   return moved(s, h / 6, &d);
 }
 
-int main(int count, char **words) {
+int main(int count, char** words) {
   const int steps = count > 1 ? atoi(words[1]) : 30000;
-  const char *name = count > 2 ? words[2] : "jankowski";
+  const char* name = count > 2 ? words[2] : "jankowski";
   const pnd_value values[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}, {"reduced_mass", 6e4}};
   const double h = 3.0 / steps;
-  pnd_law *law = NULL;
+  pnd_law* law = NULL;
   pnd_contact contact = {0};
   state s = {{0, 0}, {0, 0}};
   double peak[2] = {0, 0}, peak_force = 0;

@@ -1,5 +1,5 @@
 """Two oscillators of examples/02 in OpenSeesPy with a link of pounding.
-  python3 two_oscillators.py [STEPS]   prints the peak displacements [m], the peak force [N] and the number of impacts
+python3 two_oscillators.py [STEPS]   prints the peak displacements [m], the peak force [N] and the number of impacts
 """
 
 import math

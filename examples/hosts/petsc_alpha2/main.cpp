@@ -14,7 +14,8 @@ using pounding::LinkMotion, pounding::LinkStep;
 using std::numbers::pi;
 
 struct Oscillators {
-  pounding::GapLink<pounding::laws::Jankowski> link{{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4}, 0.02};
+  pounding::GapLink<pounding::laws::Jankowski> link{{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4},
+                                                    0.02};
   double mass[2] = {1e5, 1.5e5}, stiffness[2], damping[2];  // [kg], [N/m], [N s/m]
   double peak[2] = {0, 0};                                  // [m]
   LinkMotion motion{link.penetration(0), 0};                // at the last kept state, with its time and acceleration

@@ -118,8 +118,9 @@ void CachedFactors::select(const EffectiveMatrix& matrix, std::optional<int> ste
   if (unknowns_ >= options_.direct_below && reference_ && alike(scaled(reference_->matrix, -halvings), matrix)) {
     const int nearest = std::max(0, static_cast<int>(std::lround(reference_->level + halvings)));
     off_level_->nearest = &at_level(nearest, scaled(reference_->matrix, reference_->level - nearest));
-    off_level_->gradients = std::make_unique<NearSolver>(matrices_.solving_comm(), matrices_.pattern(), matrices_.values(matrix),
-                                                         *off_level_->nearest->factor, options_.prefix + "off_");
+    off_level_->gradients =
+        std::make_unique<NearSolver>(matrices_.solving_comm(), matrices_.pattern(), matrices_.values(matrix),
+                                     *off_level_->nearest->factor, options_.prefix + "off_");
   } else {
     factorize(*off_level_);
     make_room(off_level_.get());
@@ -127,7 +128,9 @@ void CachedFactors::select(const EffectiveMatrix& matrix, std::optional<int> ste
   current_ = off_level_.get();
 }
 
-int CachedFactors::count() const { return static_cast<int>(levels_.size()) + (off_level_ && off_level_->factor ? 1 : 0); }
+int CachedFactors::count() const {
+  return static_cast<int>(levels_.size()) + (off_level_ && off_level_->factor ? 1 : 0);
+}
 
 double CachedFactors::memory() const {
   double bytes = (off_level_ ? off_level_->memory() : 0) + (spare_ ? spare_->memory() : 0);

@@ -11,9 +11,11 @@ namespace {
 
 using Eigen::Index;
 
-// From this number of columns of X on a panel of A is copied first: its columns lie far apart, and each is read several times.
+// From this number of columns of X on a panel of A is copied first: its columns lie far apart, and each is read several
+// times.
 constexpr Index many_columns = 4;
-// Rows and columns of A of such a panel, which stays in the cache; it is copied by pieces of so many rows, with their columns beside each other.
+// Rows and columns of A of such a panel, which stays in the cache; it is copied by pieces of so many rows, with their
+// columns beside each other.
 constexpr Index panel_rows = 64, panel_columns = 256, piece_rows = 16;
 // For fewer, of a tall A so many columns are read side by side.
 constexpr Index tall = 256, streams = 8;
@@ -40,7 +42,8 @@ POUNDING_INLINE const Vector& vector(const double* at) {
 
 // `blocks` vectors of rows from `row` on; the sums stay in registers.
 template <class Vector, int blocks, int columns>
-POUNDING_INLINE Index add_rows(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride, Index row) {
+POUNDING_INLINE Index add_rows(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride,
+                               Index row) {
   constexpr Index width = sizeof(Vector) / sizeof(double);
   for (; row + width * blocks <= a.rows; row += width * blocks) {
     Vector sum[columns][blocks];
@@ -87,13 +90,16 @@ POUNDING_INLINE void add_all(const Columns& a, const Columns& x, double* y, Inde
   if (c + 1 == x.count) add_few<1>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
 }
 
-POUNDING_WIDE void add_by_wide_vectors(const Columns& a, const Columns& x, double* y, Index y_stride, Index c) { add_all(a, x, y, y_stride, c); }
+POUNDING_WIDE void add_by_wide_vectors(const Columns& a, const Columns& x, double* y, Index y_stride, Index c) {
+  add_all(a, x, y, y_stride, c);
+}
 
 // Whole pieces of rows by eight columns of X; the columns that are done.
 POUNDING_WIDEST Index add_by_widest_vectors(const Columns& a, const Columns& x, double* y, Index y_stride) {
   Index c = 0;
 #ifdef POUNDING_HAS_FOUR
-  for (; c + 8 <= x.count; c += 8) add_rows<Eight, 2, 8>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride, 0);
+  for (; c + 8 <= x.count; c += 8)
+    add_rows<Eight, 2, 8>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride, 0);
 #endif
   return c;
 }
@@ -134,7 +140,8 @@ POUNDING_INLINE void scale_all(std::span<const ScaledColumn> columns, Index rows
   }
 }
 
-POUNDING_WIDE void scale_by_wide_vectors(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
+POUNDING_WIDE void scale_by_wide_vectors(std::span<const ScaledColumn> columns, Index rows, const double* weights,
+                                         double* y) {
   scale_all(columns, rows, weights, y);
 }
 
@@ -178,12 +185,14 @@ void add_products(const Columns& a, const Columns& x, double* y, Index y_stride)
         }
       for (Index i = 0; i < rows; i += piece_rows) {
         const Index piece = std::min(piece_rows, rows - i);
-        add({panel.data() + i * count, piece, count, piece}, {x.values + j, count, x.count, x.stride}, y + row + i, y_stride);
+        add({panel.data() + i * count, piece, count, piece}, {x.values + j, count, x.count, x.stride}, y + row + i,
+            y_stride);
       }
     }
 }
 
-void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::Ref<Eigen::MatrixXd> y, Eigen::MatrixXd& room) {
+void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::Ref<Eigen::MatrixXd> y,
+                  Eigen::MatrixXd& room) {
   const int first = rows.front();
   if (rows.back() - first + 1 == a.rows) return add_products(a, x, y.data() + first, y.outerStride());
   renew(room, a.rows, x.count);
@@ -194,7 +203,8 @@ void add_products(const Columns& a, const Columns& x, std::span<const int> rows,
 
 Eigen::MatrixXd summed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x) {
   Eigen::MatrixXd made = Eigen::MatrixXd::Zero(a.rows(), x.cols());
-  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {x.data(), x.rows(), x.cols(), x.rows()}, made.data(), made.rows());
+  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {x.data(), x.rows(), x.cols(), x.rows()}, made.data(),
+               made.rows());
   return made;
 }
 

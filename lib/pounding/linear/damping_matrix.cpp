@@ -11,10 +11,13 @@ SparseMatrix damping_matrix(const System& system) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const Group& group : system.groups) {
     if (group.modal_ratio == 0 || system.has_modal_matrix(group)) continue;
-    const auto part = [&](const SparseMatrix& whole) { return SparseMatrix(whole.block(group.first, group.first, group.count, group.count)); };
+    const auto part = [&](const SparseMatrix& whole) {
+      return SparseMatrix(whole.block(group.first, group.first, group.count, group.count));
+    };
     const SparseMatrix own = modal_damping_matrix(part(system.mass), part(system.stiffness), group.modal_ratio);
     for (int j = 0; j < own.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator it(own, j); it; ++it) entries.emplace_back(group.first + static_cast<int>(it.row()), group.first + j, it.value());
+      for (SparseMatrix::InnerIterator it(own, j); it; ++it)
+        entries.emplace_back(group.first + static_cast<int>(it.row()), group.first + j, it.value());
   }
   if (entries.empty()) return all;
   SparseMatrix modal(system.size(), system.size());

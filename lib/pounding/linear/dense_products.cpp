@@ -24,7 +24,8 @@ class Dense {
   explicit Dense(const Eigen::Ref<const Eigen::MatrixXd>& values) {
     const auto size = [](Index count) { return static_cast<PetscInt>(count); };
     // PETSc only reads the factors of a product.
-    check(MatCreateSeqDense(PETSC_COMM_SELF, size(values.rows()), size(values.cols()), const_cast<double*>(values.data()), &matrix_));
+    check(MatCreateSeqDense(PETSC_COMM_SELF, size(values.rows()), size(values.cols()),
+                            const_cast<double*>(values.data()), &matrix_));
     check(MatDenseSetLDA(matrix_, size(values.outerStride())));
   }
   ~Dense() { MatDestroy(&matrix_); }
@@ -37,7 +38,8 @@ class Dense {
 };
 
 // C = A B or A^T B.
-void multiply(bool transposed, const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> c) {
+void multiply(bool transposed, const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
+              Eigen::Ref<Eigen::MatrixXd> c) {
   const Dense of_a(a), of_b(b), of_c(c);
   Mat made = of_c.get();
   check(MatProductCreateWithMat(of_a.get(), of_b.get(), nullptr, made));
@@ -74,7 +76,8 @@ Eigen::MatrixXd symmetric_product(const Eigen::MatrixXd& a, const Eigen::MatrixX
     if (blas)
       multiply(true, a.rightCols(count - j), b.middleCols(j, columns), made.block(j, j, count - j, columns));
     else
-      add_products({rows.data() + j, count - j, rows.cols(), rows.rows()}, {b.col(j).data(), b.rows(), columns, b.rows()}, made.col(j).data() + j, count);
+      add_products({rows.data() + j, count - j, rows.cols(), rows.rows()},
+                   {b.col(j).data(), b.rows(), columns, b.rows()}, made.col(j).data() + j, count);
   }
   made.triangularView<Eigen::StrictlyUpper>() = made.transpose();
   return made;

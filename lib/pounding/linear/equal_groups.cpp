@@ -15,7 +15,8 @@ bool equal_blocks(const SparseMatrix& matrix, const Group& a, const Group& b) {
 }
 
 bool equal_groups(const System& system, const Group& a, const Group& b) {
-  return a.count == b.count && a.rigid_motions == b.rigid_motions && equal_blocks(system.mass, a, b) && equal_blocks(system.stiffness, a, b);
+  return a.count == b.count && a.rigid_motions == b.rigid_motions && equal_blocks(system.mass, a, b) &&
+         equal_blocks(system.stiffness, a, b);
 }
 
 }  // namespace
@@ -24,7 +25,9 @@ std::vector<int> first_equal_groups(const System& system) {
   std::vector<int> first;
   for (int k = 0; k < static_cast<int>(system.groups.size()); ++k) {
     int equal = 0;
-    while (equal < k && !(first[static_cast<std::size_t>(equal)] == equal && equal_groups(system, system.groups[equal], system.groups[k]))) ++equal;
+    while (equal < k && !(first[static_cast<std::size_t>(equal)] == equal &&
+                          equal_groups(system, system.groups[equal], system.groups[k])))
+      ++equal;
     first.push_back(equal);
   }
   return first;

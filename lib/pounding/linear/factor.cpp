@@ -14,8 +14,8 @@ namespace {
 
 // Below this size PETSc's own Cholesky is faster, because each call to CHOLMOD or MUMPS has a fixed cost.
 constexpr PetscInt small_matrix = 500;
-// A known solution that a factor does not reproduce to this relative error belongs to a singular matrix. Frames have condition
-// numbers up to 1e12.
+// A known solution that a factor does not reproduce to this relative error belongs to a singular matrix. Frames have
+// condition numbers up to 1e12.
 constexpr double max_reproduction_error = 1e-2;
 constexpr double close_enough = 1e-13;
 constexpr PetscInt max_iterations = 200;
@@ -57,9 +57,14 @@ void require_package(PC pc, Mat matrix, const std::string& prefix) {
   check(MatGetFactorAvailable(matrix, package, type, &available));
   if (available) return;
   const int count = processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)));
-  throw InputError(count > 1 ? fmt::format("this PETSc has no {} to factor a matrix on {} processes; start at most as many processes as there are "
-                                           "structures, or build PETSc with MUMPS", package, count)
-                             : fmt::format("this PETSc has no {} to factor a matrix; try -{}pc_factor_mat_solver_type cholmod", package, prefix));
+  throw InputError(
+      count > 1
+          ? fmt::format(
+                "this PETSc has no {} to factor a matrix on {} processes; start at most as many processes as there are "
+                "structures, or build PETSc with MUMPS",
+                package, count)
+          : fmt::format("this PETSc has no {} to factor a matrix; try -{}pc_factor_mat_solver_type cholmod", package,
+                        prefix));
 }
 
 PetscErrorCode apply_near(PC pc, Vec x, Vec y) {
@@ -142,7 +147,8 @@ void Factor::set_up() {
     check(KSPSetUp(ksp_));
     PCFailedReason reason = PC_NOERROR;
     check(PCGetFailedReason(pc, &reason));
-    if (reason == PC_FACTOR_OUTMEMORY) throw OutOfMemory(fmt::format("out of memory for the factor of a matrix of {} rows", product_.rows()));
+    if (reason == PC_FACTOR_OUTMEMORY)
+      throw OutOfMemory(fmt::format("out of memory for the factor of a matrix of {} rows", product_.rows()));
     ok_ = reason == PC_NOERROR && reproduces();
   } catch (const SolverError&) {
     ok_ = false;

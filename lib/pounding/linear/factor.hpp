@@ -24,8 +24,8 @@ struct Destroyer<KSP> {
   static PetscErrorCode destroy(KSP* object) { return KSPDestroy(object); }
 };
 
-/// Sparsity pattern of the rows of this process: compressed rows with sorted columns, both triangles. Columns are numbered over
-/// all processes of the matrix's communicator.
+/// Sparsity pattern of the rows of this process: compressed rows with sorted columns, both triangles. Columns are
+/// numbered over all processes of the matrix's communicator.
 struct Pattern {
   std::vector<PetscInt> begin{0};  ///< of each row in `columns`, and the end of the last: rows + 1
   std::vector<PetscInt> columns;   ///< row by row
@@ -34,8 +34,8 @@ struct Pattern {
   PetscInt rows() const { return static_cast<PetscInt>(begin.size()) - 1; }
 };
 
-/// Pattern and values of a symmetric matrix, compressed; the columns that Eigen stores are its rows. The values are a view of
-/// the matrix.
+/// Pattern and values of a symmetric matrix, compressed; the columns that Eigen stores are its rows. The values are a
+/// view of the matrix.
 Pattern pattern_of(const Eigen::SparseMatrix<double>& symmetric);
 std::span<const double> values_of(const Eigen::SparseMatrix<double>& symmetric);
 
@@ -60,18 +60,18 @@ class Product {
   PetscInt rows_ = 0;
 };
 
-/// A KSP that applies a factor: by default PETSc's own Cholesky for a small matrix, else CHOLMOD on one process and MUMPS on
-/// several. Options with the prefix choose another one.
+/// A KSP that applies a factor: by default PETSc's own Cholesky for a small matrix, else CHOLMOD on one process and
+/// MUMPS on several. Options with the prefix choose another one.
 class Factor {
  public:
-  /// Collective. ok() tells on each process by itself whether the matrix could be factored. Throws InputError where PETSc has not got the
-  /// package.
+  /// Collective. ok() tells on each process by itself whether the matrix could be factored. Throws InputError where
+  /// PETSc has not got the package.
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
   /// True if the matrix could be factored.
   bool ok() const { return ok_; }
-  /// Factors another matrix of the same pattern. The symbolic factorization is kept, a third of the work. False, with nothing
-  /// done, on several processes; else ok() tells the result.
+  /// Factors another matrix of the same pattern. The symbolic factorization is kept, a third of the work. False, with
+  /// nothing done, on several processes; else ok() tells the result.
   bool refactor(std::span<const double> values);
   /// x = A^-1 b. False when an iterative solver, chosen by an option, did not converge.
   bool solve(const double* b, double* x) const;
@@ -100,9 +100,9 @@ class Factor {
 
 /// Conjugate gradients on a matrix, preconditioned by the factor of a matrix near to it, which must outlive this.
 ///
-/// They stop at a residual of 1e-13 of the right-hand side: contact events are located to 1e-12 of the change of an event
-/// function, and a step solved here must not differ from one by a factor at that level. The recurred residual always gets
-/// there.
+/// They stop at a residual of 1e-13 of the right-hand side: contact events are located to 1e-12 of the change of an
+/// event function, and a step solved here must not differ from one by a factor at that level. The recurred residual
+/// always gets there.
 class NearSolver {
  public:
   NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const Factor& near,

@@ -46,9 +46,11 @@ Joint joint_modes(const FurtherDirections& of) {
 
 }  // namespace
 
-FlexibilityErrors flexibility_errors(const FurtherDirections& of, const ShadowModes& shadow, const ClassicalDamping& damping, double contact) {
+FlexibilityErrors flexibility_errors(const FurtherDirections& of, const ShadowModes& shadow,
+                                     const ClassicalDamping& damping, double contact) {
   const MatrixXd shadow_links = transposed_product(shadow.in_modes, of.links);
-  const std::optional<Joint> joint = damping.modal > 0 && of.own.size() > 0 ? std::optional(joint_modes(of)) : std::nullopt;
+  const std::optional<Joint> joint =
+      damping.modal > 0 && of.own.size() > 0 ? std::optional(joint_modes(of)) : std::nullopt;
   FlexibilityErrors errors;
   for (int k = 0; k < frequencies; ++k) {
     const double ratio = std::pow(2.0, lowest + (highest - lowest) * k / (frequencies - 1)), w = contact * ratio;
@@ -56,7 +58,9 @@ FlexibilityErrors flexibility_errors(const FurtherDirections& of, const ShadowMo
     const Complex modal(0, 2 * w * damping.modal);
     const auto answers = [&](const Eigen::VectorXd& squares) -> VectorXcd {
       if (damping.modal > 0)
-        return (squares.cast<Complex>().array() * by_stiffness + squares.cwiseSqrt().cast<Complex>().array() * modal + by_mass).inverse();
+        return (squares.cast<Complex>().array() * by_stiffness + squares.cwiseSqrt().cast<Complex>().array() * modal +
+                by_mass)
+            .inverse();
       return (squares.cast<Complex>().array() * by_stiffness + by_mass).inverse();
     };
     const VectorXcd modes = answers(of.squares);
@@ -64,12 +68,14 @@ FlexibilityErrors flexibility_errors(const FurtherDirections& of, const ShadowMo
     if (joint) {
       more = weighed(joint->links, answers(joint->squares), joint->links) - weighed(of.links, modes, of.links);
     } else if (of.own.size() > 0) {
-      MatrixXcd stiffness = by_stiffness * of.own.cast<Complex>() - by_stiffness * by_stiffness * weighed(of.coupling, modes, of.coupling);
+      MatrixXcd stiffness = by_stiffness * of.own.cast<Complex>() -
+                            by_stiffness * by_stiffness * weighed(of.coupling, modes, of.coupling);
       stiffness.diagonal().array() += by_mass;
       const MatrixXcd load = of.further_links.cast<Complex>() - by_stiffness * weighed(of.coupling, modes, of.links);
       more = load.transpose() * stiffness.partialPivLu().solve(load);
     }
-    const MatrixXcd both = more + weighed(of.links, modes, of.links) - weighed(shadow_links, answers(shadow.squares), shadow_links);
+    const MatrixXcd both =
+        more + weighed(of.links, modes, of.links) - weighed(shadow_links, answers(shadow.squares), shadow_links);
     const double weight = 1 / (1 + ratio * ratio);
     errors.run = std::max(errors.run, weight * more.cwiseAbs().maxCoeff());
     errors.shadow = std::max(errors.shadow, weight * both.cwiseAbs().maxCoeff());

@@ -55,7 +55,8 @@ void archive_group(Archive& archive, ReducedGroup& group) {
   if (has_shadow) group.shadow = std::make_shared<const ShadowModes>(std::move(shadow));
 }
 
-// Makes a file of its own: a name that exists is removed first, so that nothing is written through a link or into a pipe.
+// Makes a file of its own: a name that exists is removed first, so that nothing is written through a link or into a
+// pipe.
 bool write_new(const std::string& path, const std::string& begin, const std::vector<std::byte>& rest) {
   unlink(path.c_str());
   const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -65,7 +66,8 @@ bool write_new(const std::string& path, const std::string& begin, const std::vec
     close(descriptor);
     return false;
   }
-  const bool written = std::fwrite(begin.data(), 1, begin.size(), file) == begin.size() && std::fwrite(rest.data(), 1, rest.size(), file) == rest.size();
+  const bool written = std::fwrite(begin.data(), 1, begin.size(), file) == begin.size() &&
+                       std::fwrite(rest.data(), 1, rest.size(), file) == rest.size();
   return (std::fclose(file) == 0) && written;
 }
 
@@ -91,8 +93,8 @@ bool is_regular(const fs::path& path) {
   return fs::is_regular_file(fs::symlink_status(path, failed));
 }
 
-// nullopt if the file cannot be read, is not as it was written, or does not begin so. The beginning is compared before there is memory for the
-// rest: a file that others made may have any size.
+// nullopt if the file cannot be read, is not as it was written, or does not begin so. The beginning is compared before
+// there is memory for the rest: a file that others made may have any size.
 std::optional<std::vector<std::byte>> read_whole(const std::string& path, const std::vector<std::byte>& beginning) {
   if (!is_regular(path)) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
@@ -101,7 +103,9 @@ std::optional<std::vector<std::byte>> read_whole(const std::string& path, const 
   std::string checksum = checksum_of({});
   if (failed || size < checksum.size() + beginning.size()) return std::nullopt;
   std::vector<std::byte> bytes(beginning.size());
-  const auto read = [&](std::size_t from) { file.read(reinterpret_cast<char*>(bytes.data() + from), static_cast<std::streamsize>(bytes.size() - from)); };
+  const auto read = [&](std::size_t from) {
+    file.read(reinterpret_cast<char*>(bytes.data() + from), static_cast<std::streamsize>(bytes.size() - from));
+  };
   file.read(checksum.data(), static_cast<std::streamsize>(checksum.size()));
   read(0);
   if (!file || bytes != beginning) return std::nullopt;
@@ -124,17 +128,23 @@ std::vector<std::byte> ModesOrigin::bytes() const {
   return archive.bytes();
 }
 
-KeptModes::KeptModes(std::string folder, std::uintmax_t most_bytes) : folder_(std::move(folder)), most_bytes_(most_bytes) {
+KeptModes::KeptModes(std::string folder, std::uintmax_t most_bytes)
+    : folder_(std::move(folder)), most_bytes_(most_bytes) {
   std::error_code failed;
   fs::create_directories(folder_, failed);
   const auto refuse = [&](const std::string& why) {
-    throw InputError(fmt::format("modes cannot be kept in \"{}\": {}; type -pounding_red_cache FOLDER with one in which you may write, or leave it out", folder_, why));
+    throw InputError(
+        fmt::format("modes cannot be kept in \"{}\": {}; type -pounding_red_cache FOLDER with one in which you may "
+                    "write, or leave it out",
+                    folder_, why));
   };
   if (!fs::is_directory(folder_, failed)) refuse(failed ? failed.message() : "it is no folder");
   if (access(folder_.c_str(), R_OK | W_OK | X_OK) != 0) refuse("it is write-protected");
 }
 
-std::string KeptModes::file_of(const std::vector<std::byte>& origin) const { return folder_ + '/' + checksum_of(origin); }
+std::string KeptModes::file_of(const std::vector<std::byte>& origin) const {
+  return folder_ + '/' + checksum_of(origin);
+}
 
 std::optional<ReducedGroup> KeptModes::find(const std::vector<std::byte>& origin) const {
   const std::string path = file_of(origin) + ending;

@@ -9,9 +9,11 @@ namespace pounding {
 
 using Eigen::Index;
 
-// The sums of a link, one a column, are kept at hand over its entries, which follow each other: each would wait for the number that the last one stored.
+// The sums of a link, one a column, are kept at hand over its entries, which follow each other: each would wait for the
+// number that the last one stored.
 template <int columns, bool begins>
-void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x, Index x_stride, double* relative, Index stride) {
+void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x, Index x_stride, double* relative,
+                              Index stride) {
   const Entry *entry = entries.data(), *const end = entry + entries.size();
   while (entry != end) {
     double* const to = relative + entry->link;
@@ -26,12 +28,14 @@ void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x
 }
 
 template <bool begins>
-void LinkColumns::add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd>& relative) {
+void LinkColumns::add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                              Eigen::Ref<Eigen::MatrixXd>& relative) {
   const Index columns = x.cols(), x_stride = x.outerStride(), stride = relative.outerStride();
   const double* of = x.data();
   double* to = relative.data();
   Index c = 0;
-  for (; c + 3 <= columns; c += 3, of += 3 * x_stride, to += 3 * stride) add_closing<3, begins>(entries, of, x_stride, to, stride);
+  for (; c + 3 <= columns; c += 3, of += 3 * x_stride, to += 3 * stride)
+    add_closing<3, begins>(entries, of, x_stride, to, stride);
   for (; c < columns; ++c, of += x_stride, to += stride) add_closing<1, begins>(entries, of, x_stride, to, stride);
 }
 
@@ -72,14 +76,15 @@ void LinkColumns::find_entries(std::vector<Block>& blocks, int count) {
   sort();
 }
 
-void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
+void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                         Eigen::MatrixXd& relative) const {
   renew(relative, count, x.cols());
   add_rows(blocks, x, 0, count, relative);
 }
 
 // `count` rows from `first` on are those of the blocks.
-void LinkColumns::add_rows(const std::vector<Block>& blocks, const Eigen::Ref<const Eigen::MatrixXd>& x, int first, int count,
-                           Eigen::Ref<Eigen::MatrixXd> relative) const {
+void LinkColumns::add_rows(const std::vector<Block>& blocks, const Eigen::Ref<const Eigen::MatrixXd>& x, int first,
+                           int count, Eigen::Ref<Eigen::MatrixXd> relative) const {
   const Index columns = x.cols();
   const bool begins = !blocks.empty() && blocks.front().begins;
   if (begins)
@@ -92,12 +97,14 @@ void LinkColumns::add_rows(const std::vector<Block>& blocks, const Eigen::Ref<co
       continue;
     }
     const Index ends = block.by_link.cols();
-    add_products({block.by_coordinate.data(), ends, block.size(), ends}, {x.data() + block.first, block.size(), columns, x.outerStride()}, block.links,
-                 relative, sums_);
+    add_products({block.by_coordinate.data(), ends, block.size(), ends},
+                 {x.data() + block.first, block.size(), columns, x.outerStride()}, block.links, relative, sums_);
   }
 }
 
-void LinkColumns::gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const { gather(blocks_, count_, x, relative); }
+void LinkColumns::gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
+  gather(blocks_, count_, x, relative);
+}
 void LinkColumns::gather_chosen(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
   gather(chosen_blocks_, static_cast<int>(chosen_.size()), x, relative);
 }
@@ -135,19 +142,22 @@ bool LinkColumns::bound(const Eigen::VectorXd& rooms, Eigen::VectorXd& parts) co
   return true;
 }
 
-void LinkColumns::add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y, int from) const {
+void LinkColumns::add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d,
+                      double* y, int from) const {
   for (const Block& block : blocks) {
     if (block.is_small()) {
       for (const Entry& entry : block.entries) {
         const double scale = factor * f[entry.link];
-        if (scale != 0 && entry.coordinate >= from) y[entry.coordinate] += (d ? scale * d[entry.coordinate] : scale) * entry.value;
+        if (scale != 0 && entry.coordinate >= from)
+          y[entry.coordinate] += (d ? scale * d[entry.coordinate] : scale) * entry.value;
       }
       continue;
     }
     if (block.first < from) continue;
     scaled_.clear();
     for (std::size_t i = 0; i < block.links.size(); ++i)
-      if (const double scale = factor * f[block.links[i]]; scale != 0) scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
+      if (const double scale = factor * f[block.links[i]]; scale != 0)
+        scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
     if (!scaled_.empty()) add_scaled(scaled_, block.size(), d ? d + block.first : nullptr, y + block.first);
   }
 }
@@ -188,7 +198,8 @@ bool LinkColumns::choose(std::span<const int> links) {
   return true;
 }
 
-// For one link after the other its row up to the diagonal: three of them at a time, whose last entries beside it are left out.
+// For one link after the other its row up to the diagonal: three of them at a time, whose last entries beside it are
+// left out.
 void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const {
   renew(g, static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
   g.setZero();
@@ -216,7 +227,8 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
       const Index columns = std::min(together, ends - j), rows = j + columns;
       renew(sums_, rows, columns);
       sums_.setZero();
-      add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size}, sums_.data(), rows);
+      add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size},
+                   sums_.data(), rows);
       for (Index c = 0; c < columns; ++c)
         for (Index i = 0; i <= j + c; ++i) enter(i, j + c, sums_(i, c));
     }
@@ -239,11 +251,13 @@ void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
     }
 }
 
-void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d, Eigen::Ref<Eigen::VectorXd> y, int from) const {
+void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d,
+                               Eigen::Ref<Eigen::VectorXd> y, int from) const {
   add(chosen_blocks_, factor, f, d.data(), y.data(), from);
 }
 
-void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y, int from) const {
+void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Solve& solve,
+                               Eigen::Ref<Eigen::VectorXd> y, int from) const {
   for (const Block& block : chosen_blocks_) {
     if (block.first < from) continue;
     for (std::size_t j = 0; j < block.links.size(); ++j) {

@@ -10,14 +10,16 @@
 
 namespace pounding {
 
-/// Dense columns, block by block: only links with an end in a block have one there. Every number is one sum over the coordinates in their order, one
-/// block after the other, so that its bits do not depend on which links are asked for together.
+/// Dense columns, block by block: only links with an end in a block have one there. Every number is one sum over the
+/// coordinates in their order, one block after the other, so that its bits do not depend on which links are asked for
+/// together.
 class LinkColumns {
  public:
   /// Number of links of the system.
   explicit LinkColumns(int links = 0) : count_(links) {}
 
-  /// The ends of these links in the coordinates from `first` on; links ascending, columns [coordinate, link]. Blocks come in ascending order.
+  /// The ends of these links in the coordinates from `first` on; links ascending, columns [coordinate, link]. Blocks
+  /// come in ascending order.
   void add_block(int first, std::vector<int> links, Eigen::MatrixXd columns);
 
   /// B^T x for all links [links x columns of x].
@@ -26,8 +28,9 @@ class LinkColumns {
   LinkColumns part(int first, int end) const;
   /// The rows of these links alone, in a matrix with a row for every link and a column for each of x.
   void gather_rows(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> relative) const;
-  /// By coordinate the part g_k of a room that it takes: the largest sum of g_k |x_k| over a block is as large as |B^T x| of every link over its
-  /// room, or larger. `rooms`: one a link, infinite for a link that does not count. False where one is not positive.
+  /// By coordinate the part g_k of a room that it takes: the largest sum of g_k |x_k| over a block is as large as |B^T
+  /// x| of every link over its room, or larger. `rooms`: one a link, infinite for a link that does not count. False
+  /// where one is not positive.
   bool bound(const Eigen::VectorXd& rooms, Eigen::VectorXd& parts) const;
   /// y += factor B f, on coordinates from `from` on; f has one force a link.
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
@@ -42,9 +45,11 @@ class LinkColumns {
   using Solve = std::function<void(int first, Eigen::VectorXd& column)>;
   void flexibility(const Solve& solve, Eigen::MatrixXd& g) const;
   /// y += factor D B f, on coordinates from `from` on; f has one force a chosen link.
-  void add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
+  void add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d, Eigen::Ref<Eigen::VectorXd> y,
+                    int from = 0) const;
   /// y += factor A^-1 B f likewise.
-  void add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
+  void add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y,
+                    int from = 0) const;
 
  private:
   struct Entry {
@@ -53,11 +58,12 @@ class LinkColumns {
   };
   struct Block {
     int first = 0;
-    std::vector<int> links;    // or, where they are chosen, their places among the chosen ones
-    Eigen::MatrixXd by_link;   // [coordinate, link]
+    std::vector<int> links;   // or, where they are chosen, their places among the chosen ones
+    Eigen::MatrixXd by_link;  // [coordinate, link]
     Eigen::MatrixXd by_coordinate;
-    std::vector<Entry> entries;  // of this small block and of the small ones right behind it, which then have none; by link
-    bool begins = false;         // it is the first one, and these entries are of all links: their sums begin here
+    std::vector<Entry>
+        entries;          // of this small block and of the small ones right behind it, which then have none; by link
+    bool begins = false;  // it is the first one, and these entries are of all links: their sums begin here
 
     Eigen::Index size() const { return by_link.rows(); }
     bool is_small() const;
@@ -67,12 +73,16 @@ class LinkColumns {
   void add_rows(const std::vector<Block>& blocks, const Eigen::Ref<const Eigen::MatrixXd>& x, int first, int count,
                 Eigen::Ref<Eigen::MatrixXd> relative) const;
   template <int columns, bool begins>
-  static void add_closing(const std::vector<Entry>& entries, const double* x, Eigen::Index x_stride, double* relative, Eigen::Index stride);
+  static void add_closing(const std::vector<Entry>& entries, const double* x, Eigen::Index x_stride, double* relative,
+                          Eigen::Index stride);
   template <bool begins>
-  static void add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd>& relative);
+  static void add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                          Eigen::Ref<Eigen::MatrixXd>& relative);
 
-  void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
-  void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y, int from) const;
+  void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
+              Eigen::MatrixXd& relative) const;
+  void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y,
+           int from) const;
 
   int first_ = 0, count_ = 0;  // links
   std::vector<Block> blocks_, chosen_blocks_;

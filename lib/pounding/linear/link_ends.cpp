@@ -4,7 +4,8 @@
 
 namespace pounding::petsc {
 
-LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices, const SpringRelief& relief) : matrices_(matrices) {
+LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices, const SpringRelief& relief)
+    : matrices_(matrices) {
   const int first = matrices.first(), end = first + matrices.rows();
   slots_.resize(system.links());
   for (int i = 0; i < system.links(); ++i)
@@ -15,7 +16,8 @@ LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices, const S
       for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it) {
         if (it.value() == 0 || it.row() < group.first || it.row() >= group.first + group.count) continue;
         joined = true;
-        if (it.row() >= first && it.row() < end) part.entries.emplace_back(static_cast<int>(it.row()) - first, it.value());
+        if (it.row() >= first && it.row() < end)
+          part.entries.emplace_back(static_cast<int>(it.row()) - first, it.value());
       }
       if (!joined) continue;
       slots_[i].push_back(part.slot);

@@ -12,7 +12,8 @@
 
 namespace pounding::petsc {
 
-/// A slot is the part of a link's column of B in one group; slots are numbered over all links, the same on every process.
+/// A slot is the part of a link's column of B in one group; slots are numbered over all links, the same on every
+/// process.
 ///
 /// Links without a common structure are batched: A is block-diagonal, so one right-hand side serves the whole batch.
 class LinkEnds {
@@ -32,14 +33,15 @@ class LinkEnds {
   const std::vector<int>& batch(int number) const { return batches_[number]; }
   int batch_of(int link) const { return batch_of_[link]; }
 
-  /// B^T x by slot [slots x columns of x], the same on every process, for x that follows its unknowns with mass. Collective. Valid until
-  /// the next call.
+  /// B^T x by slot [slots x columns of x], the same on every process, for x that follows its unknowns with mass.
+  /// Collective. Valid until the next call.
   Eigen::Map<const Eigen::MatrixXd> by_slot(Eigen::Ref<const Eigen::MatrixXd> x) const;
   /// B^T x by link [links x columns of x], the same on every process. Collective.
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const;
   /// y += factor B f, with B_e for springs and one force per link, on the rows of this process.
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const;
-  /// Adds the column of B, for springs of B_e, of each link to column column_of[link] - first of b, where that is not negative.
+  /// Adds the column of B, for springs of B_e, of each link to column column_of[link] - first of b, where that is not
+  /// negative.
   void add_columns(std::span<const int> column_of, int first, Eigen::Ref<Eigen::MatrixXd> b) const;
 
  private:

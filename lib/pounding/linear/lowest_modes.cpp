@@ -26,12 +26,13 @@ constexpr const char* modes_prefix = "pounding_modes_";
 // Numbers of dynamic and of all degrees of freedom up to which dense matrices are faster.
 constexpr std::size_t max_dense_dynamic = 300;
 constexpr Eigen::Index max_dense = 1500;
-// Shifts s as fractions of the largest quotient of stiffness and mass, far above round-off. Where some masses are small they
-// may exceed the lowest w^2; this costs iterations, not accuracy.
+// Shifts s as fractions of the largest quotient of stiffness and mass, far above round-off. Where some masses are small
+// they may exceed the lowest w^2; this costs iterations, not accuracy.
 constexpr double negative_shifts[] = {-1e-8, -1e-6, -1e-4};
 // Relative residual of each eigenvalue; the error of its frequency is the square of it.
 constexpr double close_modes = 1e-12;
-// Relative gap behind the last frequency wanted up to which frequencies are counted: far above the round-off of equal ones.
+// Relative gap behind the last frequency wanted up to which frequencies are counted: far above the round-off of equal
+// ones.
 constexpr double gap = 1e-3;
 
 SparseMatrix shifted(const SparseMatrix& mass, const SparseMatrix& stiffness, double shift) {
@@ -50,7 +51,8 @@ SparseMatrix root_of(const SparseMatrix& mass, const std::vector<int>& dynamic) 
   return spread * SparseMatrix(llt.permutationPinv() * SparseMatrix(llt.matrixL()));
 }
 
-// Silences CHOLMOD, which prints a warning for each matrix that is not positive definite: so a free body is recognised here.
+// Silences CHOLMOD, which prints a warning for each matrix that is not positive definite: so a free body is recognised
+// here.
 class QuietCholmod {
  public:
   QuietCholmod() {
@@ -144,7 +146,8 @@ struct Pairs {
 // A starting vector with a part of every shape, symmetric or not; another one in each round.
 Eigen::VectorXd start(PetscInt size, std::size_t round) {
   Eigen::VectorXd x(size);
-  for (PetscInt i = 0; i < size; ++i) x[i] = 1 + std::sin(1.7 * i + 0.3 * std::sqrt(2.0 + i) + static_cast<double>(round));
+  for (PetscInt i = 0; i < size; ++i)
+    x[i] = 1 + std::sin(1.7 * i + 0.3 * std::sqrt(2.0 + i) + static_cast<double>(round));
   return x;
 }
 
@@ -182,10 +185,11 @@ void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   check(EPSGetConverged(eps, &found));
   check(EPSGetIterationNumber(eps, &iterations));
   if (found < count)
-    throw SolverError(fmt::format("{} of {} modes found in {} iterations; allow more by -{}eps_max_it {}, or a larger "
-                                  "subspace by -{}eps_ncv {}",
-                                  found, count, iterations, modes_prefix, std::max(100, 4 * iterations), modes_prefix,
-                                  std::min(flexibility.size(), 4 * count + 30)));
+    throw SolverError(
+        fmt::format("{} of {} modes found in {} iterations; allow more by -{}eps_max_it {}, or a larger "
+                    "subspace by -{}eps_ncv {}",
+                    found, count, iterations, modes_prefix, std::max(100, 4 * iterations), modes_prefix,
+                    std::min(flexibility.size(), 4 * count + 30)));
   Handle<Vec> vector = copy_of(Eigen::VectorXd::Zero(flexibility.size()));
   for (PetscInt i = 0; i < found; ++i) {
     PetscScalar value = 0;
@@ -205,10 +209,13 @@ double behind(const Pairs& pairs, int count) {
   return distance(last) * (1 + gap / 2);
 }
 
-// Finds the `count` lowest pairs, none missing. False when K - s M is not positive definite, which not every factor reports.
+// Finds the `count` lowest pairs, none missing. False when K - s M is not positive definite, which not every factor
+// reports.
 bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Flexibility& flexibility, int count,
               Pairs& pairs) {
-  const auto modes_below = [&](double square) { return count_modes_below(shifted(mass, stiffness, square), square, modes_prefix); };
+  const auto modes_below = [&](double square) {
+    return count_modes_below(shifted(mass, stiffness, square), square, modes_prefix);
+  };
   find(flexibility, count, pairs);
   while (static_cast<PetscInt>(pairs.size()) < flexibility.size()) {
     if (pairs.values[count - 1] <= 0) return false;
@@ -219,17 +226,18 @@ bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Fle
     if (there == known) break;
     if (modes_below(flexibility.shift()) > 0) return false;
     if (there < known)
-      throw SolverError(fmt::format("{} modes found where the pivots of the stiffness count {}: it is too badly conditioned "
-                                    "for its lowest modes",
-                                    known, there));
+      throw SolverError(
+          fmt::format("{} modes found where the pivots of the stiffness count {}: it is too badly conditioned "
+                      "for its lowest modes",
+                      known, there));
     find(flexibility, there - known, pairs);
   }
   return pairs.values.back() > 0;
 }
 
 // The modes by one shift; nothing when K - s M is not positive definite.
-std::optional<Eigenmodes> modes_by_shift(const SparseMatrix& mass, const SparseMatrix& stiffness, const SparseMatrix& root,
-                                         int count, double shift) {
+std::optional<Eigenmodes> modes_by_shift(const SparseMatrix& mass, const SparseMatrix& stiffness,
+                                         const SparseMatrix& root, int count, double shift) {
   const Flexibility flexibility(mass, stiffness, root, shift);
   if (!flexibility.ok()) return {};
   Pairs pairs;

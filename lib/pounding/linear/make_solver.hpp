@@ -17,10 +17,12 @@ enum class SolverKind {
   sparse      ///< SparseSolver: PETSc matrices and factors
 };
 
-/// Collective on `comm` when it is sparse. `system` must outlive the solver; throws as the constructors of the two solvers do.
+/// Collective on `comm` when it is sparse. `system` must outlive the solver; throws as the constructors of the two
+/// solvers do.
 std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm);
-/// With a plan for reduced structures, which an automatic kind follows; throws as reduced_groups() too, and InputError where structures are left to
-/// factors and the modal damping of one would fill too large a matrix.
-std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, const ReductionPlan& plan, MPI_Comm comm);
+/// With a plan for reduced structures, which an automatic kind follows; throws as reduced_groups() too, and InputError
+/// where structures are left to factors and the modal damping of one would fill too large a matrix.
+std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, const ReductionPlan& plan,
+                                             MPI_Comm comm);
 
 }  // namespace pounding::petsc

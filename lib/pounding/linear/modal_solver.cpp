@@ -28,9 +28,10 @@ MassSplit split_of(const System& system, const Group& group) {
   return split_by_mass(system.mass, group.first, group.count);
 }
 
-// All natural modes of a group; `mass` is dense, at the dynamic degrees of freedom. Those without mass follow statically.
-GroupModes natural_modes(const System& system, const Group& group, const Eigen::MatrixXd& mass, const std::vector<int>& dynamic,
-                         const std::vector<int>& massless) {
+// All natural modes of a group; `mass` is dense, at the dynamic degrees of freedom. Those without mass follow
+// statically.
+GroupModes natural_modes(const System& system, const Group& group, const Eigen::MatrixXd& mass,
+                         const std::vector<int>& dynamic, const std::vector<int>& massless) {
   const int count = static_cast<int>(dynamic.size());
   Eigen::MatrixXd stiffness = dense_submatrix(system.stiffness, dynamic, dynamic, group.first);
   Eigen::MatrixXd recovery;  // of the massless degrees of freedom from the dynamic ones
@@ -52,7 +53,8 @@ GroupModes natural_modes(const System& system, const Group& group, const Eigen::
 }
 
 // y = diag(d) x from column `first` of x on; y overlaps neither.
-void multiply_columns(const Eigen::VectorXd& d, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index first, Eigen::Ref<Eigen::MatrixXd>& y) {
+void multiply_columns(const Eigen::VectorXd& d, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index first,
+                      Eigen::Ref<Eigen::MatrixXd>& y) {
   const Eigen::Index n = x.rows(), columns = x.cols() - first;
   const double *factor = d.data(), *from = x.data() + first * x.outerStride();
   double* to = y.data();
@@ -75,7 +77,8 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
     : StructureSolver(system), unknowns_(system.size()) {
   const auto is_reduced = [&](std::size_t k) { return k < groups.size() && groups[k].has_value(); };
   const std::vector<int> equals = first_equal_groups(system);
-  std::vector<int> natural(system.groups.size(), -1);  // by the first of equal groups, the first one of these in all its modes
+  std::vector<int> natural(system.groups.size(),
+                           -1);  // by the first of equal groups, the first one of these in all its modes
   blocks_.reserve(2 * system.groups.size());
   for (std::size_t k = 0; k < system.groups.size(); ++k)
     if (is_reduced(k)) {
@@ -94,10 +97,12 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
   for (const Block& block : blocks_) classical_ = classical_ && block.damping.size() == 0;
   if (!classical_) {
     for (Block& block : blocks_)
-      if (block.damping.size() == 0) block.damping = Eigen::MatrixXd(damping_.segment(block.coordinate, block.count).asDiagonal());
+      if (block.damping.size() == 0)
+        block.damping = Eigen::MatrixXd(damping_.segment(block.coordinate, block.count).asDiagonal());
     factors_.resize(blocks_.size());
   }
-  if (n == unknowns_ && std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.shapes().size() == 1; })) {
+  if (n == unknowns_ &&
+      std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.shapes().size() == 1; })) {
     single_.resize(n);
     for (const Block& block : blocks_) single_[block.first] = block.shapes()(0, 0);
   }
@@ -107,7 +112,8 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
   inverse_.resize(n);
   for (const Block& block : blocks_)
     for (Eigen::Index j = 0; j < load_.cols(); ++j) {
-      const Eigen::VectorXd by_run = block.shapes().transpose() * system.load.col(j).segment(block.first, block.unknowns());
+      const Eigen::VectorXd by_run =
+          block.shapes().transpose() * system.load.col(j).segment(block.first, block.unknowns());
       load_.col(j).segment(block.coordinate, block.count) = block.of_modes(by_run);
     }
   gap_jacobian_ = columns_of_links(system, false);
@@ -117,8 +123,8 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
   shadow_outputs_ = columns_of_outputs(system, true);
 }
 
-// In the blocks that count, or in the shadow and the blocks that have none. `column_of(block, j, entries)` makes column j in the modes of a block
-// from the entries of the matrix there, (unknown of the block, value), none of them zero.
+// In the blocks that count, or in the shadow and the blocks that have none. `column_of(block, j, entries)` makes column
+// j in the modes of a block from the entries of the matrix there, (unknown of the block, value), none of them zero.
 template <class Column>
 LinkColumns ModalSolver::columns_of(const SparseMatrix& matrix, bool shadow, const Column& column_of) const {
   LinkColumns made(static_cast<int>(matrix.cols()));
@@ -150,26 +156,31 @@ Eigen::VectorXd ModalSolver::sum_of_shapes(const Block& block, const std::vector
 }
 
 LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) const {
-  return columns_of(system.gap_jacobian, shadow, [&](const Block& block, int i, const std::vector<Entry>& entries) -> Eigen::VectorXd {
-    for (const auto& [unknown, value] : entries)
-      if (const int at = block.first + unknown; !is_spring(system, i) && !(system.mass.coeff(at, at) > 0))
-        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, at));
-    if (block.few()) return sum_of_shapes(block, entries);
-    Eigen::VectorXd part = Eigen::VectorXd::Zero(block.unknowns());
-    for (const auto& [unknown, value] : entries) part[unknown] = value;
-    return block.shapes().transpose() * part;
-  });
+  return columns_of(
+      system.gap_jacobian, shadow,
+      [&](const Block& block, int i, const std::vector<Entry>& entries) -> Eigen::VectorXd {
+        for (const auto& [unknown, value] : entries)
+          if (const int at = block.first + unknown; !is_spring(system, i) && !(system.mass.coeff(at, at) > 0))
+            throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, at));
+        if (block.few()) return sum_of_shapes(block, entries);
+        Eigen::VectorXd part = Eigen::VectorXd::Zero(block.unknowns());
+        for (const auto& [unknown, value] : entries) part[unknown] = value;
+        return block.shapes().transpose() * part;
+      });
 }
 
 LinkColumns ModalSolver::columns_of_outputs(const System& system, bool shadow) const {
-  return columns_of(system.outputs, shadow, [](const Block& block, int, const std::vector<Entry>& entries) { return sum_of_shapes(block, entries); });
+  return columns_of(system.outputs, shadow, [](const Block& block, int, const std::vector<Entry>& entries) {
+    return sum_of_shapes(block, entries);
+  });
 }
 
 void ModalSolver::add_natural(const System& system, const Group& group, const Block* equal) {
   const auto [dynamic, massless] = split_of(system, group);
   const Eigen::MatrixXd mass = dense_submatrix(system.mass, dynamic, dynamic, group.first);
   Block block;
-  block.modes = equal ? equal->modes : std::make_shared<const GroupModes>(natural_modes(system, group, mass, dynamic, massless));
+  block.modes =
+      equal ? equal->modes : std::make_shared<const GroupModes>(natural_modes(system, group, mass, dynamic, massless));
   const auto damping = [&](const std::vector<int>& rows, const std::vector<int>& columns) {
     Eigen::MatrixXd formed = dense_submatrix(system.damping, rows, columns, group.first);
     if (system.modal_damping.size() > 0) formed += dense_submatrix(system.modal_damping, rows, columns, group.first);
@@ -205,8 +216,9 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
   block.modes = reduced.modes;
   group_masses_.push_back(mass.diagonal().sum());
   const Eigen::Index count = reduced.modes->squares.size();
-  const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
-                                                       : petsc::symmetric_product(block.shapes(), damping * block.shapes());
+  const Eigen::MatrixXd rest = damping.nonZeros() == 0
+                                   ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
+                                   : petsc::symmetric_product(block.shapes(), damping * block.shapes());
   add_block(system, group, std::move(block), rest);
 }
 
@@ -214,18 +226,21 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
 void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest) {
   if (block.few() && !block.projection) {
     const auto equal = std::ranges::find(blocks_, block.modes, &Block::modes);
-    block.projection = equal != blocks_.end() ? equal->projection
-                                              : std::make_shared<const Projection>(Projection{
-                                                    .by_modes = {},
-                                                    .by_unknown = block.shapes().transpose(),
-                                                    .mass = system.mass.block(group.first, group.first, group.count, group.count)});
+    block.projection = equal != blocks_.end()
+                           ? equal->projection
+                           : std::make_shared<const Projection>(Projection{
+                                 .by_modes = {},
+                                 .by_unknown = block.shapes().transpose(),
+                                 .mass = system.mass.block(group.first, group.first, group.count, group.count)});
   }
   block.first = group.first;
   add_coordinates(group, std::move(block), rest);
-  segments_.push_back({blocks_.back().coordinate, blocks_.back().count, static_cast<int>(&group - system.groups.data())});
+  segments_.push_back(
+      {blocks_.back().coordinate, blocks_.back().count, static_cast<int>(&group - system.groups.data())});
 }
 
-void ModalSolver::add_shadow(const System& system, const Group& group, const std::shared_ptr<const ShadowModes>& shadow) {
+void ModalSolver::add_shadow(const System& system, const Group& group,
+                             const std::shared_ptr<const ShadowModes>& shadow) {
   Block& shadowed = *std::ranges::find(blocks_, group.first, &Block::first);
   Block block = shadowed;
   shadowed.shadowed = true;
@@ -273,7 +288,8 @@ void ModalSolver::stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> 
   if (classical_) return multiply_columns(damping_, x, first, cx);
   for (const Block& block : blocks_) {
     const Eigen::Index count = block.damping.rows();
-    cx.middleRows(block.coordinate, count).noalias() = block.damping * x.block(block.coordinate, first, count, cx.cols());
+    cx.middleRows(block.coordinate, count).noalias() =
+        block.damping * x.block(block.coordinate, first, count, cx.cols());
   }
 }
 
@@ -287,7 +303,8 @@ void ModalSolver::set_matrix(const EffectiveMatrix& s, const std::optional<int>&
   has_flexibility_ = false;
   if (classical_) {
     const Eigen::Index n = stiffness_.size();
-    for (Eigen::Index i = 0; i < n; ++i) inverse_[i] = 1 / (s.mass + s.damping * damping_[i] + s.stiffness * stiffness_[i]);
+    for (Eigen::Index i = 0; i < n; ++i)
+      inverse_[i] = 1 / (s.mass + s.damping * damping_[i] + s.stiffness * stiffness_[i]);
     return;
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -335,7 +352,8 @@ bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
   return true;
 }
 
-void ModalSolver::add_response(double factor, std::span<const int> /*links*/, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+void ModalSolver::add_response(double factor, std::span<const int> /*links*/, const Eigen::VectorXd& f,
+                               Eigen::Ref<Eigen::VectorXd> y) const {
   const auto add = [&](const LinkColumns& columns, int from) {
     if (classical_)
       columns.add_response(factor, f, inverse_, y, from);
@@ -346,8 +364,11 @@ void ModalSolver::add_response(double factor, std::span<const int> /*links*/, co
   if (shadow_ > 0) add(shadow_ends_, counted());
 }
 
-void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gap_jacobian_.gather(x, relative); }
-void ModalSolver::gather(std::span<const int> /*links*/, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  gap_jacobian_.gather(x, relative);
+}
+void ModalSolver::gather(std::span<const int> /*links*/, Eigen::Ref<const Eigen::MatrixXd> x,
+                         Eigen::MatrixXd& relative) const {
   gap_jacobian_.gather_chosen(x, relative);
 }
 
@@ -371,7 +392,9 @@ void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen
   }
 }
 
-void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { outputs_.gather(x, values); }
+void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+  outputs_.gather(x, values);
+}
 void ModalSolver::observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
   (shadow_ > 0 ? shadow_outputs_ : outputs_).gather(x, values);
 }
@@ -381,7 +404,8 @@ Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
   for (const Block& block : blocks_) {
     const auto own = u.segment(block.first, block.unknowns());
     const Projection& projection = *block.projection;
-    const Eigen::VectorXd by_run = block.few() ? Eigen::VectorXd(projection.by_unknown * (projection.mass * own)) : Eigen::VectorXd(projection.by_modes * own);
+    const Eigen::VectorXd by_run = block.few() ? Eigen::VectorXd(projection.by_unknown * (projection.mass * own))
+                                               : Eigen::VectorXd(projection.by_modes * own);
     x.segment(block.coordinate, block.count) = block.of_modes(by_run);
   }
   return x;
@@ -394,7 +418,8 @@ void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Ei
     const Eigen::Index all = own.cols();
     auto to = u.middleCols(first, rows);
     to.setZero();
-    add_products({own.data(), own.rows(), all, own.rows()}, {projection->by_unknown.data(), all, rows, all}, to.data(), u.outerStride());
+    add_products({own.data(), own.rows(), all, own.rows()}, {projection->by_unknown.data(), all, rows, all}, to.data(),
+                 u.outerStride());
     return;
   }
   Eigen::VectorXd one(rows);
@@ -438,7 +463,8 @@ void ModalSolver::as_shadow(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const 
   for (const Block& block : blocks_) {
     if (!block.shadow) continue;
     const Block& run = *std::ranges::find(blocks_, block.first, &Block::first);
-    y.middleRows(run.coordinate, run.count) = summed_product(block.shadow->in_modes, x.middleRows(block.coordinate, block.count));
+    y.middleRows(run.coordinate, run.count) =
+        summed_product(block.shadow->in_modes, x.middleRows(block.coordinate, block.count));
   }
 }
 
@@ -450,13 +476,14 @@ std::optional<StructureSolver::FewModes> ModalSolver::few_modes(int group) const
 
 std::string ModalSolver::description() const {
   if (!reduced_.empty()) {
-    std::string text = fmt::format("{} coordinates for {} unknowns, {}", counted(), unknowns_, classical_ ? "decoupled" : "coupled by the damping");
+    std::string text = fmt::format("{} coordinates for {} unknowns, {}", counted(), unknowns_,
+                                   classical_ ? "decoupled" : "coupled by the damping");
     for (const ReducedStructure& each : reduced_) text += "; " + each.size_text();
     return text;
   }
   return classical_ ? fmt::format("all {} modes of {} unknowns, decoupled", stiffness_.size(), unknowns_)
-                    : fmt::format("all {} modes of {} unknowns, coupled by the damping, {} factorizations", stiffness_.size(),
-                                  unknowns_, factorizations_);
+                    : fmt::format("all {} modes of {} unknowns, coupled by the damping, {} factorizations",
+                                  stiffness_.size(), unknowns_, factorizations_);
 }
 
 }  // namespace pounding

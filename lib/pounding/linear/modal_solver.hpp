@@ -17,21 +17,24 @@
 
 namespace pounding {
 
-/// All mass-normalised modes of each group, u = Phi q: M becomes the identity and K diagonal, so a step of any length costs a
-/// few operations per degree of freedom and no factorization. Massless degrees of freedom are condensed statically, which is
-/// exact. Modal damping of modes that are not the natural ones is that of each of them, whether the system has its matrix or not. C becomes diagonal
-/// too when the damping is classical (Rayleigh, modal); else it stays a full block per group, and
-/// each length of step is factored once.
+/// All mass-normalised modes of each group, u = Phi q: M becomes the identity and K diagonal, so a step of any length
+/// costs a few operations per degree of freedom and no factorization. Massless degrees of freedom are condensed
+/// statically, which is exact. Modal damping of modes that are not the natural ones is that of each of them, whether
+/// the system has its matrix or not. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it
+/// stays a full block per group, and each length of step is factored once.
 ///
-/// Groups with equal mass and stiffness, such as those of buildings that are built twice, share their modes: they are computed once, with the same bits.
+/// Groups with equal mass and stiffness, such as those of buildings that are built twice, share their modes: they are
+/// computed once, with the same bits.
 ///
-/// For small and middle systems: the cost of setting up grows with the cube of a structure's dynamic degrees of freedom.
+/// For small and middle systems: the cost of setting up grows with the cube of a structure's dynamic degrees of
+/// freedom.
 class ModalSolver final : public StructureSolver {
  public:
-  /// Throws std::invalid_argument for a mass matrix that is not positive definite, a massless degree of freedom that the
-  /// stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
+  /// Throws std::invalid_argument for a mass matrix that is not positive definite, a massless degree of freedom that
+  /// the stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
   explicit ModalSolver(const System& system);
-  /// With these modes instead of all natural ones for each group where they are given. They must be those of the group's M and K.
+  /// With these modes instead of all natural ones for each group where they are given. They must be those of the
+  /// group's M and K.
   ModalSolver(const System& system, const std::vector<std::optional<ReducedGroup>>& groups);
 
   /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
@@ -50,7 +53,8 @@ class ModalSolver final : public StructureSolver {
   void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                     Eigen::Ref<Eigen::VectorXd> y) const override;
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
-  void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
+  void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
+              Eigen::MatrixXd& relative) const override;
   const LinkColumns* columns() const override { return &gap_jacobian_; }
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
@@ -76,7 +80,8 @@ class ModalSolver final : public StructureSolver {
     int first = 0;       // degree of freedom
     int coordinate = 0;  // first mode
     int count = 0;       // of modes
-    std::shared_ptr<const GroupModes> modes;    // Phi: [all degrees of freedom of the group, mode]; those of the run for a shadow
+    std::shared_ptr<const GroupModes>
+        modes;  // Phi: [all degrees of freedom of the group, mode]; those of the run for a shadow
     std::shared_ptr<const ShadowModes> shadow;  // of a shadow alone
     std::shared_ptr<const Projection> projection;
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
@@ -87,7 +92,9 @@ class ModalSolver final : public StructureSolver {
     const Eigen::MatrixXd& shapes() const { return modes->shapes; }
     Eigen::Index unknowns() const { return modes->shapes.rows(); }
     // The matrix Phi^T X of these modes, from that of the modes of the run.
-    Eigen::MatrixXd of_modes(Eigen::MatrixXd by_run) const { return shadow ? Eigen::MatrixXd(shadow->in_modes.transpose() * by_run) : std::move(by_run); }
+    Eigen::MatrixXd of_modes(Eigen::MatrixXd by_run) const {
+      return shadow ? Eigen::MatrixXd(shadow->in_modes.transpose() * by_run) : std::move(by_run);
+    }
     // Whether sums over the modes cost less than those over the unknowns; they are made in the order of the modes then.
     bool few() const { return reduced || modes->shapes.cols() > small_structure; }
     // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
@@ -119,8 +126,8 @@ class ModalSolver final : public StructureSolver {
   int unknowns_ = 0;
 
   EffectiveMatrix matrix_{0, 0, 0};
-  Eigen::VectorXd inverse_;  // of the diagonal of A
-  bool has_flexibility_ = false;  // of the links that are chosen, by the present matrix
+  Eigen::VectorXd inverse_;                           // of the diagonal of A
+  bool has_flexibility_ = false;                      // of the links that are chosen, by the present matrix
   std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, of the present matrix, when not classical
 };
 

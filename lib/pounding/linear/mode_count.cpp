@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
+#include <Eigen/SparseCholesky>
 
 #include <pounding/core/error.hpp>
 #include <pounding/linear/factor.hpp>
@@ -37,21 +37,25 @@ int count_modes_below(const SparseMatrix& shifted, double square, const std::str
   PCFailedReason reason = PC_NOERROR;
   check(PCGetFailedReason(pc, &reason));
   if (reason != PC_NOERROR)
-    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: no factor (MUMPS; more memory by "
-                                  "-{}count_mat_mumps_icntl_14 100)",
-                                  std::sqrt(std::max(square, 0.0)), prefix));
+    throw SolverError(
+        fmt::format("the modes below {:.6g} rad/s could not be counted: no factor (MUMPS; more memory by "
+                    "-{}count_mat_mumps_icntl_14 100)",
+                    std::sqrt(std::max(square, 0.0)), prefix));
   PetscInt negative = 0, zero = 0, positive = 0;
   check(MatGetInertia(factor, &negative, &zero, &positive));
   return negative + zero;
 }
 #else
-int count_modes_below(const SparseMatrix& shifted, double square, const std::string&) { return count_modes_by_sequence(shifted, square); }
+int count_modes_below(const SparseMatrix& shifted, double square, const std::string&) {
+  return count_modes_by_sequence(shifted, square);
+}
 #endif
 
 int count_modes_by_sequence(const SparseMatrix& shifted, double square) {
   const Eigen::SimplicialLDLT<SparseMatrix> factor(shifted);
   if (factor.info() != Eigen::Success)
-    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: a pivot is zero", std::sqrt(std::max(square, 0.0))));
+    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: a pivot is zero",
+                                  std::sqrt(std::max(square, 0.0))));
   return static_cast<int>((factor.vectorD().array() <= 0).count());
 }
 

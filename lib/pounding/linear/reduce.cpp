@@ -26,12 +26,18 @@ constexpr int most_start = 6, least_start = 4;
 constexpr int least_parts = 2;
 
 ReducedDepth automatic_depth(double tolerance, int deeper) {
-  return {.links = (tolerance >= 1e-2 ? least_start : most_start) + deeper, .ground = 20 + deeper, .parts = least_parts + deeper / 2};
+  return {.links = (tolerance >= 1e-2 ? least_start : most_start) + deeper,
+          .ground = 20 + deeper,
+          .parts = least_parts + deeper / 2};
 }
 
-bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.first && unknown < group.first + group.count; }
+bool inside(const Group& group, Eigen::Index unknown) {
+  return unknown >= group.first && unknown < group.first + group.count;
+}
 
-SparseMatrix part(const SparseMatrix& whole, const Group& group) { return whole.block(group.first, group.first, group.count, group.count); }
+SparseMatrix part(const SparseMatrix& whole, const Group& group) {
+  return whole.block(group.first, group.first, group.count, group.count);
+}
 
 ClassicalDamping damping_of(const Group& group) {
   return {.by_mass = group.by_mass, .by_stiffness = group.by_stiffness, .modal = group.modal_ratio};
@@ -60,7 +66,8 @@ Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group, const
 
 // Whether a link stands for what yields in a structure.
 bool is_part(const System& system, int link) {
-  return is_spring(system, link) && !system.is_part.empty() && system.is_part[static_cast<std::size_t>(link - system.contact_count())];
+  return is_spring(system, link) && !system.is_part.empty() &&
+         system.is_part[static_cast<std::size_t>(link - system.contact_count())];
 }
 
 void count_links(const System& system, const Group& group, ReducedStructure& made) {
@@ -80,7 +87,8 @@ ReducedInputs inputs_of(const System& system, const Group& group, const Reductio
   });
   const Group alone{.count = group.count};
   const SparseMatrix damping = part(system.damping, group);
-  const Eigen::MatrixXd links = columns_of(system.gap_jacobian, group, others), dashpots = columns_of(damping, alone, used_columns(damping, alone));
+  const Eigen::MatrixXd links = columns_of(system.gap_jacobian, group, others),
+                        dashpots = columns_of(damping, alone, used_columns(damping, alone));
   inputs.parts = columns_of(system.gap_jacobian, group, parts);
   inputs.links.resize(group.count, links.cols() + dashpots.cols());
   inputs.links << links, dashpots;
@@ -96,7 +104,8 @@ ReducedInputs inputs_of(const System& system, const Group& group, const Reductio
   return inputs;
 }
 
-// Penetration of an impact with 1 m/s on this mass: the force does the work m v^2 / 2, to a factor that does not matter here.
+// Penetration of an impact with 1 m/s on this mass: the force does the work m v^2 / 2, to a factor that does not matter
+// here.
 double impact_penetration(const Contact& contact, double mass) {
   double low = 1e-12, high = 1;
   for (int i = 0; i < 60; ++i) {
@@ -109,12 +118,14 @@ double impact_penetration(const Contact& contact, double mass) {
 // Blocks of the ground that the shadow lacks.
 constexpr int ground_less = 5;
 
-// Blocks of the links of the shadow: one less than those of the run, or fewer where the other parts of the basis hold most of the last one
-// already. Then the shadow would be as good as the run and would tell nothing.
+// Blocks of the links of the shadow: one less than those of the run, or fewer where the other parts of the basis hold
+// most of the last one already. Then the shadow would be as good as the run and would tell nothing.
 int shadow_links(ReducedModes& basis, const ReducedDepth& depth, int links) {
   const int all = basis.count(depth), new_ones = (links + 1) / 2;
   int blocks = depth.links - 1;
-  while (blocks > 1 && all - basis.count(depth, {.links = blocks, .ground = depth.ground, .parts = depth.parts}) < new_ones) --blocks;
+  while (blocks > 1 &&
+         all - basis.count(depth, {.links = blocks, .ground = depth.ground, .parts = depth.parts}) < new_ones)
+    --blocks;
   return blocks;
 }
 
@@ -145,22 +156,28 @@ ReducedGroup group_of(ReducedModes& basis, const ModesOrigin& origin) {
   ReducedGroup made{.modes = std::make_shared<const GroupModes>(basis.modes(depth))};
   if (!origin.shadow) return made;
   const int links = static_cast<int>(inputs.links.cols());
-  made.shadow = std::make_shared<const ShadowModes>(
-      basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0), .parts = depth.parts - 1}));
+  made.shadow =
+      std::make_shared<const ShadowModes>(basis.shadow(depth, {.links = shadow_links(basis, depth, links),
+                                                               .ground = std::max(depth.ground - ground_less, 0),
+                                                               .parts = depth.parts - 1}));
   // A short chain of the ground may err by more than the links do.
   if (!(inputs.shift > 0) || (inputs.ground.cols() > 0 && depth.ground <= 2 * ground_less)) return made;
-  const FlexibilityErrors errors = flexibility_errors(basis.further(depth), *made.shadow, origin.damping, std::sqrt(inputs.shift));
+  const FlexibilityErrors errors =
+      flexibility_errors(basis.further(depth), *made.shadow, origin.damping, std::sqrt(inputs.shift));
   made.made.flexibility_error = errors.run;
   made.made.shadow_flexibility_error = errors.shadow;
   return made;
 }
 
 // Nothing where the basis would not pay.
-std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
-                           int dynamic, ReducedInputs inputs, Alike& alike) {
-  ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground, .parts = least_parts}
-                                                : automatic_depth(how.error > 0 ? how.error : plan.tolerance, plan.deeper);
-  const int links = static_cast<int>(inputs.links.cols()), parts = static_cast<int>(inputs.parts.cols()), grounds = static_cast<int>(inputs.ground.cols());
+std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how,
+                                   const std::string& name, const ReductionPlan& plan, int dynamic,
+                                   ReducedInputs inputs, Alike& alike) {
+  ReducedDepth depth = how.kind == Kind::blocks
+                           ? ReducedDepth{.links = how.links, .ground = how.ground, .parts = least_parts}
+                           : automatic_depth(how.error > 0 ? how.error : plan.tolerance, plan.deeper);
+  const int links = static_cast<int>(inputs.links.cols()), parts = static_cast<int>(inputs.parts.cols()),
+            grounds = static_cast<int>(inputs.ground.cols());
   if (how.kind == Kind::lowest) {
     depth = {.links = 1, .ground = 1, .parts = 1};
     if (how.modes < dynamic) {
@@ -170,20 +187,26 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
       inputs.starts = starts;
     }
   }
-  const auto largest = [&] { return links * (depth.links + 1) + parts * depth.parts + grounds * depth.ground + static_cast<int>(inputs.starts.cols()); };
-  while (how.kind == Kind::automatic && depth.links > least_start + plan.deeper && 2 * largest() > dynamic) --depth.links;
+  const auto largest = [&] {
+    return links * (depth.links + 1) + parts * depth.parts + grounds * depth.ground +
+           static_cast<int>(inputs.starts.cols());
+  };
+  while (how.kind == Kind::automatic && depth.links > least_start + plan.deeper && 2 * largest() > dynamic)
+    --depth.links;
   const int most = largest();
   // A run again with a third of all modes costs more than one with all of them, which needs no further one.
   const bool again = how.kind == Kind::automatic && plan.deeper > 0 && dynamic <= most_modes_instead;
   if ((again ? 3 : 2) * most > dynamic) {
     if (!how.is_explicit() || dynamic <= small_structure) return std::nullopt;
-    throw InputError(fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "
-                                 "half of them; take fewer blocks or leave it whole",
-                                 how.text(), name, most, dynamic));
+    throw InputError(
+        fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "
+                    "half of them; take fewer blocks or leave it whole",
+                    how.text(), name, most, dynamic));
   }
   const double frequency = std::sqrt(inputs.shift) / (2 * M_PI);
   const bool shadow = how.kind != Kind::lowest && depth.links > 1;
-  const ModesOrigin origin{part(system.mass, group), part(system.stiffness, group), damping_of(group), std::move(inputs), depth, shadow};
+  const ModesOrigin origin{
+      part(system.mass, group), part(system.stiffness, group), damping_of(group), std::move(inputs), depth, shadow};
   const std::optional<KeptModes> kept = plan.kept_in.empty() ? std::nullopt : std::optional<KeptModes>(plan.kept_in);
   const std::vector<std::byte> bytes = kept ? origin.bytes() : std::vector<std::byte>{};
   std::optional<ReducedGroup> found = kept ? kept->find(bytes) : std::nullopt;
@@ -207,8 +230,9 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
 }
 
 // As reduce(), with the modes of an earlier structure that is built alike, asked the same and driven alike.
-std::optional<ReducedGroup> reduce_or_share(const System& system, const Group& group, const Reduction& how, const std::string& name,
-                                            const ReductionPlan& plan, int dynamic, Alike& alike) {
+std::optional<ReducedGroup> reduce_or_share(const System& system, const Group& group, const Reduction& how,
+                                            const std::string& name, const ReductionPlan& plan, int dynamic,
+                                            Alike& alike) {
   ReducedInputs inputs = inputs_of(system, group, plan);
   for (const Alike::Made& before : alike.made)
     if (before.how == how && before.damping == damping_of(group) && before.inputs == inputs) {
@@ -256,8 +280,9 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
     const bool small = dynamic <= small_structure;
     if (how.kind == Kind::all_modes || (how.kind == Kind::none && any_explicit)) {
       if (dynamic > most_natural_modes)
-        throw InputError(fmt::format("\"{}\" has {} unknowns with mass, too many for all its modes; reduce it or leave it to factors",
-                                     plan.names[k], dynamic));
+        throw InputError(fmt::format(
+            "\"{}\" has {} unknowns with mass, too many for all its modes; reduce it or leave it to factors",
+            plan.names[k], dynamic));
       continue;
     }
     if (how.kind != Kind::none && !(how.kind == Kind::automatic && small))

@@ -17,7 +17,8 @@ namespace pounding::petsc {
 namespace {
 
 constexpr const char* factor_prefix = "pounding_red_factor_";
-// Columns of unit length that keep less than this beside the other directions of their chain, or of the joined basis, are rounding.
+// Columns of unit length that keep less than this beside the other directions of their chain, or of the joined basis,
+// are rounding.
 constexpr double nothing_new = 1e-9, nothing_joined = 1e-12;
 // Starts of which the basis leaves less than this are in it.
 constexpr double in_the_span = 1e-10;
@@ -58,7 +59,9 @@ void require_rows(const SparseMatrix& stiffness, const ReducedInputs& inputs) {
       throw std::invalid_argument("an input of a reduced structure has another number of rows");
 }
 
-bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.rows() == b.rows() && a.cols() == b.cols() && a == b; }
+bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+}
 
 struct Ritz {
   Eigen::VectorXd squares;
@@ -80,8 +83,8 @@ struct Chain {
     for (int k = 0; k < std::min<int>(count, static_cast<int>(blocks.size())); ++k) all = beside(all, blocks[k]);
     return all;
   }
-  // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of what is left;
-  // at unit length again the second pass leaves rounding of unit vectors.
+  // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of
+  // what is left; at unit length again the second pass leaves rounding of unit vectors.
   void add(const Eigen::MatrixXd& columns, double least = nothing_new) {
     Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), least);
     if (!blocks.empty() && next.cols() > 0) next = orthonormal(without(next), 0.5);
@@ -98,7 +101,8 @@ struct Chain {
   }
 };
 
-// An orthonormal basis of all parts, each of which has orthonormal columns, and of starts, in this order. The first part is its head as it is.
+// An orthonormal basis of all parts, each of which has orthonormal columns, and of starts, in this order. The first
+// part is its head as it is.
 Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& parts, const Eigen::MatrixXd& starts) {
   Chain all;
   for (const Eigen::MatrixXd& part : parts) {
@@ -115,23 +119,26 @@ Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& parts, const Eigen::M
 }  // namespace
 
 bool ReducedInputs::operator==(const ReducedInputs& other) const {
-  return shift == other.shift && same(links, other.links) && same(parts, other.parts) && same(ground, other.ground) && same(starts, other.starts);
+  return shift == other.shift && same(links, other.links) && same(parts, other.parts) && same(ground, other.ground) &&
+         same(starts, other.starts);
 }
 
-// The structure in the coordinates y = L^T u of its unknowns with mass, M = L L^T, in which mass-normal vectors are orthonormal.
+// The structure in the coordinates y = L^T u of its unknowns with mass, M = L L^T, in which mass-normal vectors are
+// orthonormal.
 struct ReducedModes::Structure {
   MassSplit dofs;
   SparseMatrix mass, stiffness;
   Eigen::SimplicialLLT<SparseMatrix> root;  // of M at the unknowns with mass
   SparseMatrix spread;                      // L, at all unknowns
   std::optional<Factor> factor, massless;
-  SparseMatrix coupling;                    // K from the unknowns with mass to those without
+  SparseMatrix coupling;  // K from the unknowns with mass to those without
   ReducedInputs inputs;
   Chain links, yielding, ground;
   std::optional<Eigen::MatrixXd> shifted;
   std::optional<std::pair<double, Factor>> contact_factor;  // of K + shift M
 
-  Structure(const SparseMatrix& m, const SparseMatrix& k, const ReducedInputs& of) : dofs(split_by_mass(m)), mass(m), stiffness(k), inputs(of) {
+  Structure(const SparseMatrix& m, const SparseMatrix& k, const ReducedInputs& of)
+      : dofs(split_by_mass(m)), mass(m), stiffness(k), inputs(of) {
     require_rows(k, inputs);
     root.compute(submatrix(mass, dofs.dynamic, dofs.dynamic));
     if (root.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
@@ -140,7 +147,9 @@ struct ReducedModes::Structure {
     spread = at * SparseMatrix(root.permutationPinv() * SparseMatrix(root.matrixL()));
     stiffness.makeCompressed();
     factor.emplace(PETSC_COMM_SELF, pattern_of(stiffness), values_of(stiffness), factor_prefix);
-    if (!factor->ok()) throw std::invalid_argument("the stiffness is singular or indefinite: nothing holds the structure, or it buckles");
+    if (!factor->ok())
+      throw std::invalid_argument(
+          "the stiffness is singular or indefinite: nothing holds the structure, or it buckles");
     if (dofs.massless.empty()) return;
     SparseMatrix own = submatrix(stiffness, dofs.massless, dofs.massless);
     own.makeCompressed();
@@ -155,11 +164,14 @@ struct ReducedModes::Structure {
     return x;
   }
   // y of the answers to these loads.
-  Eigen::MatrixXd answers(const Factor& by, const Eigen::MatrixXd& load) const { return spread.transpose() * solve(by, load); }
+  Eigen::MatrixXd answers(const Factor& by, const Eigen::MatrixXd& load) const {
+    return spread.transpose() * solve(by, load);
+  }
 
   void grow(Chain& chain, const Eigen::MatrixXd& input, int count) {
     while (static_cast<int>(chain.blocks.size()) < count && !chain.ended) {
-      const Eigen::MatrixXd load = chain.blocks.empty() ? unit_columns(input) : Eigen::MatrixXd(spread * chain.blocks.back());
+      const Eigen::MatrixXd load =
+          chain.blocks.empty() ? unit_columns(input) : Eigen::MatrixXd(spread * chain.blocks.back());
       if (load.cols() == 0)
         chain.ended = true;
       else
@@ -172,7 +184,8 @@ struct ReducedModes::Structure {
     SparseMatrix a = stiffness + shift * mass;
     a.makeCompressed();
     contact_factor.emplace(shift, Factor(PETSC_COMM_SELF, pattern_of(a), values_of(a), factor_prefix));
-    if (!contact_factor->second.ok()) throw SolverError("the stiffness of a reduced structure could not be factored at the frequency of its contacts");
+    if (!contact_factor->second.ok())
+      throw SolverError("the stiffness of a reduced structure could not be factored at the frequency of its contacts");
     return contact_factor->second;
   }
 
@@ -180,7 +193,8 @@ struct ReducedModes::Structure {
     if (shifted) return *shifted;
     shifted.emplace();
     const Eigen::MatrixXd load = unit_columns(inputs.links);
-    if (inputs.shift > 0 && load.cols() > 0) shifted = orthonormal(unit_columns(answers(factor_at(inputs.shift), load)), nothing_new);
+    if (inputs.shift > 0 && load.cols() > 0)
+      shifted = orthonormal(unit_columns(answers(factor_at(inputs.shift), load)), nothing_new);
     return *shifted;
   }
 
@@ -194,7 +208,8 @@ struct ReducedModes::Structure {
     return u;
   }
 
-  // Modes of a depth, which the counts and the shadow of this depth need again: shapes are displacements(basis * vectors).
+  // Modes of a depth, which the counts and the shadow of this depth need again: shapes are displacements(basis *
+  // vectors).
   struct Made {
     ReducedDepth depth;
     Eigen::MatrixXd basis;
@@ -213,7 +228,8 @@ struct ReducedModes::Structure {
     grow(links, inputs.links, depth.links);
     grow(yielding, inputs.parts, depth.parts);
     grow(ground, inputs.ground, depth.ground);
-    return {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd(), yielding.first(depth.parts)};
+    return {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd(),
+            yielding.first(depth.parts)};
   }
 
   // At unit length. A structure that nothing moves has a coordinate still.
@@ -233,7 +249,8 @@ struct ReducedModes::Structure {
     bool is_head = true;
     for (const Eigen::MatrixXd& part : chains) {
       if (part.cols() == 0) continue;
-      inside.push_back(is_head ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(whole.cols(), part.cols())) : transposed_product(whole, part));
+      inside.push_back(is_head ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(whole.cols(), part.cols()))
+                               : transposed_product(whole, part));
       is_head = false;
     }
     return joined(inside, transposed_product(whole, starts_beside(chains)));
@@ -261,16 +278,20 @@ struct ReducedModes::Structure {
   Eigen::MatrixXd turned(const Eigen::MatrixXd& loads) const {
     Eigen::MatrixXd own = loads(dofs.dynamic, Eigen::all);
     if (massless)
-      if (const Eigen::MatrixXd light = loads(dofs.massless, Eigen::all); !light.isZero(0)) own -= coupling.transpose() * solve(*massless, light);
+      if (const Eigen::MatrixXd light = loads(dofs.massless, Eigen::all); !light.isZero(0))
+        own -= coupling.transpose() * solve(*massless, light);
     return root.matrixL().solve(Eigen::MatrixXd(root.permutationP() * own));
   }
 
   FurtherDirections further(const ReducedDepth& depth) {
     if (basis(depth).ritz.squares.size() == 0) modes(depth);
     const Made& of = *made;
-    const auto in_modes = [&](const Eigen::MatrixXd& loads) { return transposed_product(of.ritz.vectors, transposed_product(of.basis, loads)); };
+    const auto in_modes = [&](const Eigen::MatrixXd& loads) {
+      return transposed_product(of.ritz.vectors, transposed_product(of.basis, loads));
+    };
     const Eigen::MatrixXd columns = turned(inputs.links);
-    FurtherDirections found{.squares = of.ritz.squares, .links = in_modes(columns), .coupling = {}, .own = {}, .further_links = {}};
+    FurtherDirections found{
+        .squares = of.ritz.squares, .links = in_modes(columns), .coupling = {}, .own = {}, .further_links = {}};
     grow(links, inputs.links, depth.links + 1);
     if (static_cast<int>(links.blocks.size()) <= depth.links) return found;
     Chain both;
@@ -315,9 +336,13 @@ void ReducedModes::drive(const ReducedInputs& inputs) {
 
 int ReducedModes::most() const { return static_cast<int>(structure_->dofs.dynamic.size()); }
 int ReducedModes::count(const ReducedDepth& depth) { return static_cast<int>(structure_->basis(depth).basis.cols()); }
-int ReducedModes::count(const ReducedDepth& depth, const ReducedDepth& less) { return static_cast<int>(structure_->less_basis(depth, less).cols()); }
+int ReducedModes::count(const ReducedDepth& depth, const ReducedDepth& less) {
+  return static_cast<int>(structure_->less_basis(depth, less).cols());
+}
 GroupModes ReducedModes::modes(const ReducedDepth& depth) { return structure_->modes(depth); }
 FurtherDirections ReducedModes::further(const ReducedDepth& depth) { return structure_->further(depth); }
-ShadowModes ReducedModes::shadow(const ReducedDepth& depth, const ReducedDepth& less) { return structure_->shadow(depth, less); }
+ShadowModes ReducedModes::shadow(const ReducedDepth& depth, const ReducedDepth& less) {
+  return structure_->shadow(depth, less);
+}
 
 }  // namespace pounding::petsc

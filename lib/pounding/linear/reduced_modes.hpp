@@ -39,37 +39,39 @@ struct ReducedDepth {
 ///
 /// and a third chain as that of the links for what yields, with depth.parts blocks and none at the contact.
 ///
-/// the load-dependent vectors of Wilson, Yuan and Dickens (1982) for the ground and for every link, with the vectors about a frequency of
-/// Gu, Ma and Hulbert (2000). Each chain is orthogonal by itself and grows from its orthonormal last block. The chains are joined at the
-/// end: made orthogonal to each other on the way, the shorter one would be spoilt. Directions below 1e-9 of their column are dropped, at the joint
-/// below 1e-12.
+/// the load-dependent vectors of Wilson, Yuan and Dickens (1982) for the ground and for every link, with the vectors
+/// about a frequency of Gu, Ma and Hulbert (2000). Each chain is orthogonal by itself and grows from its orthonormal
+/// last block. The chains are joined at the end: made orthogonal to each other on the way, the shorter one would be
+/// spoilt. Directions below 1e-9 of their column are dropped, at the joint below 1e-12.
 ///
-/// The ends of the links are as stiff as in the structure or stiffer, at every frequency without damping below the first mode and at
-/// every real shift: B^T V (V^T (K + s M) V)^-1 V^T B never exceeds B^T (K + s M)^-1 B. Static answers are exact. With as many directions
-/// as unknowns with mass the modes are the natural ones.
+/// The ends of the links are as stiff as in the structure or stiffer, at every frequency without damping below the
+/// first mode and at every real shift: B^T V (V^T (K + s M) V)^-1 V^T B never exceeds B^T (K + s M)^-1 B. Static
+/// answers are exact. With as many directions as unknowns with mass the modes are the natural ones.
 ///
-/// Unknowns without mass follow statically; a force on one of them counts by what it does to the others (see SpringRelief). Deterministic:
-/// the same input gives the same bits.
+/// Unknowns without mass follow statically; a force on one of them counts by what it does to the others (see
+/// SpringRelief). Deterministic: the same input gives the same bits.
 ///
 /// Options of the factors: -pounding_red_factor_...
 class ReducedModes {
  public:
-  /// Throws std::invalid_argument for a mass matrix that is not positive definite, for a stiffness that is singular or indefinite (a
-  /// structure that nothing holds, one that buckles), and where an input has another number of rows.
+  /// Throws std::invalid_argument for a mass matrix that is not positive definite, for a stiffness that is singular or
+  /// indefinite (a structure that nothing holds, one that buckles), and where an input has another number of rows.
   ReducedModes(const SparseMatrix& mass, const SparseMatrix& stiffness, const ReducedInputs& inputs);
   ~ReducedModes();
   ReducedModes(ReducedModes&&) noexcept;
 
-  /// Takes other inputs from now on, with the bits of an object made with them. What depends on the matrices alone is kept, and so is a chain whose
-  /// inputs are the same. Throws as the constructor for an input with another number of rows.
+  /// Takes other inputs from now on, with the bits of an object made with them. What depends on the matrices alone is
+  /// kept, and so is a chain whose inputs are the same. Throws as the constructor for an input with another number of
+  /// rows.
   void drive(const ReducedInputs& inputs);
 
-  /// Ritz modes of this depth. Blocks that are there already are used again, so a second depth costs little. A chain ends by itself where
-  /// it has nothing new to give. Throws SolverError where a solve fails.
+  /// Ritz modes of this depth. Blocks that are there already are used again, so a second depth costs little. A chain
+  /// ends by itself where it has nothing new to give. Throws SolverError where a solve fails.
   GroupModes modes(const ReducedDepth& depth);
   /// Ritz modes of no more blocks, in those of this depth.
   ShadowModes shadow(const ReducedDepth& depth, const ReducedDepth& less);
-  /// Ritz modes of this depth with the directions that one block of the links more would bring: none where the chain has ended.
+  /// Ritz modes of this depth with the directions that one block of the links more would bring: none where the chain
+  /// has ended.
   FurtherDirections further(const ReducedDepth& depth);
   /// Number of modes of this depth, and of a shadow of it, without the modes.
   int count(const ReducedDepth& depth);

@@ -30,12 +30,15 @@ std::vector<int> rows_by_groups(const System& system, int processes) {
 
 }  // namespace
 
-bool shares_whole_groups(const System& system, int processes) { return static_cast<int>(system.groups.size()) >= processes; }
+bool shares_whole_groups(const System& system, int processes) {
+  return static_cast<int>(system.groups.size()) >= processes;
+}
 
 std::vector<int> first_rows(const System& system, int processes) {
   if (shares_whole_groups(system, processes)) return rows_by_groups(system, processes);
   std::vector<int> first;
-  for (int r = 0; r <= processes; ++r) first.push_back(static_cast<int>(static_cast<long>(system.size()) * r / processes));
+  for (int r = 0; r <= processes; ++r)
+    first.push_back(static_cast<int>(static_cast<long>(system.size()) * r / processes));
   return first;
 }
 

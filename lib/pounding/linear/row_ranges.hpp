@@ -10,8 +10,8 @@ namespace pounding::petsc {
 /// True if each process gets whole groups, because there are at least as many groups as processes.
 bool shares_whole_groups(const System& system, int processes);
 
-/// First row of each process, and last the number of all rows: length processes + 1. Whole groups, by the entries of their
-/// stiffness, where shares_whole_groups; else even parts.
+/// First row of each process, and last the number of all rows: length processes + 1. Whole groups, by the entries of
+/// their stiffness, where shares_whole_groups; else even parts.
 std::vector<int> first_rows(const System& system, int processes);
 
 }  // namespace pounding::petsc

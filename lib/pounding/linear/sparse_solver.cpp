@@ -9,8 +9,8 @@
 namespace pounding::petsc {
 namespace {
 
-// Columns of Z are solved in fixed blocks of this many, so that their bits do not depend on which links pressed first. A
-// block costs a third of its columns one by one.
+// Columns of Z are solved in fixed blocks of this many, so that their bits do not depend on which links pressed first.
+// A block costs a third of its columns one by one.
 constexpr int columns_together = 8;
 // Off the step levels a factor of its own costs as much as conjugate gradients for this many right-hand sides: some 60
 // solves against some 12 each.
@@ -180,7 +180,7 @@ bool SparseSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
 }
 
 void SparseSolver::add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
-                              Eigen::Ref<Eigen::VectorXd> y) const {
+                                Eigen::Ref<Eigen::VectorXd> y) const {
   const CachedFactor& entry = factors_.current();
   std::vector<const double*> columns;
   std::vector<double> scales;
@@ -206,9 +206,12 @@ void SparseSolver::add_response(double factor, std::span<const int> links, const
   }
 }
 
-void SparseSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { ends_.gather(x, relative); }
+void SparseSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  ends_.gather(x, relative);
+}
 
-void SparseSolver::gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+void SparseSolver::gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
+                          Eigen::MatrixXd& relative) const {
   Eigen::MatrixXd all;
   ends_.gather(x, all);
   renew(relative, static_cast<Eigen::Index>(links.size()), x.cols());

@@ -1,5 +1,6 @@
 #pragma once
-/// The linear structures as sparse matrices with a factor for each length of step: for big frames and several processes.
+/// The linear structures as sparse matrices with a factor for each length of step: for big frames and several
+/// processes.
 
 #include <petscsys.h>
 
@@ -12,20 +13,21 @@ namespace pounding::petsc {
 
 /// Coordinates are the degrees of freedom of the system themselves; each process has a range of consecutive ones.
 ///
-/// With at least as many groups as processes, each process has whole groups and solves them by itself, without messages.
-/// Otherwise the rows are cut evenly, and one parallel factor (MUMPS) serves all.
+/// With at least as many groups as processes, each process has whole groups and solves them by itself, without
+/// messages. Otherwise the rows are cut evenly, and one parallel factor (MUMPS) serves all.
 ///
-/// Steps that are the longest one over 2^k have a cached factor each, and columns Z = A^-1 B of the links as they become active.
-/// A step of any
-/// other length is solved by conjugate gradients with the factor of the nearest step level, or, where many links press, by a
-/// factor of its own. Solutions depend on the step alone, not on what was solved before it.
+/// Steps that are the longest one over 2^k have a cached factor each, and columns Z = A^-1 B of the links as they
+/// become active. A step of any other length is solved by conjugate gradients with the factor of the nearest step
+/// level, or, where many links press, by a factor of its own. Solutions depend on the step alone, not on what was
+/// solved before it.
 ///
 /// Every process holds the whole System; the matrices here have the rows of this process only.
 class SparseSolver final : public StructureSolver {
  public:
-  /// Collective. `system` must outlive the solver. Throws std::invalid_argument for groups that do not follow one another over
-  /// all degrees of freedom, an entry that joins two groups, a negative mass, a massless degree of freedom without stiffness,
-  /// and a link that is no spring or a dashpot at a massless one; SolverError, naming the degree of freedom, for a singular matrix.
+  /// Collective. `system` must outlive the solver. Throws std::invalid_argument for groups that do not follow one
+  /// another over all degrees of freedom, an entry that joins two groups, a negative mass, a massless degree of freedom
+  /// without stiffness, and a link that is no spring or a dashpot at a massless one; SolverError, naming the degree of
+  /// freedom, for a singular matrix.
   SparseSolver(MPI_Comm comm, const System& system, const SparseOptions& options = {});
 
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
@@ -42,7 +44,8 @@ class SparseSolver final : public StructureSolver {
   void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                     Eigen::Ref<Eigen::VectorXd> y) const override;
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
-  void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
+  void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
+              Eigen::MatrixXd& relative) const override;
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;

@@ -10,7 +10,8 @@ namespace {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 // y += factor A f, reading only the columns where f is not zero.
-void add_product(const SparseMatrix& a, double factor, Eigen::Ref<const Eigen::VectorXd> f, Eigen::Ref<Eigen::VectorXd> y) {
+void add_product(const SparseMatrix& a, double factor, Eigen::Ref<const Eigen::VectorXd> f,
+                 Eigen::Ref<Eigen::VectorXd> y) {
   for (Eigen::Index j = 0; j < a.cols(); ++j) {
     const double scale = factor * f[j];
     if (scale == 0) continue;
@@ -43,7 +44,8 @@ SpringRelief::SpringRelief(const System& system) {
     const std::vector<int> massless = split_by_mass(system.mass, group.first, group.count).massless;
     const std::vector<int> springs = springs_without_mass(columns, massless, group.first);
     if (springs.empty()) continue;
-    if (group.elastic) throw std::invalid_argument("a spring acts on an unknown without mass of a structure that turns");
+    if (group.elastic)
+      throw std::invalid_argument("a spring acts on an unknown without mass of a structure that turns");
     const Eigen::SimplicialLDLT<SparseMatrix> factor(submatrix(system.stiffness, massless, massless, group.first));
     if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
       throw std::invalid_argument("the stiffness leaves an unknown without mass loose");

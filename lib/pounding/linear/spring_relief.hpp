@@ -12,20 +12,23 @@ inline bool is_spring(const System& system, int link) {
   return link >= system.contact_count() && link < system.contact_count() + static_cast<int>(system.springs.size());
 }
 
-/// Unknowns without mass (s) are in static equilibrium with those with mass (m) and with the springs of their structure,
+/// Unknowns without mass (s) are in static equilibrium with those with mass (m) and with the springs of their
+/// structure,
 ///
 ///   u_s = -K_ss^-1 K_sm u_m - W F,   W = K_ss^-1 B_s,
 ///
-/// so the deformation of a spring is B_e^T u_m - S F + c with B_e = B_m - K_ms W and S = B_s^T W + R. The coordinates of a StructureSolver
-/// leave W F out: they follow those with mass as without springs, and B_e^T u_m is B^T of them. Forces of springs act on them by B_e.
+/// so the deformation of a spring is B_e^T u_m - S F + c with B_e = B_m - K_ms W and S = B_s^T W + R. The coordinates
+/// of a StructureSolver leave W F out: they follow those with mass as without springs, and B_e^T u_m is B^T of them.
+/// Forces of springs act on them by B_e.
 ///
-/// Every process holds all of it. Columns of W fill a structure, those of S its springs; there is nothing where no spring gives way.
+/// Every process holds all of it. Columns of W fill a structure, those of S its springs; there is nothing where no
+/// spring gives way.
 class SpringRelief {
  public:
   /// No spring gives way.
   SpringRelief() = default;
-  /// Throws std::invalid_argument where the stiffness leaves an unknown without mass loose, and for a spring at such an unknown of a
-  /// structure that has elastic forces of its own.
+  /// Throws std::invalid_argument where the stiffness leaves an unknown without mass loose, and for a spring at such an
+  /// unknown of a structure that has elastic forces of its own.
   explicit SpringRelief(const System& system);
 
   /// Whether the force of any spring changes its own deformation or that of another at once.

@@ -26,15 +26,17 @@ struct EffectiveMatrix {
   bool operator==(const EffectiveMatrix&) const = default;
 };
 
-/// Each solver has coordinates of its own, in which vectors have size() entries on this process; coordinates() and physical()
-/// convert from and to the degrees of freedom of the system. B is the gap Jacobian: B^T u are the relative displacements of
-/// the links. Collective, except accessors that return references or counts.
+/// Each solver has coordinates of its own, in which vectors have size() entries on this process; coordinates() and
+/// physical() convert from and to the degrees of freedom of the system. B is the gap Jacobian: B^T u are the relative
+/// displacements of the links. Collective, except accessors that return references or counts.
 ///
-/// Massless degrees of freedom have no equation of motion: they are in static equilibrium with the others at all times. The
-/// coordinates are without what they give way to springs, see SpringRelief; B of the springs is B_e wherever forces act.
+/// Massless degrees of freedom have no equation of motion: they are in static equilibrium with the others at all times.
+/// The coordinates are without what they give way to springs, see SpringRelief; B of the springs is B_e wherever forces
+/// act.
 ///
-/// Behind the coordinates that count may stand those of a shadow: the same structures in fewer modes, driven by the same forces of links
-/// and grounds. Links, outputs, weights and segments are without it; its motion beside theirs tells what the reduction costs.
+/// Behind the coordinates that count may stand those of a shadow: the same structures in fewer modes, driven by the
+/// same forces of links and grounds. Links, outputs, weights and segments are without it; its motion beside theirs
+/// tells what the reduction costs.
 class StructureSolver {
  public:
   /// Coordinates first .. first + count - 1 on this process, all of one group of the system.
@@ -52,8 +54,8 @@ class StructureSolver {
   const Eigen::MatrixXd& load() const { return load_; }
   /// Mass weight of each coordinate in the group norm sum(m u^2) [kg]; 0 if massless or a shadow's, 1 if modal.
   const Eigen::VectorXd& weights() const { return weights_; }
-  /// Sum of the masses of each group over its degrees of freedom and all processes [kg]: the group norm divided by it is a
-  /// mean square.
+  /// Sum of the masses of each group over its degrees of freedom and all processes [kg]: the group norm divided by it
+  /// is a mean square.
   const std::vector<double>& group_masses() const { return group_masses_; }
   /// How massless degrees of freedom give way to springs.
   const SpringRelief& relief() const { return relief_; }
@@ -69,8 +71,8 @@ class StructureSolver {
   virtual void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const = 0;
   /// Replaces the force r by the acceleration M^-1 r; 0 at massless degrees of freedom.
   virtual void accelerate(Eigen::Ref<Eigen::VectorXd> r) const = 0;
-  /// Recovers displacements, velocities or accelerations at massless degrees of freedom from those at the others, by static
-  /// equilibrium.
+  /// Recovers displacements, velocities or accelerations at massless degrees of freedom from those at the others, by
+  /// static equilibrium.
   virtual void recover(Eigen::Ref<Eigen::VectorXd> x) const = 0;
 
   /// True if steps that are the longest one over 2^k are cheaper than others.
@@ -81,8 +83,8 @@ class StructureSolver {
   virtual void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) = 0;
   /// Replaces x by A^-1 x. False when the solve failed.
   virtual bool solve(Eigen::Ref<Eigen::VectorXd> x) = 0;
-  /// G = B^T A^-1 B of these links, the same on every process. `g` as the last call has left it may stay, where links and matrix have.
-  /// False when a solve failed.
+  /// G = B^T A^-1 B of these links, the same on every process. `g` as the last call has left it may stay, where links
+  /// and matrix have. False when a solve failed.
   virtual bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) = 0;
   /// y += factor A^-1 B f for the links of the last flexibility(); f has one force per link of `links`.
   virtual void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
@@ -91,14 +93,16 @@ class StructureSolver {
   /// B^T x for all links [links x columns of x], the same on every process.
   virtual void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
   /// B^T x for the links of the last flexibility() alone [links of `links` x columns of x].
-  virtual void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
-  /// B by columns, where each process has all of it, so that some rows of gather() can be made alone; nullptr elsewhere.
+  virtual void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
+                      Eigen::MatrixXd& relative) const = 0;
+  /// B by columns, where each process has all of it, so that some rows of gather() can be made alone; nullptr
+  /// elsewhere.
   virtual const LinkColumns* columns() const { return nullptr; }
   /// y += factor B f; f has one force for each link of the system.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 
-  /// y += f, in these coordinates; f are forces at all degrees of freedom of the system, the same on every process and 0 at
-  /// massless ones.
+  /// y += f, in these coordinates; f are forces at all degrees of freedom of the system, the same on every process and
+  /// 0 at massless ones.
   virtual void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 
   /// Output quantities of x [outputs x columns of x], the same on every process.
@@ -107,8 +111,12 @@ class StructureSolver {
   /// The structures that are reduced, without errors.
   virtual std::span<const ReducedStructure> reduced() const { return {}; }
   /// As gather() and observe(), from the shadow for structures that have one.
-  virtual void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gather(x, relative); }
-  virtual void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(x, values); }
+  virtual void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+    gather(x, relative);
+  }
+  virtual void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+    observe(x, values);
+  }
 
   /// Coordinates of a displacement or velocity given at all degrees of freedom of the system.
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
@@ -123,10 +131,11 @@ class StructureSolver {
       u.row(j) = one;
     }
   }
-  /// For each column of coordinates x those in which the run would move as the shadow does; behind counted() they mean nothing.
+  /// For each column of coordinates x those in which the run would move as the shadow does; behind counted() they mean
+  /// nothing.
   virtual void as_shadow(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const { y = x; }
-  /// The modes of a group [unknown of the group, mode] and the first of its coordinates, where these are so few that sums over them cost less
-  /// than sums over its unknowns.
+  /// The modes of a group [unknown of the group, mode] and the first of its coordinates, where these are so few that
+  /// sums over them cost less than sums over its unknowns.
   struct FewModes {
     const Eigen::MatrixXd& shapes;
     int first = 0;

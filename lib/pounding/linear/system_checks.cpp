@@ -48,7 +48,8 @@ void require_masses(const System& system, const Eigen::VectorXd& diagonal) {
   for (int j = 0; j < system.damping.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(system.damping, j); it; ++it)
       if (it.value() != 0 && !(has_mass(j) && has_mass(it.row())))
-        throw std::invalid_argument(fmt::format("a dashpot acts on unknown {}, which has no mass", has_mass(j) ? it.row() : j));
+        throw std::invalid_argument(
+            fmt::format("a dashpot acts on unknown {}, which has no mass", has_mass(j) ? it.row() : j));
   for (int i = 0; i < system.links(); ++i) {
     if (is_spring(system, i)) continue;
     for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
@@ -65,7 +66,8 @@ void fail_singular(const SparseMatrix& matrix, const std::vector<int>& dofs, con
   if (factor.vectorD().size() == count) {
     const Eigen::VectorXd pivots = factor.permutationPinv() * Eigen::VectorXd(factor.vectorD());
     for (int i = 0; i < count && place.empty(); ++i)
-      if (!(pivots[i] > min_pivot * part.coeff(i, i))) place = fmt::format(": a motion with unknown {} meets nothing", dofs[i]);
+      if (!(pivots[i] > min_pivot * part.coeff(i, i)))
+        place = fmt::format(": a motion with unknown {} meets nothing", dofs[i]);
   }
   throw SolverError(fmt::format("{} is singular or not positive definite{}", what, place));
 }

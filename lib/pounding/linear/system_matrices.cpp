@@ -81,7 +81,8 @@ SystemMatrices::SystemMatrices(MPI_Comm comm, const System& system, const std::s
   MPI_Comm_size(comm, &processes_);
   const int n = system.size();
   if (n < processes_)
-    throw std::invalid_argument(fmt::format("{} unknowns on {} processes; type mpirun -n {}, or fewer", n, processes_, n));
+    throw std::invalid_argument(
+        fmt::format("{} unknowns on {} processes; type mpirun -n {}, or fewer", n, processes_, n));
   require_groups(system);
   const Eigen::VectorXd masses = system.mass.diagonal();
   require_masses(system, masses);
@@ -116,7 +117,8 @@ void SystemMatrices::fill() {
   const int n = system_.size(), solving = first_column();
   bool lumped = true;
   for (int j = 0; j < n; ++j)
-    for (SparseMatrix::InnerIterator it(system_.mass, j); it; ++it) lumped = lumped && (it.row() == j || it.value() == 0);
+    for (SparseMatrix::InnerIterator it(system_.mass, j); it; ++it)
+      lumped = lumped && (it.row() == j || it.value() == 0);
   bool dashpots = false;
   const SparseMatrix damping = damping_matrix(system_);
   for (int j = 0; j < damping.outerSize(); ++j)
@@ -178,7 +180,7 @@ void SystemMatrices::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<
 }
 
 void SystemMatrices::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
-                               Eigen::Ref<Eigen::MatrixXd> y) const {
+                                   Eigen::Ref<Eigen::MatrixXd> y) const {
   Eigen::VectorXd product;
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     const double* inertia = nullptr;

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include <pounding/linear/structure_solver.hpp>
 #include <pounding/linear/factor.hpp>
+#include <pounding/linear/structure_solver.hpp>
 #include <pounding/model/system.hpp>
 
 namespace pounding::petsc {
 
-/// With at least as many groups as processes, each process has whole groups and solves them by itself, without messages.
-/// Otherwise the rows are cut evenly, and one parallel factor serves all. Functions are collective on the communicator unless
-/// they say that they are not. Vectors have the rows of this process.
+/// With at least as many groups as processes, each process has whole groups and solves them by itself, without
+/// messages. Otherwise the rows are cut evenly, and one parallel factor serves all. Functions are collective on the
+/// communicator unless they say that they are not. Vectors have the rows of this process.
 class SystemMatrices {
  public:
   /// Throws as SparseSolver does. `prefix`: of the options of the factors. `system` must outlive this.
@@ -42,12 +42,13 @@ class SystemMatrices {
   void accelerate(Eigen::Ref<Eigen::VectorXd> r) const;
   void recover(Eigen::Ref<Eigen::VectorXd> x) const;
 
-  /// The matrix of a step: its pattern, with columns numbered over the processes of solving_comm(), and its values in that
-  /// pattern. Not collective.
+  /// The matrix of a step: its pattern, with columns numbered over the processes of solving_comm(), and its values in
+  /// that pattern. Not collective.
   const Pattern& pattern() const { return pattern_; }
   std::vector<double> values(const EffectiveMatrix& step) const;
   MPI_Comm solving_comm() const { return solving_comm_; }
-  /// Throws SolverError for the matrix of a step that could not be factored, naming the degree of freedom where it is singular.
+  /// Throws SolverError for the matrix of a step that could not be factored, naming the degree of freedom where it is
+  /// singular.
   [[noreturn]] void name_singular(const EffectiveMatrix& step) const;
 
   /// All rows of x, on every process.
@@ -79,7 +80,8 @@ class SystemMatrices {
   Pattern pattern_;
   std::vector<double> stiffness_, mass_, damping_;  // mass is empty when diagonal, damping when there is none
   Eigen::VectorXd diagonal_mass_;
-  std::unique_ptr<Product> shared_stiffness_, shared_mass_, shared_damping_;  // where rows have entries of other processes
+  std::unique_ptr<Product> shared_stiffness_, shared_mass_,
+      shared_damping_;  // where rows have entries of other processes
   MassSplit dofs_;
   std::unique_ptr<Subset> dynamic_;           // of a consistent mass matrix
   mutable std::unique_ptr<Subset> massless_;  // of the stiffness; factored when first used

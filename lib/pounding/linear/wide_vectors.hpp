@@ -1,9 +1,11 @@
 #pragma once
-/// Sums by vectors of four numbers where the processor has them (AVX), by two vectors of two elsewhere; large products by vectors of eight
-/// (AVX-512). All give the same bits: products and sums are rounded one by one, as the compiler is told not to fuse them.
+/// Sums by vectors of four numbers where the processor has them (AVX), by two vectors of two elsewhere; large products
+/// by vectors of eight (AVX-512). All give the same bits: products and sums are rounded one by one, as the compiler is
+/// told not to fuse them.
 ///
-/// A loop is written once as a POUNDING_INLINE function of Four. A POUNDING_WIDE function that does nothing but call it is compiled
-/// for wide vectors; it is to be called where has_wide_vectors(). POUNDING_WIDEST and has_widest_vectors() are those of Eight.
+/// A loop is written once as a POUNDING_INLINE function of Four. A POUNDING_WIDE function that does nothing but call it
+/// is compiled for wide vectors; it is to be called where has_wide_vectors(). POUNDING_WIDEST and has_widest_vectors()
+/// are those of Eight.
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #define POUNDING_INLINE inline __attribute__((always_inline))

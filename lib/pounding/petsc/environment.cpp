@@ -25,7 +25,8 @@ bool is_half_made = false;
 PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
                             PetscErrorType type, const char* message, void*) {
   if (type == PETSC_ERROR_INITIAL) {
-    // PETSc 3.18 gives the number of a line as the code of an allocation that failed, and the function that asked as its message.
+    // PETSc 3.18 gives the number of a line as the code of an allocation that failed, and the function that asked as
+    // its message.
     lacks_memory = code == PETSC_ERR_MEM || (file && std::strstr(file, "sys/memory/"));
     failure = lacks_memory ? "out of memory: " : "";
     failure += message ? message : "no message";
@@ -40,9 +41,9 @@ void prepare_mpi() {
   constexpr int keep_existing = 0;
   // hwloc, by which MPI finds the processors, would write to the screen in containers without /sys.
   setenv("HWLOC_HIDE_ERRORS", "2", keep_existing);
-  // Open MPI looks for networks and a launcher daemon when it starts, which costs a fifth of a second. A process that no launcher has
-  // started talks to itself only and needs neither. It needs no session folder either: processes that start and end at the same time
-  // would share one, and now and then one would find it gone.
+  // Open MPI looks for networks and a launcher daemon when it starts, which costs a fifth of a second. A process that
+  // no launcher has started talks to itself only and needs neither. It needs no session folder either: processes that
+  // start and end at the same time would share one, and now and then one would find it gone.
   if (launch()) return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_existing);
   setenv("OMPI_MCA_pml", "ob1", keep_existing);
@@ -50,8 +51,8 @@ void prepare_mpi() {
   setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_existing);
 }
 
-// PETSc would read ~/.petscrc, .petscrc and petscrc, the last two in the working folder: a model's folder could then load libraries, write
-// files and change the tolerance. Options come from the command line and the environment only.
+// PETSc would read ~/.petscrc, .petscrc and petscrc, the last two in the working folder: a model's folder could then
+// load libraries, write files and change the tolerance. Options come from the command line and the environment only.
 constexpr const char* no_options_files = "-skip_petscrc";
 constexpr const char* no_list_of_unread = "-options_left";
 
@@ -85,7 +86,8 @@ Environment::Environment(const std::vector<std::string>& options) {
     sigaction(SIGPIPE, &of_pipes, nullptr);  // which PETSc has made end the process
   }
   // Before anything else: PETSc's own handler reads options, and crashes where their table has got no memory.
-  if (PetscPushErrorHandler(keep_message, nullptr) != 0) throw OutOfMemory("out of memory: PETSc takes no error handler");
+  if (PetscPushErrorHandler(keep_message, nullptr) != 0)
+    throw OutOfMemory("out of memory: PETSc takes no error handler");
   if (owns_petsc_) leave_unread_options_out();
   check(SlepcInitialized(&ready));
   if (!ready) {
@@ -128,18 +130,24 @@ std::vector<std::string> Environment::all_options() {
     else if (!options.empty())
       options.back().append(1, ' ').append(word);
   }
-  std::erase_if(options, [](const std::string& option) { return option == no_options_files || option == std::string(no_list_of_unread) + " 0"; });
+  std::erase_if(options, [](const std::string& option) {
+    return option == no_options_files || option == std::string(no_list_of_unread) + " 0";
+  });
   std::sort(options.begin(), options.end());
   return options;
 }
 
 std::vector<std::string> Environment::given_options() {
   std::vector<std::string> given = all_options();
-  std::erase_if(given, [](const std::string& option) { return !option.starts_with("-pounding_") || option.substr(0, option.find(' ')) == "-pounding_red_cache"; });
+  std::erase_if(given, [](const std::string& option) {
+    return !option.starts_with("-pounding_") || option.substr(0, option.find(' ')) == "-pounding_red_cache";
+  });
   return given;
 }
 
-bool is_option_name(std::string_view word) { return word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])); }
+bool is_option_name(std::string_view word) {
+  return word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+}
 
 void check(PetscErrorCode code) {
   if (code == 0) return;

@@ -11,9 +11,10 @@
 
 namespace pounding::petsc {
 
-/// Starts PETSc (with MPI) and SLEPc, each of them unless the host program has started it, and ends only what it started. A host
-/// that owns PETSc must end it after this object. PETSc starts without its options files (~/.petscrc, .petscrc and petscrc of the working
-/// folder); options come from `options` and from the environment variable PETSC_OPTIONS. A host that starts PETSc decides for itself.
+/// Starts PETSc (with MPI) and SLEPc, each of them unless the host program has started it, and ends only what it
+/// started. A host that owns PETSc must end it after this object. PETSc starts without its options files (~/.petscrc,
+/// .petscrc and petscrc of the working folder); options come from `options` and from the environment variable
+/// PETSC_OPTIONS. A host that starts PETSc decides for itself.
 class Environment {
  public:
   /// `options`: words of a command line, as PETSc reads them ("-pounding_ts_rtol", "1e-6").
@@ -26,8 +27,8 @@ class Environment {
   static std::vector<std::string> unread_options();
   /// All options in force with their values, sorted: "-log_view", "-pounding_ts_rtol 1e-6".
   static std::vector<std::string> all_options();
-  /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6". Not `-pounding_red_cache`, with which
-  /// nothing changes but time.
+  /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6". Not
+  /// `-pounding_red_cache`, with which nothing changes but time.
   static std::vector<std::string> given_options();
 
  private:
@@ -40,7 +41,8 @@ bool is_option_name(std::string_view word);
 /// Throws SolverError with PETSc's own text when `code` is not zero, and OutOfMemory where PETSc could get no memory.
 void check(PetscErrorCode code);
 
-/// For a callback of PETSc's that fails: returns the error code to return from it, after which check() throws `text` alone.
+/// For a callback of PETSc's that fails: returns the error code to return from it, after which check() throws `text`
+/// alone.
 PetscErrorCode fail(const std::string& text, PetscErrorCode code = static_cast<PetscErrorCode>(PETSC_ERR_CONV_FAILED));
 
 }  // namespace pounding::petsc

@@ -7,7 +7,8 @@
 
 namespace pounding::petsc {
 
-/// How PETSc destroys an object of type T. Specialised here for what several modules own, else beside the only one that does.
+/// How PETSc destroys an object of type T. Specialised here for what several modules own, else beside the only one that
+/// does.
 template <class T>
 struct Destroyer;
 template <>

@@ -10,10 +10,13 @@
 namespace pounding::petsc {
 
 std::optional<Launch> launch() {
-  // Variables of Open MPI, of PMI (MPICH, Slurm) and of PMIx, which leaves the number of processes to Slurm's own variable.
+  // Variables of Open MPI, of PMI (MPICH, Slurm) and of PMIx, which leaves the number of processes to Slurm's own
+  // variable.
   static constexpr struct {
     const char *rank, *size;
-  } variables[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}, {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}};
+  } variables[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+                   {"PMI_RANK", "PMI_SIZE"},
+                   {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}};
   for (const auto& [rank, size] : variables)
     if (const char* place = std::getenv(rank)) {
       const char* count = std::getenv(size);
@@ -25,9 +28,10 @@ std::optional<Launch> launch() {
 void require_mpi_for_several() {
   if (has_mpi) return;
   if (const auto launched = launch(); launched && launched->size > 1)
-    throw InputError(fmt::format("this pounding was built without MPI and runs a model in one process, and {} were started; type it without "
-                                 "mpirun. The build from source with PETSc and MPI (make program) runs in several",
-                                 launched->size));
+    throw InputError(fmt::format(
+        "this pounding was built without MPI and runs a model in one process, and {} were started; type it without "
+        "mpirun. The build from source with PETSc and MPI (make program) runs in several",
+        launched->size));
 }
 
 }  // namespace pounding::petsc

@@ -23,8 +23,8 @@ PetscErrorCode gather(Vec from, Eigen::VectorXd& to) {
   PetscInt own = 0;
   PetscCall(VecGetLocalSize(from, &own));
   PetscCall(VecGetArrayRead(from, &values));
-  PetscCallMPI(MPI_Allgatherv(values, static_cast<PetscMPIInt>(own), MPIU_SCALAR, to.data(), counts.data(), first.data(), MPIU_SCALAR,
-                              comm));
+  PetscCallMPI(MPI_Allgatherv(values, static_cast<PetscMPIInt>(own), MPIU_SCALAR, to.data(), counts.data(),
+                              first.data(), MPIU_SCALAR, comm));
   PetscCall(VecRestoreArrayRead(from, &values));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }

@@ -1,8 +1,9 @@
 #pragma once
-/// Differences between PETSc versions, 3.18 to 3.26, and between PETSc with and without MPI. No other file asks for the version.
+/// Differences between PETSc versions, 3.18 to 3.26, and between PETSc with and without MPI. No other file asks for the
+/// version.
 
-#include <petscversion.h>
 #include <petscsys.h>
+#include <petscversion.h>
 
 #if PETSC_VERSION_LT(3, 18, 0)
 #error "PETSc 3.18 or newer is needed"

@@ -23,9 +23,12 @@ constexpr std::string_view first_line = "results of pounding\n";
 constexpr std::string_view first_line_of_study = "study of pounding\n";
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
-std::string_view text_of(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
-// The checksum of PNG and gzip. It always sees up to 32 changed bits in a row, and misses other damage once in 4e9 files.
+// The checksum of PNG and gzip. It always sees up to 32 changed bits in a row, and misses other damage once in 4e9
+// files.
 std::uint32_t crc32_of(std::uint32_t before, std::span<const std::byte> bytes) {
   return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
@@ -48,18 +51,23 @@ std::string block(std::uint64_t size, std::uint32_t crc) {
 [[noreturn]] void refuse_foreign(const std::string& path, std::string_view start) {
   if (start.empty()) throw InputError(fmt::format("{}: the file is empty; run the model again", path));
   if (start.starts_with(hdf5_signature))
-    throw InputError(fmt::format("{}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program "
-                                 "wrote it. Run the model again, or read results of your own as they stand in Python: "
-                                 "pounding.read(\"{}\", checked=False)",
-                                 path, path));
+    throw InputError(fmt::format(
+        "{}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program "
+        "wrote it. Run the model again, or read results of your own as they stand in Python: "
+        "pounding.read(\"{}\", checked=False)",
+        path, path));
   if (start.starts_with(first_line_of_study))
-    throw InputError(fmt::format("{}: is the table of a study and holds no run; type pounding study show {}", path, path));
-  throw InputError(fmt::format("{}: is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes", path));
+    throw InputError(
+        fmt::format("{}: is the table of a study and holds no run; type pounding study show {}", path, path));
+  throw InputError(
+      fmt::format("{}: is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes", path));
 }
 
 [[noreturn]] void refuse_damaged(const std::string& path, const std::string& what) {
-  throw InputError(fmt::format("{}: the file is damaged, or another program has changed it: {}. Take a copy that is whole, or run the model again",
-                               path, what));
+  throw InputError(
+      fmt::format("{}: the file is damaged, or another program has changed it: {}. Take a copy that is whole, or run "
+                  "the model again",
+                  path, what));
 }
 
 }  // namespace
@@ -75,7 +83,8 @@ void require_whole(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) throw InputError(fmt::format("{}: no such file", path));
-  if (std::filesystem::is_directory(status)) throw InputError(fmt::format("{}: is a directory, not a results file", path));
+  if (std::filesystem::is_directory(status))
+    throw InputError(fmt::format("{}: is a directory, not a results file", path));
   errno = EINVAL;
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse_unread(path);
@@ -88,7 +97,8 @@ void require_whole(const std::string& path) {
     file.read(signature.data(), signature.size());
     return std::string_view(signature.data(), signature.size()) == hdf5_signature;
   }();
-  if (text.starts_with(first_line_of_study) || (!text.starts_with(first_line) && !behind_a_block)) refuse_foreign(path, text);
+  if (text.starts_with(first_line_of_study) || (!text.starts_with(first_line) && !behind_a_block))
+    refuse_foreign(path, text);
 
   file.clear();
   file.seekg(static_cast<std::streamoff>(began));
@@ -106,7 +116,8 @@ void require_whole(const std::string& path) {
   std::uint64_t written = 0;
   const std::size_t digits = first_line.size() + std::string_view("size ").size();
   if (text.size() > digits + 20) written = std::strtoull(std::string(text.substr(digits, 20)).c_str(), nullptr, 10);
-  if (size < written && text.starts_with(first_line)) refuse_damaged(path, fmt::format("it has {} of its {} bytes", size, written));
+  if (size < written && text.starts_with(first_line))
+    refuse_damaged(path, fmt::format("it has {} of its {} bytes", size, written));
   refuse_damaged(path, "its checksum is another one");
 }
 

@@ -23,8 +23,8 @@ void write_device(hid_t parent, const DeviceHistory& device, std::size_t samples
   attribute(place, "exponent", device.exponent);
   const auto history = [&](const Label& label, const std::vector<double>& values) {
     if (values.size() != samples)
-      throw std::invalid_argument(device.name + ": " + label.name + " holds " + std::to_string(values.size()) + " values; " +
-                                  std::to_string(samples) + " are expected");
+      throw std::invalid_argument(device.name + ": " + label.name + " holds " + std::to_string(values.size()) +
+                                  " values; " + std::to_string(samples) + " are expected");
     array(place, label, values, {samples});
   };
   history({"elongation", "m", "elongation, positive when longer"}, device.elongation);

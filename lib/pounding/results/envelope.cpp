@@ -7,15 +7,17 @@ namespace pounding {
 
 double Extremes::peak(std::size_t i) const { return std::max({0.0, -min[i], max[i]}); }
 
-void Extremes::add_cubic(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
+void Extremes::add_cubic(std::size_t i, double time, double h, double begin, double slope_begin, double end,
+                         double slope_end) {
   update(i, time + h, end);
   if (slope_begin * slope_end >= 0) return;
   const double s = slope_begin / (slope_begin - slope_end), r = 1 - s;
-  update(i, time + s * h, r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
+  update(i, time + s * h,
+         r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
 }
 
-void Extremes::update(std::size_t i, double time, std::span<const double> times, double value, double slope, const double* values,
-                      const double* slopes) {
+void Extremes::update(std::size_t i, double time, std::span<const double> times, double value, double slope,
+                      const double* values, const double* slopes) {
   for (std::size_t k = 0; k < times.size(); ++k) {
     update(i, time, times[k] - time, value, slope, values[k], slopes[k]);
     time = times[k];
@@ -41,7 +43,9 @@ void Extremes::copy(std::size_t i, const Extremes& others, std::size_t from, dou
 }
 
 void StructureEnvelope::archive(Archive& archive) {
-  for (Extremes* extremes : {&displacement, &edge_displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction}) archive(*extremes);
+  for (Extremes* extremes :
+       {&displacement, &edge_displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction})
+    archive(*extremes);
   for (std::vector<std::string>* names : {&members, &components, &supports, &directions}) archive(*names);
   archive(with_gravity);
   archive(included);
@@ -50,7 +54,8 @@ void StructureEnvelope::archive(Archive& archive) {
 Extremes section_forces(const StructureEnvelope& envelope) {
   Extremes sections(envelope.member_force.size());
   for (std::size_t i = 0; i < sections.size(); ++i)
-    sections.copy(i, envelope.member_force, i, envelope.components[i % envelope.components.size()].starts_with("start") ? -1 : 1);
+    sections.copy(i, envelope.member_force, i,
+                  envelope.components[i % envelope.components.size()].starts_with("start") ? -1 : 1);
   return sections;
 }
 

@@ -15,8 +15,8 @@
 
 namespace pounding {
 
-/// A quantity over a step: the parabola through its values at both ends and in the middle, and what it leaves the parabola by,
-/// w (alpha + beta t) with t = s - 1/2, w = t (t^2 - 1/4) and s from 0 to 1.
+/// A quantity over a step: the parabola through its values at both ends and in the middle, and what it leaves the
+/// parabola by, w (alpha + beta t) with t = s - 1/2, w = t (t^2 - 1/4) and s from 0 to 1.
 struct Quartic {
   double begin, middle, end, alpha, beta;
 
@@ -27,21 +27,25 @@ struct Quartic {
   }
   /// Values between which the whole path lies.
   std::pair<double, double> bounds() const {
-    // |w| stays below 1/20, |w t| below 1/64, and the parabola between both ends and the point where its tangents there meet.
+    // |w| stays below 1/20, |w t| below 1/64, and the parabola between both ends and the point where its tangents there
+    // meet.
     const double away = std::abs(alpha) / 20 + std::abs(beta) / 64, hull = 2 * middle - 0.5 * (begin + end);
     return {std::min({begin, middle, end, hull}) - away, std::max({begin, middle, end, hull}) + away};
   }
 };
 
-/// Least and largest values so far of a list of quantities, signed, and when they were reached [s]. Of equal values the first counts.
+/// Least and largest values so far of a list of quantities, signed, and when they were reached [s]. Of equal values the
+/// first counts.
 struct Extremes {
   std::vector<double> min, max, t_min, t_max;
 
   Extremes() = default;
   /// Without any value so far.
   explicit Extremes(std::size_t count)
-      : min(count, std::numeric_limits<double>::infinity()), max(count, -std::numeric_limits<double>::infinity()),
-        t_min(count), t_max(count) {}
+      : min(count, std::numeric_limits<double>::infinity()),
+        max(count, -std::numeric_limits<double>::infinity()),
+        t_min(count),
+        t_max(count) {}
 
   /// Number of quantities.
   std::size_t size() const { return min.size(); }
@@ -59,23 +63,27 @@ struct Extremes {
       t_max[i] = time;
     }
   }
-  /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them. False
-  /// where nothing new is seen at once.
+  /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic
+  /// through them. False where nothing new is seen at once.
   bool update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
-    // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a Bezier curve. Most
-    // steps bring nothing new.
+    // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a
+    // Bezier curve. Most steps bring nothing new.
     const double third = h / 3;
-    if (holds(i, end) && (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end)))) return false;
+    if (holds(i, end) &&
+        (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end))))
+      return false;
     add_cubic(i, time, h, begin, slope_begin, end, slope_end);
     return true;
   }
   /// Follows one quantity from a time on through its values and slopes at several later times.
-  void update(std::size_t i, double time, std::span<const double> times, double value, double slope, const double* values,
-              const double* slopes);
-  /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
+  void update(std::size_t i, double time, std::span<const double> times, double value, double slope,
+              const double* values, const double* slopes);
+  /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola
+  /// through them.
   void update(std::size_t i, double time, double h, double begin, double middle, double end) {
     // So does the parabola between both ends and the point where its tangents there meet.
-    if (!holds(i, middle) || !holds(i, end) || !holds(i, 2 * middle - 0.5 * (begin + end))) add_parabola(i, time, h, begin, middle, end);
+    if (!holds(i, middle) || !holds(i, end) || !holds(i, 2 * middle - 0.5 * (begin + end)))
+      add_parabola(i, time, h, begin, middle, end);
   }
   /// A step on a path of degree four.
   void update(std::size_t i, double time, double h, const Quartic& path) {
@@ -110,14 +118,17 @@ struct Extremes {
   void add_parabola(std::size_t i, double time, double h, double begin, double middle, double end);
 };
 
-/// Extremes of one structure over all kept steps, inside the steps too, whatever the output times are. Quantities are in the order of
-/// their histories (StructureHistory), the last place changing first; lists are empty where a structure has no such quantity.
+/// Extremes of one structure over all kept steps, inside the steps too, whatever the output times are. Quantities are
+/// in the order of their histories (StructureHistory), the last place changing first; lists are empty where a structure
+/// has no such quantity.
 struct StructureEnvelope {
   /// Edges of a floor in the order of edge_displacement.
-  static constexpr std::array<const char*, 4> edges{"x at smallest y", "x at largest y", "y at smallest x", "y at largest x"};
+  static constexpr std::array<const char*, 4> edges{"x at smallest y", "x at largest y", "y at smallest x",
+                                                    "y at largest x"};
 
   Extremes displacement;  ///< [floor, direction] relative to the ground [m], [rad]
-  /// [floor, edge] displacement of an edge along itself, relative to the ground [m]; NaN for a floor that is not rigid in space.
+  /// [floor, edge] displacement of an edge along itself, relative to the ground [m]; NaN for a floor that is not rigid
+  /// in space.
   Extremes edge_displacement;
   Extremes acceleration;  ///< [floor, direction] absolute [m/s^2], [rad/s^2]
   Extremes drift;         ///< [floor, storey direction] [m]
@@ -132,8 +143,8 @@ struct StructureEnvelope {
   void archive(Archive& archive);
 };
 
-/// Internal forces on the sections at both ends of each member, in the order of `member_force`: on the face towards the end of the
-/// member, so that N > 0 is tension and the sign of a component does not depend on the end [N], [N m].
+/// Internal forces on the sections at both ends of each member, in the order of `member_force`: on the face towards the
+/// end of the member, so that N > 0 is tension and the sign of a component does not depend on the end [N], [N m].
 Extremes section_forces(const StructureEnvelope& envelope);
 
 /// Axial force of each member over both of its ends, positive in tension [N]; empty without members.

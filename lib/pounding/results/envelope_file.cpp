@@ -28,8 +28,8 @@ struct Quantity {
 };
 
 // The first `places` rows of a quantity with these directions or components.
-void write(hid_t parent, const Quantity& quantity, const Extremes& extremes, std::size_t places, const Names& along, const char* word,
-           const StructureEnvelope* forces = nullptr) {
+void write(hid_t parent, const Quantity& quantity, const Extremes& extremes, std::size_t places, const Names& along,
+           const char* word, const StructureEnvelope* forces = nullptr) {
   if (extremes.size() == 0) return;
   const std::size_t count = places * along.size();
   const Handle values = array(parent, {quantity.name, quantity.units, quantity.long_name},
@@ -40,7 +40,8 @@ void write(hid_t parent, const Quantity& quantity, const Extremes& extremes, std
     attribute(values, "included", forces->included);
   }
   const std::string long_name = std::string("times of ") + quantity.name;
-  array(parent, {quantity.time_name, "s", long_name.c_str()}, paired(extremes.t_min, extremes.t_max, count), {places, along.size(), 2});
+  array(parent, {quantity.time_name, "s", long_name.c_str()}, paired(extremes.t_min, extremes.t_max, count),
+        {places, along.size(), 2});
 }
 
 }  // namespace
@@ -53,27 +54,36 @@ void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures
     const std::size_t floors = history.floors.size();
     attribute(one, "floors", history.floors);
     const Names along = history.storey_directions() == 1 ? Names{"x"} : Names{"x", "y"};
-    write(one, {"displacement", "displacement_time", "m", "least and largest displacement relative to the ground"}, e.displacement,
-          floors, history.directions, "directions");
-    write(one, {"edge_displacement", "edge_displacement_time", "m", "least and largest displacement of an edge of a rigid floor along itself"},
+    write(one, {"displacement", "displacement_time", "m", "least and largest displacement relative to the ground"},
+          e.displacement, floors, history.directions, "directions");
+    write(one,
+          {"edge_displacement", "edge_displacement_time", "m",
+           "least and largest displacement of an edge of a rigid floor along itself"},
           e.edge_displacement, floors, Names(e.edges.begin(), e.edges.end()), "edges");
-    write(one, {"acceleration", "acceleration_time", "m/s^2", "least and largest absolute acceleration"}, e.acceleration, floors,
-          history.directions, "directions");
+    write(one, {"acceleration", "acceleration_time", "m/s^2", "least and largest absolute acceleration"},
+          e.acceleration, floors, history.directions, "directions");
     write(one, {"drift", "drift_time", "m", "least and largest storey drift"}, e.drift, floors, along, "directions");
-    write(one, {"storey_shear", "storey_shear_time", "N", "least and largest shear force of the storey below the floor"},
+    write(one,
+          {"storey_shear", "storey_shear_time", "N", "least and largest shear force of the storey below the floor"},
           e.storey_shear, floors, along, "directions");
-    write(one, {"base_shear", "base_shear_time", "N", "least and largest shear force of the lowest storey"}, e.storey_shear, 1, along,
-          "directions");
+    write(one, {"base_shear", "base_shear_time", "N", "least and largest shear force of the lowest storey"},
+          e.storey_shear, 1, along, "directions");
     if (!e.members.empty()) {
       hdf5::texts(one, "members", "names of the members", e.members);
-      write(one, {"member_force", "member_force_time", "N", "least and largest force [N] or moment [N m] on an end of a member, local axes"},
+      write(one,
+            {"member_force", "member_force_time", "N",
+             "least and largest force [N] or moment [N m] on an end of a member, local axes"},
             e.member_force, e.members.size(), e.components, "components", &e);
-      write(one, {"axial_force", "axial_force_time", "N", "least and largest axial force of a member over both ends, positive in tension"},
+      write(one,
+            {"axial_force", "axial_force_time", "N",
+             "least and largest axial force of a member over both ends, positive in tension"},
             axial_forces(e), e.members.size(), {"N"}, "components", &e);
     }
     if (!e.supports.empty()) {
       hdf5::texts(one, "supports", "names of the nodes that the ground holds", e.supports);
-      write(one, {"reaction", "reaction_time", "N", "least and largest force [N] or moment [N m] of the ground on the structure"},
+      write(one,
+            {"reaction", "reaction_time", "N",
+             "least and largest force [N] or moment [N m] of the ground on the structure"},
             e.reaction, e.supports.size(), e.directions, "directions", &e);
     }
   }

@@ -28,7 +28,8 @@ void write_attribute(hid_t object, const char* name, hid_t type, hid_t space, co
 Handle dataset(hid_t parent, const char* name, hid_t type, hid_t space, hid_t creation, const void* data) {
   Handle made(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
               std::string("create dataset ") + name);
-  if (data != nullptr) checked(H5Dwrite(made, type, space, space, H5P_DEFAULT, data), std::string("write dataset ") + name);
+  if (data != nullptr)
+    checked(H5Dwrite(made, type, space, space, H5P_DEFAULT, data), std::string("write dataset ") + name);
   return made;
 }
 
@@ -37,16 +38,18 @@ bool are_zeros(const std::byte* bytes, std::size_t size) {
 }
 
 constexpr hsize_t values_in_a_chunk = 1 << 14;
-/// A chunked dataset that may have no rows or no columns, although HDF5 allows no empty chunk. Not compressed: deflate makes histories
-/// of a motion a quarter smaller and takes twice the time of the run that made them. Chunks of zeros in front are not stored, such as those
-/// of the energy that a part has lost before it yields: HDF5 reads zeros where nothing was written.
+/// A chunked dataset that may have no rows or no columns, although HDF5 allows no empty chunk. Not compressed: deflate
+/// makes histories of a motion a quarter smaller and takes twice the time of the run that made them. Chunks of zeros in
+/// front are not stored, such as those of the energy that a part has lost before it yields: HDF5 reads zeros where
+/// nothing was written.
 Handle chunked(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& shape, const void* data) {
   hsize_t row = 1;
   for (std::size_t i = 1; i < shape.size(); ++i) row *= std::max<hsize_t>(1, shape[i]);
 
   std::vector<hsize_t> chunk(shape), limits(shape);
   for (std::size_t i = 1; i < shape.size(); ++i) limits[i] = chunk[i] = std::max<hsize_t>(1, shape[i]);
-  const hsize_t rows = std::max<hsize_t>(1, shape[0]), chunks = (rows * row + values_in_a_chunk - 1) / values_in_a_chunk;
+  const hsize_t rows = std::max<hsize_t>(1, shape[0]),
+                chunks = (rows * row + values_in_a_chunk - 1) / values_in_a_chunk;
   chunk[0] = (rows + chunks - 1) / chunks;  // alike, since the last one is stored whole
   limits[0] = H5S_UNLIMITED;
 
@@ -96,7 +99,7 @@ hid_t checked(hid_t status, std::string_view action) {
 
 void require_room() {
   constexpr std::size_t room = std::size_t{8} << 20;  // it takes up to 5 MB for the first file
-  void* volatile taken = std::malloc(room);  // volatile, or a compiler leaves both calls out
+  void* volatile taken = std::malloc(room);           // volatile, or a compiler leaves both calls out
   if (taken == nullptr) throw NoMemory("HDF5 finds no 8 MB to begin with");
   std::free(taken);
 }
@@ -122,7 +125,8 @@ struct PaddedTexts {
   explicit PaddedTexts(const std::vector<std::string>& values) {
     for (const std::string& value : values) size = std::max(size, value.size());
     bytes.resize(size * values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) std::memcpy(bytes.data() + i * size, values[i].data(), values[i].size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::memcpy(bytes.data() + i * size, values[i].data(), values[i].size());
   }
   /// HDF5 refuses the null pointer of an empty list, which has nothing to write.
   const void* data() const { return bytes.empty() ? nullptr : bytes.data(); }
@@ -165,7 +169,8 @@ Handle integers(hid_t parent, const Label& label, const std::vector<int>& values
 
 void texts(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& values) {
   const PaddedTexts texts(values);
-  describe(dataset(parent, name, text_type(texts.size), dataspace({values.size()}), H5P_DEFAULT, texts.data()), {name, "text", long_name});
+  describe(dataset(parent, name, text_type(texts.size), dataspace({values.size()}), H5P_DEFAULT, texts.data()),
+           {name, "text", long_name});
 }
 
 Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape) {

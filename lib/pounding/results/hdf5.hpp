@@ -1,6 +1,7 @@
 #pragma once
-/// A thin layer over HDF5's C interface for results and restarts: identifiers that close themselves, errors as exceptions with
-/// HDF5's own text, and datasets that state their units. Every function throws std::runtime_error when HDF5 fails.
+/// A thin layer over HDF5's C interface for results and restarts: identifiers that close themselves, errors as
+/// exceptions with HDF5's own text, and datasets that state their units. Every function throws std::runtime_error when
+/// HDF5 fails.
 
 #include <hdf5.h>
 
@@ -23,11 +24,12 @@ class NoMemory : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`, as NoMemory where that was the reason.
+/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`, as NoMemory where that was the
+/// reason.
 hid_t checked(hid_t status, std::string_view action);
 
-/// Throws NoMemory unless HDF5 finds room for a small file. Version 1.10 ends the process where it gets no memory while it starts, since
-/// its own message needs what could not be made.
+/// Throws NoMemory unless HDF5 finds room for a small file. Version 1.10 ends the process where it gets no memory while
+/// it starts, since its own message needs what could not be made.
 void require_room();
 
 /// Silences HDF5's own printing while it lives; a host program's handler comes back afterwards.
@@ -52,7 +54,8 @@ class Handle {
  public:
   /// The HDF5 function that closes an identifier of this kind.
   using Close = herr_t (*)(hid_t);
-  /// Throws as `checked` does, for this action on the thing of this name. The two are joined here, where a lack of memory loses no identifier.
+  /// Throws as `checked` does, for this action on the thing of this name. The two are joined here, where a lack of
+  /// memory loses no identifier.
   Handle(hid_t id, Close close, std::string_view action, std::string_view name = {}) : id_(id), close_(close) {
     if (id < 0) checked(id, std::string(action).append(name));
   }
@@ -68,12 +71,12 @@ class Handle {
   Close close_;
 };
 
-/// Makes a file in memory, lets `write` fill it, and returns its bytes behind `checked_block_size` bytes without a meaning; HDF5
-/// never touches the disk.
+/// Makes a file in memory, lets `write` fill it, and returns its bytes behind `checked_block_size` bytes without a
+/// meaning; HDF5 never touches the disk.
 FileImage file_image(const std::function<void(hid_t file)>& write);
 
-/// As `file_image`, with the checksum in front. Throws OutOfMemory where memory ends, SolverError where HDF5 fails in another way, and InputError as
-/// `write` does.
+/// As `file_image`, with the checksum in front. Throws OutOfMemory where memory ends, SolverError where HDF5 fails in
+/// another way, and InputError as `write` does.
 FileImage checked_image(const std::function<void(hid_t file)>& write);
 /// As `checked_image` without a checksum, for `add_file`.
 FileImage image_to_add(const std::function<void(hid_t file)>& write);
@@ -84,8 +87,8 @@ void open_image(const FileImage& image, const std::function<void(hid_t file)>& r
 /// Creates a group whose members are listed in the order of their creation.
 Handle group(hid_t parent, const std::string& name);
 
-/// Type of UTF-8 text of `size` bytes, filled up with zeros. Texts have a fixed length, that of the longest of a list: HDF5 keeps
-/// those of variable lengths in heaps, and never ends when one of these is damaged.
+/// Type of UTF-8 text of `size` bytes, filled up with zeros. Texts have a fixed length, that of the longest of a list:
+/// HDF5 keeps those of variable lengths in heaps, and never ends when one of these is damaged.
 Handle text_type(std::size_t size);
 
 /// Writes an attribute of an object. Throws InputError for a text of more than 64,000 bytes.
@@ -117,7 +120,8 @@ void table(hid_t parent, const char* name, const char* long_name, hid_t row_type
 /// Writes bytes that only the program can interpret.
 void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
 
-/// Adds the content of a file image, its attributes included, as a group; members of its root named in `but` are left out.
+/// Adds the content of a file image, its attributes included, as a group; members of its root named in `but` are left
+/// out.
 void add_file(hid_t file, const std::string& name, const FileImage& image, const std::set<std::string>& but = {});
 /// The content of a group as the image of a file: the inverse of add_file().
 FileImage group_image(hid_t file, const std::string& name);

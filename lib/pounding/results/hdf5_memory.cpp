@@ -88,9 +88,11 @@ FileImage made_for_a_run(const std::function<void(hid_t file)>& write, bool with
   } catch (const InputError&) {
     throw;
   } catch (const NoMemory& error) {
-    throw OutOfMemory(fmt::format("there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
+    throw OutOfMemory(fmt::format(
+        "there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
   } catch (const std::runtime_error& error) {
-    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
+    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}",
+                                  error.what()));
   } catch (const std::bad_alloc&) {
     throw OutOfMemory("there is no memory left to make the results file, which keeps what was written before");
   }

@@ -52,7 +52,8 @@ std::vector<std::string> attributes_of(hid_t object) {
 void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
   for (const std::string& name : attributes_of(from)) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
   for (const std::string& name : members_of(from))
-    if (!but.contains(name)) checked(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name);
+    if (!but.contains(name))
+      checked(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name);
 }
 
 }  // namespace
@@ -101,7 +102,8 @@ template <class Value>
 void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& values) {
   const Handle dataset = open_dataset(file, path);
   const Handle space(H5Dget_space(dataset), H5Sclose, "size dataset ", path);
-  values.resize(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), std::string("size dataset ") + path)));
+  values.resize(
+      static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), std::string("size dataset ") + path)));
   if (!values.empty())
     checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read dataset ") + path);
 }
@@ -132,7 +134,8 @@ std::string read_attribute(hid_t object, const char* name) {
 std::string read_text(hid_t file, const char* path) {
   const Handle dataset = open_dataset(file, path);
   const Handle type(H5Dget_type(dataset), H5Tclose, "read ", path);
-  return fixed_text(type, [&](hid_t as, char* text) { return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, text); }, path);
+  return fixed_text(
+      type, [&](hid_t as, char* text) { return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, text); }, path);
 }
 
 void read_array(hid_t file, const char* path, std::vector<double>& values) {

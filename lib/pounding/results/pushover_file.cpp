@@ -26,17 +26,28 @@ std::vector<double> rows(const Pushover& found, Values&& values) {
 void write_points(hid_t place, const Pushover& found) {
   const std::vector<PushPoint>& points = found.path.points;
   const hsize_t count = points.size(), floors = found.floors.size(), parts = found.parts.size();
-  array(place, {"displacement", "m", "displacement of the roof at the points of the path"}, rows(found, [&](int i, auto& all) { all.push_back(points[i].displacement); }), {count});
-  array(place, {"base_shear", "N", "base shear"}, rows(found, [&](int i, auto& all) { all.push_back(points[i].factor); }), {count});
-  array(place, {"floor_displacement", "m", "displacement of each floor, from the ground up"}, rows(found, [&](int i, auto& all) {
-          for (const double value : found.floor_displacements.row(i)) all.push_back(value);
-        }), {count, floors});
-  array(place, {"deformation", "m or rad", "deformation of each part that yields"}, rows(found, [&](int i, auto& all) {
-          all.insert(all.end(), points[i].deformations.begin(), points[i].deformations.end());
-        }), {count, parts});
-  array(place, {"force", "N or N m", "force of each part that yields"}, rows(found, [&](int i, auto& all) {
-          for (int j = 0; j < static_cast<int>(parts); ++j) all.push_back(found.force(i, j));
-        }), {count, parts});
+  array(place, {"displacement", "m", "displacement of the roof at the points of the path"},
+        rows(found, [&](int i, auto& all) { all.push_back(points[i].displacement); }), {count});
+  array(place, {"base_shear", "N", "base shear"},
+        rows(found, [&](int i, auto& all) { all.push_back(points[i].factor); }), {count});
+  array(place, {"floor_displacement", "m", "displacement of each floor, from the ground up"},
+        rows(found,
+             [&](int i, auto& all) {
+               for (const double value : found.floor_displacements.row(i)) all.push_back(value);
+             }),
+        {count, floors});
+  array(place, {"deformation", "m or rad", "deformation of each part that yields"},
+        rows(found,
+             [&](int i, auto& all) {
+               all.insert(all.end(), points[i].deformations.begin(), points[i].deformations.end());
+             }),
+        {count, parts});
+  array(place, {"force", "N or N m", "force of each part that yields"},
+        rows(found,
+             [&](int i, auto& all) {
+               for (int j = 0; j < static_cast<int>(parts); ++j) all.push_back(found.force(i, j));
+             }),
+        {count, parts});
 }
 
 void write_events(hid_t parent, const Pushover& found) {

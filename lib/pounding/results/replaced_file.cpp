@@ -50,7 +50,8 @@ struct flock place_of_lock(short kind) {
   return place;
 }
 
-// The lock is of an open file, not of a process: two objects of one process are refused alike. A file system without locks holds nothing.
+// The lock is of an open file, not of a process: two objects of one process are refused alike. A file system without
+// locks holds nothing.
 void hold(const Descriptor& file) {
   struct flock place = place_of_lock(F_RDLCK);
   fcntl(file, F_OFD_SETLK, &place);
@@ -67,7 +68,8 @@ bool is_same_file(const Descriptor& file, const fs::path& path) {
          open_one.st_dev == named.st_dev;
 }
 
-/// Results of versions before 0.2, which have no checksum in front: HDF5 with names that only ours have among its first ones.
+/// Results of versions before 0.2, which have no checksum in front: HDF5 with names that only ours have among its first
+/// ones.
 bool begins_results_without_checksum(std::string_view start) {
   using namespace std::string_view_literals;
   constexpr std::array names{"program\0"sv, "pounding"sv, "resolved.yaml"sv};
@@ -82,8 +84,11 @@ bool is_results(std::string_view start) {
 // As in python/pounding/outputs.py.
 bool is_picture(std::string_view start) {
   using namespace std::string_view_literals;
-  constexpr std::array signatures{"\x89PNG"sv, "%PDF-"sv, "GIF8"sv, "%!PS"sv, "\xff\xd8\xff"sv, "RIFF"sv, "II*\0"sv, "MM\0*"sv, "%% Creator: Matplotlib"sv};
-  if (std::any_of(signatures.begin(), signatures.end(), [&](std::string_view each) { return start.starts_with(each); })) return true;
+  constexpr std::array signatures{"\x89PNG"sv, "%PDF-"sv,        "GIF8"sv,
+                                  "%!PS"sv,    "\xff\xd8\xff"sv, "RIFF"sv,
+                                  "II*\0"sv,   "MM\0*"sv,        "%% Creator: Matplotlib"sv};
+  if (std::any_of(signatures.begin(), signatures.end(), [&](std::string_view each) { return start.starts_with(each); }))
+    return true;
   if (start.size() > 8 && start.substr(4, 4) == "ftyp") return true;
   return (start.starts_with("<?xml") || start.starts_with("<svg")) && start.find("<svg") != start.npos;
 }
@@ -108,7 +113,8 @@ fs::path followed(const std::string& path, const FileKind& kind) {
   return place;
 }
 
-/// The file that is to be replaced, with what its lock, its content and its kind forbid. `own` is what this process wrote there last.
+/// The file that is to be replaced, with what its lock, its content and its kind forbid. `own` is what this process
+/// wrote there last.
 fs::path destination(const std::string& path, const FileKind& kind, const Descriptor& own) {
   if (path.empty()) refuse(path, "the name is empty", file_name(kind));
   const fs::path place = followed(path, kind);
@@ -117,7 +123,8 @@ fs::path destination(const std::string& path, const FileKind& kind, const Descri
   if (fs::is_directory(status)) {
     const std::string example(kind.example);
     const std::size_t name = example.rfind(' ') + 1;
-    refuse(path, "it is a directory", "Name a file in it: " + example.substr(0, name) + path + "/" + example.substr(name));
+    refuse(path, "it is a directory",
+           "Name a file in it: " + example.substr(0, name) + path + "/" + example.substr(name));
   }
   if (!fs::exists(status)) return place;
   if (!fs::is_regular_file(status)) refuse(path, "it is not a regular file", file_name(kind));
@@ -127,8 +134,10 @@ fs::path destination(const std::string& path, const FileKind& kind, const Descri
   if (!earlier.is_open()) refuse(path, reason(errno), other_name(kind));
   if (is_held_by_others(earlier)) refuse_busy(path);
   if (!may_be_replaced(earlier, kind))
-    refuse(path, std::string("a file of this name exists and holds no ").append(kind.name), other_name(kind) + ", or first type: rm " + path);
-  if (own.is_open()) refuse(path, "another program has replaced it since this run wrote it", "Name another file: -o other.h5");
+    refuse(path, std::string("a file of this name exists and holds no ").append(kind.name),
+           other_name(kind) + ", or first type: rm " + path);
+  if (own.is_open())
+    refuse(path, "another program has replaced it since this run wrote it", "Name another file: -o other.h5");
   return place;
 }
 
@@ -137,7 +146,8 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "host";
 }
 
-/// Removes the temporary files of killed processes of this host, as far as possible. Those of others, which may share the disk, stay.
+/// Removes the temporary files of killed processes of this host, as far as possible. Those of others, which may share
+/// the disk, stay.
 void remove_leftovers(const fs::path& directory, const std::string& prefix, std::string_view suffix) {
   // Where memory ends, the iterator of the standard library ends the process.
   const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir(directory.c_str()), closedir);
@@ -158,7 +168,8 @@ void remove_leftovers(const fs::path& directory, const std::string& prefix, std:
   }
 }
 
-/// A limit on the size of files (ulimit -f) ends a process by SIGXFSZ; while this lives, writing fails with EFBIG instead.
+/// A limit on the size of files (ulimit -f) ends a process by SIGXFSZ; while this lives, writing fails with EFBIG
+/// instead.
 class SizeLimitIsAnError {
  public:
   SizeLimitIsAnError() {
@@ -203,7 +214,8 @@ int bring_to_disk(const Descriptor& file) {
   return 0;
 }
 
-/// The new name of a file is in its folder, which is brought to the disk by itself. File systems that know no such thing say EINVAL.
+/// The new name of a file is in its folder, which is brought to the disk by itself. File systems that know no such
+/// thing say EINVAL.
 int bring_folder_to_disk(const fs::path& directory) {
   const Descriptor folder(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.is_open()) return errno == EACCES ? 0 : errno;  // a folder may be written and not read
@@ -240,7 +252,8 @@ void ReplacedFile::require_free() const { destination(path_, kind_, written_); }
 void ReplacedFile::replace(std::span<const std::byte> bytes) {
   const fs::path place = destination(path_, kind_, written_);
   const fs::path directory = place.has_parent_path() ? place.parent_path() : fs::path(".");
-  const std::string prefix = std::string(".").append(place.filename().string()).append(".").append(host_name()).append(".");
+  const std::string prefix =
+      std::string(".").append(place.filename().string()).append(".").append(host_name()).append(".");
   const std::string_view suffix = ".tmp";
   remove_leftovers(directory, prefix, suffix);
 
@@ -248,8 +261,8 @@ void ReplacedFile::replace(std::span<const std::byte> bytes) {
   Descriptor file(open(temporary.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (!file.is_open()) {
     refuse(path_, reason(errno),
-           std::string("Name a file in an existing directory that you may write to: ").append(kind_.example) + ", or first type: mkdir -p " +
-               directory.string());
+           std::string("Name a file in an existing directory that you may write to: ").append(kind_.example) +
+               ", or first type: mkdir -p " + directory.string());
   }
   if (is_held_by_others(file)) refuse_busy(path_);
   hold(file);
@@ -268,7 +281,9 @@ void ReplacedFile::replace(std::span<const std::byte> bytes) {
   written_ = std::move(file);
   error = bring_folder_to_disk(directory);
   if (error != 0)
-    refuse(path_, "it is written, but its folder could not be brought to the disk, and a power failure may take it back: " + reason(error),
+    refuse(path_,
+           "it is written, but its folder could not be brought to the disk, and a power failure may take it back: " +
+               reason(error),
            "Name a file on another disk: -o /other/disk/results.h5");
 }
 

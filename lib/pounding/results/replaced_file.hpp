@@ -29,8 +29,8 @@ class Descriptor {
 
 /// Files that may replace each other. An empty file may be replaced by any kind.
 struct FileKind {
-  std::string_view name;     ///< for messages: "results of pounding"
-  std::string_view example;  ///< what to type: "-o results.h5"
+  std::string_view name;                       ///< for messages: "results of pounding"
+  std::string_view example;                    ///< what to type: "-o results.h5"
   bool (*recognises)(std::string_view start);  ///< whether an existing file with these first bytes is of this kind
 };
 
@@ -39,20 +39,22 @@ extern const FileKind results_files;
 /// Pictures of any format that Python writes.
 extern const FileKind picture_files;
 
-/// A file that one process replaces, again and again. From its first `replace` until this object goes, other processes and
-/// other objects are refused there; readers are not. The kernel frees the place when the process dies.
+/// A file that one process replaces, again and again. From its first `replace` until this object goes, other processes
+/// and other objects are refused there; readers are not. The kernel frees the place when the process dies.
 class ReplacedFile {
  public:
   explicit ReplacedFile(std::string path, const FileKind& kind = results_files) : path_(std::move(path)), kind_(kind) {}
 
   /// Throws InputError where `replace` would refuse the path as it is now.
   void require_free() const;
-  /// Writes `bytes` to a temporary file in the directory of the path (named `.NAME.HOST.PROCESS.tmp`), brings it to the disk and
-  /// renames it; a symbolic link is followed and stays, and the mode of an earlier file is kept. Temporary files of processes of this host that no longer run are removed.
+  /// Writes `bytes` to a temporary file in the directory of the path (named `.NAME.HOST.PROCESS.tmp`), brings it to the
+  /// disk and renames it; a symbolic link is followed and stays, and the mode of an earlier file is kept. Temporary
+  /// files of processes of this host that no longer run are removed.
   ///
-  /// Throws InputError, with the earlier file untouched, when the path is a directory or another thing that is not a file, is
-  /// write-protected, holds data of another kind, is written by another run, or cannot be written. Where the
-  /// folder cannot be brought to the disk the new file is there, and InputError says that a power failure may take it back.
+  /// Throws InputError, with the earlier file untouched, when the path is a directory or another thing that is not a
+  /// file, is write-protected, holds data of another kind, is written by another run, or cannot be written. Where the
+  /// folder cannot be brought to the disk the new file is there, and InputError says that a power failure may take it
+  /// back.
   void replace(std::span<const std::byte> bytes);
 
  private:

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/core/error.hpp>
 #include <pounding/results/device_file.hpp>
 #include <pounding/results/ends_file.hpp>
 #include <pounding/results/envelope_file.hpp>
@@ -28,8 +28,8 @@ using hdf5::attribute;
 using hdf5::checked;
 using hdf5::group;
 using hdf5::Handle;
-using hdf5::Label;
 using hdf5::integers;
+using hdf5::Label;
 using hdf5::scalar;
 using hdf5::text;
 using hdf5::texts;
@@ -57,7 +57,8 @@ void check_names(const Histories& histories, const std::string& kind) {
 using Names = std::vector<std::string>;
 
 // Names of floors stand beside their numbers; those of nodes may be too many for an attribute.
-void write_motion(hid_t place, const std::string& name, std::size_t places, const Names* floors, const Names& directions, std::size_t samples,
+void write_motion(hid_t place, const std::string& name, std::size_t places, const Names* floors,
+                  const Names& directions, std::size_t samples,
                   const std::array<const std::vector<double>*, 3>& histories) {
   const Label labels[] = {{"displacement", "m", "displacement relative to the ground"},
                           {"velocity", "m/s", "velocity relative to the ground"},
@@ -78,8 +79,8 @@ void write_geometry(hid_t parent, const Geometry& geometry) {
   std::vector<int> members;
   for (const auto& ends : geometry.members) members.insert(members.end(), ends.begin(), ends.end());
   integers(place, {"members", "1", "nodes of the members, counted from 0"}, members, {geometry.members.size(), 2});
-  integers(place, {"floor_of_node", "1", "floor of each node, counted from 0 at the lowest; -1 for none"}, geometry.floor_of_node,
-           {geometry.floor_of_node.size()});
+  integers(place, {"floor_of_node", "1", "floor of each node, counted from 0 at the lowest; -1 for none"},
+           geometry.floor_of_node, {geometry.floor_of_node.size()});
   texts(place, "node_names", "names of the nodes", geometry.node_names);
   texts(place, "member_names", "names of the members", geometry.member_names);
 }
@@ -93,7 +94,10 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
   attribute(place, "elevations", history.elevations);
   attribute(place, "directions", history.directions);
   if (!history.plans.empty())
-    array(place, {"plan", "m", "extent of rigid floors about the point whose motion is reported: smallest x, largest x, smallest y, largest y"},
+    array(place,
+          {"plan", "m",
+           "extent of rigid floors about the point whose motion is reported: smallest x, largest x, smallest y, "
+           "largest y"},
           history.plans, {floors, 4});
   write_motion(place, history.name, floors, &history.floors, history.directions, samples,
                {&history.displacement, &history.velocity, &history.acceleration});
@@ -137,8 +141,9 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
     texts(reactions, "names", "names of the nodes", supports);
     const Names& along = history.envelope.directions;
     check_length(history.reaction.size(), samples * supports.size() * along.size(), history.name + ": reactions");
-    const Handle made = array(reactions, {"force", "N", "forces [N] and moments [N m] of the ground on the structure, without damping"},
-                              history.reaction, {samples, supports.size(), along.size()});
+    const Handle made =
+        array(reactions, {"force", "N", "forces [N] and moments [N m] of the ground on the structure, without damping"},
+              history.reaction, {samples, supports.size(), along.size()});
     attribute(made, "directions", along);
     attribute(made, "gravity_included", static_cast<int>(history.envelope.with_gravity));
     attribute(made, "included", history.envelope.included);
@@ -166,13 +171,15 @@ void write_link(hid_t parent, const LinkHistory& history) {
   if (history.tangents == 0) return;
   const std::size_t tangents = history.tangents;
   check_length(history.friction.size(), history.time.size() * tangents, history.name + ": friction");
-  array(place, {"friction", "N", "friction force on the left body against its sliding: along the edge, up; up only in the plane"},
+  array(place,
+        {"friction", "N",
+         "friction force on the left body against its sliding: along the edge, up; up only in the plane"},
         history.friction, {history.time.size(), tangents});
 }
 
 struct ImpactField {
   Label label;
-  double ImpactRow::*value;
+  double ImpactRow::* value;
 };
 
 constexpr ImpactField impact_fields[] = {
@@ -187,7 +194,8 @@ constexpr ImpactField impact_fields[] = {
     {{"peak_penetration", "m", "largest penetration"}, &ImpactRow::peak_penetration},
     {{"impulse", "N s", "integral of the contact force"}, &ImpactRow::impulse},
     {{"energy_lost", "J", "work that the link took and dissipated"}, &ImpactRow::energy_lost},
-    {{"energy_stored", "J", "work that a contact which still presses can give back; else zero"}, &ImpactRow::energy_stored},
+    {{"energy_stored", "J", "work that a contact which still presses can give back; else zero"},
+     &ImpactRow::energy_stored},
 };
 
 /// One table, one row an impact: the link's name as text of a fixed length, then the numbers.
@@ -221,8 +229,8 @@ void write_impacts(hid_t file, const Results& results) {
     place += row_size;
   }
 
-  hdf5::table(file, "impacts", "impacts in the order of their touches", row, results.impacts.size(), table.data(), units,
-              long_names);
+  hdf5::table(file, "impacts", "impacts in the order of their touches", row, results.impacts.size(), table.data(),
+              units, long_names);
 }
 
 void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
@@ -232,7 +240,10 @@ void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
     array(place, label, values, {values.size()});
   };
   column({"time", "s", "time"}, energy.time);
-  column({"input", "J", "relative input energy: work of -M r ag and of forces on the motion relative to the ground, and the energy at the start"}, energy.input);
+  column({"input", "J",
+          "relative input energy: work of -M r ag and of forces on the motion relative to the ground, and the energy "
+          "at the start"},
+         energy.input);
   column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
   column({"strain", "J", "elastic energy"}, energy.strain);
   column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
@@ -265,17 +276,27 @@ void write_reduction(hid_t file, const Results& results) {
   for (const ReducedStructure& s : results.reduced) {
     const Handle place = group(reduction, s.name);
     scalar(place, {"coordinates", "1", "coordinates of the structure"}, static_cast<long>(s.coordinates));
-    hdf5::integers(place, {"blocks", "1", "blocks of the chain of the links and of that of the ground"}, {s.link_blocks, s.ground_blocks}, {2});
-    hdf5::integers(place, {"inputs", "1", "vectors that drive the chain of the links, those of friction and of devices among them, parts that yield, and vectors of the ground"},
+    hdf5::integers(place, {"blocks", "1", "blocks of the chain of the links and of that of the ground"},
+                   {s.link_blocks, s.ground_blocks}, {2});
+    hdf5::integers(place,
+                   {"inputs", "1",
+                    "vectors that drive the chain of the links, those of friction and of devices among them, parts "
+                    "that yield, and vectors of the ground"},
                    {s.links, s.frictions, s.devices, s.parts, s.grounds}, {5});
     scalar(place, {"frequency", "Hz", "of the block at the contact; 0 for none"}, s.frequency);
-    scalar(place, {"error_force", "1", "three times the estimated error of peak forces of links over the largest force"}, s.error_force);
+    scalar(place,
+           {"error_force", "1", "three times the estimated error of peak forces of links over the largest force"},
+           s.error_force);
     scalar(place, {"error_displacement", "1", "the same of displacements of floors"}, s.error_displacement);
     scalar(place, {"error_acceleration", "1", "the same of accelerations of floors"}, s.error_acceleration);
     scalar(place, {"error_members", "1", "the same of forces and moments of members"}, s.error_members);
     if (s.checked_windows == 0) continue;
-    scalar(place, {"checked_windows", "1", "hardest impacts through which all unknowns were stepped"}, static_cast<long>(s.checked_windows));
-    scalar(place, {"check_force", "1", "difference of peak forces of links in them over the largest force; NaN where none hits the structure"}, s.check_force);
+    scalar(place, {"checked_windows", "1", "hardest impacts through which all unknowns were stepped"},
+           static_cast<long>(s.checked_windows));
+    scalar(place,
+           {"check_force", "1",
+            "difference of peak forces of links in them over the largest force; NaN where none hits the structure"},
+           s.check_force);
     scalar(place, {"check_displacement", "1", "the same of displacements of floors"}, s.check_displacement);
   }
 }
@@ -287,7 +308,8 @@ void write_checkpoint(hid_t file, const Results& results) {
   attribute(place, "histories", checksum_of_histories(results));
   attribute(place, "fingerprint", checksum_of(checkpoint, results.model_yaml, results.resolved_yaml));
   text(place, "model_file", "input file, absolute", checkpoint.model_file);
-  text(place, "options", "PETSc options that the result depends on", fmt::format("{}", fmt::join(checkpoint.options, "\n")));
+  text(place, "options", "PETSc options that the result depends on",
+       fmt::format("{}", fmt::join(checkpoint.options, "\n")));
   hdf5::bytes(place, "state", "state of the program that wrote it", checkpoint.state);
 }
 
@@ -382,7 +404,8 @@ void write_all(hid_t file, const Results& results) {
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results);
   if (!results.reduced.empty()) write_reduction(file, results);
-  if (!results.no_pounding.empty()) hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
+  if (!results.no_pounding.empty())
+    hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
   if (results.checkpoint) write_checkpoint(file, results);
 }
 
@@ -413,6 +436,8 @@ FileImage image_to_add(const Results& results) {
   return hdf5::image_to_add([&](hid_t file) { write_all(file, results); });
 }
 
-void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }
+void write_results(const Results& results, const std::string& path) {
+  ReplacedFile(path).replace(results_image(results));
+}
 
 }  // namespace pounding

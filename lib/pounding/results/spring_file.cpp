@@ -15,19 +15,25 @@ using hdf5::Label;
 
 struct SummaryField {
   Label label;
-  double SpringSummary::*value;
+  double SpringSummary::* value;
 };
 
 constexpr SummaryField summary_fields[] = {
     {{"peak_deformation", "m", "deformation of the largest size, signed; of hinges [rad]"}, &SpringSummary::peak},
     {{"peak_time", "s", "time of peak_deformation"}, &SpringSummary::peak_time},
     {{"peak_force", "N", "largest absolute force; of hinges [N m]"}, &SpringSummary::peak_force},
-    {{"ductility", "1", "largest size of the deformation over the yield deformation of its direction; of hinges, rotation of the member end over its yield rotation"}, &SpringSummary::ductility},
-    {{"peak_plastic", "m", "largest size of the plastic part of the deformation; of hinges [rad]"}, &SpringSummary::plastic},
+    {{"ductility", "1",
+      "largest size of the deformation over the yield deformation of its direction; of hinges, rotation of the member "
+      "end over its yield rotation"},
+     &SpringSummary::ductility},
+    {{"peak_plastic", "m", "largest size of the plastic part of the deformation; of hinges [rad]"},
+     &SpringSummary::plastic},
     {{"cycles", "1", "half the number of swings by more than both yield deformations"}, &SpringSummary::cycles},
-    {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"}, &SpringSummary::residual},
+    {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"},
+     &SpringSummary::residual},
     {{"hysteretic", "J", "energy lost by yielding"}, &SpringSummary::energy_lost},
-    {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN where it never was"}, &SpringSummary::first_yield},
+    {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN where it never was"},
+     &SpringSummary::first_yield},
     {{"damping_shear", "1", "largest force of the damping across the storey over its yield force; NaN for hinges"},
      &SpringSummary::damping_shear},
 };
@@ -58,17 +64,20 @@ void write_springs(hid_t structure, const std::string& name, const SpringHistory
     positive.push_back(limits.positive);
     negative.push_back(limits.negative);
   }
-  array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, positive, {springs.size()});
-  array(place, {"negative_yield_deformation", "m", "its size in the negative direction; of hinges [rad]"}, negative, {springs.size()});
-  array(place, {"ultimate_rotation", "rad", "plastic rotation that a hinge can bear; NaN where none was given"}, springs.ultimate,
+  array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, positive,
         {springs.size()});
+  array(place, {"negative_yield_deformation", "m", "its size in the negative direction; of hinges [rad]"}, negative,
+        {springs.size()});
+  array(place, {"ultimate_rotation", "rad", "plastic rotation that a hinge can bear; NaN where none was given"},
+        springs.ultimate, {springs.size()});
   const auto history = [&](const Label& label, const std::vector<double>& values) {
     if (values.size() != samples * springs.size())
-      throw std::invalid_argument(name + ": springs, " + label.name + " holds " + std::to_string(values.size()) + " values; " +
-                                  std::to_string(samples * springs.size()) + " are expected");
+      throw std::invalid_argument(name + ": springs, " + label.name + " holds " + std::to_string(values.size()) +
+                                  " values; " + std::to_string(samples * springs.size()) + " are expected");
     array(place, label, values, {samples, springs.size()});
   };
-  history({"deformation", "m", "drift of a storey, elongation of a device; rotation of a hinge [rad]"}, springs.deformation);
+  history({"deformation", "m", "drift of a storey, elongation of a device; rotation of a hinge [rad]"},
+          springs.deformation);
   history({"force", "N", "shear of a storey, tension of a device; moment of a hinge [N m]"}, springs.force);
   history({"hysteretic", "J", "energy lost by yielding so far; of a device by its damper, too"}, springs.hysteretic);
   write_summary(place, springs);

@@ -10,8 +10,9 @@
 
 namespace pounding {
 
-/// Writes the group `springs` of a structure: histories at the output times, and the run in a few numbers a part under `summary`. Nothing
-/// for a structure that stays elastic. Throws std::invalid_argument where a history has not `samples` values a part.
+/// Writes the group `springs` of a structure: histories at the output times, and the run in a few numbers a part under
+/// `summary`. Nothing for a structure that stays elastic. Throws std::invalid_argument where a history has not
+/// `samples` values a part.
 void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples);
 
 }  // namespace pounding

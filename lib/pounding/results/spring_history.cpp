@@ -38,8 +38,8 @@ void SpringSummary::archive(Archive& archive) {
   archive(name);
   archive(law);
   archive(is_hinge);
-  for (double* value : {&peak, &peak_time, &peak_force, &ductility, &plastic, &ultimate, &cycles, &residual, &energy_lost, &first_yield,
-                        &damping_shear})
+  for (double* value : {&peak, &peak_time, &peak_force, &ductility, &plastic, &ultimate, &cycles, &residual,
+                        &energy_lost, &first_yield, &damping_shear})
     archive(*value);
 }
 

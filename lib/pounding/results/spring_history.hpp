@@ -11,11 +11,11 @@
 
 namespace pounding {
 
-/// Counts swings of deformations: each goes on by more than the sum of both yield deformations beyond the last turn, the first one by more than
-/// one of them from zero. A bilinear part yields in each of them once.
+/// Counts swings of deformations: each goes on by more than the sum of both yield deformations beyond the last turn,
+/// the first one by more than one of them from zero. A bilinear part yields in each of them once.
 struct CycleCounts {
-  std::vector<double> turn;   ///< deformation farthest on the way of the present swing, one a part
-  std::vector<double> swings; ///< so far; the present one goes up where this is positive, down where it is negative
+  std::vector<double> turn;    ///< deformation farthest on the way of the present swing, one a part
+  std::vector<double> swings;  ///< so far; the present one goes up where this is positive, down where it is negative
 
   /// A part goes straight to a deformation, and yields at these for the first time.
   void follow(std::size_t part, double deformation, const YieldLimits& limits);
@@ -24,22 +24,23 @@ struct CycleCounts {
   void archive(Archive& archive);
 };
 
-/// Deformations are drifts of storeys [m] or rotations of hinges [rad]; forces are shears [N] or moments [N m], k times the deformation
-/// while the part is elastic. Lists are row-major [time, part] at the output times, or have one entry a part.
+/// Deformations are drifts of storeys [m] or rotations of hinges [rad]; forces are shears [N] or moments [N m], k times
+/// the deformation while the part is elastic. Lists are row-major [time, part] at the output times, or have one entry a
+/// part.
 struct SpringHistory {
-  std::vector<std::string> names, laws;              ///< "storey 1", "bilinear"
-  std::vector<double> ultimate;                      ///< plastic rotation that a hinge can bear [rad]; NaN where none was given
-  std::vector<bool> hinges;                          ///< whether it is a hinge at the end of a member
-  std::vector<double> stiffness;                     ///< initial k
-  std::vector<YieldLimits> limits;                   ///< deformations at the first yield
-  std::vector<double> deformation, force;            ///< over time
-  std::vector<double> hysteretic;                    ///< energy lost so far [J], over time
+  std::vector<std::string> names, laws;    ///< "storey 1", "bilinear"
+  std::vector<double> ultimate;            ///< plastic rotation that a hinge can bear [rad]; NaN where none was given
+  std::vector<bool> hinges;                ///< whether it is a hinge at the end of a member
+  std::vector<double> stiffness;           ///< initial k
+  std::vector<YieldLimits> limits;         ///< deformations at the first yield
+  std::vector<double> deformation, force;  ///< over time
+  std::vector<double> hysteretic;          ///< energy lost so far [J], over time
 
   // These count the whole run so far.
-  Extremes deformations, forces;     ///< over all steps, inside the steps too
-  std::vector<double> last;          ///< deformation now
-  std::vector<double> lost;          ///< energy lost by yielding [J]
-  std::vector<double> first_yield;   ///< when the yield deformation was first exceeded [s]; NaN where it never was
+  Extremes deformations, forces;    ///< over all steps, inside the steps too
+  std::vector<double> last;         ///< deformation now
+  std::vector<double> lost;         ///< energy lost by yielding [J]
+  std::vector<double> first_yield;  ///< when the yield deformation was first exceeded [s]; NaN where it never was
   /// Largest force of the structure's damping across a storey, over its yield force; NaN for parts that are no storeys.
   std::vector<double> damping_shear;
   std::vector<double> plastic;  ///< largest size of the plastic part of the deformation, d - f/k
@@ -57,12 +58,13 @@ struct SpringSummary {
   bool is_hinge = false;           ///< at the end of a member
   double peak = 0, peak_time = 0;  ///< deformation of the largest size, signed [m] or [rad], and when [s]
   double peak_force = 0;           ///< largest absolute force [N] or [N m]
-  double ductility = 0;            ///< largest size over the yield deformation of its direction, see YieldLimits::ductility()
-  double plastic = 0;              ///< largest size of the plastic part of the deformation [m] or [rad]
-  double ultimate = std::numeric_limits<double>::quiet_NaN();  ///< what a hinge can bear of it [rad]; NaN where none was given
-  double cycles = 0;               ///< half the number of swings, see CycleCounts
-  double residual = 0;             ///< deformation at the end, which may still move [m] or [rad]
-  double energy_lost = 0;          ///< [J]
+  double ductility = 0;  ///< largest size over the yield deformation of its direction, see YieldLimits::ductility()
+  double plastic = 0;    ///< largest size of the plastic part of the deformation [m] or [rad]
+  double ultimate =
+      std::numeric_limits<double>::quiet_NaN();  ///< what a hinge can bear of it [rad]; NaN where none was given
+  double cycles = 0;                             ///< half the number of swings, see CycleCounts
+  double residual = 0;                           ///< deformation at the end, which may still move [m] or [rad]
+  double energy_lost = 0;                        ///< [J]
   double first_yield = std::numeric_limits<double>::quiet_NaN();    ///< [s]; NaN where it stayed elastic
   double damping_shear = std::numeric_limits<double>::quiet_NaN();  ///< see SpringHistory
 

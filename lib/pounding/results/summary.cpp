@@ -117,7 +117,8 @@ Json yielding_json(const std::vector<SpringSummary>& springs) {
   const SpringSummary& most = *most_ductile(springs);
   Json all = object_of(3);
   all["yielded"] = std::ranges::count_if(springs, &SpringSummary::yielded);
-  all["largest"] = {{"name", most.name}, {"ductility", most.ductility}, {"deformation", most.peak}, {"time", most.peak_time}};
+  all["largest"] = {
+      {"name", most.name}, {"ductility", most.ductility}, {"deformation", most.peak}, {"time", most.peak_time}};
   all["springs"] = std::move(parts);
   return all;
 }
@@ -159,10 +160,12 @@ Json hinges_json(const std::vector<StructureSummary>& structures) {
       of = &s;
     }
   if (!most) return {};
-  return {{"count", count},
-          {"yielded", yielded},
-          {"beyond_ultimate", beyond},
-          {"largest", {{"structure", of->name}, {"name", most->name}, {"ductility", most->ductility}, {"rotation", most->plastic}}}};
+  return {
+      {"count", count},
+      {"yielded", yielded},
+      {"beyond_ultimate", beyond},
+      {"largest",
+       {{"structure", of->name}, {"name", most->name}, {"ductility", most->ductility}, {"rotation", most->plastic}}}};
 }
 
 // Energy that each part has lost [J]; nothing where no structure yields.
@@ -201,7 +204,8 @@ Json devices_json(const std::vector<DeviceSummary>& devices) {
     Json one = {{"name", s.name}};
     for (std::size_t i = 0; const char* quantity : {"elongation", "force"}) {
       const Extremes& e = s.extremes;
-      one[quantity] = {{"min", number(e.min[i])}, {"max", number(e.max[i])}, {"t_min", e.t_min[i]}, {"t_max", e.t_max[i]}};
+      one[quantity] = {
+          {"min", number(e.min[i])}, {"max", number(e.max[i])}, {"t_min", e.t_min[i]}, {"t_max", e.t_max[i]}};
       ++i;
     }
     one["energy_lost"] = s.energy_lost;
@@ -216,14 +220,21 @@ Json reduction_json(const std::vector<ReducedStructure>& structures) {
     all[s.name] = {{"coordinates", s.coordinates},
                    {"unknowns", s.unknowns},
                    {"blocks", {s.link_blocks, s.ground_blocks}},
-                   {"inputs", {{"links", s.links}, {"friction", s.frictions}, {"devices", s.devices}, {"parts", s.parts}, {"ground", s.grounds}}},
+                   {"inputs",
+                    {{"links", s.links},
+                     {"friction", s.frictions},
+                     {"devices", s.devices},
+                     {"parts", s.parts},
+                     {"ground", s.grounds}}},
                    {"frequency", s.frequency},
                    {"error_force", number(s.error_force)},
                    {"error_displacement", number(s.error_displacement)},
                    {"error_acceleration", number(s.error_acceleration)},
                    {"error_members", number(s.error_members)}};
     if (s.checked_windows > 0)
-      all[s.name]["check"] = {{"windows", s.checked_windows}, {"error_force", number(s.check_force)}, {"error_displacement", number(s.check_displacement)}};
+      all[s.name]["check"] = {{"windows", s.checked_windows},
+                              {"error_force", number(s.check_force)},
+                              {"error_displacement", number(s.check_displacement)}};
   }
   return all;
 }
@@ -248,7 +259,8 @@ Json separations_json(const std::vector<LinkSeparation>& separations, bool compl
 LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts) {
   LinkSummary s;
   s.name = name;
-  if (!impacts.empty()) s.peak_force = std::numeric_limits<double>::quiet_NaN();  // fmax() replaces it by the first finite force
+  if (!impacts.empty())
+    s.peak_force = std::numeric_limits<double>::quiet_NaN();  // fmax() replaces it by the first finite force
   for (const ImpactRow& row : impacts) {
     ++s.impacts;
     s.peak_force = std::fmax(s.peak_force, row.peak_force);
@@ -298,7 +310,8 @@ std::string to_json(const Summary& summary) {
     for (std::size_t k = 0; k < summary.structures.size(); ++k) {
       Json ratios = Json::array();
       for (std::size_t i = 0; i < summary.structures[k].peak_displacement.size(); ++i)
-        ratios.push_back(both_complete ? number(summary.structures[k].peak_displacement[i] / summary.without_pounding[k].peak_displacement[i])
+        ratios.push_back(both_complete ? number(summary.structures[k].peak_displacement[i] /
+                                                summary.without_pounding[k].peak_displacement[i])
                                        : Json(nullptr));
       amplification[summary.structures[k].name] = ratios;
     }
@@ -315,9 +328,10 @@ std::string to_json(const Summary& summary) {
 
 std::string warning(const Summary& summary, double tolerance) {
   if (!(summary.energy.error > suspicious_imbalance * tolerance)) return {};
-  return fmt::format("the energies do not close, the largest imbalance is {:.1e} of the input; run again with a tenth "
-                     "of the tolerance or, where the number of steps stays the same, with a shorter analysis.max_step",
-                     summary.energy.error);
+  return fmt::format(
+      "the energies do not close, the largest imbalance is {:.1e} of the input; run again with a tenth "
+      "of the tolerance or, where the number of steps stays the same, with a shorter analysis.max_step",
+      summary.energy.error);
 }
 
 }  // namespace pounding

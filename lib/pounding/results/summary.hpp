@@ -34,22 +34,24 @@ struct DeviceSummary {
   double energy_lost = 0;  ///< by the damper [J]
 };
 
-/// Peaks of one structure: largest absolute values, one a floor from the lowest up. Displacement relative to the ground, drift
-/// relative to the floor below, acceleration absolute; in space lengths of horizontal vectors. A structure without storeys has no
-/// drift. The envelope has the signed extremes of these and of the forces, with their times.
+/// Peaks of one structure: largest absolute values, one a floor from the lowest up. Displacement relative to the
+/// ground, drift relative to the floor below, acceleration absolute; in space lengths of horizontal vectors. A
+/// structure without storeys has no drift. The envelope has the signed extremes of these and of the forces, with their
+/// times.
 struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
   std::vector<std::string> directions;  ///< of the floors' motion: x; in space x, y, rz
-  /// Largest rotation about z [rad], and largest displacement of a corner of the plan, the length of a horizontal vector [m]: one per
-  /// floor, NaN for a floor that is not rigid; empty for a structure without rigid floors in space.
+  /// Largest rotation about z [rad], and largest displacement of a corner of the plan, the length of a horizontal
+  /// vector [m]: one per floor, NaN for a floor that is not rigid; empty for a structure without rigid floors in space.
   std::vector<double> peak_rotation{}, peak_edge_displacement{};
   StructureEnvelope envelope{};
   std::vector<SpringSummary> springs{};  ///< of the parts that yield; empty for none, and so are the three below
-  /// At the end of the run, where it may still move, one a floor: signed along x, in space lengths of horizontal vectors [m]. A structure
-  /// without storeys has no drift.
+  /// At the end of the run, where it may still move, one a floor: signed along x, in space lengths of horizontal
+  /// vectors [m]. A structure without storeys has no drift.
   std::vector<double> residual_displacement{}, residual_drift{};
-  std::vector<double> residual_drift_ratio{};  ///< size of the drift over the height of the storey [-]; empty where heights are not known
+  std::vector<double> residual_drift_ratio{};  ///< size of the drift over the height of the storey [-]; empty where
+                                               ///< heights are not known
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -68,8 +70,8 @@ struct StructureSummary {
   }
 };
 
-/// The gap that keeps two ends of a link apart: from the run without links, and by rules that combine the largest absolute
-/// displacements of the two ends in it [m].
+/// The gap that keeps two ends of a link apart: from the run without links, and by rules that combine the largest
+/// absolute displacements of the two ends in it [m].
 struct LinkSeparation {
   std::string link;
   double gap = 0;           ///< that the link has
@@ -77,7 +79,7 @@ struct LinkSeparation {
   double time = 0;          ///< of that approach [s]
   double absolute_sum = 0;  ///< uA + uB
   double srss = 0;          ///< sqrt(uA^2 + uB^2)
-  double ddc = 0;           ///< sqrt(uA^2 + uB^2 - 2 rho uA uB), see double_difference(); NaN where a structure has no period
+  double ddc = 0;  ///< sqrt(uA^2 + uB^2 - 2 rho uA uB), see double_difference(); NaN where a structure has no period
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -100,7 +102,7 @@ struct Summary {
   EnergySummary energy;
   std::string integrator;  ///< scheme of the time stepping by its name in the input
   SolverStatistics solver;
-  std::vector<std::string> options;  ///< PETSc options in force: "-pounding_ts_rtol 1e-6"
+  std::vector<std::string> options;       ///< PETSc options in force: "-pounding_ts_rtol 1e-6"
   std::vector<ReducedStructure> reduced;  ///< structures in fewer coordinates, with estimated errors
   /// Warnings of the implausible in the model and in the run, and of energies that do not balance; one line each.
   std::vector<std::string> warnings;

@@ -44,8 +44,11 @@ Collapse::Worst Collapse::worst() const {
 std::string Collapse::text(double time) const {
   const Worst most = worst();
   const Structure& s = model_.structures[most.structure];
-  return fmt::format("collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, and collapse_drift is {:.3g} %; {}", time,
-                     s.floors[most.storey].label, s.name, 100 * most.drift, 100 * limit_, yielded_parts(histories_[most.structure].springs));
+  return fmt::format(
+      "collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, and collapse_drift is {:.3g} %; "
+      "{}",
+      time, s.floors[most.storey].label, s.name, 100 * most.drift, 100 * limit_,
+      yielded_parts(histories_[most.structure].springs));
 }
 
 }  // namespace pounding

@@ -20,7 +20,8 @@ class Collapse {
   bool is_asked() const { return limit_ > 0; }
   /// Whether a storey has drifted that far, at any time until now.
   bool has_come() const;
-  /// The place and the time: "collapse at t = 3.21 s: storey 2 of left has drifted 10.2 % of its height, ...", with the parts that yielded.
+  /// The place and the time: "collapse at t = 3.21 s: storey 2 of left has drifted 10.2 % of its height, ...", with the
+  /// parts that yielded.
   std::string text(double time) const;
 
  private:

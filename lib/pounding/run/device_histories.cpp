@@ -42,8 +42,8 @@ void DeviceHistories::step() {
     const LinkStep& step = step_of(i);
     const double h = step.end - step.begin;
     Extremes& extremes = histories_[i].extremes;
-    extremes.update(0, step.begin, h, step.motion_begin.penetration, step.motion_begin.rate, step.motion_end.penetration,
-                    step.motion_end.rate);
+    extremes.update(0, step.begin, h, step.motion_begin.penetration, step.motion_begin.rate,
+                    step.motion_end.penetration, step.motion_end.rate);
     extremes.update(1, step.begin, h, step.force_begin, step.force_middle, step.force_end);
     extremes.update(1, step.end, force_now(i));  // a velocity may have jumped
   }
@@ -67,7 +67,8 @@ void DeviceHistories::sample(double time, bool inside) {
 std::vector<DeviceSummary> DeviceHistories::summary() const {
   std::vector<DeviceSummary> all;
   for (std::size_t i = 0; i < histories_.size(); ++i)
-    all.push_back({histories_[i].name, histories_[i].extremes, model_.devices[i].member->damped() + model_.devices[i].member->lost()});
+    all.push_back({histories_[i].name, histories_[i].extremes,
+                   model_.devices[i].member->damped() + model_.devices[i].member->lost()});
   return all;
 }
 

@@ -33,7 +33,8 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 using Plan = std::array<double, 4>;
 
-// An edge of a rigid floor moves along itself with the floor and with its rotation: at y by ux - y rz, at x by uy + x rz.
+// An edge of a rigid floor moves along itself with the floor and with its rotation: at y by ux - y rz, at x by uy + x
+// rz.
 ValueAndSlope edge_motion(const Eigen::MatrixXd& motion, int row, const Plan& plan, int edge) {
   const bool along_x = edge < 2;
   const int translation = along_x ? row : row + 1;
@@ -70,7 +71,8 @@ struct Lengthwise {
 
 }  // namespace
 
-FloorEnvelopes::FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories)
+FloorEnvelopes::FloorEnvelopes(const Model& model, const FloorResponse& response,
+                               std::vector<StructureHistory>& histories)
     : response_(response), histories_(histories), lengths_(model.structures.size()) {
   for (std::size_t k = 0; k < histories_.size(); ++k) {
     const Structure& s = model.structures[k];
@@ -87,13 +89,15 @@ FloorEnvelopes::FloorEnvelopes(const Model& model, const FloorResponse& response
     lengths_[k].corner = Extremes(floors);
     Extremes& edges = envelope.edge_displacement;
     for (std::size_t i = 0; i < edges.size(); ++i)
-      if (!plans_[k][i / envelope.edges.size()]) edges.min[i] = edges.max[i] = edges.t_min[i] = edges.t_max[i] = no_value;
+      if (!plans_[k][i / envelope.edges.size()])
+        edges.min[i] = edges.max[i] = edges.t_min[i] = edges.t_max[i] = no_value;
   }
 }
 
 void FloorEnvelopes::begin(const Eigen::MatrixXd& motion, double time) {
   for (std::size_t k = 0; k < histories_.size(); ++k) {
-    const int directions = response_.directions(static_cast<int>(k)), storey_directions = histories_[k].storey_directions();
+    const int directions = response_.directions(static_cast<int>(k)),
+              storey_directions = histories_[k].storey_directions();
     StructureEnvelope& envelope = histories_[k].envelope;
     for (int i = 0; i < static_cast<int>(histories_[k].floors.size()); ++i) {
       const int first = response_.row(static_cast<int>(k), i, 0);

@@ -15,8 +15,8 @@
 
 namespace pounding {
 
-/// Extremes of displacements, of edges of rigid floors, accelerations and drifts in the envelopes of all structures, and the largest
-/// lengths of these as horizontal vectors for the summary.
+/// Extremes of displacements, of edges of rigid floors, accelerations and drifts in the envelopes of all structures,
+/// and the largest lengths of these as horizontal vectors for the summary.
 class FloorEnvelopes {
  public:
   /// Fills the envelopes in `histories`, which must outlive this, as must `response`.
@@ -30,14 +30,15 @@ class FloorEnvelopes {
   StructureSummary summary(const Structure& structure, int index) const;
   /// Largest drift of a storey so far, in space the length of a horizontal vector [m].
   double peak_drift(int structure, int storey) const {
-    return (response_.directions(structure) > 1 ? lengths_[structure].drift : histories_[structure].envelope.drift).peak(storey);
+    return (response_.directions(structure) > 1 ? lengths_[structure].drift : histories_[structure].envelope.drift)
+        .peak(storey);
   }
   /// For a checkpoint, without the envelopes.
   void archive(Archive& archive) { archive(lengths_); }
 
  private:
-  // Lengths of horizontal vectors, one a floor; none in a structure that moves along x only. `corner`: displacements of all corners
-  // of a rigid floor.
+  // Lengths of horizontal vectors, one a floor; none in a structure that moves along x only. `corner`: displacements of
+  // all corners of a rigid floor.
   struct Lengths {
     Extremes displacement, drift, acceleration, corner;
     void archive(Archive& archive) {

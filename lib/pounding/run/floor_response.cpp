@@ -21,8 +21,9 @@ FloorResponse::FloorResponse(const Model& model, const GroundPlan& plan) : groun
         const int r = row(static_cast<int>(k), static_cast<int>(i), j);
         if (s.at_rest.size() > 0) at_rest_[r] = floor.dot(s.at_rest);
         if (j < 2) ground_of_[r] = supports.at_first(j);
-        supports.project([&](std::size_t support, int axis) { return floor.dot(s.supports[support].influence.col(axis)); },
-                         by_difference_.row(r));
+        supports.project(
+            [&](std::size_t support, int axis) { return floor.dot(s.supports[support].influence.col(axis)); },
+            by_difference_.row(r));
       }
   }
   if (count == 0 || by_difference_.cwiseAbs().maxCoeff() == 0) by_difference_.resize(0, 0);
@@ -32,7 +33,10 @@ FloorResponse::FloorResponse(const Model& model, const GroundPlan& plan) : groun
 std::vector<int> FloorResponse::translations(int structure) const {
   std::vector<int> rows;
   const int directions = directions_[structure];
-  for (int row = first_[structure], end = structure + 1 < static_cast<int>(first_.size()) ? first_[structure + 1] : static_cast<int>(at_rest_.size()); row < end; ++row)
+  for (int row = first_[structure], end = structure + 1 < static_cast<int>(first_.size())
+                                              ? first_[structure + 1]
+                                              : static_cast<int>(at_rest_.size());
+       row < end; ++row)
     if ((row - first_[structure]) % directions < 2) rows.push_back(row);
   return rows;
 }
@@ -48,7 +52,8 @@ void FloorResponse::complete(Eigen::MatrixXd& motion, double time, const Eigen::
   }
 }
 
-void FloorResponse::complete_accelerations(Eigen::Ref<Eigen::VectorXd> accelerations, const Eigen::VectorXd& ground) const {
+void FloorResponse::complete_accelerations(Eigen::Ref<Eigen::VectorXd> accelerations,
+                                           const Eigen::VectorXd& ground) const {
   for (std::size_t r = 0; r < ground_of_.size(); ++r)
     if (ground_of_[r] >= 0) accelerations[static_cast<Eigen::Index>(r)] += ground[ground_of_[r]];
   if (by_difference_.size() > 0) accelerations += by_difference_ * ground;

@@ -25,7 +25,12 @@ bool yields(const Structure& s) { return s.dimension > 1 && !s.yielding.empty();
 }  // namespace
 
 ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results)
-    : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)), knots_(stepper) {
+    : model_(model),
+      plan_(plan),
+      stepper_(stepper),
+      results_(results),
+      first_unknown_(offsets(model)),
+      knots_(stepper) {
   linear_ = stepper.is_linear();
   motions_.setZero(Eigen::NoChange, stepper.system().size());
   if (linear_) coordinates_.setZero(stepper.base().size(), 2 * batch);
@@ -54,29 +59,34 @@ void ForceEnvelopes::add_frame(int k) {
   if (s.has_storeys()) envelope.storey_shear = Extremes(s.floors.size() * results_.structures[k].storey_directions());
   envelope.member_force = Extremes(s.forces.members.size() * s.forces.components.size());
   envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
-  const int components = static_cast<int>(s.forces.components.size()), shears = static_cast<int>(envelope.storey_shear.size());
+  const int components = static_cast<int>(s.forces.components.size()),
+            shears = static_cast<int>(envelope.storey_shear.size());
   // By links that press on members between their ends: what a unit force adds to the quantities.
   std::map<int, Eigen::VectorXd> added;
   for (int i = 0; stepper_.system().contact_count() > 0 && i < static_cast<int>(model_.links.size()); ++i) {
     const Link& link = model_.links[i];
     for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
       if (end->structure != k || end->point.member < 0) continue;
-      Eigen::VectorXd& by_force = added.try_emplace(i, Eigen::VectorXd::Zero(shears + s.forces.rows.rows())).first->second;
+      Eigen::VectorXd& by_force =
+          added.try_emplace(i, Eigen::VectorXd::Zero(shears + s.forces.rows.rows())).first->second;
       const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * link.direction);
-      for (int j = 0; j < components; ++j) by_force[shears + end->point.member * components + j] += fixed[s.forces.places[j]];
+      for (int j = 0; j < components; ++j)
+        by_force[shears + end->point.member * components + j] += fixed[s.forces.places[j]];
       by_force.tail(end->point.reactions.rows()) += end->point.reactions * (sign * link.direction);
     }
   }
   const bool turned = static_cast<bool>(s.forces.turned);
   const auto loaded = [&](int quantity) {
-    return turned || std::any_of(added.begin(), added.end(), [&](const auto& each) { return each.second[quantity] != 0; });
+    return turned ||
+           std::any_of(added.begin(), added.end(), [&](const auto& each) { return each.second[quantity] != 0; });
   };
   if (!turned) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(loaded), true));
   if (!turned && added.empty()) return;
   add_block(k, true, internal_forces(model_, k, plan_, loaded, false));
   const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
   for (const auto& [link, by_force] : added) {
-    FixedEnds made{link, static_cast<int>(blocks_.size()) - 1, Eigen::SparseVector<double>(blocks_.back().quantities.size())};
+    FixedEnds made{link, static_cast<int>(blocks_.size()) - 1,
+                   Eigen::SparseVector<double>(blocks_.back().quantities.size())};
     for (int row = 0; row < by_force.size(); ++row)
       if (by_force[row] != 0) made.by_force.coeffRef(places[row].at) = by_force[row];
     fixed_ends_.push_back(std::move(made));
@@ -96,8 +106,9 @@ void ForceEnvelopes::add_parts() {
   for (const Structure& s : model_.structures) parts += static_cast<int>(s.yielding.size());
   Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(parts);
   if (system.gravity_offset.size() > 0) at_rest = system.gravity_offset.segment(contacts, parts);
-  add_block(Block::of_parts, false, {system.gap_jacobian.middleCols(contacts, parts).transpose(), static_cast<int>(system.size()), 0, at_rest,
-                                     Eigen::MatrixXd::Zero(parts, static_cast<int>(plan_.motions.size())), [](int) { return true; }, false});
+  add_block(Block::of_parts, false,
+            {system.gap_jacobian.middleCols(contacts, parts).transpose(), static_cast<int>(system.size()), 0, at_rest,
+             Eigen::MatrixXd::Zero(parts, static_cast<int>(plan_.motions.size())), [](int) { return true; }, false});
 }
 
 void ForceEnvelopes::show_parts() {
@@ -106,7 +117,8 @@ void ForceEnvelopes::show_parts() {
     SpringHistory& history = results_.structures[k].springs;
     for (std::size_t i = 0; i < history.size(); ++i, ++at) {
       const double stiffness = model_.structures[k].yielding[i].spring->stiffness();
-      for (const auto& [time, deformation] : {std::pair(all.t_min[at], all.min[at]), std::pair(all.t_max[at], all.max[at])}) {
+      for (const auto& [time, deformation] :
+           {std::pair(all.t_min[at], all.min[at]), std::pair(all.t_max[at], all.max[at])}) {
         history.deformations.update(i, time, deformation);
         history.forces.update(i, time, stiffness * deformation);
       }
@@ -148,7 +160,8 @@ void ForceEnvelopes::take_springs(double time, double other_end) {
 }
 
 // Adds what the parts of its frame that yield give to the forces of a block, or to their rates.
-void ForceEnvelopes::add_yielding(const Block& block, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const {
+void ForceEnvelopes::add_yielding(const Block& block, const Eigen::VectorXd& of_springs,
+                                  Eigen::VectorXd& values) const {
   const auto parts = static_cast<Eigen::Index>(model_.structures[block.structure].yielding.size());
   block.quantities.add_yielding(of_springs.segment(first_spring_[block.structure], parts), values);
 }
@@ -198,7 +211,8 @@ void ForceEnvelopes::begin() {
   for (Block& block : blocks_) {
     Eigen::VectorXd values = block.values;
     add_fixed_end_forces(block, values, [&](int link) { return stepper_.link_forces()[link]; });
-    for (std::size_t i = 0; i < block.extremes.size(); ++i) block.extremes.update(i, stepper_.time(), values[static_cast<int>(i)]);
+    for (std::size_t i = 0; i < block.extremes.size(); ++i)
+      block.extremes.update(i, stepper_.time(), values[static_cast<int>(i)]);
   }
 }
 
@@ -218,7 +232,8 @@ void ForceEnvelopes::step(const StepMotion& step) {
       close(begin, middle, false);
     }
   } else {
-    const bool changes = std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& block) { return block.apart != is_apart(block, pressed); });
+    const bool changes = std::any_of(blocks_.begin(), blocks_.end(),
+                                     [&](const Block& block) { return block.apart != is_apart(block, pressed); });
     if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
       if (!linear_) stepper_.begin(u_, v_);
       wait(begin);
@@ -239,7 +254,8 @@ void ForceEnvelopes::step(const StepMotion& step) {
     if (block.apart) follow(block, begin.time, end.time, pressed);
 }
 
-// The motion at the beginning of a step, and forces of springs. Rates jump where a step ends at a corner: those of this step count.
+// The motion at the beginning of a step, and forces of springs. Rates jump where a step ends at a corner: those of this
+// step count.
 void ForceEnvelopes::take_begin(const StepMotion& step) {
   const double begin = stepper_.instant_begin().time;
   stepper_.begin(u_, v_);
@@ -289,13 +305,16 @@ bool ForceEnvelopes::parts_act() const {
   const int contacts = stepper_.system().contact_count();
   for (std::size_t k = 0; k < first_spring_.size(); ++k) {
     if (!yields(model_.structures[k])) continue;
-    const int first = contacts + static_cast<int>(first_spring_[k]), count = static_cast<int>(model_.structures[k].yielding.size());
+    const int first = contacts + static_cast<int>(first_spring_[k]),
+              count = static_cast<int>(model_.structures[k].yielding.size());
     if (stepper_.springs_stayed()) {
       if (!stepper_.instant_end_minus().force.segment(first, count).isZero(0)) return true;
       continue;
     }
     const auto from = stepper_.link_steps().begin() + first;
-    const auto acts = [](const LinkStep& step) { return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0; };
+    const auto acts = [](const LinkStep& step) {
+      return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0;
+    };
     if (std::any_of(from, from + count, acts)) return true;
   }
   return false;
@@ -330,9 +349,11 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
   evaluate(block, end_time, end_, rates_);
   if (!pressed || !block.loaded) {
     for (int q = 0; q < block.quantities.size(); ++q)
-      block.extremes.update(static_cast<std::size_t>(q), begin_time, h, block.values[q], block.rates[q], end_[q], rates_[q]);
+      block.extremes.update(static_cast<std::size_t>(q), begin_time, h, block.values[q], block.rates[q], end_[q],
+                            rates_[q]);
   } else {
-    Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
+    Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_),
+                    ends = end_;
     add_fixed_end_forces(block, begin, [&](int link) { return stepper_.link_step(link).force_begin; });
     add_fixed_end_forces(block, middle, [&](int link) { return stepper_.link_step(link).force_middle; });
     add_fixed_end_forces(block, ends, [&](int link) { return stepper_.link_step(link).force_end; });
@@ -346,7 +367,8 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
   block.rates.swap(rates_);
 }
 
-// To the knots whose motions wait. While contacts press or parts yield, blocks that are followed apart are further already.
+// To the knots whose motions wait. While contacts press or parts yield, blocks that are followed apart are further
+// already.
 void ForceEnvelopes::follow() {
   if (times_.empty()) return;
   const int count = static_cast<int>(times_.size());
@@ -380,7 +402,8 @@ void ForceEnvelopes::follow() {
     find_beyond({evaluated_, block.values, block.rates, third, third_begin}, block.extremes, beyond_);
     for (const int q : beyond_) {
       const double* const values = evaluated_.col(q).data();
-      block.extremes.update(static_cast<std::size_t>(q), followed_, times, block.values[q], block.rates[q], values, values + batch);
+      block.extremes.update(static_cast<std::size_t>(q), followed_, times, block.values[q], block.rates[q], values,
+                            values + batch);
     }
     block.values = evaluated_.row(batch - 1);
     block.rates = evaluated_.row(2 * batch - 1);

@@ -1,5 +1,6 @@
 #pragma once
-/// Extremes of forces inside frames, of reactions, of how far the ends of links approach each other, and of parts that may yield but have not.
+/// Extremes of forces inside frames, of reactions, of how far the ends of links approach each other, and of parts that
+/// may yield but have not.
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,15 +16,17 @@
 
 namespace pounding {
 
-/// Fills the envelopes of forces of frames. These need all unknowns, so they are taken at knots: ends of steps, of which several may
-/// lie between two knots while the cubic between these follows the displacements closely. Extremes between knots are found on it, for
-/// several knots at once. While a contact presses on a member between its ends, the forces of such members are followed in every step.
+/// Fills the envelopes of forces of frames. These need all unknowns, so they are taken at knots: ends of steps, of
+/// which several may lie between two knots while the cubic between these follows the displacements closely. Extremes
+/// between knots are found on it, for several knots at once. While a contact presses on a member between its ends, the
+/// forces of such members are followed in every step.
 ///
-/// So are found the extremes of parts that may yield, before any of them does (Stepper::springs_untouched); SpringHistories knows the others.
+/// So are found the extremes of parts that may yield, before any of them does (Stepper::springs_untouched);
+/// SpringHistories knows the others.
 class ForceEnvelopes {
  public:
-  /// Fills `results`: the envelopes of its structures, and `approach` in a run without links; adds to the extremes of SpringHistory. All
-  /// arguments must outlive this.
+  /// Fills `results`: the envelopes of its structures, and `approach` in a run without links; adds to the extremes of
+  /// SpringHistory. All arguments must outlive this.
   ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results);
 
   /// The present state is the initial one.
@@ -46,9 +49,11 @@ class ForceEnvelopes {
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;
-    bool apart = false;  // followed step by step: contacts press so, or parts have yielded, and forces are not linear between two knots
+    bool apart = false;  // followed step by step: contacts press so, or parts have yielded, and forces are not linear
+                         // between two knots
   };
-  // A contact that presses on a member between its ends and so loads them as those of a fixed member, and supports that hold them.
+  // A contact that presses on a member between its ends and so loads them as those of a fixed member, and supports that
+  // hold them.
   struct FixedEnds {
     int link, block;
     Eigen::SparseVector<double> by_force;  // on the quantities of the block by a unit force
@@ -79,26 +84,27 @@ class ForceEnvelopes {
   const GroundPlan& plan_;
   const Stepper& stepper_;
   Results& results_;
-  std::vector<int> first_unknown_;         // by structure
-  std::vector<int> first_spring_;          // by structure
+  std::vector<int> first_unknown_;  // by structure
+  std::vector<int> first_spring_;   // by structure
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
   bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
   bool yields_ = false;      // parts of frames may, which add to forces directly
-  bool turns_ = false;       // members turn: their forces bend more than the displacements, and each step has a knot inside
+  bool turns_ = false;  // members turn: their forces bend more than the displacements, and each step has a knot inside
   Knots knots_;
   bool jumped_ = false;        // something changed at the end of the last step
   bool acts_ = false;          // parts of frames that yield have forces in the present step
   double followed_ = 0;        // knot up to which the extremes are known [s]
   std::vector<double> times_;  // knots after it whose motions wait [s]
   bool linear_ = false;        // all unknowns follow from the coordinates alone
-  Eigen::MatrixXd coordinates_, unknowns_;  // where it is so: motions that wait, displacements before velocities, and all unknowns of them
+  Eigen::MatrixXd coordinates_,
+      unknowns_;  // where it is so: motions that wait, displacements before velocities, and all unknowns of them
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
-  std::vector<int> beyond_;    // quantities that may have new extremes
+  std::vector<int> beyond_;  // quantities that may have new extremes
   LinearQuantities::Instants<1> motion_, evaluated_once_;
-  Eigen::VectorXd u_, v_;        // of all unknowns
-  Eigen::VectorXd springs_, spring_rates_;    // forces of all springs at the motion in u_ and v_, and their rates
-  Eigen::VectorXd end_, rates_;  // at the knot to come
+  Eigen::VectorXd u_, v_;                   // of all unknowns
+  Eigen::VectorXd springs_, spring_rates_;  // forces of all springs at the motion in u_ and v_, and their rates
+  Eigen::VectorXd end_, rates_;             // at the knot to come
 };
 
 }  // namespace pounding

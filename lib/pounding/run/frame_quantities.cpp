@@ -38,12 +38,13 @@ std::vector<int> reported_forces(const Structure& s) {
   const int components = static_cast<int>(s.forces.components.size());
   for (const int member : s.reported_members)
     for (int j = 0; j < components; ++j) rows.push_back(member * components + j);
-  for (int row = static_cast<int>(s.forces.members.size()) * components; row < s.forces.rows.rows(); ++row) rows.push_back(row);
+  for (int row = static_cast<int>(s.forces.members.size()) * components; row < s.forces.rows.rows(); ++row)
+    rows.push_back(row);
   return rows;
 }
 
-FrameQuantities frame_quantities(const Structure& s, const std::vector<int>& reported, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
-                                 const Eigen::VectorXd& a) {
+FrameQuantities frame_quantities(const Structure& s, const std::vector<int>& reported, const Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& v, const Eigen::VectorXd& a) {
   FrameQuantities made;
   made.displacement.resize(visit_nodes(s, nothing));
   made.velocity = made.acceleration = made.displacement;
@@ -61,7 +62,8 @@ FrameQuantities frame_quantities(const Structure& s, const std::vector<int>& rep
   return made;
 }
 
-FrameRows::FrameRows(const Structure& s, const std::vector<int>& reported, const StructureSolver::FewModes& modes) : first_(modes.first) {
+FrameRows::FrameRows(const Structure& s, const std::vector<int>& reported, const StructureSolver::FewModes& modes)
+    : first_(modes.first) {
   const Eigen::Index count = modes.shapes.cols();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.size());
   at_rest_ = frame_quantities(s, reported, s.at_rest.size() > 0 ? s.at_rest : none, none, none);
@@ -77,12 +79,13 @@ FrameRows::FrameRows(const Structure& s, const std::vector<int>& reported, const
 FrameQuantities FrameRows::at(const Eigen::MatrixXd& coordinates) const {
   const auto product = [&](const Eigen::MatrixXd& rows, Eigen::Index columns) {
     Eigen::MatrixXd made = Eigen::MatrixXd::Zero(rows.rows(), columns);
-    add_products({rows.data(), rows.rows(), rows.cols(), rows.rows()}, {coordinates.data() + first_, rows.cols(), columns, coordinates.rows()}, made.data(),
-                 made.rows());
+    add_products({rows.data(), rows.rows(), rows.cols(), rows.rows()},
+                 {coordinates.data() + first_, rows.cols(), columns, coordinates.rows()}, made.data(), made.rows());
     return made;
   };
   const Eigen::MatrixXd nodes = product(nodes_, 3), others = product(others_, 1);
-  return {at_rest_.displacement + nodes.col(0), nodes.col(1), nodes.col(2), at_rest_.shears + others.col(0).head(at_rest_.shears.size()),
+  return {at_rest_.displacement + nodes.col(0), nodes.col(1), nodes.col(2),
+          at_rest_.shears + others.col(0).head(at_rest_.shears.size()),
           at_rest_.forces + others.col(0).tail(at_rest_.forces.size())};
 }
 

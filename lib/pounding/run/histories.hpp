@@ -1,5 +1,6 @@
 #pragma once
-/// Forces of links inside a step; columns of the histories that grow beside the output times, and how to cut them to a length.
+/// Forces of links inside a step; columns of the histories that grow beside the output times, and how to cut them to a
+/// length.
 
 #include <array>
 #include <cstddef>
@@ -19,17 +20,20 @@ inline double force_inside(const LinkStep& step, double s) {
   return parabola.begin * step.force_begin + parabola.middle * step.force_middle + parabola.end * step.force_end;
 }
 
-/// Force of a part that yields at an instant of its last kept step, where the deformation is this [m], as Spring::evaluate() gives it [N].
+/// Force of a part that yields at an instant of its last kept step, where the deformation is this [m], as
+/// Spring::evaluate() gives it [N].
 inline double spring_force(const Spring& spring, const LinkStep& step, double time, double deformation) {
   return spring.inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;
 }
 
-/// The part of the shear of a storey that is a spring which devices carry [N]; `force(part)` is that of a part that yields [N].
+/// The part of the shear of a storey that is a spring which devices carry [N]; `force(part)` is that of a part that
+/// yields [N].
 template <class ForceOf>
 double shear_by_devices(const Floor& floor, const ForceOf& force) {
   double sum = 0;
   if (!floor.storey_shear_by_yielding.empty())
-    for (Row::InnerIterator it(floor.storey_shear_by_yielding.front()); it; ++it) sum += it.value() * force(static_cast<std::size_t>(it.index()));
+    for (Row::InnerIterator it(floor.storey_shear_by_yielding.front()); it; ++it)
+      sum += it.value() * force(static_cast<std::size_t>(it.index()));
   return sum;
 }
 

@@ -31,7 +31,9 @@ void ImpactWindow::archive(Archive& archive) {
 
 bool ImpactWindows::presses() const {
   for (std::size_t i = 0; i < counts_.size(); ++i)
-    if (counts_[i] && (stepper_.system().contacts[i]->phase() != ContactPhase::open || acts(stepper_.link_step(static_cast<int>(i))))) return true;
+    if (counts_[i] &&
+        (stepper_.system().contacts[i]->phase() != ContactPhase::open || acts(stepper_.link_step(static_cast<int>(i)))))
+      return true;
   return false;
 }
 
@@ -50,7 +52,8 @@ void ImpactWindows::step() {
 
 void ImpactWindows::record() {
   const Instant &x = stepper_.instant_begin(), &y = stepper_.instant_end_minus();
-  ImpactWindow::Step& step = present_.steps.emplace_back(ImpactWindow::Step{.begin = x.time, .end = y.time, .forces = {}});
+  ImpactWindow::Step& step =
+      present_.steps.emplace_back(ImpactWindow::Step{.begin = x.time, .end = y.time, .forces = {}});
   const System& system = stepper_.system();
   for (int i = 0; i < system.links(); ++i) {
     const LinkStep& link = stepper_.link_step(i);
@@ -60,7 +63,8 @@ void ImpactWindows::record() {
       const laws::Response law = system.contacts[static_cast<std::size_t>(i)]->evaluate(link.motion_end);
       if (std::isfinite(law.by_penetration)) force.by_penetration = law.by_penetration;
       if (std::isfinite(law.by_rate)) force.by_rate = law.by_rate;
-      if (counts_[static_cast<std::size_t>(i)]) present_.force = std::max({present_.force, force.begin, force.middle, force.end});
+      if (counts_[static_cast<std::size_t>(i)])
+        present_.force = std::max({present_.force, force.begin, force.middle, force.end});
     }
     step.forces.push_back(force);
   }
@@ -68,7 +72,8 @@ void ImpactWindows::record() {
 
 void ImpactWindows::end() {
   if (present_.steps.empty()) return;
-  const auto place = std::ranges::find_if(hardest_, [&](const ImpactWindow& other) { return other.force < present_.force; });
+  const auto place =
+      std::ranges::find_if(hardest_, [&](const ImpactWindow& other) { return other.force < present_.force; });
   hardest_.insert(place, std::exchange(present_, {}));
   if (hardest_.size() > most) hardest_.pop_back();
 }

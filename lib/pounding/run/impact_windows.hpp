@@ -12,7 +12,8 @@ namespace pounding {
 
 /// Some milliseconds of a run in which links press.
 struct ImpactWindow {
-  /// Force of a link in one step [N], and the slopes of its law at the end of it; those of links that are no contacts are zero.
+  /// Force of a link in one step [N], and the slopes of its law at the end of it; those of links that are no contacts
+  /// are zero.
   struct Force {
     int link = 0;
     double begin = 0, middle = 0, end = 0;
@@ -27,8 +28,8 @@ struct ImpactWindow {
     void archive(Archive& archive);
   };
 
-  double force = 0;        ///< the largest of the contacts that count [N]
-  Eigen::VectorXd u, v;    ///< coordinates of the structures at the beginning of the first step, and their rates
+  double force = 0;      ///< the largest of the contacts that count [N]
+  Eigen::VectorXd u, v;  ///< coordinates of the structures at the beginning of the first step, and their rates
   std::vector<Step> steps;
 
   double begin() const { return steps.front().begin; }
@@ -37,8 +38,8 @@ struct ImpactWindow {
   void archive(Archive& archive);
 };
 
-/// Keeps the windows with the largest forces while a run goes on. A window begins with the step that leads to a touch, and ends 2 ms after nothing
-/// presses any more, or after 0.1 s: then the next one begins at once.
+/// Keeps the windows with the largest forces while a run goes on. A window begins with the step that leads to a touch,
+/// and ends 2 ms after nothing presses any more, or after 0.1 s: then the next one begins at once.
 class ImpactWindows {
  public:
   /// So many are kept.

@@ -12,8 +12,8 @@
 #include <pounding/core/units.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/model/plausible.hpp>
-#include <pounding/structures/isolators.hpp>
 #include <pounding/results/summary.hpp>
+#include <pounding/structures/isolators.hpp>
 
 namespace pounding {
 
@@ -28,7 +28,8 @@ inline std::vector<std::string> implausible(const Model& model, const Summary& s
   std::size_t floors = 0;
   for (const StructureSummary& structure : summary.structures) {
     floors += structure.peak_displacement.size();
-    moved = moved || std::any_of(structure.peak_displacement.begin(), structure.peak_displacement.end(), [](double peak) { return peak != 0; });
+    moved = moved || std::any_of(structure.peak_displacement.begin(), structure.peak_displacement.end(),
+                                 [](double peak) { return peak != 0; });
   }
   std::vector<std::string> texts = implausible(model, moved || floors == 0, penetrations);
   // A run that ends by collapse_drift drifts as far as it was allowed to.
@@ -47,10 +48,12 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
       const YieldingPart& part = model.structures[k].yielding[i];
       const SpringSummary& moved = summary.structures[k].springs[i];
       if (const double capacity = part.parameter("capacity"); isolates(part) && std::abs(moved.peak) > capacity)
-        texts.push_back(fmt::format("structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model. Type a larger "
-                                    "capacity if the part has it, or a link to a wall with that gap if it stops there",
-                                    model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4), moved.peak_time,
-                                    format_quantity(capacity, dimension::length)));
+        texts.push_back(fmt::format(
+            "structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model. Type "
+            "a larger "
+            "capacity if the part has it, or a link to a wall with that gap if it stops there",
+            model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4),
+            moved.peak_time, format_quantity(capacity, dimension::length)));
     }
   return texts;
 }
@@ -58,15 +61,18 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
 /// Impacts of a rigid contact without loss, above which its bodies do not meet by chance any more.
 inline constexpr int many_bounces = 10'000;
 
-/// One line for each rigid contact without loss whose bodies are pressed on each other: they bounce ever faster and never rest.
+/// One line for each rigid contact without loss whose bodies are pressed on each other: they bounce ever faster and
+/// never rest.
 inline std::vector<std::string> endless_bounces(const Model& model, const Summary& summary) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < summary.links.size(); ++i) {
     const Contact& contact = *model.links[i].contact;
     if (contact.is_rigid() && contact.restitution() == 1 && summary.links[i].impacts > many_bounces)
-      texts.push_back(fmt::format("link {}: {} impacts; bodies that are pressed together bounce ever faster by restitution 1 and never rest, and a run "
-                                  "follows every bounce; type a restitution of 0.95 or a law with a stiffness if they shall rest",
-                                  summary.links[i].name, summary.links[i].impacts));
+      texts.push_back(
+          fmt::format("link {}: {} impacts; bodies that are pressed together bounce ever faster by restitution 1 and "
+                      "never rest, and a run "
+                      "follows every bounce; type a restitution of 0.95 or a law with a stiffness if they shall rest",
+                      summary.links[i].name, summary.links[i].impacts));
   }
   return texts;
 }

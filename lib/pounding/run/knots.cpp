@@ -6,9 +6,9 @@
 namespace pounding {
 namespace {
 
-// Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both as square
-// roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves it by da t^2/64. Three
-// times as much leaves axial forces of beams that are hit more than 1e-3 off.
+// Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both
+// as square roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves
+// it by da t^2/64. Three times as much leaves axial forces of beams that are hit more than 1e-3 off.
 constexpr double allowed_miss = 1e-5;
 
 }  // namespace

@@ -19,8 +19,8 @@ class Knots {
   double last() const { return last_; }
   /// This instant, of the last kept step, becomes the last knot.
   void set(const Instant& instant);
-  /// Whether a cubic from the last knot, which lies before the beginning of the last kept step, to the end of that step follows the
-  /// motion closely. To be asked once a step.
+  /// Whether a cubic from the last knot, which lies before the beginning of the last kept step, to the end of that step
+  /// follows the motion closely. To be asked once a step.
   bool reach_over_step();
   /// For a checkpoint.
   void archive(Archive& archive);
@@ -31,8 +31,8 @@ class Knots {
   const Stepper& stepper_;
   double last_ = 0;
   Eigen::VectorXd acceleration_;  // at the last knot, in the coordinates of the solver
-  // By group, as square roots of strain energy: the largest displacement so far, and how far the acceleration has strayed from a
-  // straight line since the last knot.
+  // By group, as square roots of strain energy: the largest displacement so far, and how far the acceleration has
+  // strayed from a straight line since the last knot.
   std::vector<double> largest_, strayed_;
   std::vector<double> norms_;
   Eigen::VectorXd bend_, stiffness_times_;

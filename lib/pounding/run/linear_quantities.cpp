@@ -13,11 +13,12 @@ namespace {
 using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 void add_row(std::vector<Eigen::Triplet<double>>& entries, int row, const Row& from, double factor, int first) {
-  for (Row::InnerIterator it(from); it; ++it) entries.emplace_back(row, first + static_cast<int>(it.index()), factor * it.value());
+  for (Row::InnerIterator it(from); it; ++it)
+    entries.emplace_back(row, first + static_cast<int>(it.index()), factor * it.value());
 }
 
-// All that a quantity is made of: columns and factors of its row, at_rest, by_ground. Turned, and true, where the first factor is
-// negative.
+// All that a quantity is made of: columns and factors of its row, at_rest, by_ground. Turned, and true, where the first
+// factor is negative.
 std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, int row, double at_rest,
                                                          const Eigen::RowVectorXd& by_ground) {
   std::vector<double> columns, factors;
@@ -40,7 +41,8 @@ struct SparseRows {
   int count;
 };
 
-// Makes `numbers` sums of each row over the columns of `of`, which has as many rows; the sums of a row lie beside each other.
+// Makes `numbers` sums of each row over the columns of `of`, which has as many rows; the sums of a row lie beside each
+// other.
 template <int numbers>
 POUNDING_INLINE void sum_rows(const SparseRows& rows, const double* of, double* sums) {
   for (int row = 0; row < rows.count; ++row, sums += numbers) {
@@ -63,7 +65,8 @@ POUNDING_INLINE void sum_rows(const SparseRows& rows, const double* of, double* 
 #endif
     for (int k = 0; k < numbers; ++k) sums[k] = k < numbers / 2 ? rows.at_rest[row] : 0;
     for (int i = rows.begins[row]; i < rows.begins[row + 1]; ++i)
-      for (int k = 0; k < numbers; ++k) sums[k] += rows.factors[i] * of[static_cast<std::ptrdiff_t>(numbers) * rows.columns[i] + k];
+      for (int k = 0; k < numbers; ++k)
+        sums[k] += rows.factors[i] * of[static_cast<std::ptrdiff_t>(numbers) * rows.columns[i] + k];
   }
 }
 
@@ -74,8 +77,8 @@ POUNDING_WIDE void sum_rows_by_wide_vectors(const SparseRows& rows, const double
 
 }  // namespace
 
-LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first, const Eigen::VectorXd& at_rest, const Eigen::MatrixXd& by_ground,
-                                   const Choice& chosen, bool merge)
+LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first, const Eigen::VectorXd& at_rest,
+                                   const Eigen::MatrixXd& by_ground, const Choice& chosen, bool merge)
     : first_(first) {
   std::map<std::vector<double>, Place> known;
   std::vector<int> kept;
@@ -102,8 +105,10 @@ LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first
   for (int i = 0; i < size(); ++i) {
     for (RowMajor::InnerIterator it(rows, kept[i]); it; ++it) {
       const int column = static_cast<int>(it.col());
-      if (column < unknowns) entries.emplace_back(i, column, it.value());
-      else by_yielding.emplace_back(i, column - unknowns, it.value());
+      if (column < unknowns)
+        entries.emplace_back(i, column, it.value());
+      else
+        by_yielding.emplace_back(i, column - unknowns, it.value());
     }
     at_rest_[i] = at_rest[kept[i]];
     by_ground_.row(i) = by_ground.row(kept[i]);
@@ -116,8 +121,8 @@ LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first
 }
 
 template <int instants>
-void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
-                                Instants<instants>& quantities) const {
+void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<const double> times,
+                                std::span<const GroundMotion> grounds, Instants<instants>& quantities) const {
   renew(quantities, 2 * instants, size());
   const SparseRows rows{rows_.outerIndexPtr(), rows_.innerIndexPtr(), rows_.valuePtr(), at_rest_.data(), size()};
   const double* const from = motions.data() + static_cast<std::ptrdiff_t>(2 * instants) * first_;
@@ -138,29 +143,33 @@ void LinearQuantities::add_yielding(const Eigen::Ref<const Eigen::VectorXd>& for
   if (by_yielding_.nonZeros() > 0 && !forces.isZero(0)) values += by_yielding_ * forces;
 }
 
-template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const double>, std::span<const GroundMotion>, Instants<1>&) const;
+template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const double>, std::span<const GroundMotion>,
+                                            Instants<1>&) const;
 template void LinearQuantities::evaluate<LinearQuantities::batch>(const Instants<batch>&, std::span<const double>,
-                                                                  std::span<const GroundMotion>, Instants<batch>&) const;
+                                                                  std::span<const GroundMotion>,
+                                                                  Instants<batch>&) const;
 
 void add_member_forces(std::vector<Eigen::Triplet<double>>& entries, const Structure& s, int first_row) {
   const auto add = [&](const RowMajor& from, int first_column) {
     for (int row = 0; row < from.outerSize(); ++row)
       for (RowMajor::InnerIterator it(from, row); it; ++it)
-        if (it.value() != 0) entries.emplace_back(first_row + row, first_column + static_cast<int>(it.col()), it.value());
+        if (it.value() != 0)
+          entries.emplace_back(first_row + row, first_column + static_cast<int>(it.col()), it.value());
   };
   add(s.forces.rows, 0);
   add(s.forces.by_yielding, s.size());
 }
 
-LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const LinearQuantities::Choice& chosen,
-                                 bool merge) {
+LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan,
+                                 const LinearQuantities::Choice& chosen, bool merge) {
   const Structure& s = model.structures[structure];
   std::vector<Eigen::Triplet<double>> entries;
   int shears = 0;
   for (const Floor& floor : s.floors)
     for (std::size_t j = 0; j < floor.storey_shear.size(); ++j, ++shears) {
       add_row(entries, shears, floor.storey_shear[j], 1, 0);
-      if (!floor.storey_shear_by_yielding.empty()) add_row(entries, shears, floor.storey_shear_by_yielding[j], 1, s.size());
+      if (!floor.storey_shear_by_yielding.empty())
+        add_row(entries, shears, floor.storey_shear_by_yielding[j], 1, s.size());
     }
   add_member_forces(entries, s, shears);
   const int count = shears + static_cast<int>(s.forces.rows.rows());
@@ -180,7 +189,8 @@ LinearQuantities internal_forces(const Model& model, int structure, const Ground
       influences.push_back(std::move(influence));
     }
     for (int row = 0; row < count; ++row)
-      plan.supports[structure].project([&](std::size_t q, int axis) { return influences[q](row, axis); }, by_ground.row(row));
+      plan.supports[structure].project([&](std::size_t q, int axis) { return influences[q](row, axis); },
+                                       by_ground.row(row));
   }
   return {rows, s.size(), offsets(model)[structure], at_rest, by_ground, chosen, merge};
 }
@@ -196,7 +206,8 @@ LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
   for (int l = 0; l < static_cast<int>(model.links.size()); ++l) {
     const Link& link = model.links[l];
     const int relative = 3 * l + 2;
-    for (const auto& [end, own, sign] : {std::tuple(&link.left, 3 * l, 1.0), std::tuple(&link.right, 3 * l + 1, -1.0)}) {
+    for (const auto& [end, own, sign] :
+         {std::tuple(&link.left, 3 * l, 1.0), std::tuple(&link.right, 3 * l + 1, -1.0)}) {
       const Structure& s = model.structures[end->structure];
       const SupportMotion& ground = plan.supports[end->structure];
       for (int i = 0; i < 3; ++i) {
@@ -211,7 +222,8 @@ LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
         }
         const auto influence = [&, end = end](std::size_t q, int axis) {
           double moved = end->point.motion[i].dot(s.supports[q].influence.col(axis));
-          if (end->point.supported[i].nonZeros() > 0) moved += end->point.supported[i].dot(s.supports[q].enforced.col(axis));
+          if (end->point.supported[i].nonZeros() > 0)
+            moved += end->point.supported[i].dot(s.supports[q].enforced.col(axis));
           return along * moved;
         };
         Eigen::RowVectorXd by_difference = Eigen::RowVectorXd::Zero(by_ground.cols());

@@ -10,8 +10,9 @@
 namespace pounding {
 namespace {
 
-// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak force, and the peak itself
-// is one of them: no picture shows less, and ten times closer ones would make a file of many impacts three times as large.
+// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak
+// force, and the peak itself is one of them: no picture shows less, and ten times closer ones would make a file of many
+// impacts three times as large.
 constexpr double max_chord_error = 1e-3;
 constexpr int max_depth = 5;  // halvings of half a step
 
@@ -19,8 +20,12 @@ constexpr int max_depth = 5;  // halvings of half a step
 class Power {
  public:
   explicit Power(const LinkStep& step) noexcept
-      : h_(step.end - step.begin), begin_(step.force_begin * step.motion_begin.rate), middle_(step.force_middle * step.motion_middle.rate),
-        end_(step.force_end * step.motion_end.rate), bend_(2 * (begin_ - 2 * middle_ + end_)), slope_(end_ - begin_ - bend_) {}
+      : h_(step.end - step.begin),
+        begin_(step.force_begin * step.motion_begin.rate),
+        middle_(step.force_middle * step.motion_middle.rate),
+        end_(step.force_end * step.motion_end.rate),
+        bend_(2 * (begin_ - 2 * middle_ + end_)),
+        slope_(end_ - begin_ - bend_) {}
 
   /// Work in the part of the step after s, from 0 to 1 [J].
   double work_after(double s) const noexcept {
@@ -33,9 +38,9 @@ class Power {
   double h_, begin_, middle_, end_, bend_, slope_;
 };
 
-// Whether straight lines from the ends of a step to its middle might miss the force. They miss by a quarter of what one line misses, but
-// where the force turns from bending one way to the other: there it is steep, and a third derivative of it cannot do that where it
-// changes by less than a fifth.
+// Whether straight lines from the ends of a step to its middle might miss the force. They miss by a quarter of what one
+// line misses, but where the force turns from bending one way to the other: there it is steep, and a third derivative
+// of it cannot do that where it changes by less than a fifth.
 bool bends(const LinkStep& step, double peak_force) {
   return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * max_chord_error * peak_force ||
          std::abs(step.force_end - step.force_begin) > 0.2 * peak_force;
@@ -52,7 +57,8 @@ LinkHistory heading(const Link& link, const Model& model) {
   const bool only_right_has_place = model.structures[link.left.structure].geometry.positions.empty() &&
                                     !model.structures[link.right.structure].geometry.positions.empty();
   const LinkEnd& end = only_right_has_place ? link.right : link.left;
-  const Eigen::Vector3d position = end.point.position + (only_right_has_place ? -1 : 1) * end.face.value_or(0) * link.direction;
+  const Eigen::Vector3d position =
+      end.point.position + (only_right_has_place ? -1 : 1) * end.face.value_or(0) * link.direction;
   for (int i = 0; i < 3; ++i) {
     history.position[i] = position[i];
     history.direction[i] = link.direction[i];
@@ -61,7 +67,7 @@ LinkHistory heading(const Link& link, const Model& model) {
 }
 
 void append(std::span<const LinkSample> samples, LinkHistory& history) {
-  const auto add = [samples](std::vector<double>& column, double LinkSample::*value) {
+  const auto add = [samples](std::vector<double>& column, double LinkSample::* value) {
     std::ranges::transform(samples, std::back_inserter(column), value);
   };
   add(history.time, &LinkSample::time);
@@ -145,9 +151,10 @@ LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector
   }
 }
 
-std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*force) const {
+std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::* force) const {
   std::array<double, 2> forces{};
-  for (int j = 0; j < histories_[link].tangents; ++j) forces[j] = stepper_.link_step(static_cast<int>(first_tangent_[link] + j)).*force;
+  for (int j = 0; j < histories_[link].tangents; ++j)
+    forces[j] = stepper_.link_step(static_cast<int>(first_tangent_[link] + j)).*force;
   return forces;
 }
 
@@ -158,11 +165,13 @@ void LinkSamples::add_inside(const Inside& in, double s, const Jet& at, double f
   impacts_[in.link].add(sample);
 }
 
-// Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss the force.
+// Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss
+// the force.
 void LinkSamples::add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth) {
   const double mid = 0.5 * (s + e);
   const Jet at = in.path.at(mid);
-  // The path misses the motion by what the error of the step allows, and where hardly any force acts the formula of the law would pull on it.
+  // The path misses the motion by what the error of the step allows, and where hardly any force acts the formula of the
+  // law would pull on it.
   const double force = in.contact.acting_force(in.contact.evaluate({at.x, at.v}).force);
   const double missed = std::abs(force - 0.5 * (force_s + force_e));
   if (missed <= in.allowed) return;
@@ -177,10 +186,15 @@ void LinkSamples::add_between(const Inside& in, double s, double force_s, double
 void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
   const LinkMotion& middle = step.motion_middle;
   // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
-  const bool looks = bends(step, row.peak_force) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+  const bool looks =
+      bends(step, row.peak_force) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
   const bool peaks = row.t_peak > step.begin && row.t_peak < step.end;
-  const LinkSample at_middle{0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
-                             contact.work() - Power(step).work_of_second_half(), friction(link, &LinkStep::force_middle)};
+  const LinkSample at_middle{0.5 * (step.begin + step.end),
+                             middle.penetration,
+                             middle.rate,
+                             step.force_middle,
+                             contact.work() - Power(step).work_of_second_half(),
+                             friction(link, &LinkStep::force_middle)};
   if (!looks && !peaks) return impacts_[link].add(at_middle);
   const Inside inside{link, step, contact, max_chord_error * row.peak_force};
   const double at_peak = (row.t_peak - step.begin) / (step.end - step.begin);
@@ -213,7 +227,8 @@ void LinkSamples::step(bool output_due) {
         impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
                               contact.work() - Power(step).work_after(0), friction(i, &LinkStep::force_begin)});
       if (step.force_middle != 0) add_inside(i, step, contact, rows.back());
-      // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would pull.
+      // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would
+      // pull.
       const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);
       impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
     }

@@ -1,6 +1,6 @@
 #pragma once
-/// Histories of links: one sample an output time while a link is open; while it presses two a step, one at the peak force, and more where the
-/// force bends.
+/// Histories of links: one sample an output time while a link is open; while it presses two a step, one at the peak
+/// force, and more where the force bends.
 
 #include <array>
 #include <cstddef>
@@ -19,8 +19,8 @@ struct LinkSample {
   std::array<double, 2> friction{};  ///< along the contact, in one or two directions [N]
 };
 
-/// Samples of the present impact of one link. They are held back until it ends: where they become too many, every other one is
-/// dropped, so that the memory of an impact is bounded however long it lasts.
+/// Samples of the present impact of one link. They are held back until it ends: where they become too many, every other
+/// one is dropped, so that the memory of an impact is bounded however long it lasts.
 class ImpactSamples {
  public:
   /// More samples than these of one impact are thinned out; an even number.
@@ -30,7 +30,8 @@ class ImpactSamples {
   bool empty() const { return samples_.empty(); }
   /// The first sample of a contact that presses from the start of the run.
   void begin_pressed(const LinkSample& sample);
-  /// A sample in contact. The first one of an impact stands twice, with zero force before: a force may jump at the touch.
+  /// A sample in contact. The first one of an impact stands twice, with zero force before: a force may jump at the
+  /// touch.
   void add(const LinkSample& sample);
   /// Appends the samples so far, the last one included, to a history.
   void show(LinkHistory& history) const;
@@ -48,8 +49,8 @@ class ImpactSamples {
 /// Fills the histories of all links of a model.
 class LinkSamples {
  public:
-  /// Makes one history a link in `histories`, which must outlive this as model and stepper must. None for a system without
-  /// contacts.
+  /// Makes one history a link in `histories`, which must outlive this as model and stepper must. None for a system
+  /// without contacts.
   LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories);
 
   /// The step that the stepper has just kept; `output_due` when it holds an output time.
@@ -65,7 +66,7 @@ class LinkSamples {
  private:
   struct Inside;
 
-  std::array<double, 2> friction(std::size_t link, double LinkStep::*force) const;
+  std::array<double, 2> friction(std::size_t link, double LinkStep::* force) const;
   void add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row);
   void add_inside(const Inside& in, double s, const Jet& at, double force);
   void add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth);

@@ -31,7 +31,8 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
 
 void Recorder::accelerations_of_ground(double time) {
   ground_.resize(static_cast<int>(plan_.motions.size()));
-  for (std::size_t g = 0; g < plan_.motions.size(); ++g) ground_[static_cast<int>(g)] = plan_.motions[g].acceleration(time);
+  for (std::size_t g = 0; g < plan_.motions.size(); ++g)
+    ground_[static_cast<int>(g)] = plan_.motions[g].acceleration(time);
 }
 
 void Recorder::begin() {
@@ -63,7 +64,8 @@ void Recorder::sample_outputs_until(double end) {
   const double rounding = 1e-12 * std::max(1.0, end);
   for (double time = outputs_ * model_.analysis.output_step; time <= end + rounding;
        time = ++outputs_ * model_.analysis.output_step) {
-    // At the end of a step the state just after it counts: jumps of the ground, of forces and of velocities happen there.
+    // At the end of a step the state just after it counts: jumps of the ground, of forces and of velocities happen
+    // there.
     const bool inside = time < end - rounding;
     accelerations_of_ground(inside ? time : end);
     if (inside)
@@ -188,9 +190,9 @@ void Recorder::summarize(Summary& summary) {
   check_.tell(summary, summary.reduced);
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
-  summary.energy = {e.input.back(),  e.kinetic.back(), e.strain.back(),
-                    e.damping.back(), e.hysteretic.back(), e.impact.back(), e.devices.back(),
-                    max_input_ > 0 ? max_imbalance_ / max_input_ : 0};
+  summary.energy = {
+      e.input.back(),      e.kinetic.back(), e.strain.back(),  e.damping.back(),
+      e.hysteretic.back(), e.impact.back(),  e.devices.back(), max_input_ > 0 ? max_imbalance_ / max_input_ : 0};
 }
 
 }  // namespace pounding

@@ -43,8 +43,8 @@ class Recorder {
   ReductionCheck& reduction_check() { return check_; }
   /// Calls `write` while the results hold the present state as well: unfinished impacts stand in them for that time.
   void with_present_state(const std::function<void()>& write);
-  /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these histories
-  /// to the lengths.
+  /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these
+  /// histories to the lengths.
   void archive(Archive& archive);
 
   /// Whether and how a structure has collapsed until now.
@@ -79,10 +79,10 @@ class Recorder {
   ForceEnvelopes forces_;
   ReductionErrors reduction_;
   ReductionCheck check_;
-  long outputs_ = 0;  // output times so far
+  long outputs_ = 0;                          // output times so far
   double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
-  Eigen::MatrixXd motion_;  // of the floors at an output time
-  Eigen::VectorXd ground_;  // accelerations of all ground motions there [m/s^2]
+  Eigen::MatrixXd motion_;                    // of the floors at an output time
+  Eigen::VectorXd ground_;                    // accelerations of all ground motions there [m/s^2]
 };
 
 }  // namespace pounding

@@ -14,14 +14,17 @@ double over(double difference, double largest) { return difference > 0 ? differe
 }  // namespace
 
 ReductionCheck::ReductionCheck(const Model& model, const FloorResponse& response, const Stepper& stepper)
-    : model_(model), stepper_(stepper), checked_([&] {
+    : model_(model),
+      stepper_(stepper),
+      checked_([&] {
         std::vector<Checked> checked;
         int group = -1;
         for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
           const Structure& s = model.structures[static_cast<std::size_t>(k)];
           if (s.is_rigid()) continue;
           ++group;
-          if (reduction_of(model, k).check && std::ranges::count(stepper.base().reduced(), s.name, &ReducedStructure::name) > 0)
+          if (reduction_of(model, k).check &&
+              std::ranges::count(stepper.base().reduced(), s.name, &ReducedStructure::name) > 0)
             checked.push_back({.structure = k, .group = group, .rows = response.translations(k)});
         }
         return checked;
@@ -30,7 +33,8 @@ ReductionCheck::ReductionCheck(const Model& model, const FloorResponse& response
 
 std::vector<bool> ReductionCheck::contacts_that_count() const {
   std::vector<bool> counts(static_cast<std::size_t>(stepper_.system().contact_count()));
-  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::ranges::any_of(checked_, [&](const Checked& one) { return model_.links[i].hits(one.structure); });
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    counts[i] = std::ranges::any_of(checked_, [&](const Checked& one) { return model_.links[i].hits(one.structure); });
   return counts;
 }
 
@@ -44,7 +48,8 @@ bool ReductionCheck::next() {
   if (done_ == all) return false;
   const ImpactWindow& window = windows_.hardest()[done_ / structures];
   Checked& one = checked_[done_ % structures];
-  const WindowDifferences found = differences_in_window(stepper_.system(), stepper_.base(), one.group, one.rows, window);
+  const WindowDifferences found =
+      differences_in_window(stepper_.system(), stepper_.base(), one.group, one.rows, window);
   if (found.outputs.size() > 0) one.displacement = std::max(one.displacement, found.outputs.cwiseAbs().maxCoeff());
   if (done_ % structures == 0) {
     closings_ = found.closings;
@@ -70,7 +75,8 @@ void ReductionCheck::compare_forces(const ImpactWindow& window) {
     }
   for (Checked& one : checked_)
     for (Eigen::Index i = 0; i < contacts; ++i)
-      if (peak[i] > 0 && model_.links[static_cast<std::size_t>(i)].hits(one.structure)) one.force = std::fmax(one.force, std::abs(peak[i] - of_all[i]));
+      if (peak[i] > 0 && model_.links[static_cast<std::size_t>(i)].hits(one.structure))
+        one.force = std::fmax(one.force, std::abs(peak[i] - of_all[i]));
 }
 
 void ReductionCheck::tell(const Summary& summary, std::vector<ReducedStructure>& reduced) const {
@@ -82,7 +88,8 @@ void ReductionCheck::tell(const Summary& summary, std::vector<ReducedStructure>&
     told.checked_windows = static_cast<int>(done_ / checked_.size());
     if (told.checked_windows == 0) continue;
     told.check_force = over(one.force, peak_force);
-    if (!one.rows.empty() && !s.peak_displacement.empty()) told.check_displacement = over(one.displacement, *std::ranges::max_element(s.peak_displacement));
+    if (!one.rows.empty() && !s.peak_displacement.empty())
+      told.check_displacement = over(one.displacement, *std::ranges::max_element(s.peak_displacement));
   }
 }
 

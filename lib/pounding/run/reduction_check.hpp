@@ -16,10 +16,11 @@
 
 namespace pounding {
 
-/// Follows the hardest impacts of the structures that are reduced and to be checked, and steps all their unknowns through these once the run is over
-/// (differences_in_window).
+/// Follows the hardest impacts of the structures that are reduced and to be checked, and steps all their unknowns
+/// through these once the run is over (differences_in_window).
 ///
-/// forces of links:  peaks in each window; with all unknowns the force is F - dF/dd delta - dF/dv delta', with the differences delta of the closings that all
+/// forces of links:  peaks in each window; with all unknowns the force is F - dF/dd delta - dF/dv delta', with the
+/// differences delta of the closings that all
 ///                   structures of the check make together, and the slopes of the law at ends of steps;
 /// floors:           displacements relative to the ground, at ends of steps.
 ///
@@ -33,8 +34,8 @@ class ReductionCheck {
   void step();
   /// Whether a structure is to be checked.
   bool is_asked() const { return !checked_.empty(); }
-  /// The run is over: steps all unknowns of the next structure through the next impact. Returns whether more are left. Throws SolverError where
-  /// a step fails.
+  /// The run is over: steps all unknowns of the next structure through the next impact. Returns whether more are left.
+  /// Throws SolverError where a step fails.
   bool next();
   /// Adds what was found to the reduced structures, by the peaks of a summary whose links and structures are filled.
   void tell(const Summary& summary, std::vector<ReducedStructure>& reduced) const;
@@ -55,7 +56,7 @@ class ReductionCheck {
   const Stepper& stepper_;
   std::vector<Checked> checked_;
   ImpactWindows windows_;
-  std::size_t done_ = 0;  // structures that were stepped through a window, window by window
+  std::size_t done_ = 0;              // structures that were stepped through a window, window by window
   Eigen::MatrixXd closings_, rates_;  // differences in the present window, of the structures until now [contact, step]
 };
 

@@ -33,9 +33,11 @@ double bound_of(const Reduction& asked, double tolerance) { return asked.error >
 
 }  // namespace
 
-ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper) : model_(model), stepper_(stepper) {
+ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper)
+    : model_(model), stepper_(stepper) {
   if (stepper.base().counted() == stepper.base().size()) return;
-  for (std::vector<double>* by_link : {&forces_, &peaks_, &shadow_peaks_}) by_link->assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
+  for (std::vector<double>* by_link : {&forces_, &peaks_, &shadow_peaks_})
+    by_link->assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
   for (int i = 0; i < static_cast<int>(forces_.size()); ++i) nearer_.push_back(nearer(i));
   const std::vector<int> first = offsets(model);
   Eigen::Index parts = 0;
@@ -57,7 +59,8 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
       for (int row = 0; row < count; ++row) {
         const std::string& component = s.forces.components[static_cast<std::size_t>(row) % s.forces.components.size()];
         const char kind = component[component.find(' ') + 1];
-        floors.units[static_cast<std::size_t>(floors.forces->places()[static_cast<std::size_t>(row)].at)] = kind == 'M' || kind == 'T' ? 1 : 0;
+        floors.units[static_cast<std::size_t>(floors.forces->places()[static_cast<std::size_t>(row)].at)] =
+            kind == 'M' || kind == 'T' ? 1 : 0;
       }
     }
     floors.rows = response.translations(k);
@@ -103,13 +106,16 @@ std::optional<int> ReductionErrors::Peaks::take(double next) {
 
 // Each structure has peaks at times of its own.
 void ReductionErrors::keep_last(Floors& floors, double own, double difference) {
-  const auto coordinates = [&](auto&& motion) { return motion.segment(floors.coordinates.first, floors.coordinates.count); };
+  const auto coordinates = [&](auto&& motion) {
+    return motion.segment(floors.coordinates.first, floors.coordinates.count);
+  };
   const auto forces = [&](auto&& of_springs) { return of_springs.segment(floors.first_part, floors.parts); };
   if (const std::optional<int> place = floors.own.take(own)) {
     coordinates(kept_.col(*place)) = coordinates(last_.col(0));
     forces(kept_forces_.col(*place)) = forces(last_forces_);
   }
-  if (const std::optional<int> place = floors.difference.take(difference)) coordinates(kept_.col(together + *place)) = coordinates(last_.col(1));
+  if (const std::optional<int> place = floors.difference.take(difference))
+    coordinates(kept_.col(together + *place)) = coordinates(last_.col(1));
 }
 
 void ReductionErrors::measure_waiting() {
@@ -123,8 +129,9 @@ void ReductionErrors::measure_waiting() {
   for (int i = 0; i < waits_; ++i) {
     for (Floors& floors : floors_) {
       const auto [first, count, group] = floors.coordinates;
-      keep_last(floors, waiting_.col(i).segment(first, count).dot(stiffness_times_.col(i).segment(first, count)),
-                differences_.col(i).segment(first, count).dot(stiffness_times_.col(together + i).segment(first, count)));
+      keep_last(
+          floors, waiting_.col(i).segment(first, count).dot(stiffness_times_.col(i).segment(first, count)),
+          differences_.col(i).segment(first, count).dot(stiffness_times_.col(together + i).segment(first, count)));
     }
     last_.col(0) = waiting_.col(i);
     last_.col(1) = differences_.col(i);
@@ -151,7 +158,8 @@ void ReductionErrors::compare_members() {
     floors.members = floors.largest_members = {};
     for (int q = 0; q < floors.forces->size(); ++q) {
       const auto unit = static_cast<std::size_t>(floors.units[static_cast<std::size_t>(q)]);
-      floors.largest_members[unit] = std::max(floors.largest_members[unit], evaluated_.col(q).head<together>().cwiseAbs().maxCoeff());
+      floors.largest_members[unit] =
+          std::max(floors.largest_members[unit], evaluated_.col(q).head<together>().cwiseAbs().maxCoeff());
       floors.members[unit] = std::max(floors.members[unit], evaluated_.col(q).tail<together>().cwiseAbs().maxCoeff());
     }
   }
@@ -167,12 +175,13 @@ void ReductionErrors::add_yielding(const Floors& floors) {
   }
 }
 
-// The root of the ratio of errors of flexibility, as the ratio itself was six times too small for towers of 20 storeys. Where a structure of
-// the link does not know it, the shadow stands for the run.
+// The root of the ratio of errors of flexibility, as the ratio itself was six times too small for towers of 20 storeys.
+// Where a structure of the link does not know it, the shadow stands for the run.
 double ReductionErrors::nearer(int link) const {
   double run = 0, shadow = 0;
   for (const LinkEnd* end : {&model_.links[link].left, &model_.links[link].right}) {
-    const auto reduced = std::ranges::find(stepper_.base().reduced(), model_.structures[end->structure].name, &ReducedStructure::name);
+    const auto reduced =
+        std::ranges::find(stepper_.base().reduced(), model_.structures[end->structure].name, &ReducedStructure::name);
     if (reduced == stepper_.base().reduced().end()) continue;
     if (reduced->shadow_flexibility_error == 0) return 1;
     run += reduced->flexibility_error;
@@ -197,7 +206,8 @@ void ReductionErrors::compare_forces(const Instant& end) {
     if (!presses(i)) continue;
     const auto row = static_cast<Eigen::Index>(i);
     const laws::Response law = stepper_.system().contacts[i]->evaluate(step(i).motion_end);
-    double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) + law.by_rate * (end.relative(row, 1) - closings_(row, 1));
+    double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) +
+                        law.by_rate * (end.relative(row, 1) - closings_(row, 1));
     if (!std::isfinite(difference)) difference = 0;
     const double force = step(i).force_end;
     peaks_[i] = std::max(peaks_[i], force);
@@ -206,13 +216,17 @@ void ReductionErrors::compare_forces(const Instant& end) {
 }
 
 // The largest difference of peaks so far. One impact of many may agree by chance, not all of them.
-double ReductionErrors::peak_difference(std::size_t link) const { return std::max(forces_[link], std::abs(peaks_[link] - shadow_peaks_[link])); }
+double ReductionErrors::peak_difference(std::size_t link) const {
+  return std::max(forces_[link], std::abs(peaks_[link] - shadow_peaks_[link]));
+}
 
 std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) const {
   std::vector<ReducedStructure> all(stepper_.base().reduced().begin(), stepper_.base().reduced().end());
   double peak_force = 0;
   for (const LinkSummary& link : summary.links) peak_force = std::fmax(peak_force, link.peak_force);
-  const auto peak = [](const std::vector<double>& values) { return values.empty() ? 0.0 : *std::ranges::max_element(values); };
+  const auto peak = [](const std::vector<double>& values) {
+    return values.empty() ? 0.0 : *std::ranges::max_element(values);
+  };
   for (const Floors& floors : floors_) {
     const StructureSummary& s = summary.structures[floors.structure];
     ReducedStructure& one = *std::ranges::find(all, s.name, &ReducedStructure::name);
@@ -225,7 +239,8 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
       one.error_acceleration = ratio(floors.acceleration, peak(s.peak_acceleration));
     }
     if (!model_.structures[floors.structure].forces.members.empty())
-      one.error_members = std::max(ratio(floors.members[0], floors.largest_members[0]), ratio(floors.members[1], floors.largest_members[1]));
+      one.error_members = std::max(ratio(floors.members[0], floors.largest_members[0]),
+                                   ratio(floors.members[1], floors.largest_members[1]));
   }
   return all;
 }
@@ -265,7 +280,8 @@ bool check_exceeds(const ReducedStructure& found, const Reduction& asked, double
 
 bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance) {
   const double bound = bound_of(asked, tolerance);
-  return errors.error_force > bound || errors.error_displacement > bound || (asked.of_acceleration && errors.error_acceleration > bound) ||
+  return errors.error_force > bound || errors.error_displacement > bound ||
+         (asked.of_acceleration && errors.error_acceleration > bound) ||
          (asked.of_members && errors.error_members > bound);
 }
 

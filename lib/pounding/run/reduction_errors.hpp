@@ -16,18 +16,21 @@
 
 namespace pounding {
 
-/// Compares the structures with their shadow, which has one block of the links and five of the ground less and feels the same forces of links,
-/// of contacts, their friction, devices and what yields, and grounds (StructureSolver::counted):
+/// Compares the structures with their shadow, which has one block of the links and five of the ground less and feels
+/// the same forces of links, of contacts, their friction, devices and what yields, and grounds
+/// (StructureSolver::counted):
 ///
-/// forces of links:  peaks of every impact; the shadow's force is F - dF/dd delta - dF/dv delta' with the difference delta of the closings and the slopes of the
-///                   law at ends of steps. What the run misses is taken as that times the root of the error of the links' flexibility in its modes
-///                   over that in the shadow's (flexibility_errors);
+/// forces of links:  peaks of every impact; the shadow's force is F - dF/dd delta - dF/dv delta' with the difference
+/// delta of the closings and the slopes of the
+///                   law at ends of steps. What the run misses is taken as that times the root of the error of the
+///                   links' flexibility in its modes over that in the shadow's (flexibility_errors);
 /// floors:           displacements and accelerations relative to the ground, at the end of every step;
-/// members:          forces and moments at their ends, at those of some output times at which the strain energy of the difference, or of the run, has its
+/// members:          forces and moments at their ends, at those of some output times at which the strain energy of the
+/// difference, or of the run, has its
 ///                   largest peaks.
 ///
-/// The largest differences over the largest values of the run, times three, are the reported errors. The run itself is better than its shadow
-/// by the blocks that this lacks.
+/// The largest differences over the largest values of the run, times three, are the reported errors. The run itself is
+/// better than its shadow by the blocks that this lacks.
 class ReductionErrors {
  public:
   /// All arguments must outlive this.
@@ -49,16 +52,18 @@ class ReductionErrors {
     std::array<double, together> measures{};  // 0 where none is kept
     double last = 0, before = 0;              // at the last two times
 
-    // Takes the measure at the next time. If it had a peak at the last one, larger than one of those that are kept, returns the place of that.
+    // Takes the measure at the next time. If it had a peak at the last one, larger than one of those that are kept,
+    // returns the place of that.
     std::optional<int> take(double next);
   };
   // Largest differences from the shadow, and largest values where no summary has them.
   struct Floors {
-    int structure = 0;       // of the model
+    int structure = 0;                       // of the model
     std::optional<LinearQuantities> forces;  // of its members, without those at rest
     StructureSolver::Segment coordinates{};
-    Peaks own, difference;   // by strain energy
-    Eigen::Index first_part = 0, parts = 0;  // of the springs of the system: what yields in the structure, or acts inside it
+    Peaks own, difference;  // by strain energy
+    Eigen::Index first_part = 0,
+                 parts = 0;  // of the springs of the system: what yields in the structure, or acts inside it
     std::vector<int> units;  // of each of them: 0 for forces, 1 for moments
     std::vector<int> rows;   // of the outputs: translations of floors
     double displacement = 0, acceleration = 0;
@@ -75,18 +80,18 @@ class ReductionErrors {
 
   const Model& model_;
   const Stepper& stepper_;
-  std::vector<Floors> floors_;          // of the structures that have a shadow
-  std::vector<double> nearer_;          // by link, errors of the run over those of the shadow
-  std::vector<double> forces_;          // by link, of the peaks of its impacts that are over [N]
+  std::vector<Floors> floors_;                // of the structures that have a shadow
+  std::vector<double> nearer_;                // by link, errors of the run over those of the shadow
+  std::vector<double> forces_;                // by link, of the peaks of its impacts that are over [N]
   std::vector<double> peaks_, shadow_peaks_;  // by link, of the impact that lasts [N]; 0 where none does
   long outputs_ = 0;
-  Eigen::MatrixXd waiting_;             // coordinates at output times that are to be measured, together
-  Eigen::MatrixXd waiting_forces_;      // of springs at these times [spring, time]
-  int waits_ = 0;                       // so many of them
-  Eigen::MatrixXd last_;                // at the last time measured: coordinates of the run, and of its difference from the shadow
-  Eigen::VectorXd last_forces_;         // of springs there
-  Eigen::MatrixXd kept_;                // the same at the peaks of each structure, those of the run before those of the difference
-  Eigen::MatrixXd kept_forces_;         // of springs at the peaks of the run
+  Eigen::MatrixXd waiting_;         // coordinates at output times that are to be measured, together
+  Eigen::MatrixXd waiting_forces_;  // of springs at these times [spring, time]
+  int waits_ = 0;                   // so many of them
+  Eigen::MatrixXd last_;  // at the last time measured: coordinates of the run, and of its difference from the shadow
+  Eigen::VectorXd last_forces_;  // of springs there
+  Eigen::MatrixXd kept_;  // the same at the peaks of each structure, those of the run before those of the difference
+  Eigen::MatrixXd kept_forces_;  // of springs at the peaks of the run
   // Room to work in.
   Eigen::MatrixXd closings_, motion_, differences_, stiffness_times_, unknowns_;
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;

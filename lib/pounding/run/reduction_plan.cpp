@@ -22,15 +22,16 @@ bool read(const char* name, int least, int most, int& value) {
   PetscBool given = PETSC_FALSE;
   petsc::check(PetscOptionsGetInt(nullptr, prefix, name, &number, &given));
   if (given && (number < least || number > most))
-    throw InputError(fmt::format("-{}{} {} is not in [{}, {}]; type -{}{} {}", prefix, name + 1, static_cast<long>(number), least, most, prefix,
-                                 name + 1, value));
+    throw InputError(fmt::format("-{}{} {} is not in [{}, {}]; type -{}{} {}", prefix, name + 1,
+                                 static_cast<long>(number), least, most, prefix, name + 1, value));
   value = static_cast<int>(number);
   return given == PETSC_TRUE;
 }
 
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
-  throw InputError(fmt::format("\"{}\" cannot be reduced: {}. Type -{}auto instead of -{}links and -{}ground to reduce what can be", name, reason, prefix,
-                               prefix, prefix));
+  throw InputError(
+      fmt::format("\"{}\" cannot be reduced: {}. Type -{}auto instead of -{}links and -{}ground to reduce what can be",
+                  name, reason, prefix, prefix, prefix));
 }
 
 }  // namespace
@@ -62,13 +63,14 @@ std::vector<Reduction> asked_reductions(const Model& model) {
   return asked;
 }
 
-petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
-                                    double tolerance) {
+petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u,
+                                    const Eigen::VectorXd& v, double tolerance) {
   petsc::ReductionPlan plan{{}, {}, u, v, tolerance};
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     if (s.is_rigid()) continue;
-    if (const std::string reason = why_not_checked(model, static_cast<int>(i)); !reason.empty()) throw InputError(reason);
+    if (const std::string reason = why_not_checked(model, static_cast<int>(i)); !reason.empty())
+      throw InputError(reason);
     Reduction own = asked[plan.groups.size()];
     const bool reduces = own.kind == Reduction::Kind::automatic || own.is_explicit();
     plan.asked = plan.asked || reduces;
@@ -90,26 +92,37 @@ bool must_be_deeper(const petsc::ReductionPlan& plan, const std::vector<ReducedS
   });
 }
 
-std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced) {
+std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan,
+                                            const std::vector<ReducedStructure>& reduced) {
   std::vector<std::string> warnings;
   if (plan.asked && reduced.empty() && plan.deeper > 0)
-    warnings.emplace_back("the links need so many blocks that all modes were taken instead, or factors where a structure has more than 2,500 unknowns with "
-                          "mass: high modes that are little damped ring up to the frequency of the contacts, or there are many links, which count once more for "
-                          "each direction in which they rub");
+    warnings.emplace_back(
+        "the links need so many blocks that all modes were taken instead, or factors where a structure has more than "
+        "2,500 unknowns with "
+        "mass: high modes that are little damped ring up to the frequency of the contacts, or there are many links, "
+        "which count once more for "
+        "each direction in which they rub");
   else if (plan.asked && reduced.empty())
-    warnings.emplace_back("no structure is reduced: those of up to 500 unknowns with mass keep all their modes, as do those of up to 2,500 whose links are too "
-                          "many; a larger one, or one that cannot be reduced, leaves all of them to factors");
+    warnings.emplace_back(
+        "no structure is reduced: those of up to 500 unknowns with mass keep all their modes, as do those of up to "
+        "2,500 whose links are too "
+        "many; a larger one, or one that cannot be reduced, leaves all of them to factors");
   for (const ReducedStructure& s : reduced) {
     const Reduction& asked = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
     if (std::isnan(s.error_force))
-      warnings.push_back(fmt::format("{}. The error of the reduction is not estimated: compare with a deeper one, or with none", s.size_text()));
+      warnings.push_back(fmt::format(
+          "{}. The error of the reduction is not estimated: compare with a deeper one, or with none", s.size_text()));
     else if (exceeds(s, asked, plan.tolerance))
-      warnings.push_back(fmt::format("{}. The reduction may cost more than 0.3 of the tolerance {:g}: {}; take {} blocks of the links, or reduction: auto",
-                                     s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
+      warnings.push_back(
+          fmt::format("{}. The reduction may cost more than 0.3 of the tolerance {:g}: {}; take {} blocks of the "
+                      "links, or reduction: auto",
+                      s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
     if (check_exceeds(s, asked, plan.tolerance))
-      warnings.push_back(fmt::format("{}. The reduction costs more than 0.3 of the tolerance {:g}, or than the error that was asked for: {}; take {} blocks of the links, or a "
-                                     "smaller error",
-                                     s.size_text(), plan.tolerance, s.check_text(), s.link_blocks + 2));
+      warnings.push_back(
+          fmt::format("{}. The reduction costs more than 0.3 of the tolerance {:g}, or than the error that was asked "
+                      "for: {}; take {} blocks of the links, or a "
+                      "smaller error",
+                      s.size_text(), plan.tolerance, s.check_text(), s.link_blocks + 2));
   }
   return warnings;
 }

@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 
-#include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/core/error.hpp>
 #include <pounding/core/text.hpp>
-#include <pounding/results/hdf5.hpp>
+#include <pounding/core/version.hpp>
 #include <pounding/input/input.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/results/hdf5.hpp>
 #include <pounding/results/results.hpp>
-#include <pounding/core/version.hpp>
 
 namespace pounding {
 namespace {
@@ -72,15 +72,18 @@ void read(hid_t file, InterruptedRun& run) {
   if (hdf5::read_attribute(file, "program") != "pounding")
     throw InputError(fmt::format("{}: was not written by pounding", run.file));
   if (version != POUNDING_VERSION)
-    throw InputError(fmt::format("{}: was written by pounding {}, and this is {}; only the same version goes on with the same "
-                                 "result. Run the model from the start",
-                                 run.file, version, POUNDING_VERSION));
-  if (status.starts_with("done")) throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
+    throw InputError(
+        fmt::format("{}: was written by pounding {}, and this is {}; only the same version goes on with the same "
+                    "result. Run the model from the start",
+                    run.file, version, POUNDING_VERSION));
+  if (status.starts_with("done"))
+    throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
   const bool has_other_run = hdf5::has(file, without_links_group);
   const std::string of_other_run = std::string(without_links_group) + "/checkpoint";
   run.without_links = !hdf5::has(file, "checkpoint") && has_other_run && hdf5::has(file, of_other_run.c_str());
   if (!hdf5::has(file, "checkpoint") && !run.without_links)
-    throw InputError(fmt::format("{}: holds no checkpoint (status: {}); run the model from the start", run.file, status));
+    throw InputError(
+        fmt::format("{}: holds no checkpoint (status: {}); run the model from the start", run.file, status));
   const std::string group = run.without_links ? of_other_run : "checkpoint";
   const hdf5::Handle place(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose, "open group checkpoint");
   Checkpoint& checkpoint = run.checkpoint;
@@ -93,7 +96,8 @@ void read(hid_t file, InterruptedRun& run) {
   const std::string options = hdf5::read_text(place, "options");
   for (const std::string_view option : parts_between(options, "\n")) checkpoint.options.emplace_back(option);
   hdf5::read_bytes(place, "state", checkpoint.state);
-  const std::string reduction = run.without_links ? std::string(without_links_group) + "/solver/reduction" : "solver/reduction";
+  const std::string reduction =
+      run.without_links ? std::string(without_links_group) + "/solver/reduction" : "solver/reduction";
   if (hdf5::has(file, reduction.c_str())) {
     const hdf5::Handle of_reduction(H5Gopen2(file, reduction.c_str(), H5P_DEFAULT), H5Gclose, "open group reduction");
     const std::string deeper = hdf5::read_attribute(of_reduction, "deeper");
@@ -109,7 +113,10 @@ void read(hid_t file, InterruptedRun& run) {
 
 Checkpoint checkpoint_of(const Model& model, const std::vector<std::string>& options) {
   const std::string& file = model.source_file;
-  return {file.empty() ? "" : std::filesystem::absolute(file).string(), deciding(options), checksum_of_ground(ground_plan(model)), {}};
+  return {file.empty() ? "" : std::filesystem::absolute(file).string(),
+          deciding(options),
+          checksum_of_ground(ground_plan(model)),
+          {}};
 }
 
 InterruptedRun read_interrupted_run(const std::string& file) {
@@ -120,7 +127,8 @@ InterruptedRun read_interrupted_run(const std::string& file) {
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: cannot be read as a results file, it is another or a damaged one ({})", file, error.what()));
+    throw InputError(
+        fmt::format("{}: cannot be read as a results file, it is another or a damaged one ({})", file, error.what()));
   }
   return run;
 }
@@ -128,8 +136,9 @@ InterruptedRun read_interrupted_run(const std::string& file) {
 Input input_of(const InterruptedRun& run) {
   const std::string& file = run.checkpoint.model_file;
   if (run.model_yaml == built_by_code)
-    throw InputError(fmt::format("{}: its model was built by a program; that program goes on with it, by run(model, {{.resume = \"{}\"}})",
-                                 run.file, run.file));
+    throw InputError(fmt::format(
+        "{}: its model was built by a program; that program goes on with it, by run(model, {{.resume = \"{}\"}})",
+        run.file, run.file));
   return Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file);
 }
 
@@ -146,18 +155,22 @@ void add_earlier_options(const InterruptedRun& run, std::vector<std::string>& op
 
 void check_same_run(const InterruptedRun& run, const Model& model, const std::vector<std::string>& options) {
   if (model.source_text != run.model_yaml)
-    throw InputError(fmt::format("{}: holds the run of another model, {} differs from line {} on; go on with the model in the "
-                                 "file, or run the new one from the start",
-                                 run.file, model.source_file, first_different_line(run.model_yaml, model.source_text)));
-  if (const std::string resolved = resolved_yaml(model); model.source_text == built_by_code && resolved != run.resolved_yaml)
-    throw InputError(fmt::format("{}: holds the run of another model, whose resolved.yaml differs from line {} on; go on with the "
-                                 "same model, or run the new one from the start",
-                                 run.file, first_different_line(run.resolved_yaml, resolved)));
+    throw InputError(
+        fmt::format("{}: holds the run of another model, {} differs from line {} on; go on with the model in the "
+                    "file, or run the new one from the start",
+                    run.file, model.source_file, first_different_line(run.model_yaml, model.source_text)));
+  if (const std::string resolved = resolved_yaml(model);
+      model.source_text == built_by_code && resolved != run.resolved_yaml)
+    throw InputError(
+        fmt::format("{}: holds the run of another model, whose resolved.yaml differs from line {} on; go on with the "
+                    "same model, or run the new one from the start",
+                    run.file, first_different_line(run.resolved_yaml, resolved)));
   const Checkpoint now = checkpoint_of(model, options);
   if (now.ground != run.checkpoint.ground || resolved_yaml(model) != run.resolved_yaml)
-    throw InputError(fmt::format("{}: the ground motion that {} reads is not the one that the run began with; put the earlier "
-                                 "record back, or run the model from the start",
-                                 run.file, model.source_file));
+    throw InputError(
+        fmt::format("{}: the ground motion that {} reads is not the one that the run began with; put the earlier "
+                    "record back, or run the model from the start",
+                    run.file, model.source_file));
   if (now.options != run.checkpoint.options)
     throw InputError(fmt::format("{}: the run began with {}, and now there is {}; go on with the same ones", run.file,
                                  shown(run.checkpoint.options), shown(now.options)));
@@ -167,7 +180,8 @@ void read_histories(const InterruptedRun& run, Results& results) {
   try {
     hdf5::open_file(run.file, [&](hid_t file) {
       visit_histories(results, [&](const std::string& place, std::vector<double>& values) {
-        hdf5::read_array(file, (run.without_links ? std::string(without_links_group) + '/' + place : place).c_str(), values);
+        hdf5::read_array(file, (run.without_links ? std::string(without_links_group) + '/' + place : place).c_str(),
+                         values);
       });
     });
   } catch (const InputError&) {
@@ -175,7 +189,8 @@ void read_histories(const InterruptedRun& run, Results& results) {
   } catch (const std::runtime_error& error) {
     refuse_damaged(run.file, error.what());
   }
-  if (checksum_of_histories(results) != run.histories) refuse_damaged(run.file, "the histories are not what was written");
+  if (checksum_of_histories(results) != run.histories)
+    refuse_damaged(run.file, "the histories are not what was written");
 }
 
 }  // namespace pounding

@@ -34,7 +34,8 @@
 namespace pounding {
 namespace {
 
-// The next depth where estimated errors were too large: two blocks more of both chains, larger steps far down, where light damping wants many.
+// The next depth where estimated errors were too large: two blocks more of both chains, larger steps far down, where
+// light damping wants many.
 int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
 
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
@@ -67,10 +68,10 @@ Results heading(const Model& model, const RunOptions& options) {
   return results;
 }
 
-// `without` is the run without links, where there is one. Automatic reductions have `deeper` blocks more than the tolerance asks for; nothing where
-// they need still more of them: then nothing has moved, and no end was written.
-std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper, const Stopwatch& since_start,
-                               const InterruptedRun* earlier) {
+// `without` is the run without links, where there is one. Automatic reductions have `deeper` blocks more than the
+// tolerance asks for; nothing where they need still more of them: then nothing has moved, and no end was written.
+std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper,
+                               const Stopwatch& since_start, const InterruptedRun* earlier) {
   const Model& model = task.model;
   const RunOptions& options = task.options;
   Outcome outcome{task.heading, {}};
@@ -143,7 +144,8 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
 Outcome run_once(const Task& task, bool with_links, const Outcome& without, const InterruptedRun* earlier = nullptr) {
   const Stopwatch since_start;
   for (int deeper = earlier ? earlier->deeper : 0;; deeper = still_deeper(deeper), earlier = nullptr)
-    if (std::optional<Outcome> outcome = try_run(task, with_links, without, deeper, since_start, earlier)) return std::move(*outcome);
+    if (std::optional<Outcome> outcome = try_run(task, with_links, without, deeper, since_start, earlier))
+      return std::move(*outcome);
 }
 
 // The file of a run whose first part, without links, has this state.
@@ -153,7 +155,8 @@ Outcome first_part(const Task& task, const Results& without_links) {
   results.no_pounding = image_to_add(without_links);
   const std::string failed = "failed: ";
   if (!without_links.status.starts_with(failed)) return outcome;
-  results.status = outcome.summary.status = failed + "(the run without links) " + without_links.status.substr(failed.size());
+  results.status = outcome.summary.status =
+      failed + "(the run without links) " + without_links.status.substr(failed.size());
   outcome.summary.integrator = results.integrator;
   results.summary_json = to_json(outcome.summary);
   outcome.resumable = without_links.checkpoint.has_value();
@@ -172,7 +175,8 @@ Outcome run_without_links(const Task& task, const InterruptedRun* earlier = null
   try {
     return run_once(part, false, {}, earlier);
   } catch (const FailedRun& failed) {
-    throw FailedRun(fmt::format("the run without links: {}", failed.what()), first_part(task, failed.outcome().results));
+    throw FailedRun(fmt::format("the run without links: {}", failed.what()),
+                    first_part(task, failed.outcome().results));
   }
 }
 
@@ -190,8 +194,7 @@ Outcome run(const Model& model, const RunOptions& options) {
     throw std::logic_error("RunOptions::comm is null; make the options after PETSc has started");
   if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
   for (const Link& link : model.links)
-    if (has_run(link))
-      throw std::logic_error("this model has been run; read it again");
+    if (has_run(link)) throw std::logic_error("this model has been run; read it again");
   require_same_model(petsc::Ranks(options.comm), model);
   ReplacedFile file(options.output);
   Task task{model, options, {}, heading(model, options)};

@@ -13,7 +13,8 @@
 namespace pounding {
 namespace {
 
-// The clock is read every few steps only. A launcher (mpirun) kills a second after it asks to stop; looks must be much closer.
+// The clock is read every few steps only. A launcher (mpirun) kills a second after it asks to stop; looks must be much
+// closer.
 constexpr double seconds_between_looks = 0.02;
 constexpr int max_steps_between_looks = 256;
 constexpr double seconds_between_reports = 0.1;
@@ -28,8 +29,8 @@ std::string text_of(const std::exception_ptr& failure) {
 
 }  // namespace
 
-RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const Stepper& stepper,
-                       Recorder& recorder, RunWriter& writer)
+RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts,
+                       const Stepper& stepper, Recorder& recorder, RunWriter& writer)
     : ranks_(options.comm),
       options_(options),
       duration_(duration),
@@ -45,9 +46,10 @@ std::string RunMonitor::solve() {
   try {
     petsc::check(TSSolve(ts_, nullptr));
   } catch (const std::bad_alloc&) {
-    throw OutOfMemory(fmt::format("out of memory at t = {:.6g} s of {:.6g} s, after {} impacts; the histories need fewer output times, reported "
-                                  "nodes or members, or a machine with more memory",
-                                  stepper_.time(), duration_, recorder_.impacts()));
+    throw OutOfMemory(fmt::format(
+        "out of memory at t = {:.6g} s of {:.6g} s, after {} impacts; the histories need fewer output times, reported "
+        "nodes or members, or a machine with more memory",
+        stepper_.time(), duration_, recorder_.impacts()));
   } catch (const SolverError& error) {
     return failure_ ? text_of(failure_) : error.what();
   }
@@ -125,8 +127,9 @@ std::string RunMonitor::early_end() {
   resumable_ = reason == TS_CONVERGED_ITS;
   if (resumable_) writer_.save();
   return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper_.time(), duration_,
-                     resumable_ ? fmt::format("{}: {} steps, and more are not allowed", TSConvergedReasons[reason], steps)
-                                : std::string(TSConvergedReasons[reason]));
+                     resumable_
+                         ? fmt::format("{}: {} steps, and more are not allowed", TSConvergedReasons[reason], steps)
+                         : std::string(TSConvergedReasons[reason]));
 }
 
 }  // namespace pounding

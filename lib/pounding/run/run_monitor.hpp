@@ -23,8 +23,8 @@ class RunMonitor {
 
   /// Runs TSSolve. Returns why the run ended before its duration; empty when it has not.
   std::string solve();
-  /// Steps all unknowns of reduced structures through the hardest impacts of a run that is over, where that is asked for. Returns why it ended
-  /// early; empty when it has not.
+  /// Steps all unknowns of reduced structures through the hardest impacts of a run that is over, where that is asked
+  /// for. Returns why it ended early; empty when it has not.
   std::string check_reduction();
   /// Whether a run that ended early left a state to continue from: it was stopped, or cut by a limit on steps.
   bool is_resumable() const { return resumable_; }

@@ -20,7 +20,8 @@ constexpr double seconds_between_writes = 1;
 }  // namespace
 
 RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
-                     Recorder& recorder, Outcome& outcome, const Stopwatch& since_start, const petsc::ReductionPlan& plan)
+                     Recorder& recorder, Outcome& outcome, const Stopwatch& since_start,
+                     const petsc::ReductionPlan& plan)
     : ranks_(options.comm),
       model_(model),
       options_(options),
@@ -33,8 +34,8 @@ RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults
       since_start_(since_start),
       plan_(plan) {}
 
-// Everything that moves between two steps but the histories. Of the statistics only the run times come from here; the stepper and
-// the TS hold the others.
+// Everything that moves between two steps but the histories. Of the statistics only the run times come from here; the
+// stepper and the TS hold the others.
 void RunWriter::archive(Archive& archive) {
   outcome_.results.solver.wall_seconds = seconds();
   archive(outcome_.results.solver);
@@ -103,7 +104,8 @@ void RunWriter::conclude(const std::string& status) {
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : endless_bounces(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : reduction_warnings(plan_, summary.reduced)) summary.warnings.push_back(std::move(text));
-  if (std::string text = warning(summary, model_.analysis.tolerance); !text.empty()) summary.warnings.push_back(std::move(text));
+  if (std::string text = warning(summary, model_.analysis.tolerance); !text.empty())
+    summary.warnings.push_back(std::move(text));
   results.summary_json = to_json(summary);
 }
 

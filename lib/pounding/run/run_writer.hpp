@@ -21,24 +21,24 @@ namespace pounding {
 /// Writes results where they belong; called on the first process alone.
 using WriteResults = std::function<void(const Results&)>;
 
-/// The results file of one run, and the state between two steps that goes into it. All functions but those that are const are
-/// collective.
+/// The results file of one run, and the state between two steps that goes into it. All functions but those that are
+/// const are collective.
 class RunWriter {
  public:
-  /// `write` is empty for a run that leaves no file; `since_start` runs since the beginning of the run. All other arguments must
-  /// outlive this.
-  RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper, Recorder& recorder,
-            Outcome& outcome, const Stopwatch& since_start, const petsc::ReductionPlan& plan);
+  /// `write` is empty for a run that leaves no file; `since_start` runs since the beginning of the run. All other
+  /// arguments must outlive this.
+  RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
+            Recorder& recorder, Outcome& outcome, const Stopwatch& since_start, const petsc::ReductionPlan& plan);
 
   /// Takes up an interrupted run: its histories and its state. Throws InputError when they do not fit.
   void restart(const InterruptedRun& run);
-  /// Makes the present state, between two steps, the checkpoint of the results. Leaves the earlier one where TSAdapt hides a part
-  /// of the state, and does nothing without an output.
+  /// Makes the present state, between two steps, the checkpoint of the results. Leaves the earlier one where TSAdapt
+  /// hides a part of the state, and does nothing without an output.
   void save();
   /// Writes the results so far with a status. Does nothing without an output.
   void write(const std::string& status);
-  /// Whether the file is due to be written: by the checkpoints that the model asks for, else often enough for writing to take a
-  /// small part of the run.
+  /// Whether the file is due to be written: by the checkpoints that the model asks for, else often enough for writing
+  /// to take a small part of the run.
   bool is_due() const;
   /// Completes the summary with the last status, and writes the results where there is an output.
   void end(const std::string& status);

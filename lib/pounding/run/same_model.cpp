@@ -29,7 +29,8 @@ std::vector<Read> read_by(const Model& model) {
   std::vector<Read> all{{file, checksum_of(model.source_text)}};
   for (const GroundMotion& motion : ground_plan(model).motions)
     if (const Samples* samples = motion.samples())
-      all.push_back({fmt::format("{}: the record {}", file, motion.source()), checksum_of(samples->times, samples->accelerations)});
+      all.push_back({fmt::format("{}: the record {}", file, motion.source()),
+                     checksum_of(samples->times, samples->accelerations)});
   return all;
 }
 
@@ -59,9 +60,10 @@ void require_same_model(const petsc::Ranks& ranks, const Model& model) {
   // All checksums have one length; the first process names what differs first.
   const std::size_t number = same / (mine.front().checksum.size() + 1);
   ranks.on_root([&] {
-    throw InputError(fmt::format("{}: process{} {} of {} read{} another one than process 1; name a file that all of them see, and see alike",
-                                 mine.at(std::min(number, mine.size() - 1)).name, others.size() > 1 ? "es" : "", fmt::join(others, ", "),
-                                 ranks.size(), others.size() > 1 ? "" : "s"));
+    throw InputError(fmt::format(
+        "{}: process{} {} of {} read{} another one than process 1; name a file that all of them see, and see alike",
+        mine.at(std::min(number, mine.size() - 1)).name, others.size() > 1 ? "es" : "", fmt::join(others, ", "),
+        ranks.size(), others.size() > 1 ? "" : "s"));
   });
 }
 

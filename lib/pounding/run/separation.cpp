@@ -22,7 +22,8 @@ double double_difference(double period_a, double damping_a, double period_b, dou
     return std::numeric_limits<double>::quiet_NaN();
   const double r = period_b / period_a, square = r * r, both = damping_a * damping_b;
   return 8 * std::sqrt(both) * (damping_b + damping_a * r) * r * std::sqrt(r) /
-         ((1 - square) * (1 - square) + 4 * both * r * (1 + square) + 4 * (damping_a * damping_a + damping_b * damping_b) * square);
+         ((1 - square) * (1 - square) + 4 * both * r * (1 + square) +
+          4 * (damping_a * damping_a + damping_b * damping_b) * square);
 }
 
 std::vector<LinkSeparation> separations(const Model& model, const Extremes& approach) {
@@ -36,11 +37,15 @@ std::vector<LinkSeparation> separations(const Model& model, const Extremes& appr
     const Link& link = model.links[i];
     const int a = link.left.structure, b = link.right.structure;
     const double ua = approach.peak(3 * i), ub = approach.peak(3 * i + 1);
-    LinkSeparation s{link.name, link.gap, std::max(0.0, approach.max[3 * i + 2]), approach.t_max[3 * i + 2], ua + ub, combined(ua, ub, 0), 0};
+    LinkSeparation s{
+        link.name,           link.gap, std::max(0.0, approach.max[3 * i + 2]), approach.t_max[3 * i + 2], ua + ub,
+        combined(ua, ub, 0), 0};
     // A wall moves with the ground and has nothing to combine.
     const bool by_wall = model.structures[a].is_rigid() || model.structures[b].is_rigid();
-    s.ddc = combined(ua, ub, by_wall ? 0.0
-                                     : double_difference(first[a].period, first[a].damping_ratio, first[b].period, first[b].damping_ratio));
+    s.ddc = combined(
+        ua, ub,
+        by_wall ? 0.0
+                : double_difference(first[a].period, first[a].damping_ratio, first[b].period, first[b].damping_ratio));
     all.push_back(s);
   }
   return all;

@@ -8,17 +8,19 @@
 
 namespace pounding {
 
-/// Correlation of the displacements of two oscillators with these periods [s] and damping ratios [-] under the same white noise,
+/// Correlation of the displacements of two oscillators with these periods [s] and damping ratios [-] under the same
+/// white noise,
 ///
-///     rho = 8 sqrt(za zb) (zb + za r) r^(3/2) / ((1 - r^2)^2 + 4 za zb r (1 + r^2) + 4 (za^2 + zb^2) r^2),   r = period_b / period_a,
+///     rho = 8 sqrt(za zb) (zb + za r) r^(3/2) / ((1 - r^2)^2 + 4 za zb r (1 + r^2) + 4 (za^2 + zb^2) r^2),   r =
+///     period_b / period_a,
 ///
-/// with which the double-difference combination estimates their largest relative displacement, sqrt(ua^2 + ub^2 - 2 rho ua ub):
-/// V. Jeng, K. Kasai, B. F. Maison, A spectral difference method to estimate building separations to avoid pounding, Earthquake
-/// Spectra 8 (1992) 201-223. Periods and ratios are positive, else NaN.
+/// with which the double-difference combination estimates their largest relative displacement, sqrt(ua^2 + ub^2 - 2 rho
+/// ua ub): V. Jeng, K. Kasai, B. F. Maison, A spectral difference method to estimate building separations to avoid
+/// pounding, Earthquake Spectra 8 (1992) 201-223. Periods and ratios are positive, else NaN.
 double double_difference(double period_a, double damping_a, double period_b, double damping_b);
 
-/// Gaps of all links of a model; `approach` is that of the results of its run without links (Results::approach). Periods and damping
-/// ratios are those of the first modes.
+/// Gaps of all links of a model; `approach` is that of the results of its run without links (Results::approach).
+/// Periods and damping ratios are those of the first modes.
 std::vector<LinkSeparation> separations(const Model& model, const Extremes& approach);
 
 }  // namespace pounding

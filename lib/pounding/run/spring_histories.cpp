@@ -27,7 +27,8 @@ SpringHistory spring_heading(const Structure& s) {
   constexpr double never = std::numeric_limits<double>::quiet_NaN();
   history.deformations = history.forces = Extremes(parts);
   history.last.assign(parts, 0.0);
-  for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings}) values->assign(parts, 0.0);
+  for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings})
+    values->assign(parts, 0.0);
   history.first_yield.assign(parts, never);
   history.damping_shear.assign(parts, never);
   if (!s.storey_stiffness.empty()) std::fill_n(history.damping_shear.begin(), s.members_that_yield(), 0.0);
@@ -38,9 +39,12 @@ SpringHistory spring_heading(const Structure& s) {
 double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }
 
 // Whether one of these lies outside.
-bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) { return low < extremes.min[i] || high > extremes.max[i]; }
+bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) {
+  return low < extremes.min[i] || high > extremes.max[i];
+}
 
-// The first part of a step, from 0 to 1, at which the deformation exceeds a limit, on the cubic through its ends; 2 for none.
+// The first part of a step, from 0 to 1, at which the deformation exceeds a limit, on the cubic through its ends; 2 for
+// none.
 double first_beyond(const LinkStep& step, const YieldLimits& limits) {
   const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
   const bool turns = step.motion_begin.rate * step.motion_end.rate < 0;
@@ -54,7 +58,8 @@ double first_beyond(const LinkStep& step, const YieldLimits& limits) {
 }
 
 // The peaks of a force that bends sharply inside a step.
-void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffness, std::size_t part, Extremes& forces) {
+void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffness, std::size_t part,
+                      Extremes& forces) {
   constexpr int pieces = 16;
   const double h = (step.end - step.begin) / pieces;
   const auto force = [&](double s) {
@@ -69,7 +74,8 @@ void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffne
   }
 }
 
-// A part comes straight to a deformation, where its force on top of what K has of it is this. A damper alone has no stiffness.
+// A part comes straight to a deformation, where its force on top of what K has of it is this. A damper alone has no
+// stiffness.
 void reach(SpringHistory& history, std::size_t i, double assembled, double deformation, double on_top) {
   const double k = history.stiffness[i];
   if (k > 0) history.plastic[i] = std::max(history.plastic[i], std::abs((on_top - (k - assembled) * deformation) / k));
@@ -106,7 +112,8 @@ void SpringHistories::visit_parts(Visit&& visit) {
 void SpringHistories::begin() {
   for (std::size_t k = 0; k < first_.size(); ++k) {
     SpringHistory& history = histories_[k].springs;
-    const auto values = static_cast<std::size_t>(model_.analysis.duration / model_.analysis.output_step + 2) * history.size();
+    const auto values =
+        static_cast<std::size_t>(model_.analysis.duration / model_.analysis.output_step + 2) * history.size();
     for (std::vector<double>* all : {&history.deformation, &history.force, &history.hysteretic}) all->reserve(values);
   }
   visit_parts([&](int k, std::size_t i) {
@@ -139,7 +146,8 @@ SpringHistories::Quiet SpringHistories::quiet(int k, std::size_t i) const {
   const double stiffness = assembled(k, i), on_top = stepper_.link_forces()[static_cast<int>(first_[k] + i)];
   if (stiffness > 0) narrow((history.forces.min[i] - on_top) / stiffness, (history.forces.max[i] - on_top) / stiffness);
   const YieldLimits& limits = history.limits[i];
-  const double both = limits.positive + limits.negative, count = history.cycles.swings[i], turn = history.cycles.turn[i];
+  const double both = limits.positive + limits.negative, count = history.cycles.swings[i],
+               turn = history.cycles.turn[i];
   if (count == 0 || std::isnan(history.first_yield[i])) narrow(-limits.negative, limits.positive);
   if (count > 0) narrow(turn - both, turn);
   if (count < 0) narrow(turn, turn + both);
@@ -151,7 +159,8 @@ SpringHistories::Quiet SpringHistories::quiet(int k, std::size_t i) const {
 void SpringHistories::stay() {
   // Devices between structures follow the parts.
   const Eigen::MatrixXd& paths = stepper_.spring_paths();
-  const double *const begin = paths.data(), *const end = begin + paths.rows(), *const least = end + paths.rows(), *const most = least + paths.rows();
+  const double *const begin = paths.data(), *const end = begin + paths.rows(), *const least = end + paths.rows(),
+                      *const most = least + paths.rows();
   quiet_.resize(assembled_.size(), {1, -1});
   std::size_t at = 0;
   for (std::size_t k = 0; k < first_.size(); ++k) {
@@ -172,8 +181,8 @@ void SpringHistories::step_part(int k, std::size_t i) {
   const LinkStep& step = stepper_.link_step(static_cast<int>(first_[k] + i));
   const double h = step.end - step.begin, stiffness = assembled(k, i);
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
-  // A cubic stays within a third of the step times the rates from its ends, a parabola within a quarter of the way. Most steps bring nothing
-  // new.
+  // A cubic stays within a third of the step times the rates from its ends, a parabola within a quarter of the way.
+  // Most steps bring nothing new.
   const double at_begin = h / 3 * std::abs(begin.rate), at_end = h / 3 * std::abs(end.rate);
   const double low = std::min(begin.penetration - at_begin, end.penetration - at_end);
   const double high = std::max(begin.penetration + at_begin, end.penetration + at_end);
@@ -194,13 +203,15 @@ void SpringHistories::step_part(int k, std::size_t i) {
   reach(history, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
   history.lost[i] = lost_by(spring);
-  if (const YieldLimits& limits = history.limits[i]; std::isnan(history.first_yield[i]) && (limits.exceeded_by(low) || limits.exceeded_by(high)))
+  if (const YieldLimits& limits = history.limits[i];
+      std::isnan(history.first_yield[i]) && (limits.exceeded_by(low) || limits.exceeded_by(high)))
     if (const double s = first_beyond(step, limits); s <= 1) history.first_yield[i] = step.begin + s * h;
 }
 
 // Velocities are nearly straight in a step; where they turn, the cubic through both ends says how far they go.
 void SpringHistories::step_damping(const StoreyDamping& damping) {
-  const int floors = static_cast<int>(damping.by_velocity.cols()), storeys = static_cast<int>(damping.yield_force.size());
+  const int floors = static_cast<int>(damping.by_velocity.cols()),
+            storeys = static_cast<int>(damping.yield_force.size());
   const OutputQuantities &begin = stepper_.outputs_begin(), &end = stepper_.outputs_end_minus();
   const auto shears = [&](const OutputQuantities& at, int column) -> Eigen::VectorXd {
     return damping.by_velocity * at.motion.col(column).segment(damping.first_row, floors);
@@ -254,7 +265,8 @@ void SpringHistories::append_waiting() {
     for (StructureHistory& structure : histories_) {
       SpringHistory& history = structure.springs;
       history.deformation.insert(history.deformation.end(), d, d + history.size());
-      for (const double* const end = d + history.size(); d != end; ++d, ++stiffness) history.force.push_back(*stiffness * *d);
+      for (const double* const end = d + history.size(); d != end; ++d, ++stiffness)
+        history.force.push_back(*stiffness * *d);
       history.hysteretic.resize(history.deformation.size());
     }
   }
@@ -274,7 +286,9 @@ void SpringHistories::sample_inside(double time, int k, std::size_t i) {
 void SpringHistories::show() {
   append_waiting();
   if (assembled_.empty() || !stepper_.springs_stayed()) return;
-  visit_parts([&](int k, std::size_t i) { histories_[k].springs.last[i] = stepper_.spring_paths()(static_cast<Eigen::Index>(place(k, i)), 1); });
+  visit_parts([&](int k, std::size_t i) {
+    histories_[k].springs.last[i] = stepper_.spring_paths()(static_cast<Eigen::Index>(place(k, i)), 1);
+  });
 }
 
 void SpringHistories::summarize(int k, StructureSummary& summary) const {
@@ -282,7 +296,8 @@ void SpringHistories::summarize(int k, StructureSummary& summary) const {
   if (summary.springs.empty()) return;
   const Structure& s = model_.structures[k];
   Eigen::MatrixXd motion = stepper_.outputs().motion;
-  response_.complete(motion, stepper_.time(), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(stepper_.ground().size())));
+  response_.complete(motion, stepper_.time(),
+                     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(stepper_.ground().size())));
   const bool in_plan = response_.directions(k) > 1;
   std::array<double, 2> below{};
   for (int i = 0; i < static_cast<int>(s.floors.size()); ++i) {
@@ -294,7 +309,8 @@ void SpringHistories::summarize(int k, StructureSummary& summary) const {
     below = at;
   }
   const std::vector<double> heights = storey_heights(s);
-  for (std::size_t i = 0; i < heights.size(); ++i) summary.residual_drift_ratio.push_back(std::abs(summary.residual_drift[i]) / heights[i]);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    summary.residual_drift_ratio.push_back(std::abs(summary.residual_drift[i]) / heights[i]);
 }
 
 void SpringHistories::archive(Archive& archive) {

@@ -14,12 +14,13 @@
 
 namespace pounding {
 
-/// Fills StructureHistory::springs of every structure of a model. Extremes of deformations and forces while no spring is touched
-/// (Stepper::springs_untouched) are left to ForceEnvelopes.
+/// Fills StructureHistory::springs of every structure of a model. Extremes of deformations and forces while no spring
+/// is touched (Stepper::springs_untouched) are left to ForceEnvelopes.
 class SpringHistories {
  public:
   /// One entry a structure stands in `histories` already. All arguments must outlive this.
-  SpringHistories(const Model& model, const FloorResponse& response, const Stepper& stepper, std::vector<StructureHistory>& histories);
+  SpringHistories(const Model& model, const FloorResponse& response, const Stepper& stepper,
+                  std::vector<StructureHistory>& histories);
 
   /// The initial state.
   void begin();
@@ -62,16 +63,17 @@ class SpringHistories {
   const FloorResponse& response_;
   const Stepper& stepper_;
   std::vector<StructureHistory>& histories_;
-  std::vector<std::size_t> first_;        // by structure: link of its first part
-  std::vector<double> assembled_;         // by part of all structures: stiffness that K has of it
+  std::vector<std::size_t> first_;  // by structure: link of its first part
+  std::vector<double> assembled_;   // by part of all structures: stiffness that K has of it
   std::vector<StoreyDamping> dampings_;
-  std::vector<Quiet> quiet_;              // by part as well; valid between steps in which no spring changed its force
-  Eigen::VectorXd deformations_;          // of all springs, at an output
-  // Outputs whose deformations wait for others: displacements of the coordinates, a column each, and room for what follows from them.
+  std::vector<Quiet> quiet_;      // by part as well; valid between steps in which no spring changed its force
+  Eigen::VectorXd deformations_;  // of all springs, at an output
+  // Outputs whose deformations wait for others: displacements of the coordinates, a column each, and room for what
+  // follows from them.
   static constexpr int batch = 8;
   Eigen::MatrixXd waiting_, waited_;
   int waiting_count_ = 0;
-  bool stayed_ = false;                   // whether the last step was one of these
+  bool stayed_ = false;  // whether the last step was one of these
 };
 
 }  // namespace pounding

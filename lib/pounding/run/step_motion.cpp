@@ -10,7 +10,8 @@ constexpr double shortest_before = 0.25, max_missed = 0.1;
 
 }  // namespace
 
-StepMotion::StepMotion(const FloorResponse& response, const Stepper& stepper) : response_(response), stepper_(stepper) {}
+StepMotion::StepMotion(const FloorResponse& response, const Stepper& stepper)
+    : response_(response), stepper_(stepper) {}
 
 void StepMotion::take() {
   const OutputQuantities &first = stepper_.outputs_begin(), &last = stepper_.outputs_end_minus();
@@ -48,16 +49,17 @@ bool StepMotion::any_link_presses() const {
   return false;
 }
 
-// The velocities at both ends tell the integral of the acceleration over the step. Relative to the ground, whose own acceleration is straight
-// there, or nearly so.
+// The velocities at both ends tell the integral of the acceleration over the step. Relative to the ground, whose own
+// acceleration is straight there, or nearly so.
 void StepMotion::find_missed_area(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
   missed_.resize(x.rows(), 2);
   for (Eigen::Index r = 0; r < x.rows(); ++r)
     missed_(r, 1) = 20 * (x(r, 2) + 4 * middle(r, 0) + y(r, 2)) - 120 * (y(r, 1) - x(r, 1)) / h;
 }
 
-// The step before tells how the acceleration bends, unless it is short beside this one. Displacements would tell it too, but their error
-// counts with the third power of the step there. A path that leaves its parabola by a tenth of the way is not smooth.
+// The step before tells how the acceleration bends, unless it is short beside this one. Displacements would tell it
+// too, but their error counts with the third power of the step there. A path that leaves its parabola by a tenth of the
+// way is not smooth.
 void StepMotion::find_missed_bend() {
   const double t = -0.5 * before_.h / h - 0.5, w = t * (t * t - 0.25);
   const bool is_known = before_.h > shortest_before * h;
@@ -65,7 +67,8 @@ void StepMotion::find_missed_bend() {
     double &alpha = missed_(r, 0), &beta = missed_(r, 1);
     const Quartic parabola{begin(r, 2), middle(r, 0), end_minus(r, 2), 0, 0};
     alpha = is_known ? (before_.middle(r, 0) - parabola.at(0.5 + t)) / w - t * beta : 0;
-    const double way = std::abs(parabola.end - parabola.begin) + std::abs(parabola.begin - 2 * parabola.middle + parabola.end);
+    const double way =
+        std::abs(parabola.end - parabola.begin) + std::abs(parabola.begin - 2 * parabola.middle + parabola.end);
     if (!(Quartic{0, 0, 0, alpha, beta}.bounds().second < max_missed * way)) alpha = beta = 0;
   }
 }

@@ -24,13 +24,16 @@ class StepMotion {
   Eigen::MatrixXd middle;        ///< accelerations in the middle, [row, 1]; only with has_middle
   Eigen::MatrixXd end_minus;     ///< at the end, before contacts changed
   Eigen::MatrixXd end_plus;      ///< after; only with jumps
-  bool presses = false;          ///< links alone press in this step, which has a middle: accelerations bend sharply, see acceleration()
-  bool has_middle = false;       ///< accelerations may have their extremum inside this step, which is long
-  bool jumps = false;            ///< something changed at its end
+  bool presses =
+      false;  ///< links alone press in this step, which has a middle: accelerations bend sharply, see acceleration()
+  bool has_middle = false;  ///< accelerations may have their extremum inside this step, which is long
+  bool jumps = false;       ///< something changed at its end
 
   double end_time() const { return begin_time + h; }
   /// Acceleration of a row over the step, with `presses`.
-  Quartic acceleration(int row) const { return {begin(row, 2), middle(row, 0), end_minus(row, 2), missed_(row, 0), missed_(row, 1)}; }
+  Quartic acceleration(int row) const {
+    return {begin(row, 2), middle(row, 0), end_minus(row, 2), missed_(row, 0), missed_(row, 1)};
+  }
   /// For a checkpoint.
   void archive(Archive& archive) {
     archive(before_.h);
@@ -44,10 +47,10 @@ class StepMotion {
 
   const FloorResponse& response_;
   const Stepper& stepper_;
-  bool taken_ = false;  // the step before
+  bool taken_ = false;      // the step before
   Eigen::MatrixXd missed_;  // by the parabola of the acceleration: [row, alpha beta] of Quartic
   struct {
-    double h = 0;            // [s]; zero where accelerations are not smooth between it and this one
+    double h = 0;  // [s]; zero where accelerations are not smooth between it and this one
     Eigen::MatrixXd middle;
   } before_;
 };

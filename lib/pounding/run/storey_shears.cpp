@@ -15,7 +15,8 @@ StoreyShears::StoreyShears(const Model& model, const Stepper& stepper, Results& 
     spring += s.yielding.size();
     row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
     if (s.dimension == 1 && s.has_storeys())
-      results_.structures[k].envelope.storey_shear = Extremes(s.floors.size() * results_.structures[k].storey_directions());
+      results_.structures[k].envelope.storey_shear =
+          Extremes(s.floors.size() * results_.structures[k].storey_directions());
   }
   visit_storeys(false, [&](int, std::size_t) { has_inelastic_ = true; });
 }
@@ -25,7 +26,8 @@ void StoreyShears::visit_storeys(bool elastic, Visit&& visit) const {
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {
     const Structure& s = model_.structures[k];
     for (std::size_t i = 0; i < s.storey_stiffness.size(); ++i)
-      if (elastic == (i >= s.members_that_yield() && s.floors[i].storey_shear_by_yielding.empty())) visit(static_cast<int>(k), i);
+      if (elastic == (i >= s.members_that_yield() && s.floors[i].storey_shear_by_yielding.empty()))
+        visit(static_cast<int>(k), i);
   }
 }
 
@@ -36,7 +38,9 @@ void StoreyShears::begin(const Eigen::MatrixXd& floors) {
     const double drift = floors(at, 0) - (i > 0 ? floors(at - 1, 0) : 0);
     double force = s.storey_stiffness[i] * drift;
     if (i < s.members_that_yield()) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
-    force += shear_by_devices(s.floors[i], [&](std::size_t part) { return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)]; });
+    force += shear_by_devices(s.floors[i], [&](std::size_t part) {
+      return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)];
+    });
     results_.structures[k].envelope.storey_shear.update(i, stepper_.time(), force);
   });
 }
@@ -56,7 +60,9 @@ void StoreyShears::step_storey(int k, std::size_t i, const StepMotion& step) {
   const Structure& s = model_.structures[k];
   Extremes& shear = results_.structures[k].envelope.storey_shear;
   const int at = first_row_[k] + static_cast<int>(i);
-  const auto drift = [&](const Eigen::MatrixXd& floors, int column) { return floors(at, column) - (i > 0 ? floors(at - 1, column) : 0); };
+  const auto drift = [&](const Eigen::MatrixXd& floors, int column) {
+    return floors(at, column) - (i > 0 ? floors(at - 1, column) : 0);
+  };
   const double k_i = s.storey_stiffness[i], d0 = drift(step.begin, 0), d1 = drift(step.end_minus, 0);
   const double v0 = drift(step.begin, 1), v1 = drift(step.end_minus, 1);
   const bool yields = i < s.members_that_yield(), has_device = !s.floors[i].storey_shear_by_yielding.empty();

@@ -56,14 +56,20 @@ void add_to_last(std::vector<double>& values, const Factors& factors, double amo
 
 StructureHistories::StructureHistories(const Model& model, const GroundPlan& plan, const FloorResponse& response,
                                        const Stepper& stepper, std::vector<StructureHistory>& histories)
-    : model_(model), plan_(plan), response_(response), stepper_(stepper), histories_(histories), first_unknown_(offsets(model)) {
+    : model_(model),
+      plan_(plan),
+      response_(response),
+      stepper_(stepper),
+      histories_(histories),
+      first_unknown_(offsets(model)) {
   std::size_t spring = stepper.system().contact_count();
   int group = 0;
   for (const Structure& s : model.structures) {
     histories_.push_back(heading(s));
     first_spring_.push_back(spring);
     spring += s.yielding.size();
-    const bool is_frame = !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
+    const bool is_frame =
+        !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
     reported_.push_back(reported_forces(s));
     rows_.emplace_back();
     // Parts that yield add to displacements and forces what no mode has.
@@ -84,7 +90,8 @@ void StructureHistories::sample(const OutputInstant& at) {
 void StructureHistories::sample_floors(int k, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
-  const int directions = response_.directions(k), yielding = s.storey_stiffness.empty() ? 0 : static_cast<int>(s.members_that_yield());
+  const int directions = response_.directions(k),
+            yielding = s.storey_stiffness.empty() ? 0 : static_cast<int>(s.members_that_yield());
   for (int i = 0; i < static_cast<int>(s.floors.size()); ++i)
     for (int j = 0; j < directions; ++j) {
       const int row = response_.row(k, i, j);
@@ -141,7 +148,8 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
     if (s.dimension == 1) continue;
     const int structure = static_cast<int>(k);
     if (rows_[k]) {
-      append(structure, rows_[k]->at(coordinates_), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(reported_[k].size())), at);
+      append(structure, rows_[k]->at(coordinates_),
+             Eigen::VectorXd::Zero(static_cast<Eigen::Index>(reported_[k].size())), at);
       continue;
     }
     const int first = first_unknown_[k];
@@ -169,8 +177,10 @@ Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& 
   return all(reported_[k]);
 }
 
-// Displacements and velocities relative to the ground at the first support, absolute accelerations; `beside`: forces to be added.
-void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& beside, const OutputInstant& at) {
+// Displacements and velocities relative to the ground at the first support, absolute accelerations; `beside`: forces to
+// be added.
+void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& beside,
+                                const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
   std::vector<double> ground_acceleration;
@@ -183,14 +193,16 @@ void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::V
   history.node_velocity.insert(history.node_velocity.end(), of.velocity.begin(), of.velocity.end());
   Eigen::Index number = 0;
   for (const std::vector<Row>& node : s.nodes.motion)
-    for (std::size_t j = 0; j < node.size(); ++j) history.node_acceleration.push_back(of.acceleration[number++] + ground_acceleration[j]);
+    for (std::size_t j = 0; j < node.size(); ++j)
+      history.node_acceleration.push_back(of.acceleration[number++] + ground_acceleration[j]);
   const Eigen::VectorXd yielding = yielding_forces(k);
   number = 0;
   for (const Floor& floor : s.floors)
     for (std::size_t j = 0; j < floor.storey_shear.size(); ++j) {
       double by_yielding = 0;
       if (!floor.storey_shear_by_yielding.empty())
-        for (Row::InnerIterator it(floor.storey_shear_by_yielding[j]); it; ++it) by_yielding += it.value() * yielding[it.index()];
+        for (Row::InnerIterator it(floor.storey_shear_by_yielding[j]); it; ++it)
+          by_yielding += it.value() * yielding[it.index()];
       history.storey_shear.push_back(of.shears[number++] + by_yielding);
     }
   const std::size_t from = history.end_forces.size(), ends = s.reported_members.size() * s.forces.components.size();
@@ -209,7 +221,8 @@ Eigen::VectorXd StructureHistories::yielding_forces(int k) const {
   return springs_.segment(static_cast<Eigen::Index>(first_spring_[k]) - stepper_.system().contact_count(), count);
 }
 
-// Contacts that press on a member between its ends load its ends as those of a fixed member, and supports that hold them.
+// Contacts that press on a member between its ends load its ends as those of a fixed member, and supports that hold
+// them.
 void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   const std::size_t components = s.forces.components.size();
@@ -218,8 +231,8 @@ void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const Out
     for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
       if (end->structure != k || end->point.member < 0) continue;
       const LinkStep& step = stepper_.link_step(static_cast<int>(i));
-      const double force =
-          at.inside ? force_inside(step, (at.time - step.begin) / (step.end - step.begin)) : stepper_.link_forces()[static_cast<int>(i)];
+      const double force = at.inside ? force_inside(step, (at.time - step.begin) / (step.end - step.begin))
+                                     : stepper_.link_forces()[static_cast<int>(i)];
       if (force == 0) continue;
       add_to_last(histories_[k].reaction, Eigen::VectorXd(end->point.reactions * link.direction), sign * force);
       const auto found = std::find(s.reported_members.begin(), s.reported_members.end(), end->point.member);
@@ -245,7 +258,8 @@ void StructureHistories::add_enforced(int k, const OutputInstant& at) {
     add_to_last(history.storey_shear, supports[q].shears.col(axis), amount);
     std::size_t member = history.end_forces.size() - s.reported_members.size() * components;
     for (const int number : s.reported_members)
-      for (int j = 0; j < components; ++j) history.end_forces[member++] += amount * supports[q].forces(number * components + j, axis);
+      for (int j = 0; j < components; ++j)
+        history.end_forces[member++] += amount * supports[q].forces(number * components + j, axis);
     add_to_last(history.reaction, supports[q].forces.col(axis).tail(s.forces.rows.rows() - first_reaction), amount);
   });
   ground.velocity(at.time, [&](std::size_t q, int axis, double amount) {

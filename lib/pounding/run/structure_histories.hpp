@@ -17,8 +17,8 @@ namespace pounding {
 
 /// One output time, inside the last kept step or at its end.
 struct OutputInstant {
-  double time = 0;                ///< [s]
-  bool inside = false;            ///< before the end of the step; at the end the state after contacts changed phase is sampled
+  double time = 0;      ///< [s]
+  bool inside = false;  ///< before the end of the step; at the end the state after contacts changed phase is sampled
   const Eigen::MatrixXd& floors;  ///< completed by FloorResponse
   const Eigen::VectorXd& ground;  ///< accelerations of all ground motions [m/s^2]
 };
@@ -49,15 +49,15 @@ class StructureHistories {
   const FloorResponse& response_;
   const Stepper& stepper_;
   std::vector<StructureHistory>& histories_;
-  std::vector<int> first_unknown_;           // by structure
-  std::vector<std::size_t> first_spring_;    // by structure: its lowest yielding storey among the link steps
-  std::vector<std::vector<int>> reported_;   // by structure: reported_forces()
+  std::vector<int> first_unknown_;              // by structure
+  std::vector<std::size_t> first_spring_;       // by structure: its lowest yielding storey among the link steps
+  std::vector<std::vector<int>> reported_;      // by structure: reported_forces()
   std::vector<std::optional<FrameRows>> rows_;  // by structure
-  bool has_rows_ = false;                    // some of them
-  bool needs_unknowns_ = false;              // nodes, members or shears that need every unknown are reported
-  Eigen::MatrixXd coordinates_;              // at an output time
-  Eigen::VectorXd u_, v_, a_;                // of all unknowns at an output time
-  Eigen::VectorXd springs_;                  // forces of all springs there
+  bool has_rows_ = false;                       // some of them
+  bool needs_unknowns_ = false;                 // nodes, members or shears that need every unknown are reported
+  Eigen::MatrixXd coordinates_;                 // at an output time
+  Eigen::VectorXd u_, v_, a_;                   // of all unknowns at an output time
+  Eigen::VectorXd springs_;                     // forces of all springs there
 };
 
 }  // namespace pounding

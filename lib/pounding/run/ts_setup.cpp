@@ -20,7 +20,9 @@ using petsc::check;
 // The first step that is wanted, as a part of the longest there.
 constexpr double first_share = 1.0 / 64;
 
-double first_step(const Model& model) { return first_share * std::min(longest_step(model), ground_plan(model).longest_step(0)); }
+double first_step(const Model& model) {
+  return first_share * std::min(longest_step(model), ground_plan(model).longest_step(0));
+}
 
 // PETSc reads these for every TS; here they would change nothing.
 void refuse_idle_options() {

@@ -14,8 +14,8 @@ namespace pounding {
 
 /// A TS of the type `pounding` without its stepper.
 ///
-/// Settings flow one way: the model gives the defaults, PETSc parses the command line (-pounding_ts_...) into the TS, and what
-/// holds then is taken from the TS here, once. Nothing asks the TS for a setting later.
+/// Settings flow one way: the model gives the defaults, PETSc parses the command line (-pounding_ts_...) into the TS,
+/// and what holds then is taken from the TS here, once. Nothing asks the TS for a setting later.
 struct TsSetup {
   petsc::Handle<TS> ts;
   petsc::Handle<Vec> u, v;  ///< solution of the TS: displacements and velocities of all unknowns
@@ -28,8 +28,8 @@ struct TsSetup {
 /// Throws InputError for PETSc options that are wrong, would change nothing, or that nothing reads.
 TsSetup set_up_ts(const Model& model, const Eigen::VectorXd& u, const Eigen::VectorXd& v, MPI_Comm comm);
 
-/// Throws InputError for a -pounding_ option that nothing has read. Options of the first factor (-pounding_lev_...) are read when it
-/// is made; `factors_too` tells that this has happened.
+/// Throws InputError for a -pounding_ option that nothing has read. Options of the first factor (-pounding_lev_...) are
+/// read when it is made; `factors_too` tells that this has happened.
 void refuse_unread_options(bool factors_too);
 
 }  // namespace pounding

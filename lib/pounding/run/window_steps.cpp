@@ -24,7 +24,8 @@ std::size_t steps_in(const ImpactWindow& window) { return std::max(least_steps, 
 std::vector<double> times_of(const ImpactWindow& window) {
   const std::size_t count = steps_in(window);
   std::vector<double> times(count + 1);
-  for (std::size_t i = 0; i <= count; ++i) times[i] = window.begin() + (window.end() - window.begin()) * static_cast<double>(i) / static_cast<double>(count);
+  for (std::size_t i = 0; i <= count; ++i)
+    times[i] = window.begin() + (window.end() - window.begin()) * static_cast<double>(i) / static_cast<double>(count);
   times.back() = window.end();
   return times;
 }
@@ -33,7 +34,8 @@ GroundMotion sampled(const std::vector<double>& times, std::vector<double> value
   return GroundMotion(Samples{.times = times, .accelerations = std::move(values), .uniform = evenly_spaced(times)});
 }
 
-// Forces of every link that acts in a window, at these times: the parabola through the three forces of the step of the run.
+// Forces of every link that acts in a window, at these times: the parabola through the three forces of the step of the
+// run.
 std::map<int, std::vector<double>> forces_at(const std::vector<double>& times, const ImpactWindow& window) {
   std::map<int, std::vector<double>> forces;
   std::size_t k = 0;
@@ -50,17 +52,22 @@ std::map<int, std::vector<double>> forces_at(const std::vector<double>& times, c
   return forces;
 }
 
-SparseMatrix block(const SparseMatrix& matrix, const Group& group) { return matrix.block(group.first, group.first, group.count, group.count); }
+SparseMatrix block(const SparseMatrix& matrix, const Group& group) {
+  return matrix.block(group.first, group.first, group.count, group.count);
+}
 
 // The load of a link on a group. What it does to unknowns without mass moves both alike (SpringRelief).
 Eigen::VectorXd load_of(const System& system, const SpringRelief& relief, int link, const Group& group) {
   const bool eased = is_spring(system, link) && relief.push().cols() > 0;
-  const SparseMatrix column = eased ? SparseMatrix(relief.push().col(link - system.contact_count())) : SparseMatrix(system.gap_jacobian.col(link));
+  const SparseMatrix column = eased ? SparseMatrix(relief.push().col(link - system.contact_count()))
+                                    : SparseMatrix(system.gap_jacobian.col(link));
   return Eigen::VectorXd(column.col(0)).segment(group.first, group.count);
 }
 
-// The group by itself, without links: their forces are loads over time. Outputs are the closings of the contacts, then those that are asked for.
-System by_itself(const System& system, const SpringRelief& relief, const Group& group, std::span<const int> outputs, const ImpactWindow& window) {
+// The group by itself, without links: their forces are loads over time. Outputs are the closings of the contacts, then
+// those that are asked for.
+System by_itself(const System& system, const SpringRelief& relief, const Group& group, std::span<const int> outputs,
+                 const ImpactWindow& window) {
   const std::vector<double> times = times_of(window);
   System alone;
   alone.mass = block(system.mass, group);
@@ -86,7 +93,8 @@ System by_itself(const System& system, const SpringRelief& relief, const Group& 
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](const SparseMatrix& matrix, int column, int to) {
     for (SparseMatrix::InnerIterator it(matrix, column); it; ++it)
-      if (it.row() >= group.first && it.row() < group.first + group.count) entries.emplace_back(static_cast<int>(it.row()) - group.first, to, it.value());
+      if (it.row() >= group.first && it.row() < group.first + group.count)
+        entries.emplace_back(static_cast<int>(it.row()) - group.first, to, it.value());
   };
   for (int i = 0; i < system.contact_count(); ++i) add(system.gap_jacobian, i, i);
   int to = system.contact_count();
@@ -100,7 +108,8 @@ struct Followed {
   Eigen::MatrixXd u, v;  // [output, step of the window]
 };
 
-Followed follow(const System& alone, StructureSolver& solver, const ImpactWindow& window, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+Followed follow(const System& alone, StructureSolver& solver, const ImpactWindow& window, const Eigen::VectorXd& u,
+                const Eigen::VectorXd& v) {
   const double h = (window.end() - window.begin()) / static_cast<double>(steps_in(window));
   Stepper stepper(alone, solver, {.max_step = h});
   stepper.start(window.begin(), u, v);
@@ -126,12 +135,14 @@ ReducedGroup modes_of(const StructureSolver& base, int group) {
   Eigen::VectorXd ones = Eigen::VectorXd::Zero(base.size()), squares(base.size());
   ones.segment(few->first, few->shapes.cols()).setOnes();
   base.stiffness_times(ones, squares);
-  return {.modes = std::make_shared<const GroupModes>(GroupModes{few->shapes, squares.segment(few->first, few->shapes.cols())})};
+  return {.modes = std::make_shared<const GroupModes>(
+              GroupModes{few->shapes, squares.segment(few->first, few->shapes.cols())})};
 }
 
 }  // namespace
 
-WindowDifferences differences_in_window(const System& system, const StructureSolver& base, int group, std::span<const int> outputs, const ImpactWindow& window) {
+WindowDifferences differences_in_window(const System& system, const StructureSolver& base, int group,
+                                        std::span<const int> outputs, const ImpactWindow& window) {
   const Group& of = system.groups[static_cast<std::size_t>(group)];
   const System alone = by_itself(system, base.relief(), of, outputs, window);
   Eigen::VectorXd coordinates = Eigen::VectorXd::Zero(base.size()), all, u, v;
@@ -145,7 +156,8 @@ WindowDifferences differences_in_window(const System& system, const StructureSol
   ModalSolver by_modes(alone, {modes_of(base, group)});
   const Followed whole = follow(alone, by_factors, window, u, v), reduced = follow(alone, by_modes, window, u, v);
   const Eigen::Index contacts = system.contact_count(), others = static_cast<Eigen::Index>(outputs.size());
-  return {(whole.u - reduced.u).topRows(contacts), (whole.v - reduced.v).topRows(contacts), (whole.u - reduced.u).bottomRows(others)};
+  return {(whole.u - reduced.u).topRows(contacts), (whole.v - reduced.v).topRows(contacts),
+          (whole.u - reduced.u).bottomRows(others)};
 }
 
 }  // namespace pounding

@@ -18,8 +18,9 @@ void ActiveSprings::begin(const Instant& now, double h) {
     const LinkMotion here = links_.motion(first + i, now);
     const laws::Response answer = links_.law(first + i, here);
     constant_[i] = answer.force;
-    is_active_[i] = !links_.spring(first + i).has_corners() || answer.by_penetration != 0 || answer.by_rate != 0 ||
-                    leaves(first + i, links_.law(first + i, {here.penetration + shortly_after * h * here.rate, here.rate}).force);
+    is_active_[i] =
+        !links_.spring(first + i).has_corners() || answer.by_penetration != 0 || answer.by_rate != 0 ||
+        leaves(first + i, links_.law(first + i, {here.penetration + shortly_after * h * here.rate, here.rate}).force);
   }
   hold();
 }
@@ -40,7 +41,9 @@ bool ActiveSprings::grow(const Trial& trial) {
   for (int i = 0; i < count; ++i) {
     if (is_active_[i]) continue;
     const int link = first + i;
-    if (!leaves(link, trial.force_middle[link]) && !leaves(link, links_.law(link, links_.motion(link, trial.end)).force)) continue;
+    if (!leaves(link, trial.force_middle[link]) &&
+        !leaves(link, links_.law(link, links_.motion(link, trial.end)).force))
+      continue;
     is_active_[i] = grown = true;
   }
   if (!grown) return false;

@@ -8,13 +8,14 @@
 
 namespace pounding {
 
-/// A part that yields answers with a constant force, zero at first, while it stays elastic. A trial begins with the springs that yield
-/// where it begins; where another one is found to leave its constant force at the middle or the end of the trial, that is made anew with
-/// this one too. Springs without corners are always active, and so are all where none gives way to its own force. Depends on the present state and on the trial alone.
+/// A part that yields answers with a constant force, zero at first, while it stays elastic. A trial begins with the
+/// springs that yield where it begins; where another one is found to leave its constant force at the middle or the end
+/// of the trial, that is made anew with this one too. Springs without corners are always active, and so are all where
+/// none gives way to its own force. Depends on the present state and on the trial alone.
 class ActiveSprings {
  public:
-  /// Both must outlive it. Where none gives way, all are active for good: these are storeys, which are few, and between their yielding
-  /// steps stay as short as Simpson's rule asks for where forces act.
+  /// Both must outlive it. Where none gives way, all are active for good: these are storeys, which are few, and between
+  /// their yielding steps stay as short as Simpson's rule asks for where forces act.
   ActiveSprings(const LinkSet& links, const ElasticRanges& ranges)
       : links_(links),
         ranges_(ranges),

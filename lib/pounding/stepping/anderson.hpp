@@ -18,7 +18,8 @@ namespace pounding {
 /// `x` is a guess; `image` becomes R of the last iterate, the better one of the two. False if `map` failed or nothing
 /// converged in 100 iterations. Converged: the error of `image` is below 1e-14, or round-off stops it below 1e-11.
 template <class Map, class Size, class Product>
-bool solve_fixed_point(Eigen::VectorXd x, Eigen::VectorXd& image, const Map& map, const Size& size, const Product& product) {
+bool solve_fixed_point(Eigen::VectorXd x, Eigen::VectorXd& image, const Map& map, const Size& size,
+                       const Product& product) {
   constexpr double solved = 1e-14, nearly_solved = 1e-11;
   constexpr int max_iterations = 100;
   constexpr std::size_t max_secants = 30;

@@ -6,8 +6,8 @@
 
 namespace pounding {
 
-/// Generalized-alpha (Chung and Hulbert 1993), order 2. Inertia is balanced at weight alpha_m of the end of the step, all other
-/// forces at weight alpha_f (1 - the paper's alphas), forces averaged between the ends.
+/// Generalized-alpha (Chung and Hulbert 1993), order 2. Inertia is balanced at weight alpha_m of the end of the step,
+/// all other forces at weight alpha_f (1 - the paper's alphas), forces averaged between the ends.
 struct GeneralizedAlpha {
   double alpha_m = 0.5, alpha_f = 0.5, beta = 0.25, gamma = 0.5;
 
@@ -24,7 +24,8 @@ struct GeneralizedAlpha {
 };
 
 /// ESDIRK4(3)6L[2]SA, the implicit half of ARK4(3)6L[2]SA (Kennedy and Carpenter 2003): order 4, L-stable, stiffly
-/// accurate, the same diagonal coefficient in all stages. In second-order form the unknown of a stage is its acceleration.
+/// accurate, the same diagonal coefficient in all stages. In second-order form the unknown of a stage is its
+/// acceleration.
 namespace esdirk4 {
 inline constexpr int stages = 6;
 inline constexpr double shift = 1.0 / 4;
@@ -37,8 +38,9 @@ inline constexpr double a[stages][stages] = {
     {15267082809.0 / 155376265600, -71443401.0 / 120774400, 730878875.0 / 902184768, 2285395.0 / 8070912, 1.0 / 4},
     {82889.0 / 524892, 0, 15625.0 / 83664, 69875.0 / 102672, -2260.0 / 8211, 1.0 / 4}};
 /// Weights of the embedded scheme of order 3.
-inline constexpr double embedded[stages] = {4586570599.0 / 29645900160, 0, 178811875.0 / 945068544,
-                                            814220225.0 / 1159782912, -3700637.0 / 11593932, 61727.0 / 225920};
+inline constexpr double embedded[stages] = {4586570599.0 / 29645900160, 0,
+                                            178811875.0 / 945068544,    814220225.0 / 1159782912,
+                                            -3700637.0 / 11593932,      61727.0 / 225920};
 /// Weights of accelerations in the displacement of a stage: the square of a.
 inline constexpr auto squared = [] {
   std::array<std::array<double, stages>, stages> s{};

@@ -51,7 +51,8 @@ void ContactEvents::strike(const std::vector<int>& touching, bool in_place, Inst
     const LinkMotion here = links_.motion(i, now);
     if (!links_.contact(i).is_rigid() || std::find(touching.begin(), touching.end(), i) != touching.end()) continue;
     const EventId touch{i, EventFunctions::touch};
-    if (links_.is_held(i) || functions_.values(i, here, 0)[touch.event] <= functions_.noise(touch, here, now)) closed.push_back(i);
+    if (links_.is_held(i) || functions_.values(i, here, 0)[touch.event] <= functions_.noise(touch, here, now))
+      closed.push_back(i);
   }
   const int count = static_cast<int>(closed.size());
   Strikes strikes;
@@ -78,9 +79,9 @@ void ContactEvents::strike(const std::vector<int>& touching, bool in_place, Inst
     if (impulse == 0 && !(touches && stays) && !(links_.is_held(i) && !stays)) continue;
     now.motion.col(Instant::v) -= impulse * equations_.rigid.response.col(i);
     ledger_.add_impulse(impulse, links_.ground_part(now.by_ground, i, Instant::v));
-    links_.contact(i).jumped(now.time,
-                             {std::max(0.0, impulse), result.work[k], strikes.rate[k], rate, links_.motion(i, now).penetration},
-                             stays);
+    links_.contact(i).jumped(
+        now.time, {std::max(0.0, impulse), result.work[k], strikes.rate[k], rate, links_.motion(i, now).penetration},
+        stays);
   }
 }
 

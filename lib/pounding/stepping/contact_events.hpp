@@ -14,11 +14,17 @@ namespace pounding {
 class ContactEvents {
  public:
   /// All must outlive it. `tolerance`: bounces below this part of the velocity scale are not resolved.
-  ContactEvents(const Equations& equations, const EventFunctions& functions, ErrorNorm& norm, EnergyLedger& ledger, double tolerance)
-      : equations_(equations), links_(equations.links), functions_(functions), norm_(norm), ledger_(ledger), tolerance_(tolerance) {}
+  ContactEvents(const Equations& equations, const EventFunctions& functions, ErrorNorm& norm, EnergyLedger& ledger,
+                double tolerance)
+      : equations_(equations),
+        links_(equations.links),
+        functions_(functions),
+        norm_(norm),
+        ledger_(ledger),
+        tolerance_(tolerance) {}
 
-  /// Applies the events located at `now` and changes its velocities and relative motion; the rest of `now` is out of balance
-  /// afterwards. `in_place`: the events were there already at the beginning of a step.
+  /// Applies the events located at `now` and changes its velocities and relative motion; the rest of `now` is out of
+  /// balance afterwards. `in_place`: the events were there already at the beginning of a step.
   void apply(const std::vector<EventId>& events, bool in_place, Instant& now);
   /// How many so far.
   long count() const { return count_; }

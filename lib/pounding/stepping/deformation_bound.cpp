@@ -16,7 +16,9 @@ void DeformationBound::set(const Eigen::VectorXd& low, const Eigen::VectorXd& hi
   for (Eigen::Index i = 0; i < rooms.size(); ++i) {
     // Beside what rounding makes of the limits and of c.
     const double least = low[i] + round_off * std::abs(low[i]), most = high[i] - round_off * std::abs(high[i]);
-    rooms[i] = std::isinf(low[i]) && std::isinf(high[i]) ? high[i] : std::min(most - at_rest_[i], at_rest_[i] - least) - round_off * std::abs(at_rest_[i]);
+    rooms[i] = std::isinf(low[i]) && std::isinf(high[i])
+                   ? high[i]
+                   : std::min(most - at_rest_[i], at_rest_[i] - least) - round_off * std::abs(at_rest_[i]);
   }
   parts_.resize(solver_.size());
   is_set_ = springs_.bound(rooms, parts_);
@@ -33,7 +35,9 @@ double DeformationBound::largest(const Moved& moved) const {
 
 DeformationBound::Reach DeformationBound::reach(const Instant& x) const {
   const auto part = [&](Instant::Column column) {
-    return largest([&](int first, int count) { return parts_.segment(first, count).dot(x.motion.col(column).segment(first, count).cwiseAbs()); });
+    return largest([&](int first, int count) {
+      return parts_.segment(first, count).dot(x.motion.col(column).segment(first, count).cwiseAbs());
+    });
   };
   return {part(Instant::u), part(Instant::v)};
 }

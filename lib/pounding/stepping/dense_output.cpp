@@ -7,7 +7,8 @@ DenseOutput::DenseOutput(const Equations& equations, const StepHistory& history)
       history_(history),
       needs_whole_state_(equations.pseudo_forces.any() && equations.pseudo_forces.corrects(equations.system.outputs)) {
   const SparseMatrix& way = equations.solver.relief().way();
-  if (way.size() > 0 && SparseMatrix(equations.system.outputs.transpose() * way).nonZeros() > 0) needs_whole_state_ = true;
+  if (way.size() > 0 && SparseMatrix(equations.system.outputs.transpose() * way).nonZeros() > 0)
+    needs_whole_state_ = true;
 }
 
 Eigen::VectorXd DenseOutput::springs_of(const Eigen::VectorXd& of_links) const {
@@ -61,7 +62,8 @@ void DenseOutput::begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const {
 }
 
 void DenseOutput::end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const {
-  if (history_.changed_at_end()) return show(history_.kept().end, states_.has_end_minus ? &states_.end_minus : nullptr, u, v);
+  if (history_.changed_at_end())
+    return show(history_.kept().end, states_.has_end_minus ? &states_.end_minus : nullptr, u, v);
   show(history_.now(), states_.has_now ? &states_.now : nullptr, u, v);
 }
 
@@ -140,7 +142,8 @@ const Eigen::VectorXd& DenseOutput::middle() const {
   if (std::exchange(has_middle_, true)) return middle_;
   equations_.solver.recover(history_.kept().a_middle);
   equations_.solver.physical(history_.kept().a_middle, middle_);
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any() && !history_.kept().springs_stay)
+  if (const SpringRelief& relief = equations_.solver.relief();
+      equations_.springs.any() && !history_.kept().springs_stay)
     relief.add_way(-0.5, history_.kept().force_rates_begin.col(1) + history_.kept().end.force_rates.col(1), middle_);
   if (equations_.pseudo_forces.any()) {
     Eigen::VectorXd u_middle, v_middle;
@@ -179,8 +182,10 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
   if (!equations_.springs.any()) return;
   const Cubic cubic(s, h);
   const Eigen::VectorXd by_slopes = cubic.begin * springs_of(x.force) + cubic.end * springs_of(y.force) +
-                                    cubic.slope_begin * history_.kept().force_rates_begin.col(0) + cubic.slope_end * y.force_rates.col(0);
-  // The states show the cubic of every spring that gives way, so that massless unknowns stay in equilibrium with these forces.
+                                    cubic.slope_begin * history_.kept().force_rates_begin.col(0) +
+                                    cubic.slope_end * y.force_rates.col(0);
+  // The states show the cubic of every spring that gives way, so that massless unknowns stay in equilibrium with these
+  // forces.
   const SparseMatrix& flexibility = equations_.solver.relief().flexibility();
   for (int i = 0; i < by_slopes.size(); ++i)
     if (flexibility.innerVector(i).nonZeros() > 0) forces[i] = by_slopes[i];
@@ -189,12 +194,14 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
 namespace {
 
 // From [row, u v a] at the ends of a step and accelerations in its middle.
-void interpolate_motion(double s, double h, const Eigen::Ref<const Eigen::MatrixXd>& x, const Eigen::Ref<const Eigen::MatrixXd>& middle,
-                        const Eigen::Ref<const Eigen::MatrixXd>& y, Eigen::MatrixXd& out) {
+void interpolate_motion(double s, double h, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                        const Eigen::Ref<const Eigen::MatrixXd>& middle, const Eigen::Ref<const Eigen::MatrixXd>& y,
+                        Eigen::MatrixXd& out) {
   const Cubic cubic(s, h);
   const Parabola parabola(s);
   out.resize(x.rows(), 3);
-  out.leftCols(2) = cubic.begin * x.leftCols(2) + cubic.end * y.leftCols(2) + cubic.slope_begin * x.rightCols(2) + cubic.slope_end * y.rightCols(2);
+  out.leftCols(2) = cubic.begin * x.leftCols(2) + cubic.end * y.leftCols(2) + cubic.slope_begin * x.rightCols(2) +
+                    cubic.slope_end * y.rightCols(2);
   out.col(2) = parabola.begin * x.col(2) + parabola.middle * middle.col(0) + parabola.end * y.col(2);
 }
 

@@ -35,14 +35,15 @@ struct Parabola {
   }
 };
 
-/// Views of the instants that StepHistory holds, made when first asked for. end_minus is the end of the last kept step as the
-/// step saw it, before events; it is the same object as now where no event changed anything.
+/// Views of the instants that StepHistory holds, made when first asked for. end_minus is the end of the last kept step
+/// as the step saw it, before events; it is the same object as now where no event changed anything.
 class DenseOutput {
  public:
   /// Both must outlive it.
   DenseOutput(const Equations& equations, const StepHistory& history);
 
-  /// State at the present instant, at the beginning of the last kept step, and at its end before events; see Stepper::state().
+  /// State at the present instant, at the beginning of the last kept step, and at its end before events; see
+  /// Stepper::state().
   const State& now() const { return now_in(states_); }
   const State& begin() const { return begin_in(states_); }
   const State& end_minus() const { return end_minus_in(states_); }
@@ -62,8 +63,8 @@ class DenseOutput {
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const;
   /// The coordinates there, of systems without parts that yield or turn: [coordinate, u v a].
   void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const;
-  /// Forces of all springs inside the last kept step [N]: of those that give way the cubic by their slopes in the step, of all others the
-  /// parabola.
+  /// Forces of all springs inside the last kept step [N]: of those that give way the cubic by their slopes in the step,
+  /// of all others the parabola.
   void interpolate_springs(double time, Eigen::VectorXd& forces) const;
 
   /// A step was kept: the views of the present become those of its beginning.
@@ -105,7 +106,8 @@ class DenseOutput {
 
   const Equations& equations_;
   const StepHistory& history_;
-  bool needs_whole_state_ = false;  // an output depends on massless degrees of freedom that pseudo-forces or springs correct
+  bool needs_whole_state_ =
+      false;  // an output depends on massless degrees of freedom that pseudo-forces or springs correct
   mutable Views<State> states_;
   mutable Views<OutputQuantities> outputs_;
   mutable Eigen::VectorXd middle_;

@@ -9,8 +9,8 @@
 
 namespace pounding {
 
-/// Steps that are powers of two of one length: the shortest of the longest steps that the run allows at any time. While that limit
-/// holds, steps have its length exactly; level 0 is the longest of all.
+/// Steps that are powers of two of one length: the shortest of the longest steps that the run allows at any time. While
+/// that limit holds, steps have its length exactly; level 0 is the longest of all.
 class DyadicSteps {
  public:
   /// `max_step`: longest step of the run where the ground allows it [s].

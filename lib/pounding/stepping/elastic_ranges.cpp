@@ -64,7 +64,9 @@ bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
   trial.has_spring_paths = false;
   if (all_ && !trial.short_motions && have_forces(x) && have_forces(y)) {
     const double third = trial.h / 3;
-    if (let_wait_ && DeformationBound::inside(reach_.after(third)) && DeformationBound::inside(bound_->reach(y).after(third))) return true;
+    if (let_wait_ && DeformationBound::inside(reach_.after(third)) &&
+        DeformationBound::inside(bound_->reach(y).after(third)))
+      return true;
     make_paths(x, trial);
     const double *const least = trial.spring_paths.col(2).data(), *const most = trial.spring_paths.col(3).data();
     int outside = 0;
@@ -89,7 +91,8 @@ void ElasticRanges::make_paths(const Instant& x, const Trial& trial) const {
   for (const Instant* end : {&x, &y}) relative_.gather_springs(*end, v + 1);
   trial.spring_paths.resize(count, 4);
   const double third = trial.h / 3;
-  double *const begin = trial.spring_paths.data(), *const end = begin + count, *const least = end + count, *const most = least + count;
+  double *const begin = trial.spring_paths.data(), *const end = begin + count, *const least = end + count,
+                *const most = least + count;
   deformations(x, begin);
   deformations(y, end);
   const double *const v0 = of_springs(x.relative, v), *const v1 = of_springs(y.relative, v);
@@ -120,7 +123,8 @@ void ElasticRanges::bring(const Instant& now) const {
 
 void ElasticRanges::keep(const Trial& kept) const {
   behind_ = let_wait_;
-  for (int i = 0; i < links_.springs() && !behind_; ++i) links_.spring(links_.contacts() + i).stay(kept.spring_paths(i, 1));
+  for (int i = 0; i < links_.springs() && !behind_; ++i)
+    links_.spring(links_.contacts() + i).stay(kept.spring_paths(i, 1));
 }
 
 void ElasticRanges::follow(const Instant& begin, const Trial& kept) const {
@@ -135,7 +139,8 @@ void ElasticRanges::deformations(const Instant& x, double* d) const {
   const double *const moved = of_springs(x.relative, u), *const relief = x.relief.data();
   const Eigen::Index count = links_.springs();
   if (x.relief.size() == 0) {
-    for (Eigen::Index i = 0; i < count; ++i) d[i] = moved[i] + links_.ground_part(x.by_ground, links_.contacts() + static_cast<int>(i), u);
+    for (Eigen::Index i = 0; i < count; ++i)
+      d[i] = moved[i] + links_.ground_part(x.by_ground, links_.contacts() + static_cast<int>(i), u);
     return;
   }
   if (links_.moved()) {

@@ -4,7 +4,8 @@ namespace pounding {
 
 using enum Instant::Column;
 
-void EnergyLedger::add_step(const Equations& equations, const Instant& x, const Trial& kept, std::span<const LinkStep> links) {
+void EnergyLedger::add_step(const Equations& equations, const Instant& x, const Trial& kept,
+                            std::span<const LinkStep> links) {
   const double h = kept.h;
   const Instant& y = kept.end;
   const int n = equations.solver.size();
@@ -40,13 +41,15 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
   damping_ += h / 6 * damping;
   if (equations.links.driven())
     for (int i = 0; i < equations.links.size(); ++i)
-      on_ground_ += h / 6 * simpson_sum(links[i].force_begin, x.by_ground(i, v), links[i].force_middle,
-                                        kept.by_ground_middle(i, v), links[i].force_end, y.by_ground(i, v));
+      on_ground_ += h / 6 *
+                    simpson_sum(links[i].force_begin, x.by_ground(i, v), links[i].force_middle,
+                                kept.by_ground_middle(i, v), links[i].force_end, y.by_ground(i, v));
   for (std::size_t k = 0; k < friction_.size(); ++k) {
     const Friction& friction = equations.links.frictions()[k];
     for (const LinkStep& step : links.subspan(friction.first, friction.count))
-      friction_[k] += h / 6 * simpson_sum(step.force_begin, step.motion_begin.rate, step.force_middle, step.motion_middle.rate,
-                                          step.force_end, step.motion_end.rate);
+      friction_[k] += h / 6 *
+                      simpson_sum(step.force_begin, step.motion_begin.rate, step.force_middle, step.motion_middle.rate,
+                                  step.force_end, step.motion_end.rate);
   }
 }
 
@@ -56,7 +59,8 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   momentum_.resize(solver.size());
   solver.mass_times(x.col(v), momentum_);
   const int n = solver.counted();
-  std::vector<double> sums{input_, damping_, 0.5 * momentum_.head(n).dot(x.col(v).head(n)), 0.5 * x.col(u).head(n).dot(x.col(ku).head(n))};
+  std::vector<double> sums{input_, damping_, 0.5 * momentum_.head(n).dot(x.col(v).head(n)),
+                           0.5 * x.col(u).head(n).dot(x.col(ku).head(n))};
   solver.combine(sums);
   Energies e;
   e.input = given_ + on_ground_ + sums[0];
@@ -74,8 +78,9 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
     e.devices += spring->damped();
     e.strain += spring->stored_correction();
   }
-  // With u = u_m - W F the unknowns store u.K u/2 = u_m.K u_m/2 + F.B_s^T W F/2. Their rate of work on a spring is F d(B^T u)/dt, that is
-  // F dd/dt, which the spring stores or loses, and F.R dF/dt: so S = B_s^T W + R holds F.S F/2 in all.
+  // With u = u_m - W F the unknowns store u.K u/2 = u_m.K u_m/2 + F.B_s^T W F/2. Their rate of work on a spring is F
+  // d(B^T u)/dt, that is F dd/dt, which the spring stores or loses, and F.R dF/dt: so S = B_s^T W + R holds F.S F/2 in
+  // all.
   if (equations.springs.any())
     e.strain += 0.5 * now.force.segment(equations.links.contacts(), equations.links.springs()).dot(now.relief);
   for (const Contact* contact : equations.system.contacts) e.impact += contact->work();

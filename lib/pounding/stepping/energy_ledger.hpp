@@ -8,9 +8,11 @@
 
 namespace pounding {
 
-/// Energies at the present state [J]. input = kinetic + strain + damping + hysteretic + impact + devices, up to the error of the steps.
+/// Energies at the present state [J]. input = kinetic + strain + damping + hysteretic + impact + devices, up to the
+/// error of the steps.
 struct Energies {
-  double input = 0;       ///< work of the ground motion and of forces over time, with that of link forces on moving ground, plus the energy at the start
+  double input = 0;  ///< work of the ground motion and of forces over time, with that of link forces on moving ground,
+                     ///< plus the energy at the start
   double kinetic = 0;     ///< of the motion relative to the ground
   double strain = 0;      ///< stored in the structures and in the bars between them
   double damping = 0;     ///< dissipated by the damping of the structures
@@ -22,14 +24,14 @@ struct Energies {
   double imbalance() const { return input - (kinetic + strain + damping + hysteretic + impact + devices); }
 };
 
-/// Three times the mean of a product of force and rate over a step, by Simpson's rule from values at its beginning, middle and
-/// end: h/6 times it is the work.
+/// Three times the mean of a product of force and rate over a step, by Simpson's rule from values at its beginning,
+/// middle and end: h/6 times it is the work.
 constexpr double simpson_sum(double f0, double v0, double fm, double vm, double f1, double v1) {
   return f0 * v0 + 4 * fm * vm + f1 * v1;
 }
 
-/// Sums of the work in every kept step, by Simpson's rule with the rates of the cubic at mid-step; short motions of the ground count as
-/// ShortMotions says.
+/// Sums of the work in every kept step, by Simpson's rule with the rates of the cubic at mid-step; short motions of the
+/// ground count as ShortMotions says.
 class EnergyLedger {
  public:
   explicit EnergyLedger(const System& system) : friction_(system.frictions.size(), 0.0) {}

@@ -15,7 +15,8 @@ const System& checked(const System& system) {
 
 RigidContacts rigid_contacts(const System& system, const StructureSolver& solver) {
   RigidContacts rigid;
-  if (std::none_of(system.contacts.begin(), system.contacts.end(), [](const Contact* c) { return c->is_rigid(); })) return rigid;
+  if (std::none_of(system.contacts.begin(), system.contacts.end(), [](const Contact* c) { return c->is_rigid(); }))
+    return rigid;
   rigid.response = Eigen::MatrixXd::Zero(solver.size(), system.contact_count());
   for (int i = 0; i < system.contact_count(); ++i) {
     solver.add_forces(1, Eigen::VectorXd::Unit(system.links(), i), rigid.response.col(i));
@@ -89,8 +90,8 @@ void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eig
   solver.add_physical_forces(whole_force_, force);
 }
 
-void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, bool springs_stay,
-                        Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
+void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
+                        bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
   std::vector<int> held;
   bool any = springs_stay && force.segment(links.contacts(), links.springs()).cwiseAbs().sum() != 0;
   for (int i = 0, last = springs_stay ? links.contacts() : links.frictions_from(); i < last; ++i) {
@@ -115,7 +116,8 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
   solver.gather(r, relative_);
   const int count = static_cast<int>(held.size());
   Eigen::VectorXd relative(count);
-  for (int i = 0; i < count; ++i) relative[i] = relative_(held[i], 0) + links.ground_part(by_ground, held[i], Instant::a);
+  for (int i = 0; i < count; ++i)
+    relative[i] = relative_(held[i], 0) + links.ground_part(by_ground, held[i], Instant::a);
   const Eigen::MatrixXd g = rigid.flexibility(held, held);
   const Eigen::VectorXd forces = g.completeOrthogonalDecomposition().solve(relative);
   for (int i = 0; i < count; ++i) {

@@ -21,8 +21,8 @@ namespace pounding {
 
 /// M a + C v + K u + e(u) + B F = -P ag(t), with pseudo-forces e and link forces F; see System.
 struct Equations {
-  /// Both must outlive it. Throws std::invalid_argument where parts of the system do not fit (System::check). `carries`: the
-  /// scheme has an acceleration of its own, Instant::carried.
+  /// Both must outlive it. Throws std::invalid_argument where parts of the system do not fit (System::check).
+  /// `carries`: the scheme has an acceleration of its own, Instant::carried.
   Equations(const System& system, StructureSolver& solver, bool carries);
   Equations(const Equations&) = delete;
   Equations& operator=(const Equations&) = delete;
@@ -62,17 +62,17 @@ struct Equations {
   /// e at a displacement.
   void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const;
 
-  /// Dynamic equilibrium: link forces from the motions of the links, and `r`, the forces of everything else, becomes the
-  /// acceleration. Held contacts take the forces that leave no closing acceleration; those that hold the same bodies share
-  /// them. `inside_step`: forces that dip below zero there are zero unless the law may pull. `springs_stay`: those of springs are in
-  /// `force` already.
-  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, bool springs_stay,
-               Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
-  /// Everything of an instant but displacement, velocity, K u and pseudo-forces, which are given: dynamic equilibrium just
-  /// after it.
+  /// Dynamic equilibrium: link forces from the motions of the links, and `r`, the forces of everything else, becomes
+  /// the acceleration. Held contacts take the forces that leave no closing acceleration; those that hold the same
+  /// bodies share them. `inside_step`: forces that dip below zero there are zero unless the law may pull.
+  /// `springs_stay`: those of springs are in `force` already.
+  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
+               bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
+  /// Everything of an instant but displacement, velocity, K u and pseudo-forces, which are given: dynamic equilibrium
+  /// just after it.
   void balance(Instant& x) const;
-  /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic equilibrium. Then the rates of
-  /// its springs. False if these find no equilibrium.
+  /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic
+  /// equilibrium. Then the rates of its springs. False if these find no equilibrium.
   bool balance_middle(const Instant& begin, Trial& trial) const;
   /// Cubic interpolation at mid-step of a link's relative motion, before ground and gravity.
   static LinkMotion middle_of(int link, const Instant& begin, const Trial& trial);
@@ -82,8 +82,9 @@ struct Equations {
   }
 
  private:
-  // Whether the rule of integration may take the two ends of a link apart that has no closing acceleration: where the ground moves them
-  // differently, or is integrated exactly for one of them (ShortMotions) and by the rule for the other.
+  // Whether the rule of integration may take the two ends of a link apart that has no closing acceleration: where the
+  // ground moves them differently, or is integrated exactly for one of them (ShortMotions) and by the rule for the
+  // other.
   bool moves_ends_apart(const Trial& trial) const { return links.moved() || trial.short_motions; }
   void hold_moved_end(const Instant& begin, Trial& trial) const;
 

@@ -7,7 +7,8 @@
 namespace pounding {
 namespace {
 
-// Generalized-alpha is of order two: a local error of tolerance^(3/2) makes a global error in proportion to the tolerance.
+// Generalized-alpha is of order two: a local error of tolerance^(3/2) makes a global error in proportion to the
+// tolerance.
 constexpr double local_share = 0.25;
 // The embedded scheme of ESDIRK4 is of order three; its error in one step is like the global error of the fourth.
 constexpr double embedded_share = 0.05;
@@ -19,15 +20,17 @@ constexpr double min_contact_penetration = 1e-4;
 constexpr std::size_t sums_of_group = 5;
 
 double allowed_error(const Scheme& scheme, double tolerance) {
-  const double allowed =
-      scheme.kind == Scheme::Kind::esdirk4 ? embedded_share * tolerance : local_share * tolerance * std::sqrt(tolerance);
+  const double allowed = scheme.kind == Scheme::Kind::esdirk4 ? embedded_share * tolerance
+                                                              : local_share * tolerance * std::sqrt(tolerance);
   return allowed;
 }
 
 }  // namespace
 
 ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance)
-    : equations_(equations), allowed_by_tolerance_(allowed_error(scheme, tolerance)), allowed_(std::max(allowed_by_tolerance_, rounding)) {
+    : equations_(equations),
+      allowed_by_tolerance_(allowed_error(scheme, tolerance)),
+      allowed_(std::max(allowed_by_tolerance_, rounding)) {
   const System& system = equations.system;
   const int links = equations.links.size(), groups = static_cast<int>(system.groups.size());
   link_groups_.resize(static_cast<std::size_t>(links));
@@ -118,7 +121,8 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
     trial.squares_u[k] = sums[2];
     trial.squares_v[k] = sums[3];
     trial.squares_slow[k] = slow;
-    square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]), sums[1] / std::max(scale_v * scale_v * mass, slow)});
+    square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]),
+                       sums[1] / std::max(scale_v * scale_v * mass, slow)});
     all += sums[0] + sums[1] + sums[2] + sums[3];
   }
   if (!std::isfinite(all)) return std::numeric_limits<double>::infinity();
@@ -200,7 +204,8 @@ void ErrorNorm::learn(const Trial& kept) {
   raise(scales_.displacement, kept.squares_u);
   raise(scales_.velocity, kept.squares_v);
   if (equations_.short_motions.any()) raise(slow_velocity_, kept.squares_slow);  // else it is that of all motion
-  for (const int spring : equations_.slips.slipping()) stretch_scale_[spring] = std::max(stretch_scale_[spring], stretch(spring, kept.end));
+  for (const int spring : equations_.slips.slipping())
+    stretch_scale_[spring] = std::max(stretch_scale_[spring], stretch(spring, kept.end));
 }
 
 void ErrorNorm::learn(int contact, const LinkMotion& end) {
@@ -258,7 +263,8 @@ void ErrorNorm::archive(Archive& archive) {
   archive(stretch_scale_);
 }
 
-void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& t, double part, StepError& error) {
+void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& t, double part,
+                       StepError& error) {
   using enum Instant::Column;
   const double h = t.h;
   const double *u0 = begin.at(u), *v0 = begin.at(v), *a0 = begin.at(a);
@@ -279,8 +285,10 @@ void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, 
     return add(none, none);
   }
   const Eigen::MatrixXd &x = t.short_motions->begin, &m = t.short_motions->middle, &y = t.short_motions->end;
-  const Eigen::VectorXd missed_u = short_motions.shift(h * h / 6 * (x.col(a) + 2 * m.col(a)) - (y.col(u) - x.col(u) - h * x.col(v)));
-  const Eigen::VectorXd missed_v = short_motions.shift(h / 6 * (x.col(a) + 4 * m.col(a) + y.col(a)) - (y.col(v) - x.col(v)));
+  const Eigen::VectorXd missed_u =
+      short_motions.shift(h * h / 6 * (x.col(a) + 2 * m.col(a)) - (y.col(u) - x.col(u) - h * x.col(v)));
+  const Eigen::VectorXd missed_v =
+      short_motions.shift(h / 6 * (x.col(a) + 4 * m.col(a) + y.col(a)) - (y.col(v) - x.col(v)));
   add([&](int i) { return missed_u[i]; }, [&](int i) { return missed_v[i]; });
 }
 

@@ -9,8 +9,8 @@
 
 namespace pounding {
 
-/// Compares the errors of a step with the motion: displacements and velocities of each group as root mean squares weighed by
-/// the masses, those of each contact that presses with the motion of its impact.
+/// Compares the errors of a step with the motion: displacements and velocities of each group as root mean squares
+/// weighed by the masses, those of each contact that presses with the motion of its impact.
 class ErrorNorm {
  public:
   /// `equations` must outlive it. `tolerance`: of a whole run, relative.
@@ -19,8 +19,8 @@ class ErrorNorm {
   /// Scales that errors are relative to.
   const MotionScales& scales() const { return scales_; }
 
-  /// Largest error of a trial over the error that is allowed in one step: good is at most 1. `active`: links that have a
-  /// force. Sets the sums of squares of the trial; see worst_link().
+  /// Largest error of a trial over the error that is allowed in one step: good is at most 1. `active`: links that have
+  /// a force. Sets the sums of squares of the trial; see worst_link().
   double ratio(Trial& trial, const StepError& error, const std::vector<int>& active);
   /// The link whose error was the largest of all in the last ratio(); -1 if that was the error of a group.
   int worst_link() const { return worst_link_; }
@@ -57,8 +57,8 @@ class ErrorNorm {
   const double allowed_by_tolerance_;  // relative error of one step
   double allowed_;                     // at present
   MotionScales scales_;
-  // By group: velocities that errors are relative to, without what short motions of the ground give. A pulse that leaves a small
-  // motion behind would else hide errors in it.
+  // By group: velocities that errors are relative to, without what short motions of the ground give. A pulse that
+  // leaves a small motion behind would else hide errors in it.
   std::vector<double> slow_velocity_;
   std::vector<double> rate_scale_, penetration_scale_;  // by link, of the present impact
   std::vector<double> stretch_scale_;          // by spring that slips: largest stretch beside its dashpot so far
@@ -69,10 +69,12 @@ class ErrorNorm {
   Eigen::MatrixXd errors_, link_errors_;
 };
 
-/// Adds the error by Simpson's rule: the step's own velocities and displacements against the integral of the accelerations
-/// from dynamic equilibrium at its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows
-/// with d^(1/4) from the touch. In each coordinate the larger of this error, times `part`, and the present one stays.
-/// Accelerations count without those of short motions of the ground, which the step integrates exactly.
-void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& trial, double part, StepError& error);
+/// Adds the error by Simpson's rule: the step's own velocities and displacements against the integral of the
+/// accelerations from dynamic equilibrium at its ends and its middle. It sees forces that are not smooth, such as a
+/// dashpot that grows with d^(1/4) from the touch. In each coordinate the larger of this error, times `part`, and the
+/// present one stays. Accelerations count without those of short motions of the ground, which the step integrates
+/// exactly.
+void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& trial, double part,
+                       StepError& error);
 
 }  // namespace pounding

@@ -15,11 +15,13 @@ constexpr int stage_count = esdirk4::stages;
 // Share of the error by Simpson's rule beside that of the embedded scheme, where a link presses.
 constexpr double simpson_part = 3;
 
-// Forces on the accelerations of a stage at t + c h: r = -push - K (u0 + c h v0) - C v0, less K and C times what the accelerations of
-// `earlier` stages add to displacement and velocity. `products` has three columns of n a stage: acceleration, K and C times it. One pass over
-// all of it, with the number of stages known to the compiler; `r` is the column of the stage's own acceleration, which is not read.
+// Forces on the accelerations of a stage at t + c h: r = -push - K (u0 + c h v0) - C v0, less K and C times what the
+// accelerations of `earlier` stages add to displacement and velocity. `products` has three columns of n a stage:
+// acceleration, K and C times it. One pass over all of it, with the number of stages known to the compiler; `r` is the
+// column of the stage's own acceleration, which is not read.
 template <int earlier>
-void forces_of_stage(int n, double h, double c, const Instant& x, const double* push, const double* __restrict products, double* __restrict r) {
+void forces_of_stage(int n, double h, double c, const Instant& x, const double* push, const double* __restrict products,
+                     double* __restrict r) {
   const double *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
   const double ch = c * h;
   double by_k[earlier], by_c[earlier];
@@ -29,12 +31,14 @@ void forces_of_stage(int n, double h, double c, const Instant& x, const double* 
   }
   for (int k = 0; k < n; ++k) {
     double sum = -push[k] - ku0[k] - cv0[k] - ch * kv0[k];
-    for (int j = 0; j < earlier; ++j) sum -= by_k[j] * products[(3 * j + 1) * n + k] + by_c[j] * products[(3 * j + 2) * n + k];
+    for (int j = 0; j < earlier; ++j)
+      sum -= by_k[j] * products[(3 * j + 1) * n + k] + by_c[j] * products[(3 * j + 2) * n + k];
     r[k] = sum;
   }
 }
 
-constexpr std::array forces_of{forces_of_stage<1>, forces_of_stage<2>, forces_of_stage<3>, forces_of_stage<4>, forces_of_stage<5>};
+constexpr std::array forces_of{forces_of_stage<1>, forces_of_stage<2>, forces_of_stage<3>, forces_of_stage<4>,
+                               forces_of_stage<5>};
 
 // The end of a step and its errors from the accelerations of all stages.
 void sum_stages(int n, double h, const Instant& x, const double* __restrict products, Instant& end, StepError& error) {
@@ -109,7 +113,10 @@ class Esdirk4Scheme final : public TimeScheme {
     forces_of[i - 1](n, h, ci, x, push, stages_.data(), acceleration(i).data());
     if (t.short_motions) {
       const ShortMotionStep& step = *t.short_motions;
-      missed_ = defect(i, h, step.begin, last ? step.end : middle ? step.middle : eq_.short_motions.at(x.time + ci * h, ground, x));
+      missed_ = defect(i, h, step.begin,
+                       last     ? step.end
+                       : middle ? step.middle
+                                : eq_.short_motions.at(x.time + ci * h, ground, x));
       acceleration(i) -= eq_.short_motions.forces(missed_);
     }
     const Stage stage{shift * shift * h * h, shift * h, 1};
@@ -124,7 +131,8 @@ class Esdirk4Scheme final : public TimeScheme {
         relative_displacement += eq_.short_motions.closing(link, missed_.u);
         rate += eq_.short_motions.closing(link, missed_.v);
       }
-      motion.penetration = eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u));
+      motion.penetration =
+          eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u));
       motion.rate = rate + eq_.links.ground_part(by_ground, link, v);
       motion.slip = motion.lag = 0;
       if (eq_.slips.any() && eq_.slips.slips(link)) {
@@ -140,11 +148,14 @@ class Esdirk4Scheme final : public TimeScheme {
       for (int j = 0; j < i; ++j) free_displacement_ += h * h * squared[i][j] * acceleration(j);
       if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
       guess_ = acceleration(i - 1);
-      if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i), t.end.force)) return false;
+      if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i),
+                                            t.end.force))
+        return false;
     } else if (!solver_.solve(stage, free_motion, acceleration(i), t.end.force)) {
       return false;
     }
-    for (std::size_t k = 0; k < solver_.active().size(); ++k) link_accelerations_(solver_.active()[k], i) = solver_.link_acceleration(k);
+    for (std::size_t k = 0; k < solver_.active().size(); ++k)
+      link_accelerations_(solver_.active()[k], i) = solver_.link_acceleration(k);
     if (eq_.slips.any()) find_slip_rates(i, stage);
     if (last) return true;
     eq_.solver.stiffness_and_damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
@@ -180,7 +191,8 @@ class Esdirk4Scheme final : public TimeScheme {
     return missed;
   }
 
-  // Adds what the short motions of the ground are to the end of the step and to its errors, after the sums over the stages.
+  // Adds what the short motions of the ground are to the end of the step and to its errors, after the sums over the
+  // stages.
   void correct_end(Trial& t, StepError& error) const {
     t.end.motion.col(u) += eq_.short_motions.shift(missed_.u);
     t.end.motion.col(v) += eq_.short_motions.shift(missed_.v);
@@ -193,7 +205,8 @@ class Esdirk4Scheme final : public TimeScheme {
     error.v += eq_.short_motions.shift(by_v);
   }
 
-  // The end of the step, its middle and its errors from the accelerations of all stages. False if the springs find no equilibrium.
+  // The end of the step, its middle and its errors from the accelerations of all stages. False if the springs find no
+  // equilibrium.
   bool finish(const Instant& x, Trial& t, StepError& error) {
     const int n = eq_.solver.size();
     const double h = t.h;
@@ -215,11 +228,11 @@ class Esdirk4Scheme final : public TimeScheme {
   StageSolver& solver_;
   Eigen::VectorXd ground_;
   Eigen::MatrixXd by_ground_;
-  Eigen::MatrixXd stages_;              // three columns a stage: acceleration, K and C times it
-  Eigen::MatrixXd link_accelerations_;  // closing, [link, stage]
-  Eigen::MatrixXd slip_rates_;          // [spring, stage]; empty where none slips
-  Eigen::MatrixXd short_accelerations_; // of the short motions of the ground, [motion, stage]
-  GroundDefect missed_;                 // in the present stage
+  Eigen::MatrixXd stages_;               // three columns a stage: acceleration, K and C times it
+  Eigen::MatrixXd link_accelerations_;   // closing, [link, stage]
+  Eigen::MatrixXd slip_rates_;           // [spring, stage]; empty where none slips
+  Eigen::MatrixXd short_accelerations_;  // of the short motions of the ground, [motion, stage]
+  GroundDefect missed_;                  // in the present stage
   Eigen::VectorXd guess_, free_displacement_;
 };
 

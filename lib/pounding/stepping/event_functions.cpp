@@ -18,7 +18,8 @@ double EventFunctions::noise(const EventId& id, const LinkMotion& motion, const 
     size_v = std::max(size_v, std::abs(now.by_ground(id.link, Instant::v)));
   }
   const auto of_force = [&] {
-    return force_noise + links_.contact(id.link).force_event_noise(motion, {motion_noise * size_u, motion_noise * size_v});
+    return force_noise +
+           links_.contact(id.link).force_event_noise(motion, {motion_noise * size_u, motion_noise * size_v});
   };
   switch (links_.contact(id.link).phase()) {
     case ContactPhase::open: return motion_noise * size_u;

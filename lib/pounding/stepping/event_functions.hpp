@@ -13,15 +13,16 @@ inline constexpr double motion_noise = 1e-12;
 /// Time passes in a step or a hop that is longer than this [s]; `time`: where it begins [s].
 inline double no_time(double time) { return 1e-13 * std::max(1.0, time); }
 
-/// An event function is positive while the present phase of its contact lasts (Contact::event_functions). A phase has ended
-/// where one is negative by more than round-off.
+/// An event function is positive while the present phase of its contact lasts (Contact::event_functions). A phase has
+/// ended where one is negative by more than round-off.
 class EventFunctions {
  public:
   /// Event function 0 of an open contact: the touch.
   static constexpr int touch = 0;
 
   /// All arguments must outlive it. `longest_step`: at present, see Stepper::longest_step() [s].
-  EventFunctions(const LinkSet& links, const RigidContacts& rigid, const MotionScales& scales, const double& longest_step)
+  EventFunctions(const LinkSet& links, const RigidContacts& rigid, const MotionScales& scales,
+                 const double& longest_step)
       : links_(links), rigid_(rigid), scales_(scales), longest_step_(longest_step) {}
 
   /// The links and the scales that it was made with.
@@ -37,8 +38,8 @@ class EventFunctions {
   double value(const EventId& id, const Instant& x) const {
     return values(id.link, links_.motion(id.link, x), x.force[id.link])[id.event];
   }
-  /// Round-off of an event function for this motion of the link. Displacements of the ground at `now` count where they are
-  /// larger than those of the structures.
+  /// Round-off of an event function for this motion of the link. Displacements of the ground at `now` count where they
+  /// are larger than those of the structures.
   double noise(const EventId& id, const LinkMotion& motion, const Instant& now) const;
   /// Whether `value` is negative by more than round-off.
   bool has_ended(const EventId& id, double value, const LinkMotion& motion, const Instant& now) const {

@@ -14,8 +14,8 @@ constexpr double grouped_part = 1e-9;
 // Shortest step, relative to the trial, on which a phase is looked for that seems to end where it begins.
 constexpr double shortest_look = 1e-9;
 constexpr int max_corner_trials = 8;
-// Part of a step that is good with such an error, over the allowed one, is another solution of the stage equations than that of the motion:
-// laws with strong dashpots have several.
+// Part of a step that is good with such an error, over the allowed one, is another solution of the stage equations than
+// that of the motion: laws with strong dashpots have several.
 constexpr double beyond_belief = 1e3;
 
 // A trial that was thrown away half solved must not be kept.
@@ -73,8 +73,9 @@ struct EventLocator::Search {
     if (!try_step(h, end)) throw LostTrial(lost_trial);
   }
   LinkMotion at_end(int link) const { return links.motion(link, trial.end); }
-  // The value up to which an event function that changes by so much counts as zero at the end of the trial. A compliant contact begins
-  // where its gap is closed to round-off: across an opening it would pull, or part again at once and leave an impact that never was.
+  // The value up to which an event function that changes by so much counts as zero at the end of the trial. A compliant
+  // contact begins where its gap is closed to round-off: across an opening it would pull, or part again at once and
+  // leave an impact that never was.
   double together(const EventId& id, double change) const {
     const Contact& contact = links.contact(id.link);
     const bool touches = contact.phase() == ContactPhase::open && !contact.is_rigid();
@@ -82,10 +83,12 @@ struct EventLocator::Search {
   }
 };
 
-// Bodies that touch and part again within one trial: if they overlap between its ends, the trial is shortened to the time of
-// the smallest opening.
+// Bodies that touch and part again within one trial: if they overlap between its ends, the trial is shortened to the
+// time of the smallest opening.
 void EventLocator::Search::look_for_inner_touch(int link) const {
-  const auto rate = [&](const Instant& x) { return x.relative(link, Instant::v) + links.ground_part(x.by_ground, link, Instant::v); };
+  const auto rate = [&](const Instant& x) {
+    return x.relative(link, Instant::v) + links.ground_part(x.by_ground, link, Instant::v);
+  };
   if (!(rate(now) > 0 && rate(trial.end) < 0) || links.contact(link).phase() != ContactPhase::open) return;
   const LinkMotion begin = links.motion(link, now), end = at_end(link);
   if (!(begin.penetration <= 0 && end.penetration <= 0)) return;
@@ -95,9 +98,8 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
   const double reach = 0.25 * trial.h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
   if (between.at(s) < -reach) return;
   const double whole = trial.h, end_time = trial.end.time;
-  const bool touches =
-      try_step(s * whole, std::nullopt) &&
-      functions.has_ended({link, EventFunctions::touch}, -at_end(link).penetration, at_end(link), now);
+  const bool touches = try_step(s * whole, std::nullopt) &&
+                       functions.has_ended({link, EventFunctions::touch}, -at_end(link).penetration, at_end(link), now);
   // The trial again with its exact end time: that may be a breakpoint of the ground motion.
   if (!touches) restore(whole, end_time);
 }
@@ -122,11 +124,12 @@ bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
          here.rate > motion_noise * functions.scales().max_velocity();
 }
 
-// By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies that
-// part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost. A compliant contact may be so slow
-// that its phase is over before its event function is out of round-off: there the sign counts, or the contact would begin and end
-// without time passing and keep its speed. So it counts for rigid bodies that part from a rest, which no bounce ends: else they would part
-// and rest without end where the force that presses them together is about to grow.
+// By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies
+// that part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost. A compliant
+// contact may be so slow that its phase is over before its event function is out of round-off: there the sign counts,
+// or the contact would begin and end without time passing and keep its speed. So it counts for rigid bodies that part
+// from a rest, which no bounce ends: else they would part and rest without end where the force that presses them
+// together is about to grow.
 bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) const {
   const auto from = [&](double h, double value) {
     bracket.from = h;
@@ -138,16 +141,19 @@ bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) 
   for (double h = longest / 2; h > shortest_look * longest; h /= 4) {
     if (!try_step(h, std::nullopt)) continue;
     const double value = functions.value(bracket.id, trial.end);
-    if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now)) return from(h, value);  // clearly positive
+    if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now))
+      return from(h, value);  // clearly positive
     if (value > 0 && h > no_time(now.time) && !by_sign) by_sign = {h, value};
   }
   const double rate = links.motion(bracket.id.link, now).rate;
-  const bool rebounds = links.contact(bracket.id.link).is_rigid() && std::abs(rate) > motion_noise * functions.scales().max_velocity();
+  const bool rebounds =
+      links.contact(bracket.id.link).is_rigid() && std::abs(rate) > motion_noise * functions.scales().max_velocity();
   return by_sign && !rebounds && from(by_sign->first, by_sign->second);
 }
 
-// Time after the beginning at which the event function is zero on the polynomial of degree five through the motions at both ends of the trial, by
-// secants from its end and from another part of it. An end that moves a little hardly changes the rest of this path.
+// Time after the beginning at which the event function is zero on the polynomial of degree five through the motions at
+// both ends of the trial, by secants from its end and from another part of it. An end that moves a little hardly
+// changes the rest of this path.
 double EventLocator::Search::zero_on_path(const EventId& id, double part) const {
   constexpr int secants = 4;
   const Quintic path(links.jet(id.link, now), links.jet(id.link, trial.end), trial.h);
@@ -167,16 +173,18 @@ double EventLocator::Search::zero_on_path(const EventId& id, double part) const 
   return s * trial.h;
 }
 
-// Guesses on the paths of the trials, and where they lead astray regula falsi of Anderson and Bjorck (1973) on the length of the step.
+// Guesses on the paths of the trials, and where they lead astray regula falsi of Anderson and Bjorck (1973) on the
+// length of the step.
 bool EventLocator::Search::solve(const EventBracket& bracket, double longest) const {
-  const double noise = functions.noise(bracket.id, at_end(bracket.id.link), now), change = bracket.at_begin - bracket.at_end;
+  const double noise = functions.noise(bracket.id, at_end(bracket.id.link), now),
+               change = bracket.at_begin - bracket.at_end;
   // Below the round-off, so that the located event is not taken for an end of the next phase.
   const double zero = noise > 0 ? std::min(zero_part * change, 0.1 * noise) : zero_part * change;
   double low = bracket.from, at_low = bracket.at_begin, high = longest, at_high = bracket.at_end;
   const bool along_paths = low == 0;  // else a hop that is much shorter than the trial, of which its path says nothing
   double guess = along_paths ? zero_on_path(bracket.id, bracket.guess / longest) : bracket.guess;
   double before = 0, at_before = change;  // the guess before, and the value there
-  int crawling = 0;  // guesses in a row that hardly came nearer
+  int crawling = 0;                       // guesses in a row that hardly came nearer
   enum { lower, upper } replaced = upper;
   // Enough for bisections down to the last digit, should the function jump.
   for (int iteration = 0; iteration < 200; ++iteration) {
@@ -204,7 +212,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
     if (crawling < 2) {
       guess = low + (high - low) * at_low / (at_low - at_high);
       if (along_paths) {
-        const double nearer = iteration == 0 ? zero_on_path(bracket.id, guess / trial.h) : here + value * (before - here) / (value - at_before);
+        const double nearer = iteration == 0 ? zero_on_path(bracket.id, guess / trial.h)
+                                             : here + value * (before - here) / (value - at_before);
         if (nearer > low && nearer < high) guess = nearer;
       }
     } else {
@@ -233,11 +242,14 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
 std::optional<double> EventLocator::expected_end(const Instant& now, const Trial& trial) const {
   std::optional<double> first;
   for (const EventBracket& bracket : brackets_in(functions_, now, trial))
-    if (links_.contact(bracket.id.link).phase() != ContactPhase::open && bracket.guess > 0 && !(first && *first <= bracket.guess)) first = bracket.guess;
+    if (links_.contact(bracket.id.link).phase() != ContactPhase::open && bracket.guess > 0 &&
+        !(first && *first <= bracket.guess))
+      first = bracket.guess;
   return first;
 }
 
-std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, bool at_corners, const TryStep& try_step) const {
+std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, bool at_corners,
+                                                  const TryStep& try_step) const {
   const Search search{functions_, corners_, links_, now, trial, try_step, trial.error <= 1};
   if (at_corners && links_.springs() > 0 && !trial.springs_stay) search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
@@ -245,8 +257,8 @@ std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Tria
   if (open.empty()) return std::nullopt;
   const std::vector<EventBracket> all = open;
   for (;;) {
-    EventBracket first = *std::min_element(open.begin(), open.end(),
-                                           [](const EventBracket& a, const EventBracket& b) { return a.guess < b.guess; });
+    EventBracket first = *std::min_element(
+        open.begin(), open.end(), [](const EventBracket& a, const EventBracket& b) { return a.guess < b.guess; });
     const double noise = functions_.noise(first.id, links_.motion(first.id.link, now), now), longest = trial.h;
     const bool at_zero = first.at_begin <= noise;
     const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);

@@ -9,8 +9,8 @@ namespace {
 
 using enum Instant::Column;
 
-// Balances inertia at t + (1 - alpha_m) h and all other forces at t + (1 - alpha_f) h, with alpha_m and alpha_f as weights of
-// the end of the step. The stage's unknown is the acceleration at the end.
+// Balances inertia at t + (1 - alpha_m) h and all other forces at t + (1 - alpha_f) h, with alpha_m and alpha_f as
+// weights of the end of the step. The stage's unknown is the acceleration at the end.
 class GeneralizedAlphaScheme final : public TimeScheme {
  public:
   GeneralizedAlphaScheme(Equations& equations, StageSolver& stages, const GeneralizedAlpha& coefficients)
@@ -29,8 +29,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     const double h = t.h;
     const auto [alpha_m, alpha_f, beta, gamma] = k_;
     const bool carries = eq_.width == 4;
-    // With a spectral radius below one the scheme carries the acceleration of (alpha_m - alpha_f) h earlier. That time changes
-    // with the step, and so must the acceleration, else each change of the step would cost an order.
+    // With a spectral radius below one the scheme carries the acceleration of (alpha_m - alpha_f) h earlier. That time
+    // changes with the step, and so must the acceleration, else each change of the step would cost an order.
     const double part = carries && last_step > 0 ? h / last_step : 1;
     const Instant::Column own = carries ? carried : a;
 
@@ -66,7 +66,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     double* r = r_.data();
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i)
-      r[i] = (alpha_m - 1) * r[i] - push[i] - ku0[i] - cv0[i] - alpha_f * (h * kv0[i] + by_c_in_u * ka0[i] + by_c_in_v * ca0[i]);
+      r[i] = (alpha_m - 1) * r[i] - push[i] - ku0[i] - cv0[i] -
+             alpha_f * (h * kv0[i] + by_c_in_u * ka0[i] + by_c_in_v * ca0[i]);
     if (t.short_motions) r_ -= alpha_f * eq_.short_motions.forces(missed_);
     if (stages_.forced()) eq_.solver.add_forces(alpha_f - 1, x.force, r_);
 
@@ -76,7 +77,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       std::fill_n(t.end.force.data(), t.end.force.size(), 0.0);
     const Stage stage{beta * h * h, gamma * h, alpha_f};
     if (eq_.slips.any()) slip_free_ = x.slip + 0.5 * h * eq_.slips.rates(x);
-    const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g, LinkMotion& motion) {
+    const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g,
+                                                                                                   LinkMotion& motion) {
       const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
       double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
       double rate = x.relative(i, v) + by_c_in_v * s + gamma * h * g;
@@ -84,7 +86,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
         relative_displacement += eq_.short_motions.closing(i, missed_.u);
         rate += eq_.short_motions.closing(i, missed_.v);
       }
-      motion.penetration = eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u));
+      motion.penetration =
+          eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u));
       motion.rate = rate + eq_.links.ground_part(t.end.by_ground, i, v);
       motion.slip = motion.lag = 0;
       if (eq_.slips.any() && eq_.slips.slips(i)) {
@@ -101,12 +104,14 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       guess_ = Eigen::Map<const Eigen::VectorXd>(a0, n);
       free_displacement_ = x.motion.col(u) + h * x.motion.col(v) + by_c_in_u * guess_;
       if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
-      if (!stages_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
+      if (!stages_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force))
+        return false;
     } else if (!stages_.solve(stage, free_motion, r_, t.end.force)) {
       return false;
     }
 
-    // After a step that ends at a corner the acceleration is carried on by a large factor; rounding at unknowns without mass with it.
+    // After a step that ends at a corner the acceleration is carried on by a large factor; rounding at unknowns without
+    // mass with it.
     if (carries && eq_.springs.any()) eq_.solver.recover(r_);
 
     double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(own);
@@ -147,10 +152,12 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     t.end.slip = slip_free_;
     for (std::size_t k = 0; k < stages_.active().size(); ++k)
       if (const int link = stages_.active()[k]; eq_.slips.slips(link))
-        t.end.slip[link - eq_.links.contacts()] += 0.5 * h * eq_.links.spring(link).slip_rate(stages_.link_motion(stage, k));
+        t.end.slip[link - eq_.links.contacts()] +=
+            0.5 * h * eq_.links.spring(link).slip_rate(stages_.link_motion(stage, k));
   }
 
-  // The acceleration from dynamic equilibrium, with the link forces as the scheme found them, beside the one it carries.
+  // The acceleration from dynamic equilibrium, with the link forces as the scheme found them, beside the one it
+  // carries.
   void balance_end(Instant& end) {
     eq_.multiply(end, u, 2);
     auto balanced = end.motion.col(a);
@@ -168,14 +175,15 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   GeneralizedAlpha k_;
   Eigen::VectorXd r_, ground_, ground_begin_;
   Eigen::MatrixXd begin_;  // where the scheme carries an acceleration of its own: [coordinate, a K a C a]
-  GroundDefect missed_;  // of the short motions of the ground
+  GroundDefect missed_;    // of the short motions of the ground
   Eigen::VectorXd guess_, free_displacement_;
   Eigen::VectorXd slip_free_;  // slip of each spring but for its rate at the end; empty where none slips
 };
 
 }  // namespace
 
-std::unique_ptr<TimeScheme> make_generalized_alpha(Equations& equations, StageSolver& stages, const GeneralizedAlpha& coefficients) {
+std::unique_ptr<TimeScheme> make_generalized_alpha(Equations& equations, StageSolver& stages,
+                                                   const GeneralizedAlpha& coefficients) {
   return std::make_unique<GeneralizedAlphaScheme>(equations, stages, coefficients);
 }
 

@@ -46,16 +46,18 @@ HeldForces::Sample HeldForces::at(double s, const Instant& x, const Trial& kept)
       motions_[i] = {begin.penetration, 0};
       continue;
     }
-    motions_[i] = {cubic.begin * begin.penetration + cubic.end * end.penetration + cubic.slope_begin * begin.rate + cubic.slope_end * end.rate,
+    motions_[i] = {cubic.begin * begin.penetration + cubic.end * end.penetration + cubic.slope_begin * begin.rate +
+                       cubic.slope_end * end.rate,
                    cubic.begin * begin.rate + cubic.end * end.rate + cubic.slope_begin * links.acceleration(i, x) +
                        cubic.slope_end * links.acceleration(i, y)};
   }
   acceleration_ = -equations_.supports.push(ground_) - cubic.begin * (x.motion.col(ku) + x.motion.col(cv)) -
-                  cubic.end * (y.motion.col(ku) + y.motion.col(cv)) - cubic.slope_begin * (x.motion.col(kv) + x.motion.col(ca)) -
+                  cubic.end * (y.motion.col(ku) + y.motion.col(cv)) -
+                  cubic.slope_begin * (x.motion.col(kv) + x.motion.col(ca)) -
                   cubic.slope_end * (y.motion.col(kv) + y.motion.col(ca));
   if (equations_.pseudo_forces.any()) {
-    const Eigen::VectorXd displacement = cubic.begin * x.motion.col(u) + cubic.end * y.motion.col(u) + cubic.slope_begin * x.motion.col(v) +
-                                         cubic.slope_end * y.motion.col(v);
+    const Eigen::VectorXd displacement = cubic.begin * x.motion.col(u) + cubic.end * y.motion.col(u) +
+                                         cubic.slope_begin * x.motion.col(v) + cubic.slope_end * y.motion.col(v);
     Eigen::VectorXd pseudo;
     equations_.pseudo_force(displacement, pseudo);
     acceleration_ -= pseudo;
@@ -88,7 +90,8 @@ void HeldForces::record_peaks(const Instant& x, const Trial& kept) {
     // No more above the samples than these differ: else the search could not find a new peak of the impact.
     const auto [least, most] = std::minmax({x.force[i], kept.force_middle[i], kept.end.force[i]});
     if (most + (most - least) <= links.contact(i).impacts().back().peak_force) continue;
-    if (samples.empty()) samples = {{0, x.force}, at(0.25, x, kept), {0.5, kept.force_middle}, at(0.75, x, kept), {1, kept.end.force}};
+    if (samples.empty())
+      samples = {{0, x.force}, at(0.25, x, kept), {0.5, kept.force_middle}, at(0.75, x, kept), {1, kept.end.force}};
     find_peak(i, x, kept, samples);
   }
 }

@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Index;
 
-// act(first, count, place) for each block, with the place of its first number where blocks follow each other; until one returns false.
+// act(first, count, place) for each block, with the place of its first number where blocks follow each other; until one
+// returns false.
 template <class Act>
 bool each_block(const std::vector<Index>& ends, const Act& act) {
   Index first = 0, place = 0;
@@ -26,7 +27,8 @@ bool each_block(const std::vector<Index>& ends, const Act& act) {
 
 // y = G x, where `term` takes a number of G and one of x. Terms are summed in the order of the links.
 template <class Term>
-void multiply_blocks(const std::vector<Index>& ends, const Eigen::MatrixXd& g, const Eigen::VectorXd& x, Eigen::VectorXd& y, const Term& term) {
+void multiply_blocks(const std::vector<Index>& ends, const Eigen::MatrixXd& g, const Eigen::VectorXd& x,
+                     Eigen::VectorXd& y, const Term& term) {
   y.setZero();
   each_block(ends, [&](Index first, Index count, Index) {
     for (Index j = first; j < first + count; ++j)
@@ -75,7 +77,8 @@ void LinkBlocks::multiply(const Eigen::MatrixXd& flexibility, const Eigen::Vecto
     multiply_blocks(ends_, flexibility, x, y, [](double g, double f) { return g * f; });
 }
 
-void LinkBlocks::multiply_sizes(const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+void LinkBlocks::multiply_sizes(const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& x,
+                                Eigen::VectorXd& y) const {
   renew(y, x.size());
   if (ends_.size() == 1)
     y.noalias() = flexibility.cwiseAbs() * x.cwiseAbs();
@@ -83,14 +86,17 @@ void LinkBlocks::multiply_sizes(const Eigen::MatrixXd& flexibility, const Eigen:
     multiply_blocks(ends_, flexibility, x, y, [](double g, double f) { return std::abs(g) * std::abs(f); });
 }
 
-bool BlockFactors::stays(const LinkBlocks& blocks, const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& roots) const {
+bool BlockFactors::stays(const LinkBlocks& blocks, const Eigen::MatrixXd& flexibility,
+                         const Eigen::VectorXd& roots) const {
   if (blocks.ends() != ends_ || roots.size() != roots_.size() || roots != roots_) return false;
   return each_block(ends_, [&](Index first, Index count, Index place) {
-    return Eigen::Map<const Eigen::MatrixXd>(flexibility_.data() + place, count, count) == flexibility.block(first, first, count, count);
+    return Eigen::Map<const Eigen::MatrixXd>(flexibility_.data() + place, count, count) ==
+           flexibility.block(first, first, count, count);
   });
 }
 
-bool BlockFactors::factorize(const LinkBlocks& blocks, const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& roots) {
+bool BlockFactors::factorize(const LinkBlocks& blocks, const Eigen::MatrixXd& flexibility,
+                             const Eigen::VectorXd& roots) {
   if (stays(blocks, flexibility, roots)) return true;
   ends_ = blocks.ends();
   Index numbers = 0;
@@ -103,7 +109,8 @@ bool BlockFactors::factorize(const LinkBlocks& blocks, const Eigen::MatrixXd& fl
   renew(factors_, numbers);
   roots_ = roots;
   const bool definite = each_block(ends_, [&](Index first, Index count, Index place) {
-    Eigen::Map<Eigen::MatrixXd> g(flexibility_.data() + place, count, count), factor(factors_.data() + place, count, count);
+    Eigen::Map<Eigen::MatrixXd> g(flexibility_.data() + place, count, count),
+        factor(factors_.data() + place, count, count);
     const auto r = roots.segment(first, count);
     g = flexibility.block(first, first, count, count);
     factor = r.asDiagonal() * g * r.asDiagonal();
@@ -117,7 +124,8 @@ bool BlockFactors::factorize(const LinkBlocks& blocks, const Eigen::MatrixXd& fl
 
 void BlockFactors::solve(Eigen::VectorXd& x) const {
   each_block(ends_, [&](Index first, Index count, Index place) {
-    const auto lower = Eigen::Map<const Eigen::MatrixXd>(factors_.data() + place, count, count).triangularView<Eigen::Lower>();
+    const auto lower =
+        Eigen::Map<const Eigen::MatrixXd>(factors_.data() + place, count, count).triangularView<Eigen::Lower>();
     auto part = x.segment(first, count);
     lower.solveInPlace(part);
     lower.adjoint().solveInPlace(part);

@@ -7,9 +7,10 @@
 
 namespace pounding {
 
-/// The blocks along the diagonal of a flexibility G, outside of which it has zeros. Links follow each other by structures: a block ends where no link behind
-/// it acts on one before. In a row of bodies of which some hundreds press at once few links share a body, and the squares and cubes of the number of
-/// all links, which products and factors cost, become those of the blocks.
+/// The blocks along the diagonal of a flexibility G, outside of which it has zeros. Links follow each other by
+/// structures: a block ends where no link behind it acts on one before. In a row of bodies of which some hundreds press
+/// at once few links share a body, and the squares and cubes of the number of all links, which products and factors
+/// cost, become those of the blocks.
 class LinkBlocks {
  public:
   /// Number of a link among the active ones.
@@ -35,7 +36,8 @@ class LinkBlocks {
   std::vector<Index> reach_;  // the last link that acts on this one or on one before it
 };
 
-/// Cholesky factors of 1 + R G R, one a block, with a diagonal R. The factor of all links costs the cube of their number.
+/// Cholesky factors of 1 + R G R, one a block, with a diagonal R. The factor of all links costs the cube of their
+/// number.
 class BlockFactors {
  public:
   /// They stay while G and R do. False if a block is not positive definite.

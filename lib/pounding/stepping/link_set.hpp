@@ -26,7 +26,8 @@ class LinkSet {
         moved_(driven_ || !system.gravity_offset.isZero(0)),
         contact_of_friction_(static_cast<std::size_t>(system.links() - frictions_from_)) {
     for (const Friction& friction : system.frictions)
-      for (int i = friction.first; i < friction.first + friction.count; ++i) contact_of_friction_[i - frictions_from_] = friction.contact;
+      for (int i = friction.first; i < friction.first + friction.count; ++i)
+        contact_of_friction_[i - frictions_from_] = friction.contact;
   }
 
   /// Number of links, and of contacts among them.
@@ -68,7 +69,9 @@ class LinkSet {
     if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
   }
   /// Time derivative of the rate [m/s^2].
-  double acceleration(int link, const Instant& x) const { return x.relative(link, Instant::a) + ground_part(x.by_ground, link, Instant::a); }
+  double acceleration(int link, const Instant& x) const {
+    return x.relative(link, Instant::a) + ground_part(x.by_ground, link, Instant::a);
+  }
   /// The motion with its acceleration.
   Jet jet(int link, const Instant& x) const {
     const LinkMotion at = motion(link, x);
@@ -89,7 +92,8 @@ class LinkSet {
   }
   /// Force and slopes of a contact or a spring.
   laws::Response law(int link, const LinkMotion& motion) const {
-    return link < contacts_ ? system_.contacts[link]->evaluate(motion) : system_.springs[link - contacts_]->evaluate(motion);
+    return link < contacts_ ? system_.contacts[link]->evaluate(motion)
+                            : system_.springs[link - contacts_]->evaluate(motion);
   }
 
   /// Whether the link may have a force in its present phase: contacts that press, their frictions, all springs.

@@ -15,8 +15,9 @@ double terms(const laws::Response& law, const LinkMotion& at) {
   return std::abs(law.by_penetration * at.penetration) + std::abs(law.by_rate * at.rate);
 }
 
-// A stiff bar leaves next to nothing of the free motion, whose round-off its force has still. Storeys that yield are softer than
-// their linear stiffness and have none of this, but theirs is the difference between two forces of the size of k d.
+// A stiff bar leaves next to nothing of the free motion, whose round-off its force has still. Storeys that yield are
+// softer than their linear stiffness and have none of this, but theirs is the difference between two forces of the size
+// of k d.
 double terms(const Spring& spring, const laws::Response& law, const LinkMotion& at, const LinkMotion& free) {
   return std::max(std::max(terms(law, at), spring.stiffness() * std::abs(at.penetration)),
                   std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate));
@@ -39,13 +40,14 @@ bool LinkSolver::solve(const CondensedLinks& links, Eigen::VectorXd& force) {
   return links.active.size() == 1 ? solve_one(links, 0, 0.0, 0.0, force[0]) : solve_many(links, force);
 }
 
-// Newton's method inside a bracket: the force lies between zero and the answer of the law to the free motion; a spring that
-// softens goes beyond that. `others` is G F of the other links, `others_relief` S F of them.
+// Newton's method inside a bracket: the force lies between zero and the answer of the law to the free motion; a spring
+// that softens goes beyond that. `others` is G F of the other links, `others_relief` S F of them.
 bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force) {
   const int link = links.active[k];
   const double flexibility = links.flexibility(k, k);
   const double at_once = links.relief ? (*links.relief)(k, k) : 0;
-  const double relief_u = links.weight * links.by_u * flexibility + at_once, relief_v = links.weight * links.by_v * flexibility;
+  const double relief_u = links.weight * links.by_u * flexibility + at_once,
+               relief_v = links.weight * links.by_v * flexibility;
   if (links_.is_held(link)) {
     force = (links.free_acceleration[k] / links.weight - others) / flexibility;
     return true;
@@ -104,14 +106,17 @@ void LinkSolver::find_sliders(const CondensedLinks& links) {
   };
   // Springs that settle by themselves are solved without the contacts that press meanwhile.
   for (const Friction& friction : links_.frictions())
-    if (std::binary_search(links.active.begin(), links.active.end(), friction.contact)) sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
+    if (std::binary_search(links.active.begin(), links.active.end(), friction.contact))
+      sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
 }
 
 // Answer of a friction where the forces reduce the closing accelerations by `relief` times the weight.
-FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const {
+FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slider,
+                                const Eigen::VectorXd& relief) const {
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
   const auto rate = [&](int k) { return links.free[k].rate - by_v * relief[k]; };
-  const LinkMotion contact{links.free[slider.contact].penetration - by_u * relief[slider.contact], rate(slider.contact)};
+  const LinkMotion contact{links.free[slider.contact].penetration - by_u * relief[slider.contact],
+                           rate(slider.contact)};
   Sliding rates{};
   for (int j = 0; j < slider.friction->count; ++j) rates[j] = rate(slider.first + j);
   return friction_force(*slider.friction, links_.law(links.active[slider.contact], contact), rates);
@@ -143,8 +148,8 @@ bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider,
   return true;
 }
 
-// Norm of the differences between the answers of the laws and the forces x; sets residual_, terms_ and, if asked, the slopes of the
-// laws and the rows of slopes_ for frictions.
+// Norm of the differences between the answers of the laws and the forces x; sets residual_, terms_ and, if asked, the
+// slopes of the laws and the rows of slopes_ for frictions.
 double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& x, bool with_slopes) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
@@ -166,7 +171,8 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     const laws::Response answer = links_.law(links.active[i], at);
     residual_[i] = answer.force - x[i];
     const int link = links.active[i];
-    terms_ = std::max(terms_, link < links_.contacts() ? terms(answer, at) : terms(links_.spring(link), answer, at, links.free[i]));
+    terms_ = std::max(
+        terms_, link < links_.contacts() ? terms(answer, at) : terms(links_.spring(link), answer, at, links.free[i]));
     if (!with_slopes) continue;
     by_penetration_[i] = answer.by_penetration;
     by_rate_[i] = answer.by_rate;
@@ -183,16 +189,17 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
       }
       if (!with_slopes) continue;
       slopes_.row(i) = (by_u * answer.by_penetration[j] + by_v * answer.by_rate[j]) * g.row(slider.contact);
-      for (int k = 0; k < slider.friction->count; ++k) slopes_.row(i) += by_v * answer.by_sliding[j][k] * g.row(slider.first + k);
+      for (int k = 0; k < slider.friction->count; ++k)
+        slopes_.row(i) += by_v * answer.by_sliding[j][k] * g.row(slider.first + k);
       slopes_(i, i) += 1;
     }
   }
   return residual_.norm();
 }
 
-// Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free motion, and of the
-// forces on a light body between two heavy ones, which take most of each other off. A dashpot magnifies it. With the slopes of the last
-// residual() that asked for them.
+// Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free
+// motion, and of the forces on a light body between two heavy ones, which take most of each other off. A dashpot
+// magnifies it. With the slopes of the last residual() that asked for them.
 double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& x) {
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
   if (links.blocks)
@@ -201,13 +208,14 @@ double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& 
     sizes_ = links.flexibility.cwiseAbs() * x.cwiseAbs();
   double largest = 0;
   for (int i = 0; i < plain_; ++i)
-    largest = std::max(largest, std::abs(by_penetration_[i]) * (std::abs(links.free[i].penetration) + by_u * sizes_[i]) +
-                                    std::abs(by_rate_[i]) * (std::abs(links.free[i].rate) + by_v * sizes_[i]));
+    largest =
+        std::max(largest, std::abs(by_penetration_[i]) * (std::abs(links.free[i].penetration) + by_u * sizes_[i]) +
+                              std::abs(by_rate_[i]) * (std::abs(links.free[i].rate) + by_v * sizes_[i]));
   return solved * largest;
 }
 
-// One pass of Gauss-Seidel with the bracketed scalar solve: slower than Newton's method, but it cannot fail on laws whose
-// force grows with penetration and rate.
+// One pass of Gauss-Seidel with the bracketed scalar solve: slower than Newton's method, but it cannot fail on laws
+// whose force grows with penetration and rate.
 bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
   const Eigen::MatrixXd& g = links.flexibility;
   for (int i = 0; i < plain_; ++i) {
@@ -222,14 +230,17 @@ bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
 
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
-  for (Eigen::VectorXd* const room : {&residual_, &relief_, &relief_at_once_, &by_penetration_, &by_rate_, &trial_, &direction_, &sizes_}) renew(*room, count);
+  for (Eigen::VectorXd* const room :
+       {&residual_, &relief_, &relief_at_once_, &by_penetration_, &by_rate_, &trial_, &direction_, &sizes_})
+    renew(*room, count);
   by_penetration_.setZero();
   by_rate_.setZero();
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
                             links.active.begin());
   if (!links_.frictions().empty()) find_sliders(links);
   // Held contacts between the same bodies leave their shares open: the slopes are singular then.
-  const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
+  const auto held =
+      std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
   const bool many = count >= LinkBlocks::many && links.blocks && held == 0 && plain_ == count && !links.relief;
   if (!many) renew(slopes_, count, count);
   bool descends = false;

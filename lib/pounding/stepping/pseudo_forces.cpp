@@ -16,7 +16,8 @@ using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
 // Newton steps below this part of the displacements that the neighbours impose are round-off.
 constexpr double balanced = 3e-14;
-// Where round-off is larger, as with stiff members, the steps stop shrinking at it; below this part that is good enough.
+// Where round-off is larger, as with stiff members, the steps stop shrinking at it; below this part that is good
+// enough.
 constexpr double nearly_balanced = 1e-10;
 // With the factor at rest each step must shrink to this part of the one before, else the tangent is factored.
 constexpr double slow = 0.2;
@@ -50,17 +51,21 @@ struct PseudoForces::Part {
   int group, first, size;
   const ElasticForces& forces;
   SparseMatrix mass, stiffness;
-  std::vector<int> all, dynamic, massless;  // degrees of freedom: all, with mass, without
-  SparseMatrix couplings;              // absolute stiffness between massless and all
-  VectorXd diagonal;                   // of the stiffness at massless ones
-  Factor at_rest;                      // of that part of the stiffness
+  std::vector<int> all, dynamic, massless;                   // degrees of freedom: all, with mass, without
+  SparseMatrix couplings;                                    // absolute stiffness between massless and all
+  VectorXd diagonal;                                         // of the stiffness at massless ones
+  Factor at_rest;                                            // of that part of the stiffness
   mutable Extract massless_of_tangent, coupling_of_tangent;  // massless to massless, massless to dynamic
   mutable Factor massless_factor;                            // of a tangent
 
   Part(const System& system, int number)
-      : group(number), first(system.groups[number].first), size(system.groups[number].count),
-        forces(*system.groups[number].elastic), all(size),
-        dynamic(split_by_mass(system.mass, first, size).dynamic), massless(split_by_mass(system.mass, first, size).massless) {
+      : group(number),
+        first(system.groups[number].first),
+        size(system.groups[number].count),
+        forces(*system.groups[number].elastic),
+        all(size),
+        dynamic(split_by_mass(system.mass, first, size).dynamic),
+        massless(split_by_mass(system.mass, first, size).massless) {
     std::iota(all.begin(), all.end(), 0);
     mass = submatrix(system.mass, all, all, first);
     stiffness = submatrix(system.stiffness, all, all, first);
@@ -83,7 +88,8 @@ struct PseudoForces::Part {
   bool settle(VectorXd& u, VectorXd& f) const {
     f = forces.force(u);
     if (massless.empty()) return true;
-    const double scale = std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
+    const double scale =
+        std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
     double last = std::numeric_limits<double>::infinity();
     bool turned = false;  // so far that the factor at rest is of no use
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
@@ -157,7 +163,8 @@ bool PseudoForces::corrects(const SparseMatrix& of_unknowns) const {
   for (int j = 0; j < of_unknowns.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(of_unknowns, j); it; ++it)
       for (const auto& part : parts_)
-        if (it.value() != 0 && std::binary_search(part->massless.begin(), part->massless.end(), it.row() - part->first)) return true;
+        if (it.value() != 0 && std::binary_search(part->massless.begin(), part->massless.end(), it.row() - part->first))
+          return true;
   return false;
 }
 

@@ -11,14 +11,15 @@
 
 namespace pounding {
 
-/// Makes Instant::relative, the products B^T of the motion. A frame may have a hundred hinges, which cost most of them, and while all stay
-/// elastic nothing else depends on how far they turn.
+/// Makes Instant::relative, the products B^T of the motion. A frame may have a hundred hinges, which cost most of them,
+/// and while all stay elastic nothing else depends on how far they turn.
 class RelativeMotion {
  public:
   /// `width`: columns of Instant::motion that have products. The others must outlive it.
   RelativeMotion(const LinkSet& links, const StructureSolver& solver, int width);
 
-  /// A bound on the deformations of springs that can wait; nothing where they cannot, as this process has not all of them. This must outlive it.
+  /// A bound on the deformations of springs that can wait; nothing where they cannot, as this process has not all of
+  /// them. This must outlive it.
   std::optional<DeformationBound> bound() const;
   /// Makes those of all links.
   void gather(Instant& x) const;
@@ -28,8 +29,8 @@ class RelativeMotion {
   void gather_springs(const Instant& x, int columns) const;
   /// Makes all columns of these, if they wait.
   void gather_springs(const Instant& x) const { gather_springs(x, width_); }
-  /// Deformations of the springs alone, without forces of their own, for displacements of the coordinates [spring, column]; only where they
-  /// can wait.
+  /// Deformations of the springs alone, without forces of their own, for displacements of the coordinates [spring,
+  /// column]; only where they can wait.
   void deformations(const Eigen::Ref<const Eigen::MatrixXd>& u, Eigen::MatrixXd& d) const;
 
  private:

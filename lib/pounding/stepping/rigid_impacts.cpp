@@ -32,7 +32,8 @@ Eigen::VectorXd plastic_impulses(const Eigen::MatrixXd& g, const Eigen::VectorXd
     if (worst < 0) return f;
     pressed.push_back(worst);
     while (!pressed.empty()) {
-      const Eigen::VectorXd wanted = Eigen::MatrixXd(g(pressed, pressed)).completeOrthogonalDecomposition().solve(rate(pressed));
+      const Eigen::VectorXd wanted =
+          Eigen::MatrixXd(g(pressed, pressed)).completeOrthogonalDecomposition().solve(rate(pressed));
       double part = 1;
       for (std::size_t k = 0; k < pressed.size(); ++k)
         if (wanted[k] < 0) part = std::min(part, f[pressed[k]] / (f[pressed[k]] - wanted[k]));
@@ -88,8 +89,8 @@ double slowest_bounce(double press, double restitution, double displacement, dou
   return std::max(lowest / restitution, briefest / restitution);
 }
 
-void hold_contacts(const RigidContacts& rigid, const LinkSet& links, const Instant& begin, const Eigen::MatrixXd& relative,
-                   const std::vector<int>& held, Instant& end) {
+void hold_contacts(const RigidContacts& rigid, const LinkSet& links, const Instant& begin,
+                   const Eigen::MatrixXd& relative, const std::vector<int>& held, Instant& end) {
   using enum Instant::Column;
   Eigen::MatrixXd drift(static_cast<Eigen::Index>(held.size()), 2);
   for (std::size_t k = 0; k < held.size(); ++k) {
@@ -98,7 +99,8 @@ void hold_contacts(const RigidContacts& rigid, const LinkSet& links, const Insta
     drift.row(static_cast<Eigen::Index>(k)) << relative(i, u) + links.ground_part(end.by_ground, i, u) - before,
         relative(i, v) + links.ground_part(end.by_ground, i, v);
   }
-  const Eigen::MatrixXd back = Eigen::MatrixXd(rigid.flexibility(held, held)).completeOrthogonalDecomposition().solve(drift);
+  const Eigen::MatrixXd back =
+      Eigen::MatrixXd(rigid.flexibility(held, held)).completeOrthogonalDecomposition().solve(drift);
   for (std::size_t k = 0; k < held.size(); ++k)
     end.motion.leftCols(2) -= rigid.response.col(held[k]) * back.row(static_cast<Eigen::Index>(k));
 }

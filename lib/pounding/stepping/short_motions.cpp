@@ -36,7 +36,8 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
     const auto is_short = [&](int group) {
       const double mass = sums[2 * group + 1];
       if (!(mass > 0)) return false;
-      const double w = std::max(std::sqrt(std::max(0.0, sums[2 * group] / mass)), 2 * std::numbers::pi / longest_period);
+      const double w =
+          std::max(std::sqrt(std::max(0.0, sums[2 * group] / mass)), 2 * std::numbers::pi / longest_period);
       return 2 * std::numbers::pi / period > short_ratio * w;
     };
     bool any = false;
@@ -64,7 +65,8 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   solver.stiffness_and_damping_times(shift_, stiffness_, damping_);
   solver.gather(shift_, closing_);
   coupling_ = load_.transpose() * shift_;
-  // A shadow steps over these motions as the structures do where they are short for any of them; its work counts nowhere.
+  // A shadow steps over these motions as the structures do where they are short for any of them; its work counts
+  // nowhere.
   Eigen::MatrixXd at_work = shift_;
   at_work.bottomRows(n - solver.counted()).setZero();
   springs_ = at_work.transpose() * stiffness_;
@@ -86,7 +88,8 @@ void ShortMotions::follow(const Instant& begin, Trial& trial) const {
   bool any = false;
   for (std::size_t i = 0; i < index_.size(); ++i) any = any || acts(i, begin.time);
   if (!any) return;
-  trial.short_motions = {at(begin.time, begin.ground, begin), at(begin.time + 0.5 * trial.h, trial.ground_middle, begin),
+  trial.short_motions = {at(begin.time, begin.ground, begin),
+                         at(begin.time + 0.5 * trial.h, trial.ground_middle, begin),
                          at(trial.end.time, trial.end.ground, begin)};
 }
 
@@ -103,9 +106,10 @@ Eigen::VectorXd ShortMotions::velocity_at_end(const Trial& trial) const {
   return shift(velocity);
 }
 
-// With z = v + R g' the work is the integral of -ag P^T z + ag P^T R g'; the second part is exact, the first is integrated by parts to
-// that of g' P^T z'. Of P^T z' the spring forces that the ground makes in the step, and their work, are exact; the dashpot forces
-// that it makes are summed as the ledger sums what they dissipate; all others, `slow`, hardly change in the step.
+// With z = v + R g' the work is the integral of -ag P^T z + ag P^T R g'; the second part is exact, the first is
+// integrated by parts to that of g' P^T z'. Of P^T z' the spring forces that the ground makes in the step, and their
+// work, are exact; the dashpot forces that it makes are summed as the ledger sums what they dissipate; all others,
+// `slow`, hardly change in the step.
 double ShortMotions::work(const Instant& begin, const Trial& kept) const {
   const Eigen::MatrixXd &x = kept.short_motions->begin, &m = kept.short_motions->middle, &y = kept.short_motions->end;
   const auto loads = [&](const Eigen::MatrixXd& ground, const double* rates, Instant::Column order) -> Eigen::VectorXd {
@@ -120,8 +124,9 @@ double ShortMotions::work(const Instant& begin, const Trial& kept) const {
   const auto dissipated = [&](const Eigen::MatrixXd& ground) { return ground.col(v).dot(dashpots_ * ground.col(v)); };
   const Eigen::VectorXd way = y.col(u) - x.col(u), middle = slow(m, kept.a_middle.data());
   return exact(y, kept.end) - exact(x, begin) + 0.5 * way.dot(springs_ * way) + middle.dot(way) +
-         kept.h / 6 * (x.col(v).dot(slow(x, begin.at(a)) - middle) + y.col(v).dot(slow(y, kept.end.at(a)) - middle) +
-                       dissipated(x) + 4 * dissipated(m) + dissipated(y));
+         kept.h / 6 *
+             (x.col(v).dot(slow(x, begin.at(a)) - middle) + y.col(v).dot(slow(y, kept.end.at(a)) - middle) +
+              dissipated(x) + 4 * dissipated(m) + dissipated(y));
 }
 
 }  // namespace pounding

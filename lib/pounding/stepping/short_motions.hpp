@@ -14,14 +14,14 @@ struct GroundDefect {
   Eigen::VectorXd u, v;
 };
 
-/// Short motions of the ground shift a structure as a whole: while one with displacement g lasts, the relative motion is nearly -R g,
-/// with R = M^-1 P, and what is left of it afterwards may be far smaller. So the schemes integrate the absolute acceleration
-/// a + R ag, which is smooth and small, and the ground in closed form: wherever a rule of theirs integrates ag by a sum, its
-/// result is corrected by R times the defect, the sum less the exact integral.
+/// Short motions of the ground shift a structure as a whole: while one with displacement g lasts, the relative motion
+/// is nearly -R g, with R = M^-1 P, and what is left of it afterwards may be far smaller. So the schemes integrate the
+/// absolute acceleration a + R ag, which is smooth and small, and the ground in closed form: wherever a rule of theirs
+/// integrates ag by a sum, its result is corrected by R times the defect, the sum less the exact integral.
 ///
-/// A closed form is short for a group of the system if its period is below a quarter of that of the group, taken by Rayleigh's
-/// quotient of R and at most a second. Motions that last longer, records and rectangles have no part in this: steps that end at
-/// corners integrate straight lines exactly.
+/// A closed form is short for a group of the system if its period is below a quarter of that of the group, taken by
+/// Rayleigh's quotient of R and at most a second. Motions that last longer, records and rectangles have no part in
+/// this: steps that end at corners integrate straight lines exactly.
 class ShortMotions {
  public:
   /// Both must outlive it. Collective.
@@ -44,7 +44,8 @@ class ShortMotions {
   Eigen::VectorXd forces(const GroundDefect& defect) const { return stiffness_ * defect.u + damping_ * defect.v; }
   /// Closing of a link by R times one number a short motion.
   double closing(int link, const Eigen::VectorXd& by) const { return closing_.row(link).dot(by); }
-  /// R times the velocity of the ground at the end of a step in which short motions act; without those that are over then.
+  /// R times the velocity of the ground at the end of a step in which short motions act; without those that are over
+  /// then.
   Eigen::VectorXd velocity_at_end(const Trial& trial) const;
 
   /// Work of the short motions in a kept step [J]; of the coordinates on this process.
@@ -60,12 +61,12 @@ class ShortMotions {
 
   const System& system_;
   const StructureSolver& solver_;
-  std::vector<int> index_;          // into the grounds
-  Eigen::MatrixXd load_;            // P, one column a short motion; zero in groups for which it is not short
-  Eigen::MatrixXd other_load_;      // P of all grounds, without load_
-  Eigen::MatrixXd shift_;           // R
+  std::vector<int> index_;               // into the grounds
+  Eigen::MatrixXd load_;                 // P, one column a short motion; zero in groups for which it is not short
+  Eigen::MatrixXd other_load_;           // P of all grounds, without load_
+  Eigen::MatrixXd shift_;                // R
   Eigen::MatrixXd stiffness_, damping_;  // K R, C R
-  Eigen::MatrixXd closing_;         // B^T R
+  Eigen::MatrixXd closing_;              // B^T R
   Eigen::MatrixXd coupling_, springs_, dashpots_;  // R^T M R, R^T K R, R^T C R; of the coordinates on this process
 };
 

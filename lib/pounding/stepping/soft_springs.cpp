@@ -49,7 +49,8 @@ bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eig
   return factor_->info() == Eigen::Success;
 }
 
-bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual, Eigen::VectorXd& direction) {
+bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual,
+                        Eigen::VectorXd& direction) {
   choose(slopes);
   direction = residual;
   const auto count = static_cast<Eigen::Index>(soft_.size());
@@ -97,7 +98,8 @@ bool SoftSprings::answer(const CondensedLinks& links, const Eigen::VectorXd& slo
   return true;
 }
 
-bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<int>& others, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& slopes,
+bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<int>& others,
+                               const Eigen::MatrixXd& matrix, const Eigen::VectorXd& slopes,
                                const Eigen::VectorXd& residual, Eigen::VectorXd& direction) {
   choose(slopes);
   const auto count = static_cast<Eigen::Index>(soft_.size()), beside = static_cast<Eigen::Index>(others.size());

@@ -7,13 +7,14 @@
 namespace pounding {
 namespace {
 
-// A law is looked at this part of a step behind its beginning: further than a corner may lie from the end of the step that was to end
-// there (EventLocator).
+// A law is looked at this part of a step behind its beginning: further than a corner may lie from the end of the step
+// that was to end there (EventLocator).
 constexpr double just_behind = 4e-3;
 constexpr int max_branches = 8;
 
 Eigen::MatrixXd dense(const SparseMatrix& s, const std::vector<int>& of) {
-  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(of.size()), static_cast<Eigen::Index>(of.size()));
+  Eigen::MatrixXd part =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(of.size()), static_cast<Eigen::Index>(of.size()));
   std::vector<int> place(static_cast<std::size_t>(s.rows()), -1);
   for (std::size_t i = 0; i < of.size(); ++i) place[of[i]] = static_cast<int>(i);
   for (std::size_t j = 0; j < of.size(); ++j)
@@ -72,8 +73,8 @@ bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd
     const LinkMotion& motion = motions[active_[k]];
     free_[k] = {motion.penetration - (relief_[springs[k]] - by_own[k]), motion.rate};
   }
-  const CondensedLinks condensed{.active = active_, .free = free_, .free_acceleration = none_,
-                                 .flexibility = zero_, .relief = &flexibility_};
+  const CondensedLinks condensed{
+      .active = active_, .free = free_, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
   if (!solver_.solve(condensed, own)) return false;
   force(active_) = own;
   return true;
@@ -120,13 +121,15 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
   }
 }
 
-// Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all yield.
+// Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all
+// yield.
 bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
   if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
   set_no_flexibility(slopes.size());
   renew(solved_, rates.rows(), rates.cols());
   solved_ = rates;
-  const CondensedLinks condensed{.active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
+  const CondensedLinks condensed{
+      .active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
   if (!soft_springs_.answer(condensed, slopes, solved_)) return false;
   rates = solved_;
   return true;

@@ -11,9 +11,9 @@
 
 namespace pounding {
 
-/// The deformation is d = B^T u - S F + c and the force that of the law, F = phi(d). With the slopes phi' of the laws the rate of d is
-/// (I + S phi')^-1 B^T v, the derivative of this. Slopes jump at the corners of a law, where steps end; those of the middle of a step
-/// hold all through it.
+/// The deformation is d = B^T u - S F + c and the force that of the law, F = phi(d). With the slopes phi' of the laws
+/// the rate of d is (I + S phi')^-1 B^T v, the derivative of this. Slopes jump at the corners of a law, where steps
+/// end; those of the middle of a step hold all through it.
 class SpringForces {
  public:
   /// `links` must outlive it.
@@ -22,8 +22,8 @@ class SpringForces {
   /// Whether any spring gives way; without, the functions below need not be called.
   bool any() const { return any_; }
 
-  /// Forces of all links [N] for `motions`, those of springs without relief; they become those with it. `force` is a guess. Forces of
-  /// links that are no springs stay. False where the laws find no equilibrium.
+  /// Forces of all links [N] for `motions`, those of springs without relief; they become those with it. `force` is a
+  /// guess. Forces of links that are no springs stay. False where the laws find no equilibrium.
   bool settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;
 
   /// S F.
@@ -38,9 +38,10 @@ class SpringForces {
   /// Rates in a trial, and its slopes, from its middle.
   void find_rates(const Instant& begin, Trial& trial) const;
 
-  /// Motions of all springs at both ends of a trial as if each law kept the slope that it has where the step begins: up to the first corner
-  /// of any force the cubic through them is that of the trial.
-  void follow_first_slopes(const Instant& begin, const Trial& trial, std::vector<LinkMotion>& first, std::vector<LinkMotion>& last) const;
+  /// Motions of all springs at both ends of a trial as if each law kept the slope that it has where the step begins: up
+  /// to the first corner of any force the cubic through them is that of the trial.
+  void follow_first_slopes(const Instant& begin, const Trial& trial, std::vector<LinkMotion>& first,
+                           std::vector<LinkMotion>& last) const;
 
  private:
   bool solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;

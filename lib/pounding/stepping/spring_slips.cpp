@@ -4,7 +4,8 @@
 
 namespace pounding {
 
-SpringSlips::SpringSlips(const LinkSet& links) : links_(links), is_slipping_(static_cast<std::size_t>(links.springs()), false) {
+SpringSlips::SpringSlips(const LinkSet& links)
+    : links_(links), is_slipping_(static_cast<std::size_t>(links.springs()), false) {
   for (int i = 0; i < links.springs(); ++i)
     if (links.spring(links.contacts() + i).slips()) {
       is_slipping_[i] = true;
@@ -31,7 +32,8 @@ Eigen::VectorXd SpringSlips::rates(const Instant& x) const {
 void SpringSlips::find_middle(const Instant& x, Trial& trial) const {
   const Eigen::VectorXd begin = rates(x), end = rates(trial.end);
   for (const int i : slipping_)
-    trial.middle[links_.contacts() + i].slip = 0.5 * (x.slip[i] + trial.end.slip[i]) + trial.h / 8 * (begin[i] - end[i]);
+    trial.middle[links_.contacts() + i].slip =
+        0.5 * (x.slip[i] + trial.end.slip[i]) + trial.h / 8 * (begin[i] - end[i]);
 }
 
 void SpringSlips::add_simpson_error(const Instant& x, const Trial& trial, double part, StepError& error) const {

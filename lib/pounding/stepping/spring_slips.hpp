@@ -9,8 +9,9 @@
 
 namespace pounding {
 
-/// The slip w of such a spring follows dw/dt = g(d - w): a scheme advances it by its own stages, as it does velocities. In a stage
-/// w = slip + lag g(d - w), which the spring solves by itself with the slip and the lag of its LinkMotion. At instants the lag is zero.
+/// The slip w of such a spring follows dw/dt = g(d - w): a scheme advances it by its own stages, as it does velocities.
+/// In a stage w = slip + lag g(d - w), which the spring solves by itself with the slip and the lag of its LinkMotion.
+/// At instants the lag is zero.
 class SpringSlips {
  public:
   /// `links` must outlive it.

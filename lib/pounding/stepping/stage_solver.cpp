@@ -28,13 +28,15 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
   for (int i = 0; i < links_.size(); ++i)
     if (i == links_.contacts() && springs_.rests())
       i = links_.frictions_from() - 1;
-    else if (links_.is_spring(i) ? springs_.is_active(i) : links_.is_active(i)) active_.push_back(i);
+    else if (links_.is_spring(i) ? springs_.is_active(i) : links_.is_active(i))
+      active_.push_back(i);
   if (springs_.holds()) {
     held_push_.setZero(equations_.solver.size());
     equations_.solver.add_forces(1, springs_.held(), held_push_);
   }
   if (equations_.springs.any()) {
-    const bool gives_way = std::any_of(active_.begin(), active_.end(), [&](int link) { return links_.is_spring(link); });
+    const bool gives_way =
+        std::any_of(active_.begin(), active_.end(), [&](int link) { return links_.is_spring(link); });
     held_relief_.setZero(gives_way ? links_.springs() : 0);
     relief_.resize(0, 0);
     if (gives_way) {

@@ -1,5 +1,6 @@
 #pragma once
-/// One stage of a step: the structures are solved once, then the few link forces, and this again where pseudo-forces act.
+/// One stage of a step: the structures are solved once, then the few link forces, and this again where pseudo-forces
+/// act.
 
 #include <Eigen/Core>
 #include <optional>
@@ -14,8 +15,8 @@
 
 namespace pounding {
 
-/// How the acceleration x of a stage enters: u = free u + by_u x and v = free v + by_v x, while link forces and pseudo-forces
-/// count with `weight` in its equations A x = r.
+/// How the acceleration x of a stage enters: u = free u + by_u x and v = free v + by_v x, while link forces and
+/// pseudo-forces count with `weight` in its equations A x = r.
 struct Stage {
   double by_u = 0;  ///< [s^2]
   double by_v = 0;  ///< [s]
@@ -24,12 +25,14 @@ struct Stage {
 
 /// Solves the stages of one trial step, all with the same matrix A and the same active links.
 ///
-/// `FreeMotion` is a function (link, g, motion) of the scheme, where g is the closing acceleration B^T A^-1 r of a link: it sets the motion
-/// that the link has in the stage without the forces of active links, and returns its closing acceleration [m/s^2].
+/// `FreeMotion` is a function (link, g, motion) of the scheme, where g is the closing acceleration B^T A^-1 r of a
+/// link: it sets the motion that the link has in the stage without the forces of active links, and returns its closing
+/// acceleration [m/s^2].
 class StageSolver {
  public:
   /// Both must outlive it.
-  StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links), springs_(links_, equations.ranges) {}
+  StageSolver(Equations& equations, const ErrorNorm& norm)
+      : equations_(equations), norm_(norm), links_(equations.links), springs_(links_, equations.ranges) {}
 
   /// For a trial of length h [s] from `now`: chooses the springs that are active.
   void choose_springs(const Instant& now, double h) {
@@ -38,8 +41,8 @@ class StageSolver {
   /// Whether a trial showed more of them; then it must be solved again, with these.
   bool add_springs(const Trial& trial) { return equations_.springs.any() && springs_.grow(trial); }
 
-  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility G = B^T A^-1 B could not
-  /// be found.
+  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility G =
+  /// B^T A^-1 B could not be found.
   bool begin(const EffectiveMatrix& matrix, const std::optional<int>& level);
 
   /// Links whose force is sought, in ascending order.
@@ -76,11 +79,12 @@ class StageSolver {
     return condense(stage, force, r);
   }
 
-  /// Solves the stage with pseudo-forces at the displacement of the stage, free_displacement + by_u x, which is found by fixed-point
-  /// iteration from x = guess.
+  /// Solves the stage with pseudo-forces at the displacement of the stage, free_displacement + by_u x, which is found
+  /// by fixed-point iteration from x = guess.
   template <class FreeMotion>
-  bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement, const Eigen::VectorXd& guess,
-                                const FreeMotion& free_motion, Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
+  bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement,
+                                const Eigen::VectorXd& guess, const FreeMotion& free_motion,
+                                Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
     const Eigen::VectorXd others = r;
     Eigen::VectorXd displacement, found;
     const auto map = [&](const Eigen::VectorXd& x, Eigen::VectorXd& image) {
@@ -91,19 +95,23 @@ class StageSolver {
       ++repetitions_;
       return true;
     };
-    const auto size = [&](const Eigen::VectorXd& residual) { return norm_.relative_size(stage.by_u * residual, displacement); };
+    const auto size = [&](const Eigen::VectorXd& residual) {
+      return norm_.relative_size(stage.by_u * residual, displacement);
+    };
     const auto product = [this](const Eigen::VectorXd& p, const Eigen::VectorXd& q) { return norm_.product(p, q); };
     if (!solve_fixed_point(guess, found, map, size, product)) return false;
     r = found;
     return true;
   }
 
-  /// Closing acceleration of active link number k in the last stage that was solved [m/s^2], without that of the ground.
+  /// Closing acceleration of active link number k in the last stage that was solved [m/s^2], without that of the
+  /// ground.
   double link_acceleration(std::size_t k) const {
     return gathered_(static_cast<Eigen::Index>(k), 0) - relief_by_forces(static_cast<Eigen::Index>(k));
   }
 
-  /// Motion of active link number k, a spring that does not give way, in the last stage that was solved, which was this one.
+  /// Motion of active link number k, a spring that does not give way, in the last stage that was solved, which was this
+  /// one.
   LinkMotion link_motion(const Stage& stage, std::size_t k) const {
     const double relief = relief_by_forces(static_cast<Eigen::Index>(k));
     LinkMotion motion = free_[k];
@@ -140,12 +148,13 @@ class StageSolver {
   long repetitions_ = 0;
   int failed_link_ = -1;
   std::vector<int> active_;
-  Eigen::VectorXd held_push_, held_relief_;  // B F and S F of the springs that keep their forces; the latter empty for none
-  Eigen::MatrixXd flexibility_, relief_;     // G and S of the active links; S empty for none
-  LinkBlocks blocks_;                        // of G
-  std::vector<LinkMotion> free_;       // of the active links
+  Eigen::VectorXd held_push_,
+      held_relief_;  // B F and S F of the springs that keep their forces; the latter empty for none
+  Eigen::MatrixXd flexibility_, relief_;  // G and S of the active links; S empty for none
+  LinkBlocks blocks_;                     // of G
+  std::vector<LinkMotion> free_;          // of the active links
   Eigen::VectorXd free_acceleration_, active_force_;
-  Eigen::MatrixXd gathered_;           // B^T x of the active links without their forces
+  Eigen::MatrixXd gathered_;  // B^T x of the active links without their forces
   Eigen::VectorXd pseudo_force_;
 };
 

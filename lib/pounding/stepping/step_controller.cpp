@@ -22,8 +22,8 @@ constexpr double max_stretch = 1e-3;
 // Shortest step, as part of the time where it begins, of a second at least.
 constexpr double shortest_part = 1e-16;
 
-// A rejected step is tried again up to the end of a phase that it passed, and this part of the way behind it, but never longer than the
-// second part of what it was.
+// A rejected step is tried again up to the end of a phase that it passed, and this part of the way behind it, but never
+// longer than the second part of what it was.
 constexpr double behind_end = 1.01, max_aim = 0.9;
 
 constexpr double safety = 0.9, safety_after_rejection = 0.5;
@@ -35,7 +35,8 @@ StepSizePolicy::Verdict ErrorControl::judge(const Stepper& stepper, double step)
   const double error = stepper.error_ratio();
   const bool accepted = error <= 1;
   const double share = accepted ? safety : safety * safety_after_rejection;
-  const double factor = error > 0 ? share * std::pow(error, -1.0 / stepper.error_order()) : std::numeric_limits<double>::infinity();
+  const double factor =
+      error > 0 ? share * std::pow(error, -1.0 / stepper.error_order()) : std::numeric_limits<double>::infinity();
   return {accepted, std::min(step * std::clamp(factor, max_shrink, max_growth), max_step_)};
 }
 
@@ -55,8 +56,8 @@ void StepController::give_up(double step, const std::string& reason) const {
     at = (link < stepper_.system().contact_count() ? " at link " : " at ") + names[link];
   else if (link >= 0)
     at = fmt::format(" at link {}", link + 1);
-  throw SolverError(
-      fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.time(), at, step, reason));
+  throw SolverError(fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.time(), at,
+                                step, reason));
 }
 
 void StepController::give_up_too_short(double step) const {
@@ -73,7 +74,9 @@ void StepController::reject(double step, StepSizePolicy& policy) const {
 
 void StepController::count_event_in_place(double step) {
   if (++events_in_place_ > max_events_in_place)
-    give_up(step, "a contact opens and closes without end. Type another analysis.tolerance, or a gap that is not closed at rest");
+    give_up(
+        step,
+        "a contact opens and closes without end. Type another analysis.tolerance, or a gap that is not closed at rest");
 }
 
 double StepController::advance(double wanted, double end, StepSizePolicy& policy) {
@@ -95,7 +98,8 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       wanted = shortened(goal.step, verdict.next, aimed);
       continue;
     }
-    // A short step to a breakpoint says nothing against the longer one that was wanted. What the ground forbids is not remembered.
+    // A short step to a breakpoint says nothing against the longer one that was wanted. What the ground forbids is not
+    // remembered.
     const double good = std::min(goal.end ? std::max(verdict.next, wanted) : verdict.next, longest);
     const bool was_in_contact = stepper_.in_contact();
     std::optional<double> located;

@@ -32,8 +32,8 @@ class FixedSteps final : public StepSizePolicy {
   Verdict judge(const Stepper&, double step) override { return {true, step}; }
 };
 
-/// The next step is 0.9 times the one whose error would be the allowed one, 0.45 times after a rejection; between a tenth of
-/// the last step and ten times it, and not above `max_step` [s]. This is what PETSc's TSADAPTBASIC does.
+/// The next step is 0.9 times the one whose error would be the allowed one, 0.45 times after a rejection; between a
+/// tenth of the last step and ten times it, and not above `max_step` [s]. This is what PETSc's TSADAPTBASIC does.
 class ErrorControl final : public StepSizePolicy {
  public:
   explicit ErrorControl(double max_step) : max_step_(max_step) {}
@@ -62,8 +62,8 @@ class ErrorControl final : public StepSizePolicy {
 ///           accept: x- <- end of trial; histories, energies, scales; x+ <- apply events and rigid impacts to x-
 ///           return
 ///
-/// Two lengths are remembered, the last good one without contact and that just behind a touch, which is shorter. A first contact
-/// starts with a tenth of the step before it.
+/// Two lengths are remembered, the last good one without contact and that just behind a touch, which is shorter. A
+/// first contact starts with a tenth of the step before it.
 ///
 ///     StepController controller(stepper);
 ///     ErrorControl policy(max_step);
@@ -74,9 +74,9 @@ class StepController {
   /// `stepper` must outlive it.
   explicit StepController(Stepper& stepper) : stepper_(stepper) {}
 
-  /// Makes one kept step of at most about `wanted` [s] that does not pass `end` [s]; returns the step to want next. Throws
-  /// SolverError, naming time, step and link, when no step is short enough, a contact opens and closes without time passing,
-  /// or the policy gives up.
+  /// Makes one kept step of at most about `wanted` [s] that does not pass `end` [s]; returns the step to want next.
+  /// Throws SolverError, naming time, step and link, when no step is short enough, a contact opens and closes without
+  /// time passing, or the policy gives up.
   double advance(double wanted, double end, StepSizePolicy& policy);
 
   /// Trial steps so far, without those that located events.
@@ -104,7 +104,7 @@ class StepController {
   Stepper& stepper_;
   double step_apart_ = 0, step_at_touch_ = 0;  // last good steps without contact and behind a touch, zero for none [s]
   bool touched_ = false;                       // the present contact began with the last step
-  int events_in_place_ = 0;                      // in a row, without time passing
+  int events_in_place_ = 0;                    // in a row, without time passing
   long trials_ = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace pounding {
 
-/// Keeping a trial swaps pointers and copies nothing. The present instant is the end of the last kept step until something
-/// changes there; then it is a copy of it.
+/// Keeping a trial swaps pointers and copies nothing. The present instant is the end of the last kept step until
+/// something changes there; then it is a copy of it.
 class StepHistory {
  public:
   explicit StepHistory(const Equations& equations);

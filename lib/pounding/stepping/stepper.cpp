@@ -96,7 +96,8 @@ double Stepper::step_towards(double wanted, double left) const {
   if (!equations_.solver.prefers_dyadic_steps()) {
     // Sixteen lengths an octave, so that round-off in the error of a step does not show in the length of the next.
     constexpr std::uint64_t exponent_and_four_bits = 0xffff'0000'0000'0000;
-    const double even = std::bit_cast<double>(std::bit_cast<std::uint64_t>(wanted * (1 + 1e-9)) & exponent_and_four_bits);
+    const double even =
+        std::bit_cast<double>(std::bit_cast<std::uint64_t>(wanted * (1 + 1e-9)) & exponent_and_four_bits);
     return left / std::ceil(left / even * (1 - 1e-9));
   }
   const double dyadic = dyadic_.at_most(wanted);
@@ -194,8 +195,11 @@ void Stepper::deformations(double s, Eigen::VectorXd& d) const {
   for (const Instant* end : {&x, &y}) equations_.relative.gather_springs(*end);
   const int first = equations_.links.contacts(), count = equations_.links.springs();
   const double *const begin = kept.spring_paths.data(), *const end = begin + count, h = y.time - x.time;
-  const auto column = [first](const Instant& at, Instant::Column which) { return at.relative.col(which).data() + first; };
-  const double *v0 = column(x, Instant::v), *a0 = column(x, Instant::a), *v1 = column(y, Instant::v), *a1 = column(y, Instant::a);
+  const auto column = [first](const Instant& at, Instant::Column which) {
+    return at.relative.col(which).data() + first;
+  };
+  const double *v0 = column(x, Instant::v), *a0 = column(x, Instant::a), *v1 = column(y, Instant::v),
+               *a1 = column(y, Instant::a);
   d.resize(count);
   double* const at = d.data();
 #pragma GCC ivdep
@@ -206,13 +210,15 @@ void Stepper::displacements(double s, Eigen::Ref<Eigen::VectorXd> u) const {
   const Instant &x = history_.begin(), &y = history_.kept().end;
   const double *const u0 = x.at(Instant::u), *const v0 = x.at(Instant::v), *const a0 = x.at(Instant::a);
   const double *const u1 = y.at(Instant::u), *const v1 = y.at(Instant::v), *const a1 = y.at(Instant::a);
-  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = Quintic({u0[i], v0[i], a0[i]}, {u1[i], v1[i], a1[i]}, y.time - x.time).at(s).x;
+  for (Eigen::Index i = 0; i < u.size(); ++i)
+    u[i] = Quintic({u0[i], v0[i], a0[i]}, {u1[i], v1[i], a1[i]}, y.time - x.time).at(s).x;
 }
 
 void Stepper::describe_springs() const {
   if (std::exchange(described_.with_springs, true)) return;
   follow_springs();
-  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i) describe(i, described_.steps[i]);
+  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
+    describe(i, described_.steps[i]);
 }
 
 void Stepper::accept() {

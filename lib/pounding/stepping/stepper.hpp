@@ -1,6 +1,6 @@
 #pragma once
-/// One step of the equations of motion: tried, measured, shortened to the first event inside it, kept. Knows no PETSc; see
-/// StepController for the order of these calls.
+/// One step of the equations of motion: tried, measured, shortened to the first event inside it, kept. Knows no PETSc;
+/// see StepController for the order of these calls.
 
 #include <Eigen/Core>
 #include <memory>
@@ -28,18 +28,18 @@ namespace pounding {
 struct StepperOptions {
   double tolerance = 1e-4;  ///< relative, on displacements and forces; between 0 and 1
   Scheme scheme = {};
-  double max_step = 0;      ///< longest step [s]; shorter while the ground moves, see Stepper::longest_step()
+  double max_step = 0;  ///< longest step [s]; shorter while the ground moves, see Stepper::longest_step()
 };
 
-/// Steps with the link forces condensed out: each stage solves the structures once with a matrix that does not change, then
-/// Newton's method finds the few link forces. Pseudo-forces are iterated to convergence around both.
+/// Steps with the link forces condensed out: each stage solves the structures once with a matrix that does not change,
+/// then Newton's method finds the few link forces. Pseudo-forces are iterated to convergence around both.
 ///
 /// A trial step is pure: one that is not accepted leaves no trace in contacts, springs and state. Collective over the
 /// processes that share the solver.
 class Stepper {
  public:
-  /// `solver` describes the same system; both must outlive the stepper. Throws std::invalid_argument when options are out of
-  /// range or parts of the system do not fit each other (System::check).
+  /// `solver` describes the same system; both must outlive the stepper. Throws std::invalid_argument when options are
+  /// out of range or parts of the system do not fit each other (System::check).
   Stepper(const System& system, StructureSolver& solver, const StepperOptions& options);
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
@@ -49,26 +49,32 @@ class Stepper {
   /// somebody changed; the energy that this adds counts as input.
   void start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
-  /// Sets the matrix of steps of length h > 0 [s] without a step: its factor is made, and the options of the factor are read.
+  /// Sets the matrix of steps of length h > 0 [s] without a step: its factor is made, and the options of the factor are
+  /// read.
   void prepare(double h) { equations_.solver.set_matrix(scheme_->matrix(h), step_level(h)); }
 
-  /// Solves a trial step of length h > 0 [s]. `end`: exact end time if known (next breakpoint of the ground motion, end of the
-  /// run); default time() + h. False if link forces or pseudo-forces could not be solved.
+  /// Solves a trial step of length h > 0 [s]. `end`: exact end time if known (next breakpoint of the ground motion, end
+  /// of the run); default time() + h. False if link forces or pseudo-forces could not be solved.
   bool try_step(double h, std::optional<double> end = std::nullopt);
   /// Error of the trial over the allowed one; good is at most 1.
   double error_ratio() const { return history_.trial().error; }
   /// Its error falls with this power of its length. In contact, that of Simpson's rule is the larger one of ESDIRK4.
-  int error_order() const { return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.presses() ? 1 : 0); }
+  int error_order() const {
+    return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.presses() ? 1 : 0);
+  }
   /// Whether the trial may hold an event; where not, locate_event() would find none.
   bool may_hold_event() const;
-  /// About where the first phase of a contact that presses ends inside the trial [s after its beginning]; nothing if none does.
-  std::optional<double> expected_end_of_phase() const { return locator_.expected_end(history_.now(), history_.trial()); }
-  /// Shortens the trial to the first event inside it, by re-integrated steps. Its length [s] is returned; zero if the event is
-  /// at the beginning, nothing if there is none. `at_corners`: a corner of a spring's force ends it too. Throws SolverError if such a step
-  /// cannot be solved.
+  /// About where the first phase of a contact that presses ends inside the trial [s after its beginning]; nothing if
+  /// none does.
+  std::optional<double> expected_end_of_phase() const {
+    return locator_.expected_end(history_.now(), history_.trial());
+  }
+  /// Shortens the trial to the first event inside it, by re-integrated steps. Its length [s] is returned; zero if the
+  /// event is at the beginning, nothing if there is none. `at_corners`: a corner of a spring's force ends it too.
+  /// Throws SolverError if such a step cannot be solved.
   std::optional<double> locate_event(bool at_corners = true);
-  /// Whether a step that ends at a corner costs little. Where it needs a factor of its own, the error alone says how long steps are: each
-  /// accepted one follows its springs around their corners.
+  /// Whether a step that ends at a corner costs little. Where it needs a factor of its own, the error alone says how
+  /// long steps are: each accepted one follows its springs around their corners.
   bool locates_corners() const { return !equations_.solver.needs_dyadic_steps(); }
   /// Keeps the trial and applies the events at its end.
   void accept();
@@ -81,15 +87,16 @@ class Stepper {
   double next_break() const { return equations_.supports.next_break(); }
   /// Longest step until then: the max_step of the options, or what resolves the motions of the ground [s].
   double longest_step() const { return longest_step_; }
-  /// The present state, after any events; the beginning of the last kept step; and the end of that step before events. The
-  /// last one is the same object as state() if nothing changed there.
+  /// The present state, after any events; the beginning of the last kept step; and the end of that step before events.
+  /// The last one is the same object as state() if nothing changed there.
   const State& state() const { return output_.now(); }
   const State& begin() const { return output_.begin(); }
   const State& end_minus() const { return output_.end_minus(); }
   /// Displacements and velocities alone at the last two, cheaper than a state that nobody has asked for.
   void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.begin(u, v); }
   void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.end_minus(u, v); }
-  /// The present instant, and those at the beginning and at the end of the last kept step, before events, in the coordinates of base().
+  /// The present instant, and those at the beginning and at the end of the last kept step, before events, in the
+  /// coordinates of base().
   const Instant& instant() const { return history_.now(); }
   const Instant& instant_begin() const { return history_.begin(); }
   const Instant& instant_end_minus() const { return history_.kept().end; }
@@ -123,7 +130,9 @@ class Stepper {
   /// Whether no product with springs is made before it is asked for.
   bool springs_wait() const { return equations_.ranges.let_wait(); }
   /// Where they wait, deformations at many instants at once, from displacements of base() there [spring, column].
-  void deformations(const Eigen::Ref<const Eigen::MatrixXd>& u, Eigen::MatrixXd& d) const { equations_.relative.deformations(u, d); }
+  void deformations(const Eigen::Ref<const Eigen::MatrixXd>& u, Eigen::MatrixXd& d) const {
+    equations_.relative.deformations(u, d);
+  }
   /// Such displacements at a part s from 0 to 1 of the last kept step, on the paths of deformations().
   void displacements(double s, Eigen::Ref<Eigen::VectorXd> u) const;
   /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
@@ -158,10 +167,12 @@ class Stepper {
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const { output_.interpolate_outputs(time, motion); }
 
   /// Coordinates of base() inside the last kept step, where is_linear(): [coordinate, u v a].
-  void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const { output_.interpolate_coordinates(time, motion); }
+  void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const {
+    output_.interpolate_coordinates(time, motion);
+  }
 
-  /// The step to try if `wanted` would do and `left` remains until a breakpoint or the end [s]: a dyadic step where the solver
-  /// prefers them, else equal parts of `left`.
+  /// The step to try if `wanted` would do and `left` remains until a breakpoint or the end [s]: a dyadic step where the
+  /// solver prefers them, else equal parts of `left`.
   double step_towards(double wanted, double left) const;
   const StepperOptions& options() const { return options_; }
   const System& system() const { return equations_.system; }

@@ -15,7 +15,8 @@ namespace pounding {
 /// Sums and differences of a motion carry this much round-off, relative to the motion.
 inline constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Ground motions as a step needs them: forces of their accelerations, the relative motion that they add to links, breakpoints.
+/// Ground motions as a step needs them: forces of their accelerations, the relative motion that they add to links,
+/// breakpoints.
 class SupportExcitation {
  public:
   SupportExcitation(const System& system, const StructureSolver& solver)
@@ -42,7 +43,8 @@ class SupportExcitation {
 
   /// P ag for accelerations of the grounds; overwritten by the next call.
   const Eigen::VectorXd& push(const Eigen::VectorXd& ground) const {
-    // The loops store as many numbers at once as those read that follow: a wider read of numbers just stored would wait for them.
+    // The loops store as many numbers at once as those read that follow: a wider read of numbers just stored would wait
+    // for them.
     const Eigen::MatrixXd& load = solver_.load();
     const int n = solver_.size();
     double* const sum = push_.data();
@@ -60,7 +62,8 @@ class SupportExcitation {
     return push_;
   }
 
-  /// S times displacements, velocities and the given accelerations of the grounds, plus the gravity offset: [link, u v a].
+  /// S times displacements, velocities and the given accelerations of the grounds, plus the gravity offset: [link, u v
+  /// a].
   void relative_motion(double time, const Eigen::VectorXd& ground, Eigen::MatrixXd& by_ground) const {
     by_ground.setZero(system_.links(), 3);
     if (system_.gravity_offset.size() > 0) by_ground.col(Instant::u) = system_.gravity_offset;
@@ -84,7 +87,8 @@ class SupportExcitation {
     if (!std::isfinite(first_break_)) return;
     const double same = first_break_ + rounding * std::max(1.0, std::abs(first_break_));
     for (const GroundMotion& motion : system_.grounds)
-      for (double t = motion.next_break(time); t <= same; t = motion.next_break(t)) next_break_ = std::max(next_break_, t);
+      for (double t = motion.next_break(time); t <= same; t = motion.next_break(t))
+        next_break_ = std::max(next_break_, t);
   }
 
   /// Longest step from `time` to the next breakpoint that resolves the motions, see GroundMotion::longest_step [s].

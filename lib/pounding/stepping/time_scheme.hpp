@@ -15,14 +15,16 @@ class TimeScheme {
 
   /// A = mass M + damping C + stiffness K of a step of length h; the same for all its stages.
   virtual EffectiveMatrix matrix(double h) const = 0;
-  /// Solves a step of length trial.h from `begin`. `last_step`: length of the last kept step, zero for none [s]. Given in
-  /// `trial`: h, the end time, and ground and by_ground at the end and the middle. Sets everything else but Trial::error and
-  /// the sums of squares, and the estimated errors. False if the equations of a stage could not be solved.
+  /// Solves a step of length trial.h from `begin`. `last_step`: length of the last kept step, zero for none [s]. Given
+  /// in `trial`: h, the end time, and ground and by_ground at the end and the middle. Sets everything else but
+  /// Trial::error and the sums of squares, and the estimated errors. False if the equations of a stage could not be
+  /// solved.
   virtual bool try_step(const Instant& begin, double last_step, Trial& trial, StepError& error) = 0;
 };
 
 /// The arguments must outlive the scheme.
-std::unique_ptr<TimeScheme> make_generalized_alpha(Equations& equations, StageSolver& stages, const GeneralizedAlpha& coefficients);
+std::unique_ptr<TimeScheme> make_generalized_alpha(Equations& equations, StageSolver& stages,
+                                                   const GeneralizedAlpha& coefficients);
 std::unique_ptr<TimeScheme> make_esdirk4(Equations& equations, StageSolver& stages);
 
 }  // namespace pounding

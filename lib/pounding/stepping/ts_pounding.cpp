@@ -141,13 +141,13 @@ PetscErrorCode interpolate(TS ts, PetscReal time, Vec to) {
 
 PetscErrorCode set_up(TS ts) {
   PetscFunctionBegin;
-  PetscCheck(ts->vec_sol && ts->vec_dot, comm_of(ts), PETSC_ERR_ORDER,
-             "Call TS2SetSolution() first");
+  PetscCheck(ts->vec_sol && ts->vec_dot, comm_of(ts), PETSC_ERR_ORDER, "Call TS2SetSolution() first");
   PetscInt size = 0;
   PetscCall(VecGetSize(ts->vec_sol, &size));
   const Stepper* stepper = data_of(ts).stepper();
   PetscCheck(!stepper || size == stepper->system().size(), comm_of(ts), PETSC_ERR_ARG_SIZ,
-             "The solution has %d entries, the system of the stepper %d", static_cast<int>(size), stepper->system().size());
+             "The solution has %d entries, the system of the stepper %d", static_cast<int>(size),
+             stepper->system().size());
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -160,17 +160,16 @@ PetscErrorCode set_from_options(TS ts, OptionItems PetscOptionsObject) {
   PetscInt scheme = static_cast<PetscInt>(options.scheme.kind), base = static_cast<PetscInt>(options.solver);
   PetscReal radius = options.scheme.spectral_radius;
   PetscBool radius_given = PETSC_FALSE;
-  PetscCall(PetscOptionsEList("-ts_pounding_scheme", "Time-stepping scheme", "set_solver_options", schemes, 2, schemes[scheme],
-                              &scheme, nullptr));
-  PetscCall(PetscOptionsReal("-ts_pounding_radius", "Spectral radius at infinite frequency", "set_solver_options", radius, &radius,
-                             &radius_given));
-  PetscCall(PetscOptionsEList("-ts_pounding_base", "How structures are solved", "set_solver_options", bases, 3, bases[base], &base,
-                              nullptr));
+  PetscCall(PetscOptionsEList("-ts_pounding_scheme", "Time-stepping scheme", "set_solver_options", schemes, 2,
+                              schemes[scheme], &scheme, nullptr));
+  PetscCall(PetscOptionsReal("-ts_pounding_radius", "Spectral radius at infinite frequency", "set_solver_options",
+                             radius, &radius, &radius_given));
+  PetscCall(PetscOptionsEList("-ts_pounding_base", "How structures are solved", "set_solver_options", bases, 3,
+                              bases[base], &base, nullptr));
   options.scheme.kind = static_cast<Scheme::Kind>(scheme);
   options.scheme.spectral_radius = radius;
   options.solver = static_cast<SolverKind>(base);
-  PetscCheck(!radius_given || options.scheme.kind == Scheme::Kind::generalized_alpha,
-             comm_of(ts), PETSC_ERR_ARG_INCOMP,
+  PetscCheck(!radius_given || options.scheme.kind == Scheme::Kind::generalized_alpha, comm_of(ts), PETSC_ERR_ARG_INCOMP,
              "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha");
   PetscCall(set_solver_options(ts, options));
   PetscOptionsHeadEnd();
@@ -188,10 +187,10 @@ PetscErrorCode view(TS ts, PetscViewer viewer) {
     PetscCall(PetscViewerASCIIPrintf(viewer, ", spectral radius %g", data.options.scheme.spectral_radius));
   PetscCall(PetscViewerASCIIPrintf(viewer, "\n"));
   if (data.controller)
-    PetscCall(PetscViewerASCIIPrintf(
-        viewer, "  %s\n  %d links, longest step %g s, tolerance %g, %ld events\n",
-        data.stepper()->base().description().c_str(), data.stepper()->system().links(), data.stepper()->options().max_step,
-        data.stepper()->options().tolerance, data.stepper()->events()));
+    PetscCall(PetscViewerASCIIPrintf(viewer, "  %s\n  %d links, longest step %g s, tolerance %g, %ld events\n",
+                                     data.stepper()->base().description().c_str(), data.stepper()->system().links(),
+                                     data.stepper()->options().max_step, data.stepper()->options().tolerance,
+                                     data.stepper()->events()));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -229,9 +228,9 @@ PetscErrorCode register_ts_pounding() {
 
 PetscErrorCode set_solver_options(TS ts, const SolverOptions& options) {
   PetscFunctionBegin;
-  PetscCheck(options.scheme.spectral_radius >= 0 && options.scheme.spectral_radius <= 1,
-             comm_of(ts), PETSC_ERR_ARG_OUTOFRANGE,
-             "The spectral radius must lie in [0, 1], not %g", options.scheme.spectral_radius);
+  PetscCheck(options.scheme.spectral_radius >= 0 && options.scheme.spectral_radius <= 1, comm_of(ts),
+             PETSC_ERR_ARG_OUTOFRANGE, "The spectral radius must lie in [0, 1], not %g",
+             options.scheme.spectral_radius);
   data_of(ts).options = options;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }

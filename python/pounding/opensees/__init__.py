@@ -32,9 +32,26 @@ from pounding.errors import InputError, SolverError
 
 #: The program that serves one link.
 LINK_PROCESS = Path(__file__).parent / "link_process.py"
-#: Columns of Link.impacts, with the meaning and the units of those of Run.impacts; peaks are the largest at the ends of steps.
-IMPACT = np.dtype([(name, float) for name in ("t_start", "t_end", "v_approach", "v_separation", "restitution", "peak_force",
-                                              "t_peak", "peak_penetration", "impulse", "energy_lost", "energy_stored")])
+#: Columns of Link.impacts, with the meaning and the units of those of Run.impacts; peaks are the largest at the ends of
+#: steps.
+IMPACT = np.dtype(
+    [
+        (name, float)
+        for name in (
+            "t_start",
+            "t_end",
+            "v_approach",
+            "v_separation",
+            "restitution",
+            "peak_force",
+            "t_peak",
+            "peak_penetration",
+            "impulse",
+            "energy_lost",
+            "energy_stored",
+        )
+    ]
+)
 
 
 def openseespy() -> Any:
@@ -42,26 +59,43 @@ def openseespy() -> Any:
     try:
         import openseespy.opensees as ops
     except ImportError as error:
-        raise ImportError(f"openseespy cannot be loaded: {error}. Type `python3 -m pip install openseespy`; on Debian it needs "
-                          "libblas3 and liblapack3") from error
+        raise ImportError(
+            f"openseespy cannot be loaded: {error}. Type `python3 -m pip install openseespy`; on Debian it needs "
+            "libblas3 and liblapack3"
+        ) from error
     return ops
 
 
 class Link(told.Told, lines=told.opensees_link):
     """A gap link in an OpenSees model; `link` makes it."""
 
-    def __init__(self, tag: int, nodes: tuple[int, int], dof: int, gap: float, law: Law, reduced_mass: float | None) -> None:
+    def __init__(
+        self, tag: int, nodes: tuple[int, int], dof: int, gap: float, law: Law, reduced_mass: float | None
+    ) -> None:
         self.tag, self.nodes, self.dof, self.gap, self.law = tag, nodes, dof, gap, law
         self.reduced_mass = reduced_mass  #: [kg]; None where the law needs none
         self._last: dict[str, Any] | None = None
-        values = {"restitution": law.restitution, "impact_velocity": law.impact_velocity, "reduced_mass": reduced_mass,
-                  **law.parameters}
-        asked = {"law": law.kind.name, "formula": law.formula or "", "gap": gap,
-                 "values": {name: value for name, value in values.items() if value is not None}}
-        # In a session of its own, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for ever. By
-        # its file, because by its name it would load this package first.
-        self._process = subprocess.Popen([sys.executable, str(LINK_PROCESS)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                         text=True, start_new_session=True)
+        values = {
+            "restitution": law.restitution,
+            "impact_velocity": law.impact_velocity,
+            "reduced_mass": reduced_mass,
+            **law.parameters,
+        }
+        asked = {
+            "law": law.kind.name,
+            "formula": law.formula or "",
+            "gap": gap,
+            "values": {name: value for name, value in values.items() if value is not None},
+        }
+        # In a session of its own, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
+        # ever. By its file, because by its name it would load this package first.
+        self._process = subprocess.Popen(
+            [sys.executable, str(LINK_PROCESS)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
         answer = self._ask(json.dumps(asked))
         if "error" in answer:
             raise InputError(f"element {tag}: {answer['error']}")
@@ -69,8 +103,8 @@ class Link(told.Told, lines=told.opensees_link):
 
     @property
     def impacts(self) -> np.ndarray:
-        """One row an impact, until now or until the model was wiped, with the columns of IMPACT; t_end, v_separation and
-        restitution of one that lasts are NaN. Raises SolverError when the link was asked for what is no number."""
+        """One row an impact, until now or until the model was wiped, with the columns of IMPACT; t_end, v_separation
+        and restitution of one that lasts are NaN. Raises SolverError when the link was asked for what is no number."""
         told = self._tell()
         if told["error"]:
             raise SolverError(f"element {self.tag}: {told['error']}")
@@ -83,7 +117,8 @@ class Link(told.Told, lines=told.opensees_link):
                 told = self._ask("")
                 if not told.get("connected"):
                     return told
-                # The answer to this question comes after all that the element had sent, so our next question finds it read.
+                # The answer to this question comes after all that the element had sent, so our next question finds it
+                # read.
                 ops.eleResponse(self.tag, "force")
                 return self._ask("")
             self._last = self._rest()
@@ -116,27 +151,43 @@ _made: list[Link] = []
 
 
 def links() -> list[Link]:
-    """Links of the present OpenSees model, in the order in which they were made. Raises ImportError without openseespy."""
+    """Links of the present OpenSees model, in the order in which they were made. Raises ImportError without
+    openseespy."""
     ops = openseespy()
     tags = set(ops.getEleTags())
     of_tag = {each.tag: each for each in _made if each.tag in tags and tuple(ops.eleNodes(each.tag)) == each.nodes}
     return [each for each in _made if of_tag.get(each.tag) is each]
 
 
-@takes(tag=whole(-(2**31), 2**31 - 1), node_i=whole(-(2**31), 2**31 - 1), node_j=whole(-(2**31), 2**31 - 1), gap=quantity, dof=whole(1))
-def link(tag: int, node_i: int, node_j: int, *, gap: Quantity, law: str | Law, dof: int = 1,
-         reduced_mass: Quantity | None = None, **parameters: Quantity) -> Link:
+@takes(
+    tag=whole(-(2**31), 2**31 - 1),
+    node_i=whole(-(2**31), 2**31 - 1),
+    node_j=whole(-(2**31), 2**31 - 1),
+    gap=quantity,
+    dof=whole(1),
+)
+def link(
+    tag: int,
+    node_i: int,
+    node_j: int,
+    *,
+    gap: Quantity,
+    law: str | Law,
+    dof: int = 1,
+    reduced_mass: Quantity | None = None,
+    **parameters: Quantity,
+) -> Link:
     """Adds a gap link between two nodes of the OpenSees model, as its element `tag`, of type genericClient.
 
-    node_i is the body on the side of the smaller coordinate, node_j the other; they close when node_i moves ahead of node_j
-    along `dof` (1: x). A node that is fixed is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters` (restitution,
-    formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The reduced mass [kg] is that
-    of the masses at the two nodes unless it is given.
+    node_i is the body on the side of the smaller coordinate, node_j the other; they close when node_i moves ahead of
+    node_j along `dof` (1: x). A node that is fixed is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters`
+    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The reduced
+    mass [kg] is that of the masses at the two nodes unless it is given.
 
-    For implicit transient integrators: the element gives its stiffness dF/dd and its damping dF/dd', so that Newton has the
-    exact slopes. Touch and separation are found at the ends of steps; impact speeds are located inside them. OpenSees writes
-    that the element cannot revert when a step fails; another step may follow all the same. Its `force` in a recorder lacks
-    the damping part, so take impacts from the Link. It ends with the model (ops.wipe).
+    For implicit transient integrators: the element gives its stiffness dF/dd and its damping dF/dd', so that Newton has
+    the exact slopes. Touch and separation are found at the ends of steps; impact speeds are located inside them.
+    OpenSees writes that the element cannot revert when a step fails; another step may follow all the same. Its `force`
+    in a recorder lacks the damping part, so take impacts from the Link. It ends with the model (ops.wipe).
 
     Raises InputError for values that are wrong, ImportError without openseespy."""
     ops = openseespy()
@@ -148,7 +199,9 @@ def link(tag: int, node_i: int, node_j: int, *, gap: Quantity, law: str | Law, d
     elif parameters:
         raise InputError(f"a law was given, which has its parameters; leave out {', '.join(parameters)}")
     if law.kind.instantaneous:
-        raise InputError(f"{law.kind.name} is a jump of the velocity, which no element of OpenSees makes; take another law")
+        raise InputError(
+            f"{law.kind.name} is a jump of the velocity, which no element of OpenSees makes; take another law"
+        )
     opening = _length(gap)
     if not (math.isfinite(opening) and opening >= 0):
         raise InputError(f"gap is {gap}, but must be finite and not negative")
@@ -165,8 +218,22 @@ def link(tag: int, node_i: int, node_j: int, *, gap: Quantity, law: str | Law, d
     if law.kind.takes_reduced_mass and mass is None:
         mass = _reduced_mass(ops, tag, node_i, node_j, dof)
     made = Link(tag, (node_i, node_j), dof, opening, law, mass if law.kind.takes_reduced_mass else None)
-    ops.element("genericClient", tag, "-node", node_i, node_j, "-dof", dof, "-dof", dof, "-server", made.port,
-                "-dataSize", 8, "-noRayleigh")
+    ops.element(
+        "genericClient",
+        tag,
+        "-node",
+        node_i,
+        node_j,
+        "-dof",
+        dof,
+        "-dof",
+        dof,
+        "-server",
+        made.port,
+        "-dataSize",
+        8,
+        "-noRayleigh",
+    )
     _made.append(made)
     return made
 
@@ -178,8 +245,10 @@ def _length(value: Quantity) -> float:
 def _require_order(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> None:
     at_i, at_j = ops.nodeCoord(node_i), ops.nodeCoord(node_j)
     if dof <= len(at_i) and at_i[dof - 1] > at_j[dof - 1]:
-        raise InputError(f"element {tag}: node {node_i} at {at_i[dof - 1]:g} stands beyond node {node_j} at {at_j[dof - 1]:g} "
-                         f"along degree of freedom {dof}; type link({tag}, {node_j}, {node_i}, ...)")
+        raise InputError(
+            f"element {tag}: node {node_i} at {at_i[dof - 1]:g} stands beyond node {node_j} at {at_j[dof - 1]:g} "
+            f"along degree of freedom {dof}; type link({tag}, {node_j}, {node_i}, ...)"
+        )
 
 
 def _reduced_mass(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> float:
@@ -189,8 +258,10 @@ def _reduced_mass(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> flo
             continue
         mass = ops.nodeMass(node, dof)
         if not mass > 0:
-            raise InputError(f"element {tag}: node {node} has no mass in degree of freedom {dof}, and the damping depends on it; "
-                             "give reduced_mass, m1 m2/(m1 + m2)")
+            raise InputError(
+                f"element {tag}: node {node} has no mass in degree of freedom {dof}, and the damping depends on it; "
+                "give reduced_mass, m1 m2/(m1 + m2)"
+            )
         inverse += 1 / mass
     if inverse == 0:
         raise InputError(f"element {tag}: both nodes are fixed")

@@ -15,9 +15,11 @@ from pounding.opensees.printed import PRINTED, Constraint
 DOFS = {2: ("ux", "uz", "ry"), 3: ("ux", "uy", "uz", "rx", "ry", "rz")}
 
 
-def floors_and_ties(constraints: Sequence[Constraint], nodes: Mapping[int, Sequence[float]],
-                    dimension: int) -> tuple[dict[int, list[int]], list[dict[str, Any]]]:
-    """Nodes of rigid floors by their masters, and ties. `nodes` are coordinates [m]. Raises InputError for other constraints."""
+def floors_and_ties(
+    constraints: Sequence[Constraint], nodes: Mapping[int, Sequence[float]], dimension: int
+) -> tuple[dict[int, list[int]], list[dict[str, Any]]]:
+    """Nodes of rigid floors by their masters, and ties. `nodes` are coordinates [m]. Raises InputError for other
+    constraints."""
     floors: dict[int, list[int]] = defaultdict(list)
     ties: list[dict[str, Any]] = []
     in_plan = (1, 2, 6) if dimension == 3 else ()
@@ -29,8 +31,10 @@ def floors_and_ties(constraints: Sequence[Constraint], nodes: Mapping[int, Seque
         elif c.dofs == c.retained_dofs and np.array_equal(c.matrix, np.eye(len(c.dofs))):
             ties.append(_tie(c, {"dofs": [DOFS[dimension][dof - 1] for dof in c.dofs]}))
         elif c.dofs != c.retained_dofs or not _is_rigid(c, arm, dimension):
-            raise InputError(f"the constraint of node {c.node} to node {c.retained}, degrees of freedom {list(c.dofs)}, is "
-                             "neither an equalDOF, a rigidLink nor a rigidDiaphragm that is level")
+            raise InputError(
+                f"the constraint of node {c.node} to node {c.retained}, degrees of freedom {list(c.dofs)}, is "
+                "neither an equalDOF, a rigidLink nor a rigidDiaphragm that is level"
+            )
         elif c.dofs == in_plan:
             floors[c.retained].append(c.node)
         else:

@@ -21,14 +21,30 @@ MEMBERS = {
     "ElasticBeam2d": {"E": "E", "A": "A", "Iz": "I"},
     "ElasticTimoshenkoBeam2d": {"E": "E", "G": "G", "A": "A", "Iz": "Iz", "Avy": "Avy"},
     "ElasticBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"},
-    "ElasticTimoshenkoBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz", "Avy": "Avy", "Avz": "Avz"},
+    "ElasticTimoshenkoBeam3d": {
+        "E": "E",
+        "G": "G",
+        "A": "A",
+        "Jx": "J",
+        "Iy": "Iy",
+        "Iz": "Iz",
+        "Avy": "Avy",
+        "Avz": "Avz",
+    },
 }
 #: The commands that make these members.
-COMMANDS = {"ElasticBeam2d": "elasticBeamColumn", "ElasticTimoshenkoBeam2d": "ElasticTimoshenkoBeam",
-            HINGE_MEMBER: "forceBeamColumn", "ElasticBeam3d": "elasticBeamColumn", "ElasticTimoshenkoBeam3d": "ElasticTimoshenkoBeam"}
+COMMANDS = {
+    "ElasticBeam2d": "elasticBeamColumn",
+    "ElasticTimoshenkoBeam2d": "ElasticTimoshenkoBeam",
+    HINGE_MEMBER: "forceBeamColumn",
+    "ElasticBeam3d": "elasticBeamColumn",
+    "ElasticTimoshenkoBeam3d": "ElasticTimoshenkoBeam",
+}
 #: Reasons for refusing a geometric transformation.
-TRANSFORMATIONS = {"PDelta": "its axial forces change with time, those of geometry: p_delta stay as at rest",
-                   "Corot": "set the frame up as Linear, and geometry: corotational in the model that is made"}
+TRANSFORMATIONS = {
+    "PDelta": "its axial forces change with time, those of geometry: p_delta stay as at rest",
+    "Corot": "set the frame up as Linear, and geometry: corotational in the model that is made",
+}
 
 
 @dataclass
@@ -64,7 +80,9 @@ class Frames:
         self.nodes = {node: tuple(ops.nodeCoord(node)) for node in ops.getNodeTags()}
         for node in self.nodes:
             if ops.getNDF(node)[0] != len(self.dofs):
-                raise InputError(f"node {node} has {ops.getNDF(node)[0]} degrees of freedom; nodes of frames have {len(self.dofs)}")
+                raise InputError(
+                    f"node {node} has {ops.getNDF(node)[0]} degrees of freedom; nodes of frames have {len(self.dofs)}"
+                )
         for tag in self.without - set(ops.getEleTags()):
             raise InputError(f"without: there is no element {tag}")
         ours = {link.tag for link in links()}
@@ -90,8 +108,11 @@ class Frames:
         self.springs = [spring for spring in self.springs if spring not in turning]
         busy = {node for node in self.nodes if node in self.held or any(self.ops.nodeMass(node))}
         busy |= self._joined()
-        local = {member.tag: [np.array(self.ops.eleResponse(member.tag, axis)) for axis in ("ylocal", "zlocal")]
-                 for member in self.members if self.dimension == 3}
+        local = {
+            member.tag: [np.array(self.ops.eleResponse(member.tag, axis)) for axis in ("ylocal", "zlocal")]
+            for member in self.members
+            if self.dimension == 3
+        }
         for spring in turning:
             end, kept, hinges = take_hinges(spring, self.printed.constraints, self.members, busy, self.dimension, local)
             self.hinges += hinges
@@ -108,8 +129,8 @@ class Frames:
                 raise InputError(f"node {node} has moved: read the model before its analysis, or after ops.reset()")
 
     def parts(self) -> list[list[int]]:
-        """Nodes of each part that members and constraints connect, from the smaller x on. A node that is not connected is
-        no part."""
+        """Nodes of each part that members and constraints connect, from the smaller x on. A node that is not connected
+        is no part."""
         neighbours: dict[int, set[int]] = defaultdict(set)
         pairs = [member.nodes for member in self.members] + [(c.node, c.retained) for c in self.printed.constraints]
         for a, b in pairs:
@@ -155,30 +176,52 @@ class Frames:
         frame["members"] = words
         if self._is_consistent(members):
             frame["mass"] = "consistent"
-        frame["supports"] = {f"n{node}": "fixed" if len(self.held[node]) == len(self.dofs) else
-                             {"fix": [self.dofs[dof - 1] for dof in self.held[node]]} for node in nodes if node in self.held}
+        frame["supports"] = {
+            f"n{node}": "fixed"
+            if len(self.held[node]) == len(self.dofs)
+            else {"fix": [self.dofs[dof - 1] for dof in self.held[node]]}
+            for node in nodes
+            if node in self.held
+        }
         masses = {f"n{node}": {name: m for name, m in zip(self.dofs, self.ops.nodeMass(node)) if m} for node in nodes}
         frame["masses"] = {name: value for name, value in masses.items() if value}
-        frame["ties"] = [{"master": f"n{tie['all'][0]}", "nodes": [f"n{node}" for node in tie["all"][1:]], **tie["words"]}
-                         for tie in ties]
+        frame["ties"] = [
+            {"master": f"n{tie['all'][0]}", "nodes": [f"n{node}" for node in tie["all"][1:]], **tie["words"]}
+            for tie in ties
+        ]
         frame["floors"] = self._floors(nodes, floors, used)
-        frame["hinges"] = hinge_words([hinge for hinge in self.hinges if hinge.member in {member.tag for member in members}])
-        frame["devices"] = {f"d{spring.tag}": {"between": [f"n{node}" if node in inside else "ground" for node in spring.nodes],
-                                               **spring.direction(self.dimension), **spring.words()} for spring in self._within(inside)}
+        frame["hinges"] = hinge_words(
+            [hinge for hinge in self.hinges if hinge.member in {member.tag for member in members}]
+        )
+        frame["devices"] = {
+            f"d{spring.tag}": {
+                "between": [f"n{node}" if node in inside else "ground" for node in spring.nodes],
+                **spring.direction(self.dimension),
+                **spring.words(),
+            }
+            for spring in self._within(inside)
+        }
         structure: dict[str, Any] = {"frame": {key: value for key, value in frame.items() if value}}
         structure["damping"] = 0 if damping is None else damping
         return structure
 
     def _joined(self) -> set[int]:
         """Nodes at which links or springs act."""
-        return {node for link in links() for node in link.nodes} | {node for spring in self.springs for node in spring.nodes}
+        return {node for link in links() for node in link.nodes} | {
+            node for spring in self.springs for node in spring.nodes
+        }
 
     def _within(self, part: set[int]) -> list[Spring]:
         """Springs from a node of a part to another one, or to one that is fixed and in no part."""
         others = {node for member in self.members for node in member.nodes} - part
-        return [spring for spring in self.springs if part & set(spring.nodes) and not others & set(spring.nodes)
-                and all(node in part or len(self.held.get(node, ())) == len(self.dofs) for node in spring.nodes)
-                and not any(material.kind == "HyperbolicGapMaterial" for material in spring.materials.values())]
+        return [
+            spring
+            for spring in self.springs
+            if part & set(spring.nodes)
+            and not others & set(spring.nodes)
+            and all(node in part or len(self.held.get(node, ())) == len(self.dofs) for node in spring.nodes)
+            and not any(material.kind == "HyperbolicGapMaterial" for material in spring.materials.values())
+        ]
 
     def _member(self, element: Mapping[str, Any], transformations: Mapping[str, Mapping[str, Any]]) -> Member:
         tag, kind = element["name"], element["type"]
@@ -186,15 +229,21 @@ class Frames:
             raise InputError(self._refusal(tag, kind))
         transformation = dict(transformations[element["crdTransformation"]])
         if not transformation["type"].startswith("Linear"):
-            reason = next((text for start, text in TRANSFORMATIONS.items() if transformation["type"].startswith(start)), "")
-            raise InputError(f"element {tag}: its transformation {transformation['name']} is {transformation['type']}, and only "
-                             f"Linear is carried over{'; ' + reason if reason else ''}")
+            reason = next(
+                (text for start, text in TRANSFORMATIONS.items() if transformation["type"].startswith(start)), ""
+            )
+            raise InputError(
+                f"element {tag}: its transformation {transformation['name']} is {transformation['type']}, and only "
+                f"Linear is carried over{'; ' + reason if reason else ''}"
+            )
         if kind == HINGE_MEMBER:
             values, hinges = read_hinge_member(self.printed, element, self.nodes, self._told)
             self.hinges += hinges
         else:
             values = {name: self._told(tag, (word,), element[name]) for name, word in MEMBERS[kind].items()}
-        return Member(tag, kind, tuple(element["nodes"]), values, dict(element), transformation, element["massperlength"])
+        return Member(
+            tag, kind, tuple(element["nodes"]), values, dict(element), transformation, element["massperlength"]
+        )
 
     def _told(self, tag: int, words: Sequence[str | int], printed: float) -> float:
         """A property to the last bit, by a parameter that is made and removed."""
@@ -209,9 +258,11 @@ class Frames:
 
     @staticmethod
     def _refusal(tag: int, kind: str) -> str:
-        return (f"element {tag} is of the type {kind}, which is not carried over; only elasticBeamColumn, ElasticTimoshenkoBeam, "
-                "forceBeamColumn with HingeRadau in the plane, zeroLength, twoNodeLink, truss and links of pounding.opensees are. "
-                f"without=[{tag}] leaves it out")
+        return (
+            f"element {tag} is of the type {kind}, which is not carried over; only elasticBeamColumn, ElasticTimoshenkoBeam, "
+            "forceBeamColumn with HingeRadau in the plane, zeroLength, twoNodeLink, truss and links of pounding.opensees are. "
+            f"without=[{tag}] leaves it out"
+        )
 
     def _member_words(self, members: Sequence[Member]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
         materials: dict[tuple[float, ...], str] = {}
@@ -231,25 +282,39 @@ class Frames:
                     section |= {"shear_area_y": v["Avy"], "shear_area_z": v["Avz"]}
             of = materials.setdefault(material, f"m{len(materials) + 1}")
             by = sections.setdefault(tuple(section.items()), f"s{len(sections) + 1}")
-            words[f"e{member.tag}"] = {"between": [f"n{node}" for node in member.nodes], "section": by, "material": of,
-                                       **self._ends(member)}
-        named = {name: {key: value for key, value in zip(("E", "G", "density"), material) if value}
-                 for material, name in materials.items()}
+            words[f"e{member.tag}"] = {
+                "between": [f"n{node}" for node in member.nodes],
+                "section": by,
+                "material": of,
+                **self._ends(member),
+            }
+        named = {
+            name: {key: value for key, value in zip(("E", "G", "density"), material) if value}
+            for material, name in materials.items()
+        }
         return named, {name: dict(section) for section, name in sections.items()}, words
 
     def _ends(self, member: Member) -> dict[str, Any]:
         """Releases, offsets and axes of a member."""
         printed, transformation = member.printed, member.transformation
         words: dict[str, Any] = {}
-        released = {"ry": printed.get("release", 0)} if self.dimension == 2 else {"rz": printed.get("releasez", 0),
-                                                                                  "ry": printed.get("releasey", 0)}
+        released = (
+            {"ry": printed.get("release", 0)}
+            if self.dimension == 2
+            else {"rz": printed.get("releasez", 0), "ry": printed.get("releasey", 0)}
+        )
         # 1: at the start, 2: at the end, 3: at both.
-        ends = {"start": [dof for dof, code in released.items() if code & 1],
-                "end": [dof for dof, code in released.items() if code & 2]}
+        ends = {
+            "start": [dof for dof, code in released.items() if code & 1],
+            "end": [dof for dof, code in released.items() if code & 2],
+        }
         if any(ends.values()):
             words["releases"] = ends
-        offsets = {end: list(transformation[key]) for end, key in (("start", "iOffset"), ("end", "jOffset"))
-                   if any(transformation.get(key, ()))}
+        offsets = {
+            end: list(transformation[key])
+            for end, key in (("start", "iOffset"), ("end", "jOffset"))
+            if any(transformation.get(key, ()))
+        }
         if offsets:
             words["offsets"] = offsets
         if self.dimension == 3:
@@ -259,19 +324,27 @@ class Frames:
 
     def _is_consistent(self, members: Sequence[Member]) -> bool:
         heavy = [member for member in members if member.mass > 0]
-        consistent = {member.tag: member.kind != HINGE_MEMBER and self.printed.consistent_mass(member.tag) for member in heavy}
+        consistent = {
+            member.tag: member.kind != HINGE_MEMBER and self.printed.consistent_mass(member.tag) for member in heavy
+        }
         for member in heavy:
             if consistent[member.tag] and member.kind != "ElasticBeam2d":
-                raise InputError(f"element {member.tag}: the consistent mass of a {COMMANDS[member.kind]} in {self.dimension}D has "
-                                 "terms that ours has not; build it without -cMass")
+                raise InputError(
+                    f"element {member.tag}: the consistent mass of a {COMMANDS[member.kind]} in {self.dimension}D has "
+                    "terms that ours has not; build it without -cMass"
+                )
         if len(set(consistent.values())) > 1:
-            raise InputError(f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; a "
-                             "frame has one kind")
+            raise InputError(
+                f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; a "
+                "frame has one kind"
+            )
         return any(consistent.values())
 
     def _require_loose(self, master: int) -> None:
         if set(self.held.get(master, ())) != {3, 4, 5}:
-            raise InputError(f"node {master} holds a rigid floor and nothing else; fix its degrees of freedom 3, 4 and 5 and no others")
+            raise InputError(
+                f"node {master} holds a rigid floor and nothing else; fix its degrees of freedom 3, 4 and 5 and no others"
+            )
 
     def _floors(self, nodes: Sequence[int], rigid: Mapping[int, Sequence[int]], used: set[int]) -> list[dict[str, Any]]:
         """Rigid floors, and levels whose nodes have mass, from the ground up."""

@@ -15,33 +15,46 @@ from pounding.opensees.printed import Printed
 from pounding.opensees.springs import between_words
 
 
-@takes(rayleigh=optional(listed(number(), "the four factors of ops.rayleigh")), names=optional(listed(text, "a list of names")), without_loads=flag,
-       title=optional(text))
-def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
-                  rayleigh: Sequence[float] | None = None, damping: Any = None, names: Sequence[str] | None = None,
-                  without: Iterable[int] = (), without_loads: bool = False, title: str | None = None, face: Any = None) -> Model:
-    """The OpenSeesPy model of this process as a Model: every connected part is a structure of the kind `frame`, and links
-    made by `pounding.opensees.link` are its links.
+@takes(
+    rayleigh=optional(listed(number(), "the four factors of ops.rayleigh")),
+    names=optional(listed(text, "a list of names")),
+    without_loads=flag,
+    title=optional(text),
+)
+def from_opensees(
+    *,
+    ground_motion: Mapping[str, Any] | None = None,
+    analysis: Mapping[str, Any] | None = None,
+    rayleigh: Sequence[float] | None = None,
+    damping: Any = None,
+    names: Sequence[str] | None = None,
+    without: Iterable[int] = (),
+    without_loads: bool = False,
+    title: str | None = None,
+    face: Any = None,
+) -> Model:
+    """The OpenSeesPy model of this process as a Model: every connected part is a structure of the kind `frame`, and
+    links made by `pounding.opensees.link` are its links.
 
-    Carried over: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear, releases,
-    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. What yields: a zeroLength that turns, whose
-    nodes are tied by equalDOF, is a hinge at the end of its member; forceBeamColumn with HingeRadau and bilinear end
-    sections is a member with hinges; truss, twoNodeLink and other zeroLength are devices. Their materials are Steel01,
-    Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic, Viscous and
-    ViscousDamper; a zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has the same hinges at
-    both ends, or at one end. The model is in N, m, kg, s; in the plane y is up, in space z. Nodes, members and devices are
-    named by their tags: n24, e7, d12. Structures are called left and right when there are two, else frame1, frame2, ...
-    from the smaller x on, unless `names` says otherwise.
+    Carried over: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear,
+    releases, joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. What yields: a zeroLength that
+    turns, whose nodes are tied by equalDOF, is a hinge at the end of its member; forceBeamColumn with HingeRadau and
+    bilinear end sections is a member with hinges; truss, twoNodeLink and other zeroLength are devices. Their materials
+    are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic,
+    Viscous and ViscousDamper; a zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has the
+    same hinges at both ends, or at one end. The model is in N, m, kg, s; in the plane y is up, in space z. Nodes,
+    members and devices are named by their tags: n24, e7, d12. Structures are called left and right when there are two,
+    else frame1, frame2, ... from the smaller x on, unless `names` says otherwise.
 
-    OpenSees does not tell the damping: give `rayleigh`, the numbers of ops.rayleigh (alphaM, betaK, betaKinit, betaKcomm),
-    or `damping` in our own words; neither is no damping. Nor does it tell the motion of a UniformExcitation: give
-    `ground_motion`, and `analysis`, as in Model. `without` are tags of elements that are left out, `without_loads` leaves
-    load patterns out. Mass per length, joint offsets, BoucWen, Hysteretic and HyperbolicGapMaterial are read with the six
-    digits that OpenSees prints, all else exactly. In OpenSees the stiffness part of Rayleigh damping acts on members
-    without their springs, here on members with them.
+    OpenSees does not tell the damping: give `rayleigh`, the numbers of ops.rayleigh (alphaM, betaK, betaKinit,
+    betaKcomm), or `damping` in our own words; neither is no damping. Nor does it tell the motion of a
+    UniformExcitation: give `ground_motion`, and `analysis`, as in Model. `without` are tags of elements that are left
+    out, `without_loads` leaves load patterns out. Mass per length, joint offsets, BoucWen, Hysteretic and
+    HyperbolicGapMaterial are read with the six digits that OpenSees prints, all else exactly. In OpenSees the stiffness
+    part of Rayleigh damping acts on members without their springs, here on members with them.
 
-    Frames are drawn by their nodes, and gaps are measured between faces: `face`, the distance from the axes of the outer columns to the
-    faces such as "0.3 m", is one for all frames or a mapping by their names.
+    Frames are drawn by their nodes, and gaps are measured between faces: `face`, the distance from the axes of the
+    outer columns to the faces such as "0.3 m", is one for all frames or a mapping by their names.
 
     Raises InputError that names what cannot be carried over; ImportError without openseespy."""
     ops = openseespy()
@@ -54,8 +67,10 @@ def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: M
             raise InputError("rayleigh and damping both say the damping; keep one of them")
         damping = rayleigh_words(rayleigh)
     elif damping is None and printed.alpha_m != 0:
-        raise InputError(f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not tell the other "
-                         "factors, so give rayleigh=(alphaM, betaK, betaKinit, betaKcomm), or damping=")
+        raise InputError(
+            f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not tell the other "
+            "factors, so give rayleigh=(alphaM, betaK, betaKinit, betaKcomm), or damping="
+        )
     parts = frames.parts()
     if names is None:
         names = ("left", "right") if len(parts) == 2 else [f"frame{i + 1}" for i in range(len(parts))]
@@ -70,7 +85,14 @@ def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: M
     home = {node: name for name, part in zip(names, parts) for node in part}
     between = [_link_words(each, home) for each in links() if each.tag not in frames.without]
     walls, gaps, devices = _joints(frames, home)
-    return Model(structures | walls, between + gaps, ground_motion=ground_motion, analysis=analysis, title=title, devices=devices or None)
+    return Model(
+        structures | walls,
+        between + gaps,
+        ground_motion=ground_motion,
+        analysis=analysis,
+        title=title,
+        devices=devices or None,
+    )
 
 
 def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], list[dict[str, Any]], dict[str, Any]]:
@@ -90,11 +112,15 @@ def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], li
             gaps.append(words)
         elif None not in ends and ends[0] != ends[1]:
             if not spring.stands:
-                raise InputError(f"element {spring.tag} joins {ends[0]} and {ends[1]} by a zeroLength; make it a twoNodeLink between nodes "
-                                 "that are apart")
+                raise InputError(
+                    f"element {spring.tag} joins {ends[0]} and {ends[1]} by a zeroLength; make it a twoNodeLink between nodes "
+                    "that are apart"
+                )
             spring.direction(frames.dimension)
-            devices[f"d{spring.tag}"] = {"between": [{"structure": end, "node": f"n{node}"} for end, node in zip(ends, spring.nodes)],
-                                         **spring.words()}
+            devices[f"d{spring.tag}"] = {
+                "between": [{"structure": end, "node": f"n{node}"} for end, node in zip(ends, spring.nodes)],
+                **spring.words(),
+            }
         elif set(spring.nodes) - set(home) - fixed or ends == [None, None]:
             raise InputError(f"element {spring.tag}: one of its nodes belongs to no frame and is not fixed")
     return walls, gaps, devices
@@ -107,8 +133,8 @@ def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
         raise InputError(f"rayleigh is {tuple(factors)}, but takes factors that are not negative")
     if by_mass == by_stiffness == 0:
         return None
-    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is so
-    # far away that what it adds is lost in rounding.
+    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is
+    # so far away that what it adds is lost in rounding.
     if by_stiffness == 0:
         low, high = max(1.0, 10 * by_mass), 1e15
         ratio = by_mass / (2 * low)
@@ -120,8 +146,10 @@ def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
         low, high = middle / 2, middle * 2
         ratio = 1.25 * math.sqrt(by_mass * by_stiffness)
     if ratio >= 1:
-        raise InputError(f"rayleigh is {tuple(factors)}, which is overdamped at every frequency; its factors must give less "
-                         "than 80 % somewhere")
+        raise InputError(
+            f"rayleigh is {tuple(factors)}, which is overdamped at every frequency; its factors must give less "
+            "than 80 % somewhere"
+        )
     return {"rayleigh": {"ratio": ratio, "periods": [2 * math.pi / low, 2 * math.pi / high]}}
 
 
@@ -130,9 +158,20 @@ def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:
         if node not in home:
             raise InputError(f"element {link.tag}: node {node} belongs to no frame")
     if link.dof != 1:
-        raise InputError(f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are carried over")
+        raise InputError(
+            f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are carried over"
+        )
     law = link.law
-    given = {"formula": law.formula, "restitution": law.restitution, "impact_velocity": law.impact_velocity,
-             "reduced_mass": link.reduced_mass, **law.parameters}
-    return {"between": [{"structure": home[node], "node": f"n{node}"} for node in link.nodes], "gap": link.gap,
-            "law": law.kind.name, **{name: value for name, value in given.items() if value is not None}}
+    given = {
+        "formula": law.formula,
+        "restitution": law.restitution,
+        "impact_velocity": law.impact_velocity,
+        "reduced_mass": link.reduced_mass,
+        **law.parameters,
+    }
+    return {
+        "between": [{"structure": home[node], "node": f"n{node}"} for node in link.nodes],
+        "gap": link.gap,
+        "law": law.kind.name,
+        **{name: value for name, value in given.items() if value is not None},
+    }

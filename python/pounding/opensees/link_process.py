@@ -2,12 +2,13 @@
 
     python3 link_process.py        reads one line of JSON, writes {"port": ...}, serves one element
 
-OpenSees holds the interpreter while it computes, so the link cannot live in the same process. The element asks for force and
-slopes at trial states, as often as Newton likes, and says which states are kept; impacts begin, go on and end at these.
-Protocol: GenericClient.cpp and RemoteTest in OpenSees' sources.
+OpenSees holds the interpreter while it computes, so the link cannot live in the same process. The element asks for
+force and slopes at trial states, as often as Newton likes, and says which states are kept; impacts begin, go on and end
+at these. Protocol: GenericClient.cpp and RemoteTest in OpenSees' sources.
 
-Nothing but the standard library and the C interface of the laws (pounding.h) is used. Errors never end the process, because
-OpenSees would wait for ever: the link answers NaN, which ends the analysis, and tells the text when it is asked.
+Nothing but the standard library and the C interface of the laws (pounding.h) is used. Errors never end the process,
+because OpenSees would wait for ever: the link answers NaN, which ends the analysis, and tells the text when it is
+asked.
 """
 
 from __future__ import annotations
@@ -28,14 +29,25 @@ from typing import Any, NamedTuple
 LIBRARY = Path(__file__).parents[1] / "libpounding_c.so.1"
 
 # First number of a message from the element. An answer is a vector of the same size.
-SET_TRIAL, COMMIT, GET_FORCE, GET_INITIAL_STIFFNESS, GET_STIFFNESS, GET_DAMPING, GET_MASS, END = 3, 5, 10, 12, 13, 14, 15, 99
+SET_TRIAL, COMMIT, GET_FORCE, GET_INITIAL_STIFFNESS, GET_STIFFNESS, GET_DAMPING, GET_MASS, END = (
+    3,
+    5,
+    10,
+    12,
+    13,
+    14,
+    15,
+    99,
+)
 
 
 class _Contact(ctypes.Structure):
     """pnd_contact."""
 
-    _fields_ = [(name, ctypes.c_double) for name in ("touching", "indentation", "closing_speed", "damping",
-                                                     "largest_penetration", "slip", "crushed")] + [("reserved", ctypes.c_double * 1)]
+    _fields_ = [
+        (name, ctypes.c_double)
+        for name in ("touching", "indentation", "closing_speed", "damping", "largest_penetration", "slip", "crushed")
+    ] + [("reserved", ctypes.c_double * 1)]
 
 
 class _Value(ctypes.Structure):
@@ -58,8 +70,11 @@ class Law:
         self._library.pnd_error_text.restype = ctypes.c_char_p
         self._law = ctypes.c_void_p()
         pairs = (_Value * len(values))(*(_Value(name.encode(), value) for name, value in values.items()))
-        self._check(self._library.pnd_create(name.encode(), formula.encode(), pairs, ctypes.c_size_t(len(values)),
-                                             ctypes.byref(self._law)))
+        self._check(
+            self._library.pnd_create(
+                name.encode(), formula.encode(), pairs, ctypes.c_size_t(len(values)), ctypes.byref(self._law)
+            )
+        )
 
     def touch(self, contact: _Contact, closing_speed: float) -> None:
         """The bodies begin to press at this closing speed [m/s]."""
@@ -68,14 +83,24 @@ class Law:
     def respond(self, contact: _Contact, penetration: float, rate: float) -> Answer:
         """Force [N] and both slopes at a penetration [m] and its rate [m/s]; changes nothing."""
         answer = Answer()
-        self._check(self._library.pnd_respond(self._law, ctypes.byref(contact), ctypes.c_double(penetration),
-                                              ctypes.c_double(rate), ctypes.byref(answer)))
+        self._check(
+            self._library.pnd_respond(
+                self._law,
+                ctypes.byref(contact),
+                ctypes.c_double(penetration),
+                ctypes.c_double(rate),
+                ctypes.byref(answer),
+            )
+        )
         return answer
 
     def accept(self, contact: _Contact, penetration: float, rate: float) -> None:
         """A step that is kept ends here."""
-        self._check(self._library.pnd_accept(self._law, ctypes.c_double(penetration), ctypes.c_double(rate),
-                                             ctypes.byref(contact)))
+        self._check(
+            self._library.pnd_accept(
+                self._law, ctypes.c_double(penetration), ctypes.c_double(rate), ctypes.byref(contact)
+            )
+        )
 
     def _check(self, status: int) -> None:
         if status != 0:
@@ -109,8 +134,8 @@ class State(NamedTuple):
 
 
 def time_to_close(opening: float, rate: float, acceleration: float) -> float:
-    """When opening >= 0 is closed at this rate and acceleration: the first root of opening = rate s + acceleration s^2/2,
-    infinite without one."""
+    """When opening >= 0 is closed at this rate and acceleration: the first root of opening = rate s + acceleration
+    s^2/2, infinite without one."""
     under_root = rate * rate + 2 * acceleration * opening
     if under_root < 0:
         return math.inf
@@ -122,9 +147,9 @@ def time_to_close(opening: float, rate: float, acceleration: float) -> float:
 class Link:
     """Force at trial states, history at kept ones.
 
-    An impact begins at the first kept state that overlaps: a step has one formula of the force from its beginning to its end,
-    because with a force that jumps at the touch, as that of kelvin_voigt, there may be no state in which a step could end.
-    The closing speed is that at the touch inside the step, by the acceleration at its beginning."""
+    An impact begins at the first kept state that overlaps: a step has one formula of the force from its beginning to
+    its end, because with a force that jumps at the touch, as that of kelvin_voigt, there may be no state in which a
+    step could end. The closing speed is that at the touch inside the step, by the acceleration at its beginning."""
 
     def __init__(self, law: Law, gap: float) -> None:
         self.law, self.gap = law, gap
@@ -228,7 +253,11 @@ class Server:
 
     def tell(self) -> None:
         """Writes error, connection and impacts as a line of JSON to the caller."""
-        told = {"error": self.error, "connected": self.connected, "impacts": [asdict(impact) for impact in self.link.rows()]}
+        told = {
+            "error": self.error,
+            "connected": self.connected,
+            "impacts": [asdict(impact) for impact in self.link.rows()],
+        }
         # The caller may be gone.
         with contextlib.suppress(BrokenPipeError):
             os.write(sys.stdout.fileno(), (json.dumps(told) + "\n").encode())
@@ -262,8 +291,8 @@ class Server:
         with contextlib.suppress(ConnectionError):
             while len(data) < size:
                 part = connection.recv(size - len(data))
-                # The element waits with its next message until this one is acknowledged, which else takes 40 ms. The option
-                # is forgotten now and then.
+                # The element waits with its next message until this one is acknowledged, which else takes 40 ms. The
+                # option is forgotten now and then.
                 if hasattr(socket, "TCP_QUICKACK"):
                     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_QUICKACK, 1)
                 if not part:

@@ -22,7 +22,8 @@ EXACT = {
 
 @dataclass(frozen=True)
 class Law:
-    """A law of yielding with the values of the input, named as those of a force; `moments` and `times` change what they are."""
+    """A law of yielding with the values of the input, named as those of a force; `moments` and `times` change what they
+    are."""
 
     name: str
     values: Mapping[str, Any]
@@ -32,9 +33,11 @@ class Law:
 
     def times(self, force: float, length: float) -> Law:
         """The law of something whose forces and deformations are so many times larger."""
+
         def scaled(word: str, value: Any) -> Any:
             of_force, of_length = self.UNITS.get(word, (0, 0))
             return value * force**of_force * length**of_length if of_force or of_length else value
+
         return Law(self.name, {word: scaled(word, value) for word, value in self.values.items()})
 
     def words(self) -> dict[str, Any]:
@@ -76,7 +79,9 @@ def read_material(printed: Printed, name: str, ask: Callable[[str, float], float
     """A material of the printed model, with what `ask(word, value)` tells to the last bit."""
     line = next(each for each in printed.model["properties"]["uniaxialMaterials"] if each["name"] == name)
     told = {key: ask(word, line[key]) for key, word in EXACT.get(line["type"], {}).items()}
-    return Material(name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | told)
+    return Material(
+        name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | told
+    )
 
 
 def _plain(kind: str) -> str:
@@ -90,13 +95,25 @@ def _steel01(of: Material) -> Law:
 
 def _steel02(of: Material) -> Law:
     of.require(a1=0, a3=0, sigini=0)
-    return Law("menegotto_pinto", {"stiffness": of.values["E"], "yield_force": of.values["fy"], "hardening": of.values["b"],
-                                   "R0": of.values["R0"], "cR1": of.values["cR1"], "cR2": of.values["cR2"], "memory": "last"})
+    return Law(
+        "menegotto_pinto",
+        {
+            "stiffness": of.values["E"],
+            "yield_force": of.values["fy"],
+            "hardening": of.values["b"],
+            "R0": of.values["R0"],
+            "cR1": of.values["cR1"],
+            "cR2": of.values["cR2"],
+            "memory": "last",
+        },
+    )
 
 
 def _elastic_plastic(of: Material) -> Law:
     of.require(eps0=0, epsyn=-of.values["epsyp"])
-    return Law("bilinear", {"stiffness": of.values["E"], "yield_force": of.values["E"] * of.values["epsyp"], "hardening": 0.0})
+    return Law(
+        "bilinear", {"stiffness": of.values["E"], "yield_force": of.values["E"] * of.values["epsyp"], "hardening": 0.0}
+    )
 
 
 def _bouc_wen(of: Material) -> Law:
@@ -105,8 +122,16 @@ def _bouc_wen(of: Material) -> Law:
     if not beta + gamma > 0:
         raise of.refuse(f"beta + gamma is {beta + gamma:g}, so it never yields")
     # OpenSees' z is a deformation that ends at (beta + gamma)^(-1/n).
-    return Law("bouc_wen", {"stiffness": stiffness, "yield_force": stiffness * (beta + gamma) ** (-1 / n), "hardening": of.values["alpha"],
-                            "exponent": n, "gamma_share": gamma / (beta + gamma)})
+    return Law(
+        "bouc_wen",
+        {
+            "stiffness": stiffness,
+            "yield_force": stiffness * (beta + gamma) ** (-1 / n),
+            "hardening": of.values["alpha"],
+            "exponent": n,
+            "gamma_share": gamma / (beta + gamma),
+        },
+    )
 
 
 def _hysteretic(of: Material) -> Law:
@@ -120,20 +145,29 @@ def _hysteretic(of: Material) -> Law:
     slopes = [values[name] for name in ("E1p", "E2p", "E3p")]
     # OpenSees makes three lines of two, with the middle of the second one as a point.
     if abs(slopes[2] - slopes[1]) > PRINTED * slopes[0]:
-        raise of.refuse("its backbone has three lines, between which it unloads otherwise than peak_oriented; two are carried over")
+        raise of.refuse(
+            "its backbone has three lines, between which it unloads otherwise than peak_oriented; two are carried over"
+        )
     stiffness = values["s1p"] / values["e1p"]
     hardening = (values["s3p"] - values["s1p"]) / (values["e3p"] - values["e1p"]) / stiffness
-    return Law("peak_oriented", {"stiffness": stiffness, "yield_force": values["s1p"], "hardening": hardening, "unloading": 0.0})
+    return Law(
+        "peak_oriented",
+        {"stiffness": stiffness, "yield_force": values["s1p"], "hardening": hardening, "unloading": 0.0},
+    )
 
 
 LAWS: dict[str, Callable[[Material], Law]] = {
-    "Steel01": _steel01, "Steel02": _steel02, "ElasticPPMaterial": _elastic_plastic, "BoucWenMaterial": _bouc_wen,
-    "HystereticMaterial": _hysteretic}
+    "Steel01": _steel01,
+    "Steel02": _steel02,
+    "ElasticPPMaterial": _elastic_plastic,
+    "BoucWenMaterial": _bouc_wen,
+    "HystereticMaterial": _hysteretic,
+}
 
 
 def device_words(of: Material, force: float = 1.0, length: float = 1.0) -> dict[str, Any]:
-    """Words of a device that acts by a material, whose stresses are to be multiplied by `force` [m^2], or 1 where they are forces, and
-    whose strains by `length` [m]."""
+    """Words of a device that acts by a material, whose stresses are to be multiplied by `force` [m^2], or 1 where they
+    are forces, and whose strains by `length` [m]."""
     values = of.values
     if of.kind == "ElasticMaterial":
         of.require(Eneg=float(f"{values['Epos']:g}"))
@@ -155,9 +189,17 @@ def _damper(values: Mapping[str, Any], force: float, length: float) -> dict[str,
 def backfill_words(of: Material) -> dict[str, Any]:
     """Words of a link against the soil behind a wall."""
     if of.kind != "HyperbolicGapMaterial":
-        raise of.refuse("only HyperbolicGapMaterial acts between two structures along one axis; use pounding.opensees.link for other gaps")
+        raise of.refuse(
+            "only HyperbolicGapMaterial acts between two structures along one axis; use pounding.opensees.link for other gaps"
+        )
     values = of.values
     if not 0 < values["Kmax"] <= values["Kur"]:
         raise of.refuse(f"Kmax is {values['Kmax']:g} and Kur {values['Kur']:g}; a soil has 0 < Kmax <= Kur")
-    return {"gap": abs(values["gap"]), "law": "backfill", "stiffness": values["Kmax"], "unloading": values["Kur"],
-            "failure_ratio": values["Rf"], "strength": abs(values["Fult"])}
+    return {
+        "gap": abs(values["gap"]),
+        "law": "backfill",
+        "stiffness": values["Kmax"],
+        "unloading": values["Kur"],
+        "failure_ratio": values["Rf"],
+        "strength": abs(values["Fult"]),
+    }

@@ -48,12 +48,16 @@ class Printed:
         factors = [float(value) for value in re.findall(r"Rayleigh Factor: alphaM: (\S+)", self._text)]
         self.alpha_m = max(factors, default=0.0)
         whole, _, self._patterns = self._text.partition("LOAD PATTERNS:")
-        self._supports = whole.partition("SP_Constraints: numConstraints:")[2].partition("MP_Constraints: numConstraints:")
+        self._supports = whole.partition("SP_Constraints: numConstraints:")[2].partition(
+            "MP_Constraints: numConstraints:"
+        )
         self.constraints = list(self._read_constraints(self._supports[2]))
 
     def consistent_mass(self, element: int) -> bool:
         """Whether the mass of an element is consistent. Raises InputError where the print does not tell."""
-        parts = re.split(r"^(?:ElasticBeam[23]d|Element): (\d+)", self._text.partition("ELEMENT DATA:")[2], flags=re.MULTILINE)
+        parts = re.split(
+            r"^(?:ElasticBeam[23]d|Element): (\d+)", self._text.partition("ELEMENT DATA:")[2], flags=re.MULTILINE
+        )
         of = dict(zip(parts[1::2], parts[2::2])).get(str(element), "")
         found = re.search(r"cMass: (\d)", of)
         if not found:
@@ -64,15 +68,21 @@ class Printed:
         """Raises InputError for supports that are displaced, motions and loads that would not be carried over."""
         for node, dof, value in re.findall(r"Node: (\d+) DOF: (\d+) ref value: (\S+)", self._supports[0]):
             if float(value) != 0:
-                raise InputError(f"node {node}, degree of freedom {dof}: a support with the displacement {value} is not carried over")
+                raise InputError(
+                    f"node {node}, degree of freedom {dof}: a support with the displacement {value} is not carried over"
+                )
         for pattern in re.split(r"^(?=Load Pattern: |UniformExcitation )", self._patterns, flags=re.MULTILINE)[1:]:
             kind, tag = re.match(r"(Load Pattern|UniformExcitation)\D+(\d+)", pattern).groups()  # type: ignore[union-attr]
             if kind == "UniformExcitation":
                 if not with_motion:
-                    raise InputError(f"pattern {tag}: OpenSees does not tell the motion of a UniformExcitation; give ground_motion=")
+                    raise InputError(
+                        f"pattern {tag}: OpenSees does not tell the motion of a UniformExcitation; give ground_motion="
+                    )
             elif re.search(r"numComponents: [1-9]", pattern) and not without_loads:
-                raise InputError(f"pattern {tag}: loads are not carried over; type without_loads=True, and add them to the model "
-                                 "as `loads`")
+                raise InputError(
+                    f"pattern {tag}: loads are not carried over; type without_loads=True, and add them to the model "
+                    "as `loads`"
+                )
 
     def _print(self, *words: str) -> str:
         with tempfile.TemporaryDirectory() as folder:
@@ -86,8 +96,11 @@ class Printed:
         if len(blocks) != count:
             raise InputError(f"OpenSees prints {len(blocks)} of {count} constraints")
         for block in blocks:
-            found = re.search(r"Node Constrained: (\d+) node Retained: (\d+)\s+constrained dof:([\d ]*)\s+retained dof:([\d ]*)\s+"
-                              r"constraint matrix:\s+([-+.\deE\s]*)", block)
+            found = re.search(
+                r"Node Constrained: (\d+) node Retained: (\d+)\s+constrained dof:([\d ]*)\s+retained dof:([\d ]*)\s+"
+                r"constraint matrix:\s+([-+.\deE\s]*)",
+                block,
+            )
             if not found:
                 raise InputError(f"a constraint is printed as {block.strip()!r}, which is not understood")
             node, retained = int(found[1]), int(found[2])

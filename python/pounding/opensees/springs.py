@@ -1,4 +1,5 @@
-"""Elements of an OpenSees model that act by uniaxial materials: hinges at the ends of members, bars and dampers, walls with backfill."""
+"""Elements of an OpenSees model that act by uniaxial materials: hinges at the ends of members, bars and dampers, walls
+with backfill."""
 
 from __future__ import annotations
 
@@ -51,11 +52,15 @@ class Spring:
         [dof] = self.materials
         if self.stands:
             if dof != 1:
-                raise InputError(f"element {self.tag} acts across the line between its nodes; only -dir 1 is carried over")
+                raise InputError(
+                    f"element {self.tag} acts across the line between its nodes; only -dir 1 is carried over"
+                )
             return {}
         axes = AXES[dimension]
         if dof > len(axes):
-            raise InputError(f"element {self.tag} turns, but joins no end of a member; only displacements are carried over")
+            raise InputError(
+                f"element {self.tag} turns, but joins no end of a member; only displacements are carried over"
+            )
         return {"axis": axes[dof - 1]}
 
 
@@ -78,8 +83,10 @@ def read_spring(printed: Printed, element: Mapping[str, Any], nodes: Mapping[int
     if element.get("mass", 0):
         raise InputError(f"element {tag}: the mass of a twoNodeLink is not carried over; give it to the nodes")
     directions = DIRECTIONS[len(nodes[at[0]])]
-    of = {directions[name]: material(number, "material", i + 1)
-          for i, (name, number) in enumerate(zip(element["dof"], element["materials"]))}
+    of = {
+        directions[name]: material(number, "material", i + 1)
+        for i, (name, number) in enumerate(zip(element["dof"], element["materials"]))
+    }
     if len(of) != len(element["dof"]):
         raise InputError(f"element {tag} has several materials in one direction; make one parallel material of them")
     return Spring(tag, kind, at, of, 1.0, 1.0, length > 0)
@@ -107,19 +114,31 @@ def rotates_only(spring: Spring, dimension: int) -> bool:
     return spring.kind == "ZeroLength" and not spring.stands and min(spring.materials) > dimension
 
 
-def take_hinges(spring: Spring, constraints: Sequence[Constraint], members: Sequence[JoinedMember], busy: set[int], dimension: int,
-                local: Mapping[int, Sequence[np.ndarray]]) -> tuple[int, int, list[End]]:
+def take_hinges(
+    spring: Spring,
+    constraints: Sequence[Constraint],
+    members: Sequence[JoinedMember],
+    busy: set[int],
+    dimension: int,
+    local: Mapping[int, Sequence[np.ndarray]],
+) -> tuple[int, int, list[End]]:
     """The node at the end of a member, the node to which the spring holds it, and its hinges.
 
-    The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes that something else
-    holds or loads, `local` the local y and z of the members in space. Raises InputError where it is no hinge."""
+    The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes that
+    something else holds or loads, `local` the local y and z of the members in space. Raises InputError where it is no
+    hinge."""
     turns = f"element {spring.tag} turns between nodes {spring.nodes[0]} and {spring.nodes[1]}"
     free = set(spring.materials)
     wanted = tuple(dof for dof in range(1, (3 if dimension == 2 else 6) + 1) if dof not in free)
-    tie = next((c for c in constraints if {c.node, c.retained} == set(spring.nodes) and c.dofs == c.retained_dofs == wanted), None)
+    tie = next(
+        (c for c in constraints if {c.node, c.retained} == set(spring.nodes) and c.dofs == c.retained_dofs == wanted),
+        None,
+    )
     if tie is None:
-        raise InputError(f"{turns}, which are not tied to each other; "
-                         f"type equalDOF({spring.nodes[0]}, {spring.nodes[1]}, {', '.join(map(str, wanted))})")
+        raise InputError(
+            f"{turns}, which are not tied to each other; "
+            f"type equalDOF({spring.nodes[0]}, {spring.nodes[1]}, {', '.join(map(str, wanted))})"
+        )
     at = {node: [member for member in members if node in member.nodes] for node in spring.nodes}
     end = next((node for node in (tie.node, tie.retained) if len(at[node]) == 1 and node not in busy), None)
     if end is None:
@@ -127,8 +146,15 @@ def take_hinges(spring: Spring, constraints: Sequence[Constraint], members: Sequ
     [member] = at[end]
     where = "start" if member.nodes[0] == end else "end"
     [kept] = set(spring.nodes) - {end}
-    hinges = [End(member.tag, where, "" if dimension == 2 else _axis(spring, member.tag, dof, local[member.tag]), material.law().moments())
-              for dof, material in spring.materials.items()]
+    hinges = [
+        End(
+            member.tag,
+            where,
+            "" if dimension == 2 else _axis(spring, member.tag, dof, local[member.tag]),
+            material.law().moments(),
+        )
+        for dof, material in spring.materials.items()
+    ]
     return end, kept, hinges
 
 
@@ -147,24 +173,31 @@ def hinge_words(hinges: Sequence[End]) -> dict[str, dict[str, Any]]:
         of = [hinge for hinge in hinges if hinge.member == tag]
         ends, axes = {hinge.end for hinge in of}, {hinge.axis for hinge in of}
         if any(hinge.law != of[0].law for hinge in of) or len(of) != len(ends) * len(axes):
-            raise InputError(f"element {tag}: its hinges differ; a member has the same ones at both ends and about both axes")
-        words[f"e{tag}"] = {"at": ends.pop() if len(ends) == 1 else "both",
-                            **({"axis": axes.pop() if len(axes) == 1 else "both"} if axes != {""} else {}), **of[0].law}
+            raise InputError(
+                f"element {tag}: its hinges differ; a member has the same ones at both ends and about both axes"
+            )
+        words[f"e{tag}"] = {
+            "at": ends.pop() if len(ends) == 1 else "both",
+            **({"axis": axes.pop() if len(axes) == 1 else "both"} if axes != {""} else {}),
+            **of[0].law,
+        }
     return words
 
 
 def plastic(moment: Law, plastic_length: float, length: float) -> dict[str, Any]:
-    """Words of the rigid-plastic hinge that a section with a bilinear moment [N m] makes over `plastic_length` [m] at an end of a
-    member of this length [m], beside the elastic curvature of the whole member.
+    """Words of the rigid-plastic hinge that a section with a bilinear moment [N m] makes over `plastic_length` [m] at
+    an end of a member of this length [m], beside the elastic curvature of the whole member.
 
-    Past the yield it turns by plastic_length (1-b)/(b E I) for each N m; the `hardening` a of a hinge is 6 E I/L a/(1-a)."""
+    Past the yield it turns by plastic_length (1-b)/(b E I) for each N m; the `hardening` a of a hinge is 6 E I/L
+    a/(1-a)."""
     b = float(moment.values["hardening"])
     x = b / (1 - b) * length / (6 * plastic_length)
     return {"yield_moment": moment.values["yield_force"], "hardening": x / (1 + x)}
 
 
 def between_words(spring: Spring, home: Mapping[int, str], fixed: set[int]) -> dict[str, Any]:
-    """Words of a wall with backfill: a link whose ends are structures, and "ground" for a node that is fixed and in none."""
+    """Words of a wall with backfill: a link whose ends are structures, and "ground" for a node that is fixed and in
+    none."""
     if set(spring.materials) != {1} or spring.kind != "ZeroLength":
         raise InputError(f"element {spring.tag}: only a zeroLength along x, -dir 1, joins two structures as a gap")
     ends: list[Any] = []

@@ -14,7 +14,12 @@ from matplotlib.mathtext import MathTextParser
 
 #: Points of the text beside it.
 SIZE = 11
-_STYLE: dict[Any, Any] = {"mathtext.fontset": "stix", "svg.fonttype": "path", "svg.hashsalt": "pounding", "text.parse_math": True}
+_STYLE: dict[Any, Any] = {
+    "mathtext.fontset": "stix",
+    "svg.fonttype": "path",
+    "svg.hashsalt": "pounding",
+    "text.parse_math": True,
+}
 
 
 def data_uri(svg: str) -> str:
@@ -40,14 +45,20 @@ def formula(tex: str, size: float = SIZE) -> str:
         figure = Figure(figsize=(width / 72, height / 72))
         figure.text(0.5 / width, depth / height, tex, fontsize=size)
         svg = svg_of(figure)
-    return (f'<img class="math" src="{data_uri(svg)}" alt="{html.escape(tex.strip("$"))}" '
-            f'style="width:{width / SIZE:.3f}em;height:{height / SIZE:.3f}em;vertical-align:{-depth / SIZE:.3f}em">')
+    return (
+        f'<img class="math" src="{data_uri(svg)}" alt="{html.escape(tex.strip("$"))}" '
+        f'style="width:{width / SIZE:.3f}em;height:{height / SIZE:.3f}em;vertical-align:{-depth / SIZE:.3f}em">'
+    )
 
 
 def rich(text: str) -> str:
     """A text with mathematics between dollar signs and `commands` as HTML."""
     parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
     return "".join(
-        formula(part) if part.startswith("$") and len(part) > 1 else
-        f"<code>{html.escape(part[1:-1])}</code>" if part.startswith("`") and len(part) > 1 else html.escape(part)
-        for part in parts)
+        formula(part)
+        if part.startswith("$") and len(part) > 1
+        else f"<code>{html.escape(part[1:-1])}</code>"
+        if part.startswith("`") and len(part) > 1
+        else html.escape(part)
+        for part in parts
+    )

@@ -66,14 +66,20 @@ def _counts(items: list[dict[str, Any]]) -> str:
     for item in items:
         for verdict in item["verdicts"]:
             count[verdict["judgement"]] += 1
-    return " ".join(badge(judgement, f"{number} {judgement if number == 1 else OF_SEVERAL[judgement]}") for judgement, number in count.items() if number)
+    return " ".join(
+        badge(judgement, f"{number} {judgement if number == 1 else OF_SEVERAL[judgement]}")
+        for judgement, number in count.items()
+        if number
+    )
 
 
 def contents(items: list[dict[str, Any]]) -> str:
     """Head of the page: its subject, the number of verdicts of each kind, and links to the parts."""
-    entries = "".join(f'<li><a href="#{item["name"]}">{html.escape(item["title"])}</a> '
-                      f'<span class="quiet">{html.escape(item["sections"])}</span><span class="counts">{_counts([item])}</span></li>'
-                      for item in items)
+    entries = "".join(
+        f'<li><a href="#{item["name"]}">{html.escape(item["title"])}</a> '
+        f'<span class="quiet">{html.escape(item["sections"])}</span><span class="counts">{_counts([item])}</span></li>'
+        for item in items
+    )
     return f"""<header><h1>{TITLE}</h1>
 <p class="quiet">H. Naderpour, R. C. Barros, S. M. Khatami: A new model for calculating impact force and energy dissipation based on
 the CR-factor and impact velocity. Scientia Iranica, Transactions A: Civil Engineering, 2015.</p>
@@ -89,41 +95,58 @@ CSV file named below it, the whole in report.json.</p>
 def _verdicts(verdicts: list[dict[str, str]]) -> str:
     rows = "".join(
         f'<tr><td>{badge(v["judgement"])}<br><span class="place">{rich(v["place"])}</span></td><td>{rich(v["claim"])}</td>'
-        f'<td>{rich(v["printed"])}</td><td>{rich(v["ours"])}</td><td class="reason">{rich(v["reason"])}</td></tr>' for v in verdicts)
-    return ('<h3>Verdicts</h3><div class="scroll"><table class="words"><colgroup><col style="width:19%"><col style="width:17%">'
-            '<col style="width:16%"><col style="width:25%"><col style="width:23%"></colgroup>'
-            f'<tr><th>Where</th><th>Claim</th><th>Printed</th><th>Ours</th><th>To what, or why not</th></tr>{rows}</table></div>')
+        f'<td>{rich(v["printed"])}</td><td>{rich(v["ours"])}</td><td class="reason">{rich(v["reason"])}</td></tr>'
+        for v in verdicts
+    )
+    return (
+        '<h3>Verdicts</h3><div class="scroll"><table class="words"><colgroup><col style="width:19%"><col style="width:17%">'
+        '<col style="width:16%"><col style="width:25%"><col style="width:23%"></colgroup>'
+        f"<tr><th>Where</th><th>Claim</th><th>Printed</th><th>Ours</th><th>To what, or why not</th></tr>{rows}</table></div>"
+    )
 
 
 def _equations(equations: list[dict[str, str]]) -> str:
-    lines = "".join(f'<div class="equation"><span>{formula(e["tex"], 12)}</span><span class="number">({html.escape(e["number"])})</span></div>'
-                    for e in equations)
+    lines = "".join(
+        f'<div class="equation"><span>{formula(e["tex"], 12)}</span><span class="number">({html.escape(e["number"])})</span></div>'
+        for e in equations
+    )
     return f'<div class="equations">{lines}</div>' if equations else ""
 
 
 def _matrices(matrices: list[dict[str, Any]]) -> str:
     def cells(matrix: dict[str, Any]) -> str:
-        return "".join("<tr>" + "".join(f"<td>{_number(value, 3)}</td>" for value in row) + "</tr>" for row in matrix["rows"])
-    blocks = "".join(f'<div class="matrix"><div class="quiet">{html.escape(m["name"])} [{html.escape(m["unit"])}]</div>'
-                     f"<table>{cells(m)}</table></div>" for m in matrices)
+        return "".join(
+            "<tr>" + "".join(f"<td>{_number(value, 3)}</td>" for value in row) + "</tr>" for row in matrix["rows"]
+        )
+
+    blocks = "".join(
+        f'<div class="matrix"><div class="quiet">{html.escape(m["name"])} [{html.escape(m["unit"])}]</div>'
+        f"<table>{cells(m)}</table></div>"
+        for m in matrices
+    )
     return f'<div class="matrices">{blocks}</div>' if matrices else ""
 
 
 def item_head(item: dict[str, Any]) -> str:
-    """The beginning of an item: words, equations, matrices, verdicts. The figures and tables follow, then </section>."""
+    """The beginning of an item: words, equations, matrices, verdicts. The figures and tables follow, then
+    </section>."""
     paragraphs = "".join(f"<p>{rich(text)}</p>" for text in item["paragraphs"])
-    return (f'<section id="{item["name"]}"><h2>{html.escape(item["title"])}</h2>'
-            f'<p class="quiet">{html.escape(item["sections"])}. <code>pounding reproduce --only {item["name"]}</code>, '
-            f'computed in {item["seconds"]:.2f} s.</p>{paragraphs}{_equations(item["equations"])}{_matrices(item["matrices"])}'
-            f'{_verdicts(item["verdicts"])}')
+    return (
+        f'<section id="{item["name"]}"><h2>{html.escape(item["title"])}</h2>'
+        f'<p class="quiet">{html.escape(item["sections"])}. <code>pounding reproduce --only {item["name"]}</code>, '
+        f"computed in {item['seconds']:.2f} s.</p>{paragraphs}{_equations(item['equations'])}{_matrices(item['matrices'])}"
+        f"{_verdicts(item['verdicts'])}"
+    )
 
 
 def figure(described: dict[str, Any], address: str) -> str:
     """A figure with its caption; `address` is that of the picture."""
     narrow = ' class="narrow"' if len(described["panels"]) == 1 else ""
-    of_paper = f'<b>{html.escape(described["of_paper"])} of the paper.</b> ' if described["of_paper"] else ""
-    return (f'<figure{narrow} id="{described["name"]}"><img src="{address}" alt="{html.escape(described["name"])}"><figcaption>{of_paper}'
-            f'{rich(described["caption"])} Data: <code>{described["name"]}.csv</code></figcaption></figure>')
+    of_paper = f"<b>{html.escape(described['of_paper'])} of the paper.</b> " if described["of_paper"] else ""
+    return (
+        f'<figure{narrow} id="{described["name"]}"><img src="{address}" alt="{html.escape(described["name"])}"><figcaption>{of_paper}'
+        f"{rich(described['caption'])} Data: <code>{described['name']}.csv</code></figcaption></figure>"
+    )
 
 
 def _number(value: float | None, decimals: int) -> str:
@@ -144,15 +167,22 @@ def _powers(text: str) -> str:
 
 def table(described: dict[str, Any]) -> str:
     """A table of numbers, units below the headings; a long one is folded."""
-    headings = "".join(f'<th>{rich(h["name"])}<span class="unit">{_powers(h["unit"])}</span></th>' for h in described["headings"])
+    headings = "".join(
+        f'<th>{rich(h["name"])}<span class="unit">{_powers(h["unit"])}</span></th>' for h in described["headings"]
+    )
     decimals = [h["decimals"] for h in described["headings"]]
-    rows = "".join(f'<tr><td>{_powers(row["name"])}</td>' +
-                   "".join(f"<td>{_number(value, places)}</td>" for value, places in zip(row["values"], decimals)) + "</tr>"
-                   for row in described["rows"])
-    whole_table = (f'<div class="scroll"><table><tr><th>{rich(described["row_header"])}</th>{headings}</tr>{rows}</table></div>')
+    rows = "".join(
+        f"<tr><td>{_powers(row['name'])}</td>"
+        + "".join(f"<td>{_number(value, places)}</td>" for value, places in zip(row["values"], decimals))
+        + "</tr>"
+        for row in described["rows"]
+    )
+    whole_table = (
+        f'<div class="scroll"><table><tr><th>{rich(described["row_header"])}</th>{headings}</tr>{rows}</table></div>'
+    )
     if len(described["rows"]) > LONG_TABLE:
-        whole_table = f'<details><summary>{len(described["rows"])} rows</summary>{whole_table}</details>'
-    return f'<h3>{rich(described["title"])}</h3>{whole_table}'
+        whole_table = f"<details><summary>{len(described['rows'])} rows</summary>{whole_table}</details>"
+    return f"<h3>{rich(described['title'])}</h3>{whole_table}"
 
 
 #: Every page begins so.
@@ -161,4 +191,4 @@ BEGIN = f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta nam
 
 def whole(body: str) -> str:
     """The document around its parts; needs nothing but itself."""
-    return (f"{BEGIN}<style>{STYLE_SHEET}</style></head><body><main>{body}</main></body></html>\n")
+    return f"{BEGIN}<style>{STYLE_SHEET}</style></head><body><main>{body}</main></body></html>\n"

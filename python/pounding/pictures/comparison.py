@@ -15,20 +15,33 @@ COMPARABLE = ("run", "displacement", "rotation", "gap", "energy", "profiles", "p
 
 
 def require_comparison(run: RunData, picture: str) -> RunData:
-    """The run without links. Raises BadRequest where the file has none, and for a picture that would show nothing of it."""
+    """The run without links. Raises BadRequest where the file has none, and for a picture that would show nothing of
+    it."""
     if picture not in COMPARABLE:
-        raise BadRequest(f"a run without links has nothing to show in the picture {picture}; compare one of {', '.join(COMPARABLE)}")
+        raise BadRequest(
+            f"a run without links has nothing to show in the picture {picture}; compare one of {', '.join(COMPARABLE)}"
+        )
     if run.no_pounding is None:
         raise BadRequest("this file has no run without links; add compare: no_pounding to the model and run it again")
     return run.no_pounding
 
 
-def draw_displacements_without_links(axes: Axes, run: RunData, chosen: dict[str, int] | None = None,
-                                     direction: np.ndarray | None = None) -> None:
-    """Adds the displacements of the run without links to a panel of draw_displacements, of the same floors and at their places."""
+def draw_displacements_without_links(
+    axes: Axes, run: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None
+) -> None:
+    """Adds the displacements of the run without links to a panel of draw_displacements, of the same floors and at their
+    places."""
     without = require_comparison(run, "displacement")
     for number, (displacement, colour) in enumerate(drawn_displacements(run, without, chosen, direction)):
-        plot_time(axes, run, without.time, displacement, color=colour, label="without links" if number == 0 else None, **DASHED)
+        plot_time(
+            axes,
+            run,
+            without.time,
+            displacement,
+            color=colour,
+            label="without links" if number == 0 else None,
+            **DASHED,
+        )
     legend_beside(axes)
 
 
@@ -36,7 +49,9 @@ def draw_rotations_without_links(axes: Axes, run: RunData) -> None:
     """Adds the rotations of floors in the run without links to a panel of draw_rotations."""
     without = require_comparison(run, "rotation")
     for number, (rotation, colour, _) in enumerate(drawn_rotations(run, without)):
-        plot_time(axes, run, without.time, rotation, color=colour, label="without links" if number == 0 else None, **DASHED)
+        plot_time(
+            axes, run, without.time, rotation, color=colour, label="without links" if number == 0 else None, **DASHED
+        )
     legend_beside(axes)
 
 
@@ -56,13 +71,21 @@ def draw_input_without_links(axes: Axes, run: RunData) -> None:
     """Adds the input energy of the run without links."""
     without = require_comparison(run, "energy")
     size, _ = engineering(largest([run.energy["input"]]), ENERGY_UNITS)
-    plot_time(axes, run, without.energy["time"], without.energy["input"] / size, color="black", label="input without links", **DASHED)
+    plot_time(
+        axes,
+        run,
+        without.energy["time"],
+        without.energy["input"] / size,
+        color="black",
+        label="input without links",
+        **DASHED,
+    )
     legend_beside(axes, reverse=True)
 
 
 def _opening(link: Link, run: RunData) -> np.ndarray | None:
-    """Gap less the approach of the two floors along the link [m]; None for an end that is no floor, and for a floor in space that is not
-    rigid."""
+    """Gap less the approach of the two floors along the link [m]; None for an end that is no floor, and for a floor in
+    space that is not rigid."""
     opening = np.full(run.time.shape, link.gap)
     for name, floor, sign in ((link.left, link.left_floor, -1), (link.right, link.right_floor, 1)):
         structure = run.structures[name]
@@ -79,7 +102,12 @@ def _of_end(structure: Structure, floor: int, link: Link) -> np.ndarray | None:
     """Displacement of a floor, from 0, along a link where it acts [m]."""
     if structure.dimension != 3:
         return link.direction[0] * structure.displacement[:, floor]
-    if structure.plan is None or structure.geometry is None or link.position is None or np.isnan(structure.plan[floor]).any():
+    if (
+        structure.plan is None
+        or structure.geometry is None
+        or link.position is None
+        or np.isnan(structure.plan[floor]).any()
+    ):
         return None
     centre = structure.centre(floor)
     across = link.position[:2] - centre

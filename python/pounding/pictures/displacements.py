@@ -18,7 +18,8 @@ from pounding.results import Link, RunData, Structure
 MOST_STRUCTURES = len(STRUCTURE_COLOURS)
 #: Line of a structure that no link along the panel's direction joins to another: its distance from them has no meaning.
 APART: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.8}
-#: A place of a structure: the number of a floor, from 1; else the words for the end of a link, as "node b" and "10.5 m up".
+#: A place of a structure: the number of a floor, from 1; else the words for the end of a link, as "node b" and "10.5 m
+#: up".
 Place = int | str
 
 
@@ -51,37 +52,68 @@ def is_spatial(run: RunData) -> bool:
     return any(structure.dimension == 3 for structure in run.structures.values())
 
 
-def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None) -> None:
-    """Displacements of up to six structures where their highest links are, each a gap away from its left neighbour, so that
-    two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of structures to
-    numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
+def draw_displacements(
+    axes: Axes, run: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None
+) -> None:
+    """Displacements of up to six structures where their highest links are, each a gap away from its left neighbour, so
+    that two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of
+    structures to numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
 
-    Two lines face each other, with the gap shaded between them, where one link joins them at the places that are drawn. The
-    end of a link between floors moves as the floor at its other end and the opening of the link say.
+    Two lines face each other, with the gap shaded between them, where one link joins them at the places that are drawn.
+    The end of a link between floors moves as the floor at its other end and the opening of the link say.
 
-    `direction` is one of directions_of(), by default that of the first link. Links along other directions have no part in the panel:
-    a structure that only they join is drawn thin, about zero. In space the displacements are those of the middle of the floors;
-    if a floor rotates, its ends may touch before the lines meet."""
+    `direction` is one of directions_of(), by default that of the first link. Links along other directions have no part
+    in the panel: a structure that only they join is drawn thin, about zero. In space the displacements are those of the
+    middle of the floors; if a floor rotates, its ends may touch before the lines meet."""
     chosen = chosen or {}
     view = _view(run, chosen, _direction(run) if direction is None else direction)
     moved = _displacements(run, view)
     sides = {name: MM * (view.offsets[name] + moved[name]) for name in view.places}
     axis = _axis_words(view.direction)
     for structure in view.drawn:
-        name, place, top, colour = structure.name, view.places[structure.name], len(structure.floors), view.colours[structure.name]
+        name, place, top, colour = (
+            structure.name,
+            view.places[structure.name],
+            len(structure.floors),
+            view.colours[structure.name],
+        )
         if name in view.apart:
-            plot_time(axes, run, run.time, sides[name], color=colour, label=f"{_label(structure, place)}{NO_LINK} {axis})", **APART)
+            plot_time(
+                axes,
+                run,
+                run.time,
+                sides[name],
+                color=colour,
+                label=f"{_label(structure, place)}{NO_LINK} {axis})",
+                **APART,
+            )
             continue
         axes.axhline(MM * view.offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
         plot_time(axes, run, run.time, sides[name], color=colour, label=_label(structure, place))
         if place != top and top and name not in chosen:
-            plot_time(axes, run, run.time, MM * (view.offsets[name] + _of_floor(run, name, top, view.direction)), color=colour,
-                      linewidth=0.5, alpha=0.7, label=f"{name}, top")
+            plot_time(
+                axes,
+                run,
+                run.time,
+                MM * (view.offsets[name] + _of_floor(run, name, top, view.direction)),
+                color=colour,
+                linewidth=0.5,
+                alpha=0.7,
+                label=f"{name}, top",
+            )
     sizes = ", ".join(f"{MM * link.gap:.4g}" for link in view.facing)
     for i, link in enumerate(view.facing):
         left, right = (sides[name] for name in _ordered(link, view.direction))
-        axes.fill_between(run.time / time_unit(run)[0], left, right, where=right >= left, color="0.55", alpha=0.22, linewidth=0,
-                          label=f"gap, {sizes} mm at rest" if i == 0 else None)
+        axes.fill_between(
+            run.time / time_unit(run)[0],
+            left,
+            right,
+            where=right >= left,
+            color="0.55",
+            alpha=0.22,
+            linewidth=0,
+            label=f"gap, {sizes} mm at rest" if i == 0 else None,
+        )
     more = len(run.structures) - len(view.drawn)
     title = "Displacements" if not more else f"Displacements of {len(view.drawn)} of {len(run.structures)}"
     axes.set_title(f"{title} along {axis}" if is_spatial(run) else title)
@@ -89,13 +121,20 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
     legend_beside(axes)
 
 
-def drawn_displacements(run: RunData, other: RunData, chosen: dict[str, int] | None = None,
-                        direction: np.ndarray | None = None) -> list[tuple[np.ndarray, str]]:
-    """Displacements [mm] in another run of the structures that draw_displacements shows, at their places, with the colours there. Only
-    the links of the run know how a structure moves between its floors; in the other run it is interpolated by the height."""
+def drawn_displacements(
+    run: RunData, other: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None
+) -> list[tuple[np.ndarray, str]]:
+    """Displacements [mm] in another run of the structures that draw_displacements shows, at their places, with the
+    colours there. Only the links of the run know how a structure moves between its floors; in the other run it is
+    interpolated by the height."""
     view = _view(run, chosen or {}, _direction(run) if direction is None else direction)
-    return [(MM * (view.offsets[structure.name] + _at_place(run, other, structure.name, view)), view.colours[structure.name])
-            for structure in view.drawn]
+    return [
+        (
+            MM * (view.offsets[structure.name] + _at_place(run, other, structure.name, view)),
+            view.colours[structure.name],
+        )
+        for structure in view.drawn
+    ]
 
 
 def draw_rotations(axes: Axes, run: RunData) -> None:
@@ -113,7 +152,11 @@ def drawn_rotations(run: RunData, other: RunData) -> Iterator[tuple[np.ndarray, 
         rotation, floors = other.structures[name].rotation, run.structures[name].floors
         assert rotation is not None
         highest = int(np.flatnonzero(np.isfinite(rotation).all(axis=0))[-1])
-        yield MM * rotation[:, highest], structure_colour(list(run.structures).index(name)), f"{name}, floor {floors[highest]}"
+        yield (
+            MM * rotation[:, highest],
+            structure_colour(list(run.structures).index(name)),
+            f"{name}, floor {floors[highest]}",
+        )
 
 
 def turning(run: RunData) -> list[str]:
@@ -124,18 +167,33 @@ def turning(run: RunData) -> list[str]:
 def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
     along = [link for link in run.links.values() if _sign(link, direction)]
     linked = {name for link in along for name in (link.left, link.right)}
-    moving = [structure for structure in run.structures.values()
-              if structure.name in linked or any(abs(factor) > 1e-9 and axis in structure.along and structure.floors
-                                                 for axis, factor in zip("xy", direction))]
+    moving = [
+        structure
+        for structure in run.structures.values()
+        if structure.name in linked
+        or any(
+            abs(factor) > 1e-9 and axis in structure.along and structure.floors for axis, factor in zip("xy", direction)
+        )
+    ]
     # Structures with a chosen floor come first, then those that links along the direction join.
-    drawn = sorted(moving, key=lambda structure: (structure.name not in chosen, structure.name not in linked))[:MOST_STRUCTURES]
+    drawn = sorted(moving, key=lambda structure: (structure.name not in chosen, structure.name not in linked))[
+        :MOST_STRUCTURES
+    ]
     drawn = [structure for structure in moving if any(structure is one for one in drawn)]
     names = [structure.name for structure in drawn]
     places, facing = _places(run, names, {name: floor + 1 for name, floor in chosen.items()}, along)
     numbers = {name: number for number, name in enumerate(run.structures)}
     few = len(run.structures) <= MOST_STRUCTURES
     colours = {name: structure_colour(numbers[name] if few else i) for i, name in enumerate(names)}
-    return _View(direction, drawn, colours, places, facing, _offsets(along, names, direction), set(names) - linked if linked else set())
+    return _View(
+        direction,
+        drawn,
+        colours,
+        places,
+        facing,
+        _offsets(along, names, direction),
+        set(names) - linked if linked else set(),
+    )
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
@@ -151,9 +209,12 @@ def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
     return chosen
 
 
-def _places(run: RunData, names: list[str], chosen: dict[str, Place], along: list[Link]) -> tuple[dict[str, Place], list[Link]]:
-    """Where each structure is drawn, and the links that join two of these places: of each pair of neighbours the highest one
-    of `along` that fits what is decided. A structure without such a link is drawn at its top; a wall has the place 0."""
+def _places(
+    run: RunData, names: list[str], chosen: dict[str, Place], along: list[Link]
+) -> tuple[dict[str, Place], list[Link]]:
+    """Where each structure is drawn, and the links that join two of these places: of each pair of neighbours the
+    highest one of `along` that fits what is decided. A structure without such a link is drawn at its top; a wall has
+    the place 0."""
     places: dict[str, Place] = {name: 0 for name in names if run.structures[name].is_wall}
     places.update({name: place for name, place in chosen.items() if name in names})
     facing: list[Link] = []
@@ -163,8 +224,12 @@ def _places(run: RunData, names: list[str], chosen: dict[str, Place], along: lis
             pairs.setdefault((link.left, link.right), []).append(link)
     for links in pairs.values():
         # One of the two ends has to be a floor: the motion of the other follows from it.
-        fitting = [link for link in links if any(_is_known(run, *end) for end in _ends(run, link))
-                   and all(places.get(name, place) == place for name, place in _ends(run, link))]
+        fitting = [
+            link
+            for link in links
+            if any(_is_known(run, *end) for end in _ends(run, link))
+            and all(places.get(name, place) == place for name, place in _ends(run, link))
+        ]
         if fitting:
             facing.append(max(fitting, key=lambda link: _height(run, link)))
             places.update(_ends(run, facing[-1]))
@@ -201,7 +266,11 @@ def _label(structure: Structure, place: Place) -> str:
 
 def _displacements(run: RunData, view: _View) -> dict[str, np.ndarray]:
     """Displacement of each place relative to the ground, in the direction of the view [time] [m]."""
-    moved = {name: _of_floor(run, name, place, view.direction) for name, place in view.places.items() if isinstance(place, int)}
+    moved = {
+        name: _of_floor(run, name, place, view.direction)
+        for name, place in view.places.items()
+        if isinstance(place, int)
+    }
     for _ in view.facing:
         for link in view.facing:
             widened = _sign(link, view.direction) * (np.interp(run.time, link.time, -link.penetration) - link.gap)
@@ -222,11 +291,19 @@ def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarra
     nodes = other.structures[name].nodes
     if nodes is not None and place.removeprefix("node ") in nodes.names:
         i = nodes.names.index(place.removeprefix("node "))
-        return sum((factor * nodes.displacement[:, i, nodes.directions.index(axis)]
-                    for axis, factor in zip("xy", view.direction) if axis in nodes.directions), np.zeros(other.time.size))
+        return sum(
+            (
+                factor * nodes.displacement[:, i, nodes.directions.index(axis)]
+                for axis, factor in zip("xy", view.direction)
+                if axis in nodes.directions
+            ),
+            np.zeros(other.time.size),
+        )
     heights, _ = floor_heights(structure)
     ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else 0.0
-    motion = np.stack([_of_floor(other, name, floor, view.direction, other.time) for floor in range(len(heights) + 1)], axis=1)
+    motion = np.stack(
+        [_of_floor(other, name, floor, view.direction, other.time) for floor in range(len(heights) + 1)], axis=1
+    )
     height = link.position[2] if link.position is not None else _height(run, link)
     levels = np.array([ground, *heights])
     above = int(np.clip(np.searchsorted(levels, height), 1, len(levels) - 1))
@@ -248,7 +325,9 @@ def _ordered(link: Link, direction: np.ndarray) -> tuple[str, str]:
 def _direction(run: RunData) -> np.ndarray:
     """The direction of the first link, towards positive x or y; x without links."""
     first = next((link for link in run.links.values() if np.hypot(*link.direction[:2]) > 1e-9), None)
-    return next((each for each in directions_of(run) if first is not None and _sign(first, each)), np.array([1.0, 0, 0]))
+    return next(
+        (each for each in directions_of(run) if first is not None and _sign(first, each)), np.array([1.0, 0, 0])
+    )
 
 
 def _axis_words(direction: np.ndarray) -> str:
@@ -260,16 +339,21 @@ def _axis_words(direction: np.ndarray) -> str:
 
 
 def _of_floor(run: RunData, name: str, floor: int, direction: np.ndarray, time: np.ndarray | None = None) -> np.ndarray:
-    """Displacement of a floor, from 1, relative to the ground, in a direction; a wall moves with the ground, and so does floor 0."""
+    """Displacement of a floor, from 1, relative to the ground, in a direction; a wall moves with the ground, and so
+    does floor 0."""
     along = run.structures[name].along
     still = np.zeros((run.time if time is None else time).size)
     if floor == 0:
         return still
-    return sum((factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", direction) if axis in along), still)
+    return sum(
+        (factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", direction) if axis in along),
+        still,
+    )
 
 
 def _offsets(along: list[Link], names: list[str], direction: np.ndarray) -> dict[str, float]:
-    """Where each structure is at rest, a gap behind its neighbour along the direction; the first of those that links join is at 0 [m]."""
+    """Where each structure is at rest, a gap behind its neighbour along the direction; the first of those that links
+    join is at 0 [m]."""
     offsets: dict[str, float] = {}
     for first in names:
         offsets.setdefault(first, 0.0)

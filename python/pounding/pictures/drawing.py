@@ -16,19 +16,20 @@ from pounding.pictures.style import YELLOW, structure_colour
 if TYPE_CHECKING:
     from pounding.pictures.scene import Motion, Scene
 
-#: Two rows of factors of x, y and z: to the right and up in the picture. `oblique` is a parallel projection, seen from the
-#: front right and 25 degrees from above.
+#: Two rows of factors of x, y and z: to the right and up in the picture. `oblique` is a parallel projection, seen from
+#: the front right and 25 degrees from above.
 VIEWS = {
     "elevation": np.array([[1.0, 0, 0], [0, 0, 1.0]]),
     "side": np.array([[0, 1.0, 0], [0, 0, 1.0]]),
     "plan": np.array([[1.0, 0, 0], [0, 1.0, 0]]),
-    "oblique": np.array([[np.cos(0.6), np.sin(0.6), 0],
-                         [-np.sin(0.44) * np.sin(0.6), np.sin(0.44) * np.cos(0.6), np.cos(0.44)]]),
+    "oblique": np.array(
+        [[np.cos(0.6), np.sin(0.6), 0], [-np.sin(0.44) * np.sin(0.6), np.sin(0.44) * np.cos(0.6), np.cos(0.44)]]
+    ),
 }
 
 
-#: With more structures names would stand on each other, colours repeat, and in a view from above those behind would be seen through
-#: those in front.
+#: With more structures names would stand on each other, colours repeat, and in a view from above those behind would be
+#: seen through those in front.
 FEW = 12
 
 
@@ -57,25 +58,49 @@ class Drawing:
             colour = "0.25" if scene.run.structures[name].is_wall else structure_colour(number)
             many = len(model.members) > 300
             width = 3.0 if scene.run.structures[name].is_wall else 0.6 if many else 1.3 if model.has_place else 2.0
-            self.lines[name] = LineCollection([], colors=colour, linewidths=width, capstyle="round", zorder=3 + nearer.get(name, 0), label=name)
+            self.lines[name] = LineCollection(
+                [], colors=colour, linewidths=width, capstyle="round", zorder=3 + nearer.get(name, 0), label=name
+            )
             self.boxes[name] = PolyCollection([], facecolors=colour, edgecolors="white", linewidths=0.5, zorder=4)
             if hides:
-                self.bodies[name] = PolyCollection([], facecolors="white", edgecolors="none", zorder=3 + nearer[name] - 1e-4)
+                self.bodies[name] = PolyCollection(
+                    [], facecolors="white", edgecolors="none", zorder=3 + nearer[name] - 1e-4
+                )
                 axes.add_collection(self.bodies[name])
             axes.add_collection(self.lines[name])
             axes.add_collection(self.boxes[name])
             self._set(name, scene.at_rest(name))
         points = np.array([project(face, view) for face in scene.faces.values()]).reshape(-1, 2)
         small = are_many(scene)
-        self.marks = axes.scatter(points[:, 0], points[:, 1], s=3 if small else 22, marker="D", facecolor="white", edgecolor="black",
-                                  linewidth=0.4 if small else 0.8, zorder=6, visible=marks and not hides)
+        self.marks = axes.scatter(
+            points[:, 0],
+            points[:, 1],
+            s=3 if small else 22,
+            marker="D",
+            facecolor="white",
+            edgecolor="black",
+            linewidth=0.4 if small else 0.8,
+            zorder=6,
+            visible=marks and not hides,
+        )
         #: One flash a link, invisible while it is open.
-        self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, marker=MarkerStyle(star()), facecolor=YELLOW,
-                                    edgecolor="black", linewidth=0.6, zorder=7)
+        self.flashes = axes.scatter(
+            points[:, 0],
+            points[:, 1],
+            s=0,
+            marker=MarkerStyle(star()),
+            facecolor=YELLOW,
+            edgecolor="black",
+            linewidth=0.6,
+            zorder=7,
+        )
 
     def artists(self) -> list[Artist]:
         """All that `move` and `flash` change, lowest first."""
-        return sorted([*self.bodies.values(), *self.lines.values(), *self.boxes.values(), self.flashes], key=lambda artist: artist.get_zorder())
+        return sorted(
+            [*self.bodies.values(), *self.lines.values(), *self.boxes.values(), self.flashes],
+            key=lambda artist: artist.get_zorder(),
+        )
 
     def move(self, motion: Motion, frame: int) -> None:
         """To where `motion` has the nodes at a frame."""

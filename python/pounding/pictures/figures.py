@@ -8,8 +8,13 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
-                                          draw_rotations_without_links, require_comparison)
+from pounding.pictures.comparison import (
+    draw_displacements_without_links,
+    draw_input_without_links,
+    draw_openings_without_links,
+    draw_rotations_without_links,
+    require_comparison,
+)
 from pounding.pictures.displacements import directions_of, draw_displacements, draw_rotations, turning
 from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
@@ -23,23 +28,41 @@ from pounding.pictures.spring_loops import loops_figure
 from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
 from pounding.results import RunData
 
-WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure,
-                                         "plan": plan_figure,
-                                         "springs": loops_figure, "hinges": hinges_figure}
-OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "rotation": draw_rotations, "gap": draw_openings,
-                                             "force": draw_forces, "energy": draw_energies}
+WHOLE: dict[str, Callable[..., Figure]] = {
+    "run": standard_figure,
+    "model": model_figure,
+    "profiles": profiles_figure,
+    "plan": plan_figure,
+    "springs": loops_figure,
+    "hinges": hinges_figure,
+}
+OVER_TIME: dict[str, Callable[..., None]] = {
+    "displacement": draw_displacements,
+    "rotation": draw_rotations,
+    "gap": draw_openings,
+    "force": draw_forces,
+    "energy": draw_energies,
+}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
 #: Panels that can also show the run without links.
-COMPARED: dict[str, Callable[..., None]] = {"displacement": draw_displacements_without_links, "rotation": draw_rotations_without_links,
-                                            "gap": draw_openings_without_links,
-                                            "energy": draw_input_without_links}
+COMPARED: dict[str, Callable[..., None]] = {
+    "displacement": draw_displacements_without_links,
+    "rotation": draw_rotations_without_links,
+    "gap": draw_openings_without_links,
+    "energy": draw_input_without_links,
+}
 
 
-def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None,
-           compare: bool | None = None) -> Figure:
-    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. `compare` also draws the run
-    without links; profiles and plan do so where it is there unless this is False. Raises BadRequest for a picture that does not exist, and for
-    a comparison that is not possible."""
+def figure(
+    run: RunData,
+    picture: str = "run",
+    title: str | None = None,
+    size: tuple[float, float] | None = None,
+    compare: bool | None = None,
+) -> Figure:
+    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. `compare` also
+    draws the run without links; profiles and plan do so where it is there unless this is False. Raises BadRequest for a
+    picture that does not exist, and for a comparison that is not possible."""
     if picture in ("profiles", "plan"):
         return WHOLE[picture](run, title, size, compare)
     if compare:
@@ -53,7 +76,9 @@ def figure(run: RunData, picture: str = "run", title: str | None = None, size: t
     if picture == "rotation" and not turning(run):
         raise BadRequest("there is no rotation to draw: no structure of this run has rigid floors in space")
     # In space there is a panel of displacements for each direction.
-    directions: list[dict[str, Any]] = [{"direction": each} for each in directions_of(run)] if picture == "displacement" else [{}]
+    directions: list[dict[str, Any]] = (
+        [{"direction": each} for each in directions_of(run)] if picture == "displacement" else [{}]
+    )
     with rc_context(STYLE):
         size = size or ((6.5, 0.8 + 2.4 * len(directions)) if picture in OVER_TIME else (5.5, 4.0))
         made = Picture(figsize=size, layout="constrained")

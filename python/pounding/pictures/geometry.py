@@ -1,7 +1,7 @@
 """Line models of the structures, for pictures, animations and exports: nodes, members and their displacements.
 
-A frame is drawn by its nodes and members. A structure without geometry becomes a stick with a mass at each floor, a body a
-single mass, a wall a line. Coordinates are x, y, z [m], z up.
+A frame is drawn by its nodes and members. A structure without geometry becomes a stick with a mass at each floor, a
+body a single mass, a wall a line. Coordinates are x, y, z [m], z up.
 """
 
 from __future__ import annotations
@@ -40,9 +40,12 @@ class LineModel:
 
 
 def line_model(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> LineModel:
-    """The line model of a structure. A wall gets the height `tallest` [m], and masses that look well beside it their width."""
+    """The line model of a structure. A wall gets the height `tallest` [m], and masses that look well beside it their
+    width."""
     if structure.geometry is not None:
-        return LineModel(structure.name, structure.geometry.nodes, structure.geometry.members, np.empty(0, int), 0.0, True, True)
+        return LineModel(
+            structure.name, structure.geometry.nodes, structure.geometry.members, np.empty(0, int), 0.0, True, True
+        )
     heights, known = floor_heights(structure)
     half_width = 0.35 * float(np.min(np.diff(heights, prepend=0), initial=0.5 * tallest))
     if half_width <= 0:
@@ -56,8 +59,15 @@ def line_model(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> Lin
         nodes = [[0, 0, 0], *([0, 0, height] for height in heights)]
         members = [[i, i + 1] for i in range(len(heights))]
         masses = range(1, len(nodes))
-    return LineModel(structure.name, np.array(nodes, float), np.array(members, int).reshape(-1, 2), np.array(masses, int),
-                    half_width, False, known)
+    return LineModel(
+        structure.name,
+        np.array(nodes, float),
+        np.array(members, int).reshape(-1, 2),
+        np.array(masses, int),
+        half_width,
+        False,
+        known,
+    )
 
 
 def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
@@ -68,7 +78,8 @@ def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
 
 
 def storey_heights(structure: Structure) -> np.ndarray:
-    """[floor]: heights of the storeys below the floors [m], the lowest one from the lowest node of the structure, or from zero."""
+    """[floor]: heights of the storeys below the floors [m], the lowest one from the lowest node of the structure, or
+    from zero."""
     heights, _ = floor_heights(structure)
     ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, heights[0])
     return np.diff(heights, prepend=ground)
@@ -83,7 +94,9 @@ def outline(points: np.ndarray) -> np.ndarray:
     def half(way: list[tuple[float, ...]]) -> list[tuple[float, ...]]:
         kept: list[tuple[float, ...]] = []
         for x, y in way:
-            while len(kept) > 1 and (kept[-1][0] - kept[-2][0]) * (y - kept[-2][1]) <= (kept[-1][1] - kept[-2][1]) * (x - kept[-2][0]):
+            while len(kept) > 1 and (kept[-1][0] - kept[-2][0]) * (y - kept[-2][1]) <= (kept[-1][1] - kept[-2][1]) * (
+                x - kept[-2][0]
+            ):
                 kept.pop()
             kept.append((x, y))
         return kept[:-1]
@@ -94,8 +107,9 @@ def outline(points: np.ndarray) -> np.ndarray:
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
     """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
 
-    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its plane
-    and rotates about the point whose motion is reported; nodes between two floors are interpolated by their height."""
+    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its
+    plane and rotates about the point whose motion is reported; nodes between two floors are interpolated by their
+    height."""
     moved = _by_floors(structure, model)
     reported = structure.nodes
     if reported is None or structure.geometry is None:
@@ -110,8 +124,10 @@ def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
 
 def displaced_at(structure: Structure, time: np.ndarray, times: np.ndarray) -> Structure:
     """The structure with its displacements at `times` instead of `time`; its other histories stay behind."""
-    along = {key: replace(motion, displacement=_at_times(time, motion.displacement, times))
-             for key, motion in structure.along.items()}
+    along = {
+        key: replace(motion, displacement=_at_times(time, motion.displacement, times))
+        for key, motion in structure.along.items()
+    }
     nodes = structure.nodes
     if nodes is not None:
         nodes = replace(nodes, displacement=_at_times(time, nodes.displacement, times))
@@ -124,8 +140,12 @@ def _by_floors(structure: Structure, model: LineModel) -> np.ndarray:
     if not structure.floors:
         return moved
     floor_of_node = _floor_of_node(structure, model)
-    heights = np.array([model.nodes[floor_of_node == i, 2].mean() if np.any(floor_of_node == i) else np.nan
-                        for i in range(len(structure.floors))])
+    heights = np.array(
+        [
+            model.nodes[floor_of_node == i, 2].mean() if np.any(floor_of_node == i) else np.nan
+            for i in range(len(structure.floors))
+        ]
+    )
     if structure.geometry is not None:
         own, known = floor_heights(structure)
         heights = np.where(np.isnan(heights) & known, own, heights)
@@ -147,7 +167,9 @@ def _floor_of_node(structure: Structure, model: LineModel) -> np.ndarray:
     return floors
 
 
-def _plate(structure: Structure, model: LineModel, floor_of_node: np.ndarray, floor: int, position: np.ndarray) -> np.ndarray:
+def _plate(
+    structure: Structure, model: LineModel, floor_of_node: np.ndarray, floor: int, position: np.ndarray
+) -> np.ndarray:
     """[time, 3] of a point that is fixed to a floor."""
     move = np.zeros((len(structure.displacement), 3))
     for j, axis in enumerate("xy"):
@@ -163,19 +185,30 @@ def _plate(structure: Structure, model: LineModel, floor_of_node: np.ndarray, fl
 
 
 def _centre(structure: Structure, model: LineModel, on_floor: np.ndarray, floor: int) -> np.ndarray:
-    """[2]: the point of a floor whose motion is reported. Files that have no plan of the floor do not say where it is: the mean of its nodes."""
+    """[2]: the point of a floor whose motion is reported. Files that have no plan of the floor do not say where it is:
+    the mean of its nodes."""
     if structure.plan is None or structure.geometry is None or np.isnan(structure.plan[floor]).any():
         return model.nodes[on_floor, :2].mean(axis=0)
     return structure.centre(floor)
 
 
-def _between(structure: Structure, model: LineModel, floor_of_node: np.ndarray, heights: np.ndarray, held: float,
-             position: np.ndarray) -> np.ndarray:
+def _between(
+    structure: Structure,
+    model: LineModel,
+    floor_of_node: np.ndarray,
+    heights: np.ndarray,
+    held: float,
+    position: np.ndarray,
+) -> np.ndarray:
     """[time, 3] of a point off the floors, in proportion to its height between the next floors; as the top above it."""
     order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
     below = [i for i in order if heights[i] <= position[2]]
     above = [i for i in order if heights[i] > position[2]]
-    low = _plate(structure, model, floor_of_node, below[-1], position) if below else np.zeros((len(structure.displacement), 3))
+    low = (
+        _plate(structure, model, floor_of_node, below[-1], position)
+        if below
+        else np.zeros((len(structure.displacement), 3))
+    )
     if not above:
         return low
     z = heights[below[-1]] if below else held
@@ -187,7 +220,9 @@ def _at_times(time: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.nda
     """Values [time, ...] at other times, linear between the samples and constant outside."""
     if not len(time):
         return np.zeros((len(times), *values.shape[1:]))
-    after = np.clip(np.searchsorted(time, times), 1, max(len(time) - 1, 1)) if len(time) > 1 else np.zeros(len(times), int)
+    after = (
+        np.clip(np.searchsorted(time, times), 1, max(len(time) - 1, 1)) if len(time) > 1 else np.zeros(len(times), int)
+    )
     before = np.maximum(after - 1, 0)
     span = np.where(after > before, time[after] - time[before], 1.0)
     share = np.clip((times - time[before]) / span, 0, 1).reshape(-1, *[1] * (values.ndim - 1))

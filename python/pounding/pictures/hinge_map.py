@@ -18,7 +18,17 @@ from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, 
 from pounding.pictures.model_picture import TITLES, label_floors, name_structures, spread_scene
 from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, NARROW, STYLE, YELLOW, BadRequest, Picture, engineering, head
+from pounding.pictures.style import (
+    ENERGY_UNITS,
+    FORCE_UNITS,
+    NARROW,
+    STYLE,
+    YELLOW,
+    BadRequest,
+    Picture,
+    engineering,
+    head,
+)
 from pounding.results import RunData, Structure
 from pounding.springs import Springs
 
@@ -45,7 +55,12 @@ class Measure:
 
 
 #: For hinges that all have an ultimate rotation, for other hinges, and for runs with other parts that yield.
-OVER_ULTIMATE = Measure("Plastic rotation over ultimate", 0, 1.0, lambda springs, i: springs.largest["peak_plastic"][i] / springs.ultimate_rotation[i])
+OVER_ULTIMATE = Measure(
+    "Plastic rotation over ultimate",
+    0,
+    1.0,
+    lambda springs, i: springs.largest["peak_plastic"][i] / springs.ultimate_rotation[i],
+)
 ROTATION = Measure("Plastic rotation (mrad)", 0, 0.1, lambda springs, i: 1e3 * springs.largest["peak_plastic"][i])
 DUCTILITY = Measure("Ductility", 1, 1.5, lambda springs, i: springs.largest["ductility"][i])
 
@@ -68,15 +83,18 @@ class Mark:
 
 
 def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """The structures of a run at rest with every part that can yield: circles at hinges, coloured by plastic rotation, over the ultimate one if
-    every hinge of the run has one; thick lines for storeys, coloured by ductility as is every part of such a run. They are larger the more energy
-    they lost. Parts that stayed elastic are small and white. Stars mark links that were hit, larger the harder. One elevation; of a model in space a view and an
-    elevation, in a narrow figure the view alone. `size` [in]. Raises BadRequest for a run in which nothing can yield."""
+    """The structures of a run at rest with every part that can yield: circles at hinges, coloured by plastic rotation,
+    over the ultimate one if every hinge of the run has one; thick lines for storeys, coloured by ductility as is every
+    part of such a run. They are larger the more energy they lost. Parts that stayed elastic are small and white. Stars
+    mark links that were hit, larger the harder. One elevation; of a model in space a view and an elevation, in a narrow
+    figure the view alone. `size` [in]. Raises BadRequest for a run in which nothing can yield."""
     scene = spread_scene(run, APART)
     measure = measure_of(run)
     marks = list(_marks(scene, measure))
     if not marks:
-        raise BadRequest("there is nothing to map: every structure of this run stays elastic. Give frames hinges, or storeys a yield_force")
+        raise BadRequest(
+            "there is nothing to map: every structure of this run stays elastic. Give frames hinges, or storeys a yield_force"
+        )
     narrow = size is not None and size[0] < NARROW
     views = ["elevation"] if not scene.is_spatial else ["oblique"] if narrow else ["oblique", "elevation"]
     with rc_context(STYLE):
@@ -86,8 +104,15 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
         for letter, panel, view in zip("ab", panels, views):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(views) > 1 else "")
             draw_hinges(panel, scene, view, marks, norm, min(1.0, figure.get_figwidth() / (5.5 * len(views))))
-        figure.colorbar(ScalarMappable(norm, COLOURS), ax=list(panels), fraction=0.04, pad=0.02, shrink=0.8,
-                        panchor=False, label=measure.label)
+        figure.colorbar(
+            ScalarMappable(norm, COLOURS),
+            ax=list(panels),
+            fraction=0.04,
+            pad=0.02,
+            shrink=0.8,
+            panchor=False,
+            label=measure.label,
+        )
         handles = list(_legend(run, marks))
         legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 2 if narrow else 4)
         head(figure, run.title if title is None else title)
@@ -95,8 +120,8 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
 
 
 def draw_hinges(axes: Axes, scene: Scene, view: str, marks: list[Mark], norm: Normalize, scale: float = 1.0) -> None:
-    """One view of a scene with its marks, as large as on a page or, with a `scale` below 1, smaller. Where there is room numbers stand beside
-    them: the largest value of each structure, and how often each link was hit."""
+    """One view of a scene with its marks, as large as on a page or, with a `scale` below 1, smaller. Where there is
+    room numbers stand beside them: the largest value of each structure, and how often each link was hit."""
     numbers = scale > 0.75
     axes.grid(False)
     draw_ground(axes, scene, view)
@@ -120,10 +145,14 @@ def draw_hinges(axes: Axes, scene: Scene, view: str, marks: list[Mark], norm: No
 
 def measure_of(run: RunData) -> Measure:
     """The quantity that the map of a run colours."""
-    found = [springs for structure in run.structures.values() if (springs := structure.springs) is not None and len(springs)]
+    found = [
+        springs for structure in run.structures.values() if (springs := structure.springs) is not None and len(springs)
+    ]
     if found and all(np.isfinite(springs.ultimate_rotation).all() for springs in found):
         return OVER_ULTIMATE
-    return ROTATION if found and all(springs.is_hinge(i) for springs in found for i in range(len(springs))) else DUCTILITY
+    return (
+        ROTATION if found and all(springs.is_hinge(i) for springs in found for i in range(len(springs))) else DUCTILITY
+    )
 
 
 def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
@@ -135,7 +164,14 @@ def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
             points = _points(scene, structure, part)
             if points is None:
                 continue
-            yield Mark(name, part, points, float(measure.of(springs, i)), float(springs.largest["hysteretic"][i]), springs.states[i])
+            yield Mark(
+                name,
+                part,
+                points,
+                float(measure.of(springs, i)),
+                float(springs.largest["hysteretic"][i]),
+                springs.states[i],
+            )
 
 
 def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
@@ -174,11 +210,15 @@ def _draw_mark(axes: Axes, mark: Mark, view: str, norm: Normalize, share: float,
         low, high = points[0] + 0.12 * (points[1] - points[0]), points[0] + 0.88 * (points[1] - points[0])
         width = scale * (2.5 if elastic else WIDTHS[0] + (WIDTHS[1] - WIDTHS[0]) * share)
         for colour, more, order in ((edge, 1.2, 4.5), (face, 0.0, 4.6)):
-            axes.plot(*np.array([low, high]).T, color=colour, linewidth=width + more, solid_capstyle="butt", zorder=order)
+            axes.plot(
+                *np.array([low, high]).T, color=colour, linewidth=width + more, solid_capstyle="butt", zorder=order
+            )
         return
     area = scale**2 * (ELASTIC if elastic else AREAS[0] + (AREAS[1] - AREAS[0]) * share)
     beyond = mark.state == "beyond ultimate"
-    axes.scatter(points[:, 0], points[:, 1], s=area, facecolor=[face], edgecolor=edge, linewidth=0.5, zorder=4 if elastic else 5)
+    axes.scatter(
+        points[:, 0], points[:, 1], s=area, facecolor=[face], edgecolor=edge, linewidth=0.5, zorder=4 if elastic else 5
+    )
     if beyond:
         axes.scatter(points[:, 0], points[:, 1], s=area, marker="x", color="black", linewidth=1.0, zorder=5.5)
 
@@ -194,24 +234,37 @@ def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: flo
         x, y = project(face + 0.5 * scene.scale * link.gap * link.direction, view)
         rows = scene.run.impacts_of(name)
         if not rows.size:
-            axes.scatter(x, y, s=12 * scale**2, marker="D", facecolor="white", edgecolor="black", linewidth=0.6, zorder=6)
+            axes.scatter(
+                x, y, s=12 * scale**2, marker="D", facecolor="white", edgecolor="black", linewidth=0.6, zorder=6
+            )
             continue
         largest = float(np.nanmax(rows[strength], initial=0.0))
         area = scale**2 * (50 + 200 * (largest / most if most > 0 else 0.0))
-        axes.scatter(x, y, s=area, marker=MarkerStyle(star()), facecolor=YELLOW, edgecolor="black", linewidth=0.5, zorder=6)
+        axes.scatter(
+            x, y, s=area, marker=MarkerStyle(star()), facecolor=YELLOW, edgecolor="black", linewidth=0.5, zorder=6
+        )
         if numbers:
             axes.annotate(str(rows.size), (x, y), ha="center", va="center_baseline", fontsize=6, zorder=7)
 
 
 def _number_largest(axes: Axes, marks: list[Mark], view: str) -> None:
-    """The number behind the colour of the part of each structure that yielded most; of storeys that of each, up to sixteen."""
+    """The number behind the colour of the part of each structure that yielded most; of storeys that of each, up to
+    sixteen."""
     for name in dict.fromkeys(mark.structure for mark in marks):
         own = [mark for mark in marks if mark.structure == name and mark.state != "elastic"]
         shown = own if own and own[0].is_storey and len(own) <= 16 else sorted(own, key=lambda one: -one.value)[:1]
         for mark in shown:
             x, y = project(mark.points, view).mean(axis=0)
-            axes.annotate(f"{mark.value:.3g}", (x, y), (3 + WIDTHS[1] / 2, 0) if mark.is_storey else (6, 7), textcoords="offset points",
-                          ha="left", va="center", fontsize=6.5, zorder=8)
+            axes.annotate(
+                f"{mark.value:.3g}",
+                (x, y),
+                (3 + WIDTHS[1] / 2, 0) if mark.is_storey else (6, 7),
+                textcoords="offset points",
+                ha="left",
+                va="center",
+                fontsize=6.5,
+                zorder=8,
+            )
 
 
 def _legend(run: RunData, marks: list[Mark]) -> Iterator[Line2D]:
@@ -222,19 +275,56 @@ def _legend(run: RunData, marks: list[Mark]) -> Iterator[Line2D]:
     middle = COLOURS(0.55)
     if most.energy > 0:
         words = f"{yielded} of {len(marks)} yielded, the largest lost {most.energy / size:.3g} {unit}"
-        yield (Line2D([], [], linestyle="none", marker="o", color=middle, markeredgecolor="black", markeredgewidth=0.5, markersize=8, label=words)
-               if circles else Line2D([], [], color=middle, linewidth=6, label=words))
+        yield (
+            Line2D(
+                [],
+                [],
+                linestyle="none",
+                marker="o",
+                color=middle,
+                markeredgecolor="black",
+                markeredgewidth=0.5,
+                markersize=8,
+                label=words,
+            )
+            if circles
+            else Line2D([], [], color=middle, linewidth=6, label=words)
+        )
     if any(mark.state == "elastic" for mark in marks):
-        yield (Line2D([], [], linestyle="none", marker="o", markerfacecolor="white", markeredgecolor="0.45", markeredgewidth=0.5, markersize=3,
-                      label="stayed elastic") if circles else Line2D([], [], color="0.45", linewidth=2, label="stayed elastic"))
+        yield (
+            Line2D(
+                [],
+                [],
+                linestyle="none",
+                marker="o",
+                markerfacecolor="white",
+                markeredgecolor="0.45",
+                markeredgewidth=0.5,
+                markersize=3,
+                label="stayed elastic",
+            )
+            if circles
+            else Line2D([], [], color="0.45", linewidth=2, label="stayed elastic")
+        )
     if any(mark.state == "beyond ultimate" for mark in marks):
-        yield Line2D([], [], linestyle="none", marker="x", color="black", markersize=6, label="beyond its ultimate rotation")
+        yield Line2D(
+            [], [], linestyle="none", marker="x", color="black", markersize=6, label="beyond its ultimate rotation"
+        )
     if run.impacts.size:
         force = float(np.nanmax(run.impacts["peak_force"], initial=0.0))
         size, unit = engineering(force, FORCE_UNITS)
         words = f"impacts, at most {force / size:.3g} {unit}" if force > 0 else "impacts"
-        yield Line2D([], [], linestyle="none", marker=MarkerStyle(star()), markerfacecolor=YELLOW, markeredgecolor="black", markeredgewidth=0.5,
-                     markersize=9, label=words)
+        yield Line2D(
+            [],
+            [],
+            linestyle="none",
+            marker=MarkerStyle(star()),
+            markerfacecolor=YELLOW,
+            markeredgecolor="black",
+            markeredgewidth=0.5,
+            markersize=9,
+            label=words,
+        )
 
 
 def _size(scene: Scene, views: int) -> tuple[float, float]:

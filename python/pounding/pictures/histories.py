@@ -8,7 +8,19 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding.pictures.panels import legend_beside, link_styles, plot_time, say, time_unit
 from pounding.pictures.style import (
-    BLUE, ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, MM, ORANGE, PURPLE, SKY, VERMILION, engineering, largest)
+    BLUE,
+    ENERGY_UNITS,
+    FORCE_UNITS,
+    GREEN,
+    IMPULSE_UNITS,
+    MM,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    engineering,
+    largest,
+)
 from pounding.results import RunData
 
 
@@ -32,8 +44,17 @@ def draw_openings(axes: Axes, run: RunData) -> None:
     axes.axhline(0, color="black", linewidth=0.6)
     touches = run.impacts["t_start"] / size
     if touches.size:
-        axes.plot(touches, np.zeros_like(touches), linestyle="none", marker="^", markersize=3.5, color="black",
-                  clip_on=False, zorder=5, label=f"touch ({touches.size})")
+        axes.plot(
+            touches,
+            np.zeros_like(touches),
+            linestyle="none",
+            marker="^",
+            markersize=3.5,
+            color="black",
+            clip_on=False,
+            zorder=5,
+            label=f"touch ({touches.size})",
+        )
     axes.set_title("Opening of the links")
     axes.set_ylabel("Opening\n[mm]")
     legend_beside(axes)
@@ -60,15 +81,26 @@ def draw_forces(axes: Axes, run: RunData) -> None:
 def draw_energies(axes: Axes, run: RunData) -> None:
     """Energy by kind: dissipated and stored parts stacked, below the line of the input."""
     energy = run.energy
-    parts = [("damping", "damping", SKY), ("devices", "dampers between", BLUE), ("hysteretic", "yielding", ORANGE),
-             ("impact", "impact", VERMILION), ("strain", "strain", GREEN), ("kinetic", "kinetic", PURPLE)]
+    parts = [
+        ("damping", "damping", SKY),
+        ("devices", "dampers between", BLUE),
+        ("hysteretic", "yielding", ORANGE),
+        ("impact", "impact", VERMILION),
+        ("strain", "strain", GREEN),
+        ("kinetic", "kinetic", PURPLE),
+    ]
     parts = [part for part in parts if part[0] in energy and largest([energy[part[0]]]) > 0]
     size, unit = engineering(largest([energy["input"]]), ENERGY_UNITS)
     time_size, _ = time_unit(run)
     if parts:
-        axes.stackplot(energy["time"] / time_size, *[energy[key] / size for key, _, _ in parts],
-                       labels=[label for _, label, _ in parts], colors=[colour for _, _, colour in parts], alpha=0.75,
-                       linewidth=0)
+        axes.stackplot(
+            energy["time"] / time_size,
+            *[energy[key] / size for key, _, _ in parts],
+            labels=[label for _, label, _ in parts],
+            colors=[colour for _, _, colour in parts],
+            alpha=0.75,
+            linewidth=0,
+        )
         axes.plot(energy["time"] / time_size, energy["input"] / size, color="black", linewidth=0.8, label="input")
     axes.set_title("Energy")
     axes.set_ylabel(f"Energy\n[{unit}]")
@@ -96,8 +128,9 @@ def _draw_impulses(axes: Axes, run: RunData) -> None:
     for link, style in link_styles(run):
         impacts = run.impacts_of(link.name)
         if impacts.size:
-            axes.vlines(impacts["t_start"] / time_size, 0, impacts["impulse"] / size, color=style["color"],
-                        label=style["label"])
+            axes.vlines(
+                impacts["t_start"] / time_size, 0, impacts["impulse"] / size, color=style["color"], label=style["label"]
+            )
     axes.set_title("Impulses of rigid contacts")
     axes.set_ylabel(f"Impulse\n[{unit}]")
     axes.set_ylim(bottom=0)

@@ -24,16 +24,49 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 
 def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
     """Largest values of links and structures, and where the energy went, from the object of `pounding run --json`."""
-    links = [[one["name"], one["impacts"], _number(one["peak_force"], 1e3), _number(one["peak_penetration"], 1e-3),
-              _number(one["impulse"], 1e3), _number(one["energy_lost"], 1e3),
-              f"{_number(one['energy_stored'], 1e3)} kJ stored" if one.get("presses") else "no"] for one in summary.get("links", [])]
-    structures = [[name, *(_number(max(one[key], default=None), size) for key, size in
-                           (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0)))]
-                  for name, one in summary.get("structures", {}).items() if one.get("peak_displacement")]
-    torsion = [[name, *(_number(max((value for value in one[key] if value is not None), default=None), 1e-3)
-                        for key in ("peak_rotation", "peak_edge_displacement"))]
-               for name, one in summary.get("structures", {}).items() if one.get("peak_rotation")]
-    words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]", "still pressed"]
+    links = [
+        [
+            one["name"],
+            one["impacts"],
+            _number(one["peak_force"], 1e3),
+            _number(one["peak_penetration"], 1e-3),
+            _number(one["impulse"], 1e3),
+            _number(one["energy_lost"], 1e3),
+            f"{_number(one['energy_stored'], 1e3)} kJ stored" if one.get("presses") else "no",
+        ]
+        for one in summary.get("links", [])
+    ]
+    structures = [
+        [
+            name,
+            *(
+                _number(max(one[key], default=None), size)
+                for key, size in (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0))
+            ),
+        ]
+        for name, one in summary.get("structures", {}).items()
+        if one.get("peak_displacement")
+    ]
+    torsion = [
+        [
+            name,
+            *(
+                _number(max((value for value in one[key] if value is not None), default=None), 1e-3)
+                for key in ("peak_rotation", "peak_edge_displacement")
+            ),
+        ]
+        for name, one in summary.get("structures", {}).items()
+        if one.get("peak_rotation")
+    ]
+    words = [
+        "link",
+        "impacts",
+        "peak force [kN]",
+        "penetration [mm]",
+        "impulse [kN s]",
+        "energy lost [kJ]",
+        "still pressed",
+    ]
     parts = [f"<b>{html.escape(title)}</b>" + ("" if status == "done" else f": {html.escape(status)}")]
     if links:
         parts.append(table(words, links))
@@ -43,10 +76,15 @@ def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
         parts.append(table(["structure", "rotation [mrad]", "edge displacement [mm]"], torsion))
     energy = summary.get("energy", {})
     if energy:
-        terms = " + ".join(f"{name} {_number(energy[name], 1e3)}"
-                           for name in ("kinetic", "strain", "damping", "hysteretic", "impact", "devices") if name in energy)
-        parts.append(f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; "
-                     f"largest imbalance {energy['error']:.1e} of the input")
+        terms = " + ".join(
+            f"{name} {_number(energy[name], 1e3)}"
+            for name in ("kinetic", "strain", "damping", "hysteretic", "impact", "devices")
+            if name in energy
+        )
+        parts.append(
+            f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; "
+            f"largest imbalance {energy['error']:.1e} of the input"
+        )
     return "".join(f"<div>{part}</div>" for part in parts)
 
 

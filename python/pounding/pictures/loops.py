@@ -37,8 +37,10 @@ def draw_strongest_loop(axes: Axes, run: RunData) -> None:
     if np.isfinite(impact["t_end"]):
         out = f"{impact['v_separation']:.3g} m/s out,\nrestitution {impact['restitution']:.3f}"
     axes.set_ylabel(f"Force [{unit}]")
-    axes.set_xlabel(f"Penetration [mm]\n{link.name} at {impact['t_start']:.3f} s: {impact['v_approach']:.3g} m/s in, {out}, "
-                    f"{impact['energy_lost'] / lost_size:.3g} {lost_unit} lost")
+    axes.set_xlabel(
+        f"Penetration [mm]\n{link.name} at {impact['t_start']:.3f} s: {impact['v_approach']:.3g} m/s in, {out}, "
+        f"{impact['energy_lost'] / lost_size:.3g} {lost_unit} lost"
+    )
 
 
 def draw_loops(axes: Axes, run: RunData) -> None:
@@ -58,8 +60,8 @@ def draw_loops(axes: Axes, run: RunData) -> None:
 
 
 def draw_restitution(axes: Axes, run: RunData) -> None:
-    """Restitution that each impact obtained, over its closing speed, and dashed what the links were asked for. Storeys push and
-    brake slow impacts: what lies above HIGHEST stands at the upper edge, and words say how far it goes."""
+    """Restitution that each impact obtained, over its closing speed, and dashed what the links were asked for. Storeys
+    push and brake slow impacts: what lies above HIGHEST stands at the upper edge, and words say how far it goes."""
     axes.set_title("Restitution of each impact")
     axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
     moving = run.impacts[np.isfinite(run.impacts["restitution"])]
@@ -69,9 +71,18 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
     for link, style in link_styles(run):
         impacts = moving[moving["link"] == link.name]
         for inside, marker in ((impacts["restitution"] <= HIGHEST, "o"), (impacts["restitution"] > HIGHEST, "^")):
-            [marks] = axes.plot(impacts["v_approach"][inside], np.minimum(impacts["restitution"][inside], HIGHEST), linestyle="none",
-                      marker=marker, markersize=3.5, markerfacecolor="none", markeredgewidth=0.9, color=style["color"],
-                      zorder=style["zorder"], clip_on=False)
+            [marks] = axes.plot(
+                impacts["v_approach"][inside],
+                np.minimum(impacts["restitution"][inside], HIGHEST),
+                linestyle="none",
+                marker=marker,
+                markersize=3.5,
+                markerfacecolor="none",
+                markeredgewidth=0.9,
+                color=style["color"],
+                zorder=style["zorder"],
+                clip_on=False,
+            )
             marks.set_in_layout(False)
     for value in asked_restitutions(run):
         axes.axhline(value, color="0.25", linewidth=0.8, linestyle=(0, (5, 3)), zorder=1.5)
@@ -86,15 +97,26 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
 
 def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Transform, side: str) -> None:
     """Words inside a panel, at its right edge, that take no room from the layout."""
-    note = axes.annotate(words, place, (-2, 2 if side == "bottom" else -3), xycoords=coordinates, textcoords="offset points", ha="right",
-                         va=side, fontsize=7, color="0.25")
+    note = axes.annotate(
+        words,
+        place,
+        (-2, 2 if side == "bottom" else -3),
+        xycoords=coordinates,
+        textcoords="offset points",
+        ha="right",
+        va=side,
+        fontsize=7,
+        color="0.25",
+    )
     note.set_in_layout(False)
 
 
 def asked_restitutions(run: RunData) -> list[float]:
     """The different restitutions that the links of the input ask for."""
     links = re.search(r"(?ms)^links:\n(.*?)(?=^\S|\Z)", run.resolved_yaml)
-    return sorted({float(value) for value in re.findall(r"(?m)^\s+restitution: ([-+.\deE]+)", links.group(1) if links else "")})
+    return sorted(
+        {float(value) for value in re.findall(r"(?m)^\s+restitution: ([-+.\deE]+)", links.group(1) if links else "")}
+    )
 
 
 def _inside(link: Link, impact: np.void) -> np.ndarray:
@@ -108,6 +130,10 @@ def _arrow(axes: Axes, x: np.ndarray, y: np.ndarray) -> None:
     if x.size < 4:
         return
     rising = int(np.argmax(y))
-    middle = max(1, min(int(np.searchsorted(y[:rising + 1], 0.55 * y[rising])), x.size - 2))
-    axes.annotate("", (x[middle + 1], y[middle + 1]), (x[middle - 1], y[middle - 1]),
-                  arrowprops={"arrowstyle": "-|>", "color": VERMILION, "linewidth": 0.8})
+    middle = max(1, min(int(np.searchsorted(y[: rising + 1], 0.55 * y[rising])), x.size - 2))
+    axes.annotate(
+        "",
+        (x[middle + 1], y[middle + 1]),
+        (x[middle - 1], y[middle - 1]),
+        arrowprops={"arrowstyle": "-|>", "color": VERMILION, "linewidth": 0.8},
+    )

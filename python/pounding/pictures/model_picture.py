@@ -22,8 +22,8 @@ TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "
 
 
 def model_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations, in a narrow figure the view
-    alone. `size` [in]."""
+    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations, in a
+    narrow figure the view alone. `size` [in]."""
     scene = Scene(run)
     if not scene.has_places:
         scene = spread_scene(run, 0.04)
@@ -70,7 +70,9 @@ def _name_inside(axes: Axes, scene: Scene) -> None:
     for number, name in enumerate(scene.line_models):
         points = scene.at_rest(name)[:, :2]
         x, y = (points.min(axis=0) + points.max(axis=0)) / 2
-        axes.annotate(name, (x, y), ha="center", va="center", fontsize=4, rotation=45, color=structure_colour(number), zorder=8)
+        axes.annotate(
+            name, (x, y), ha="center", va="center", fontsize=4, rotation=45, color=structure_colour(number), zorder=8
+        )
 
 
 def name_structures(axes: Axes, scene: Scene, view: str) -> None:
@@ -79,12 +81,22 @@ def name_structures(axes: Axes, scene: Scene, view: str) -> None:
         points = project(scene.at_rest(name), view)
         x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.line_models[name].half_height
         wall = scene.run.structures[name].is_wall
-        axes.annotate(name, (x, y), (0, 4), textcoords="offset points", ha="center", va="bottom", fontweight="bold",
-                      color="0.25" if wall else structure_colour(number), zorder=8)
+        axes.annotate(
+            name,
+            (x, y),
+            (0, 4),
+            textcoords="offset points",
+            ha="center",
+            va="bottom",
+            fontweight="bold",
+            color="0.25" if wall else structure_colour(number),
+            zorder=8,
+        )
 
 
 def label_floors(axes: Axes, scene: Scene) -> None:
-    """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls included."""
+    """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls
+    included."""
     middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
     if not middles:
         return
@@ -96,8 +108,16 @@ def label_floors(axes: Axes, scene: Scene) -> None:
         heights, _ = floor_heights(structure)
         every = -(-len(heights) // 16)
         for i in range(len(heights) - 1, -1, -every):
-            axes.annotate(structure.floors[i], (x, heights[i] + scene.shifts[name][2]), (5 * side, 0), textcoords="offset points", va="center",
-                          ha="left" if side > 0 else "right", fontsize=7, color="0.35")
+            axes.annotate(
+                structure.floors[i],
+                (x, heights[i] + scene.shifts[name][2]),
+                (5 * side, 0),
+                textcoords="offset points",
+                va="center",
+                ha="left" if side > 0 else "right",
+                fontsize=7,
+                color="0.35",
+            )
 
 
 def _legend(run: RunData) -> Iterator[Line2D]:
@@ -107,8 +127,16 @@ def _legend(run: RunData) -> Iterator[Line2D]:
         gaps.setdefault(f"{MM * link.gap:.4g} mm", []).append(link.name)
     for gap, names in gaps.items():
         words = names[0] if len(names) == 1 else f"{len(names)} links"
-        yield Line2D([], [], linestyle="none", marker="D", markerfacecolor="white", markeredgecolor="black",
-                     markersize=4.5, label=f"{words}, gap {gap}")
+        yield Line2D(
+            [],
+            [],
+            linestyle="none",
+            marker="D",
+            markerfacecolor="white",
+            markeredgecolor="black",
+            markersize=4.5,
+            label=f"{words}, gap {gap}",
+        )
 
 
 def _size(scene: Scene) -> tuple[float, float]:

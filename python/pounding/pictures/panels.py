@@ -41,7 +41,7 @@ def label_time(axes: Axes, run: RunData) -> None:
 def link_styles(run: RunData) -> Iterator[tuple[Link, dict[str, Any]]]:
     """Each link with its line: the hardest hit ones in colour, the others grey and below them."""
     peaks = {name: largest([run.impacts_of(name)["peak_force"]]) for name in run.links}
-    chosen = sorted(run.links, key=lambda name: -peaks[name])[:len(LINK_COLOURS)]
+    chosen = sorted(run.links, key=lambda name: -peaks[name])[: len(LINK_COLOURS)]
     chosen = [name for name in run.links if name in chosen]
     others = [name for name in run.links if name not in chosen]
     for i, name in enumerate(others):
@@ -80,11 +80,16 @@ def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], 
 
 
 def gather_legends(figure: Figure, panels: Sequence[Axes]) -> None:
-    """One legend below all panels instead of one beside each. A structure that is linked in one panel and not in another one has one entry."""
+    """One legend below all panels instead of one beside each. A structure that is linked in one panel and not in
+    another one has one entry."""
     entries: dict[str, Any] = {}
     for axes in panels:
         handles, labels = axes.get_legend_handles_labels()
-        entries |= {label.split(NO_LINK)[0]: handle for label, handle in zip(labels, handles) if NO_LINK not in label or label.split(NO_LINK)[0] not in entries}
+        entries |= {
+            label.split(NO_LINK)[0]: handle
+            for label, handle in zip(labels, handles)
+            if NO_LINK not in label or label.split(NO_LINK)[0] not in entries
+        }
         legend = axes.get_legend()
         if legend is not None:
             legend.remove()

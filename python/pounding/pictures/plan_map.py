@@ -1,5 +1,5 @@
-"""Map in plan: every structure coloured by its largest drift, every pair of neighbours by the hardest impact between them, and beside it
-the structures by themselves."""
+"""Map in plan: every structure coloured by its largest drift, every pair of neighbours by the hardest impact between
+them, and beside it the structures by themselves."""
 
 from __future__ import annotations
 
@@ -37,17 +37,26 @@ class Contact:
     impacts: int
 
 
-def plan_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None, compare: bool | None = None) -> Figure:
-    """The structures of a run in plan, each coloured by the largest drift of all its storeys along x and y, in per cent of the storey's
-    height, with the number in it. Between neighbours stands a line where they can touch: coloured by the peak force of the hardest impact at
-    any height, thin and grey where none was. Where the file has the run without links, it is drawn beside it in the same colours, unless
-    `compare` is False. `size` [in].
+def plan_figure(
+    run: RunData, title: str | None = None, size: tuple[float, float] | None = None, compare: bool | None = None
+) -> Figure:
+    """The structures of a run in plan, each coloured by the largest drift of all its storeys along x and y, in per cent
+    of the storey's height, with the number in it. Between neighbours stands a line where they can touch: coloured by
+    the peak force of the hardest impact at any height, thin and grey where none was. Where the file has the run without
+    links, it is drawn beside it in the same colours, unless `compare` is False. `size` [in].
 
-    Raises BadRequest for a run without frames in space, and when `compare` is True and there is nothing to compare with."""
+    Raises BadRequest for a run without frames in space, and when `compare` is True and there is nothing to compare
+    with."""
     scene = Scene(run)
-    drawn = [name for name, structure in run.structures.items() if structure.dimension == 3 and structure.geometry is not None]
+    drawn = [
+        name
+        for name, structure in run.structures.items()
+        if structure.dimension == 3 and structure.geometry is not None
+    ]
     if not drawn or not run.envelopes:
-        raise BadRequest("there is no plan to draw: no structure of this run is a frame in space. Draw --picture profiles, in Python \"profiles\"")
+        raise BadRequest(
+            'there is no plan to draw: no structure of this run is a frame in space. Draw --picture profiles, in Python "profiles"'
+        )
     if compare:
         require_comparison(run, "plan")
     runs = [run] if run.no_pounding is None or compare is False else [run, run.no_pounding]
@@ -75,9 +84,14 @@ def plan_figure(run: RunData, title: str | None = None, size: tuple[float, float
             if len(runs) > 1:
                 axes.set_title(f"({'ab'[number]}) {('With its neighbours', 'Each alone')[number]}")
             _frame(axes, scene, first_column=columns == 1 or number == 0, last_row=rows == 1 or number == len(runs) - 1)
-        horizontal: dict[str, Any] = {"location": "bottom", "shrink": 0.6, "aspect": 30, "pad": 0.02} if size is not None and size[0] < NARROW else {
-            "location": "right", "shrink": 0.75, "aspect": 24, "pad": 0.02}
-        figure.colorbar(ScalarMappable(norm, DRIFTS), ax=list(panels), label="Largest storey drift [% of height]", **horizontal)
+        horizontal: dict[str, Any] = (
+            {"location": "bottom", "shrink": 0.6, "aspect": 30, "pad": 0.02}
+            if size is not None and size[0] < NARROW
+            else {"location": "right", "shrink": 0.75, "aspect": 24, "pad": 0.02}
+        )
+        figure.colorbar(
+            ScalarMappable(norm, DRIFTS), ax=list(panels), label="Largest storey drift [% of height]", **horizontal
+        )
         if hardest > 0:
             label = f"{'Impulse' if rigid else 'Peak force'} between neighbours [{name_of_unit}]"
             figure.colorbar(ScalarMappable(force_norm, FORCES), ax=list(panels), label=label, **horizontal)
@@ -112,7 +126,13 @@ def contacts(run: RunData) -> list[Contact]:
         places = np.array([np.asarray(link.position)[:2] + 0.5 * link.gap * link.direction[:2] for link in links])
         across = np.array([-links[0].direction[1], links[0].direction[0]])
         order = np.argsort(places @ across, kind="stable")
-        found.append(Contact(places[order[[0, -1]]], max(hardest.get(name, 0.0) for name in names), sum(counts.get(name, 0) for name in names)))
+        found.append(
+            Contact(
+                places[order[[0, -1]]],
+                max(hardest.get(name, 0.0) for name in names),
+                sum(counts.get(name, 0) for name in names),
+            )
+        )
     return found
 
 
@@ -121,7 +141,9 @@ def _is_rigid(run: RunData) -> bool:
     return bool(run.impacts.size) and not np.isfinite(run.impacts["peak_force"]).any()
 
 
-def _draw_structure(axes: Axes, name: str, points: np.ndarray, drift: float, norm: Normalize, points_of_metre: float) -> None:
+def _draw_structure(
+    axes: Axes, name: str, points: np.ndarray, drift: float, norm: Normalize, points_of_metre: float
+) -> None:
     corners = outline(points)
     colour = DRIFTS(norm(drift))
     axes.fill(*corners.T, facecolor=colour, edgecolor="0.25", linewidth=0.6, zorder=2)
@@ -136,10 +158,30 @@ def _draw_structure(axes: Axes, name: str, points: np.ndarray, drift: float, nor
     name_size = min(LARGEST, 0.9 * room[0] / (LETTER * len(name)), 0.38 * room[1])
     named = name_size >= SMALLEST
     middle = (x0 + x1) / 2, (y0 + y1) / 2
-    axes.annotate(value, middle, (0, -0.6 * size if named else 0), textcoords="offset points", ha="center", va="center", fontsize=size, color=ink, zorder=5)
+    axes.annotate(
+        value,
+        middle,
+        (0, -0.6 * size if named else 0),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+        fontsize=size,
+        color=ink,
+        zorder=5,
+    )
     if named:
-        axes.annotate(name, middle, (0, 0.65 * name_size), textcoords="offset points", ha="center", va="center", fontsize=name_size, color=ink,
-                      fontweight="bold", zorder=5)
+        axes.annotate(
+            name,
+            middle,
+            (0, 0.65 * name_size),
+            textcoords="offset points",
+            ha="center",
+            va="center",
+            fontsize=name_size,
+            color=ink,
+            fontweight="bold",
+            zorder=5,
+        )
 
 
 def _decimals(norm: Normalize) -> int:

@@ -1,4 +1,5 @@
-"""Profiles over the height of the structures: the extreme values of the whole run at every floor and in every storey."""
+"""Profiles over the height of the structures: the extreme values of the whole run at every floor and in every
+storey."""
 
 from __future__ import annotations
 
@@ -16,7 +17,17 @@ from matplotlib.ticker import MaxNLocator
 from pounding.envelopes import EDGES
 from pounding.pictures.comparison import require_comparison
 from pounding.pictures.geometry import floor_heights
-from pounding.pictures.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
+from pounding.pictures.style import (
+    FORCE_UNITS,
+    MM,
+    STYLE,
+    BadRequest,
+    Picture,
+    engineering,
+    head,
+    largest,
+    structure_colour,
+)
 from pounding.results import RunData, Structure
 
 #: Lines of the run and of the run without links.
@@ -26,19 +37,23 @@ DASHED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (3, 2))}
 NARROW = 5.0
 
 
-def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None,
-                    compare: bool | None = None) -> Figure:
-    """Displacement and acceleration of the floors, drift and shear of the storeys: least and largest of the run, over the height, as
-    the run has tracked them in every step. One row of panels for x, another one for y when a structure has it, and where floors are rigid in
-    space a third one: their rotation, and displacements of their edges.
+def profiles_figure(
+    run: RunData, title: str | None = None, size: tuple[float, float] | None = None, compare: bool | None = None
+) -> Figure:
+    """Displacement and acceleration of the floors, drift and shear of the storeys: least and largest of the run, over
+    the height, as the run has tracked them in every step. One row of panels for x, another one for y when a structure
+    has it, and where floors are rigid in space a third one: their rotation, and displacements of their edges.
 
-    The run without links is dashed: where the file has it, unless `compare` is False. Raises BadRequest when no structure has floors,
-    for a file of version 0.1, which has no extremes, and when `compare` is True and there is nothing to compare with."""
+    The run without links is dashed: where the file has it, unless `compare` is False. Raises BadRequest when no
+    structure has floors, for a file of version 0.1, which has no extremes, and when `compare` is True and there is
+    nothing to compare with."""
     structures = [structure for structure in run.structures.values() if structure.floors]
     if not structures:
         raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors")
     if not run.envelopes:
-        raise BadRequest("this file was written before version 0.2, which tracks extremes in every step; run the model again")
+        raise BadRequest(
+            "this file was written before version 0.2, which tracks extremes in every step; run the model again"
+        )
     if compare:
         require_comparison(run, "profiles")
     runs = [(run, SOLID)]
@@ -57,7 +72,7 @@ def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, f
     with rc_context(STYLE):
         figure = Picture(figsize=(width, height), layout="constrained")
         grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
-        for axes in grid.flat[len(drawn):]:
+        for axes in grid.flat[len(drawn) :]:
             axes.set_visible(False)
         for letter, (axis, draw), axes in zip(ascii_lowercase, drawn, grid.flat):
             draw(axes, runs, axis)
@@ -65,7 +80,9 @@ def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, f
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}{along}")
         for line in grid:
             line[0].set_ylabel(_height_label(structures))
-            line[0].yaxis.set_major_locator(MaxNLocator(integer=True, nbins=int(np.clip(4 * (height - 0.9) / lines, 2, 12))))
+            line[0].yaxis.set_major_locator(
+                MaxNLocator(integer=True, nbins=int(np.clip(4 * (height - 0.9) / lines, 2, 12)))
+            )
         figure.legend(handles=_legend(run, len(runs) > 1), loc="outside lower center", ncols=max(1, int(width / 1.25)))
         head(figure, run.title if title is None else title)
         return figure
@@ -90,7 +107,13 @@ def draw_rotation(axes: Axes, runs: Runs, axis: str = "rz") -> None:
             rigid = ~np.isnan(structure.plan[:, 0])
             place = structure.directions.index("rz")
             for values in (tracked.min[:, place], tracked.max[:, place]):
-                axes.plot([0, *(MM * np.where(rigid, values, np.nan))], _levels(structure, run), marker="o", markersize=2.5, **style)
+                axes.plot(
+                    [0, *(MM * np.where(rigid, values, np.nan))],
+                    _levels(structure, run),
+                    marker="o",
+                    markersize=2.5,
+                    **style,
+                )
     _finish(axes, "Rotation", "mrad")
 
 
@@ -136,7 +159,8 @@ def draw_shear(axes: Axes, runs: Runs, axis: str = "x") -> None:
 
 
 def _structures(runs: Runs, axis: str) -> Iterator[tuple[RunData, Structure, dict[str, Any]]]:
-    """The structures that move along an axis, with their lines; the last run first, so that the first one is in front."""
+    """The structures that move along an axis, with their lines; the last run first, so that the first one is in
+    front."""
     for run, style in reversed(runs):
         for number, structure in enumerate(run.structures.values()):
             if structure.floors and axis in structure.along:
@@ -156,8 +180,11 @@ def _draw_steps(axes: Axes, values: np.ndarray, heights: np.ndarray, style: dict
 
 
 def _legend(run: RunData, compared: bool) -> list[Line2D]:
-    handles = [Line2D([], [], color=structure_colour(number), label=structure.name, **SOLID)
-               for number, structure in enumerate(run.structures.values()) if structure.floors]
+    handles = [
+        Line2D([], [], color=structure_colour(number), label=structure.name, **SOLID)
+        for number, structure in enumerate(run.structures.values())
+        if structure.floors
+    ]
     return handles + [Line2D([], [], color="0.35", label="without links", **DASHED)] * compared
 
 
@@ -171,7 +198,9 @@ def _levels(structure: Structure, run: RunData) -> np.ndarray:
     The ground of a structure is at the lowest of its nodes, or at zero."""
     if not _all_heights_known(run):
         return np.arange(len(structure.floors) + 1.0)
-    ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, structure.elevations[0])
+    ground = (
+        structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, structure.elevations[0])
+    )
     return np.array([ground, *structure.elevations])
 
 

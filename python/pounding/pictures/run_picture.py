@@ -12,8 +12,13 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
-                                          draw_rotations_without_links, require_comparison)
+from pounding.pictures.comparison import (
+    draw_displacements_without_links,
+    draw_input_without_links,
+    draw_openings_without_links,
+    draw_rotations_without_links,
+    require_comparison,
+)
 from pounding.pictures.displacements import chosen_floors, directions_of, draw_displacements, draw_rotations, turning
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_restitution, draw_strongest_loop
@@ -23,8 +28,17 @@ from pounding.pictures.style import NARROW, STYLE, VERMILION, Picture, head, lar
 from pounding.results import RunData
 
 #: Heights of the rows, from above, in parts of one that is high enough.
-HEIGHTS = {"ground": 0.45, "displacements": 1.3, "rotations": 0.8, "openings": 0.9, "forces": 0.9, "energy": 1.0, "error": 0.4,
-           "residuals": 0.8, "impacts": 1.6}
+HEIGHTS = {
+    "ground": 0.45,
+    "displacements": 1.3,
+    "rotations": 0.8,
+    "openings": 0.9,
+    "forces": 0.9,
+    "energy": 1.0,
+    "error": 0.4,
+    "residuals": 0.8,
+    "impacts": 1.6,
+}
 #: Height of each of several panels of displacements: in space there is one per direction.
 OF_SEVERAL = 1.0
 #: Rows that a small figure leaves out, the first one first.
@@ -35,31 +49,56 @@ LEAST_HEIGHT = 1.1
 Panel = Callable[[Axes, RunData], Any]
 
 
-def standard_figure(run: RunData, title: str | None = None, floors: dict[str, str] | None = None,
-                    size: tuple[float, float] | None = None, compare: bool = False) -> Figure:
+def standard_figure(
+    run: RunData,
+    title: str | None = None,
+    floors: dict[str, str] | None = None,
+    size: tuple[float, float] | None = None,
+    compare: bool = False,
+) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
-    below them the loop of the strongest impact and the restitution of all. In space there is a panel of displacements for each direction,
-    and one of the rotations of rigid floors.
+    below them the loop of the strongest impact and the restitution of all. In space there is a panel of displacements
+    for each direction, and one of the rotations of rigid floors.
 
-    What a run does not have is left out: the ground when it is still, links, impacts. So is what does not fit into a figure of less
-    than some 8 inches, in the order of LEAST_WANTED. A run that is not done says so below the title. `floors` maps names of
-    structures to the labels of the floors whose displacements are drawn instead of the linked ones; BadRequest when there are none
-    such. `size` is that of the figure [in]. `compare` draws the run without links too, dashed."""
+    What a run does not have is left out: the ground when it is still, links, impacts. So is what does not fit into a
+    figure of less than some 8 inches, in the order of LEAST_WANTED. A run that is not done says so below the title.
+    `floors` maps names of structures to the labels of the floors whose displacements are drawn instead of the linked
+    ones; BadRequest when there are none such. `size` is that of the figure [in]. `compare` draws the run without links
+    too, dashed."""
     chosen = chosen_floors(run, floors or {})
     displacements: dict[str, Panel] = {}
     displacements_without: dict[str, Panel] = {}
     for i, direction in enumerate(directions_of(run)):
         displacements[f"displacements {i}"] = partial(draw_displacements, chosen=chosen, direction=direction)
-        displacements_without[f"displacements {i}"] = partial(draw_displacements_without_links, chosen=chosen, direction=direction)
+        displacements_without[f"displacements {i}"] = partial(
+            draw_displacements_without_links, chosen=chosen, direction=direction
+        )
     draw: dict[str, Panel] = {
-        "ground": draw_ground, **displacements, "rotations": draw_rotations, "openings": draw_openings,
-        "forces": draw_forces, "energy": draw_energies, "error": draw_balance_error}
+        "ground": draw_ground,
+        **displacements,
+        "rotations": draw_rotations,
+        "openings": draw_openings,
+        "forces": draw_forces,
+        "energy": draw_energies,
+        "error": draw_balance_error,
+    }
     without: dict[str, Panel] = {}
     if compare:
         require_comparison(run, "run")
-        without = {**displacements_without, "rotations": draw_rotations_without_links, "openings": draw_openings_without_links, "energy": draw_input_without_links}
-    missing = {"ground": largest([run.ground_acceleration, *run.ground_across.values()]) == 0, "rotations": not turning(run), "openings": not run.links, "forces": not run.links,
-               "impacts": not run.impacts.size, "residuals": not _has_residuals(run)}
+        without = {
+            **displacements_without,
+            "rotations": draw_rotations_without_links,
+            "openings": draw_openings_without_links,
+            "energy": draw_input_without_links,
+        }
+    missing = {
+        "ground": largest([run.ground_acceleration, *run.ground_across.values()]) == 0,
+        "rotations": not turning(run),
+        "openings": not run.links,
+        "forces": not run.links,
+        "impacts": not run.impacts.size,
+        "residuals": not _has_residuals(run),
+    }
     heights: dict[str, float] = {}
     for name, height in HEIGHTS.items():
         if name == "displacements":

@@ -1,7 +1,7 @@
 """All structures of a run beside each other, at rest and in motion.
 
-Displacements are drawn larger than they are. So that two structures touch in the picture when they touch in the run, `Scene`
-draws the gaps between them larger by the same factor.
+Displacements are drawn larger than they are. So that two structures touch in the picture when they touch in the run,
+`Scene` draws the gaps between them larger by the same factor.
 """
 
 from __future__ import annotations
@@ -9,15 +9,22 @@ from __future__ import annotations
 import numpy as np
 
 from pounding.pictures.geometry import (
-    UNKNOWN_STOREY, LineModel, displaced_at, floor_heights, line_model, nearest_on_members, node_displacements)
+    UNKNOWN_STOREY,
+    LineModel,
+    displaced_at,
+    floor_heights,
+    line_model,
+    nearest_on_members,
+    node_displacements,
+)
 from pounding.results import Link, RunData
 
 
 class Scene:
     """All structures of a run beside each other, displacements and gaps drawn `scale` times as large.
 
-    line_models: name -> LineModel; shifts: name -> [3], added to its nodes [m]; faces: link name -> [3], the point of the
-    left structure where the link acts, in the scene at rest [m]."""
+    line_models: name -> LineModel; shifts: name -> [3], added to its nodes [m]; faces: link name -> [3], the point of
+    the left structure where the link acts, in the scene at rest [m]."""
 
     def __init__(self, run: RunData, scale: float = 1.0) -> None:
         self.run, self.scale = run, scale
@@ -34,16 +41,20 @@ class Scene:
 
     @property
     def has_heights(self) -> bool:
-        """Every structure says how high its floors are, or stands as high as its links: walls, and bodies beside frames."""
+        """Every structure says how high its floors are, or stands as high as its links: walls, and bodies beside
+        frames."""
         beside_frames = any(model.has_place for model in self.line_models.values())
-        return all(model.has_heights or self.run.structures[name].is_wall or beside_frames and not len(model.members)
-                   for name, model in self.line_models.items())
+        return all(
+            model.has_heights or self.run.structures[name].is_wall or beside_frames and not len(model.members)
+            for name, model in self.line_models.items()
+        )
 
     @property
     def has_places(self) -> bool:
         """Everything stands where the model has it; a wall stands where its links are."""
-        return all(model.has_place or self.run.structures[name].is_wall for name, model in self.line_models.items()) and any(
-            model.has_place for model in self.line_models.values())
+        return all(
+            model.has_place or self.run.structures[name].is_wall for name, model in self.line_models.items()
+        ) and any(model.has_place for model in self.line_models.values())
 
     def at_rest(self, name: str) -> np.ndarray:
         """[node, 3] in the scene."""
@@ -51,11 +62,16 @@ class Scene:
 
     def bounds(self, margin: float | np.ndarray = 0.0) -> np.ndarray:
         """[3, 2]: least and largest x, y, z of everything at rest, masses included; `margin` is one or [3] more [m]."""
-        corners = [self.at_rest(name) + side * np.array([model.half_width, 0, model.half_height])
-                   for name, model in self.line_models.items() for side in (-1, 1)]
+        corners = [
+            self.at_rest(name) + side * np.array([model.half_width, 0, model.half_height])
+            for name, model in self.line_models.items()
+            for side in (-1, 1)
+        ]
         points = np.concatenate(corners) if corners else np.zeros((1, 3))
         low, high = points.min(axis=0), points.max(axis=0)
-        low[2] = max(low[2], min(self.at_rest(name)[:, 2].min() for name in self.line_models)) if self.line_models else 0
+        low[2] = (
+            max(low[2], min(self.at_rest(name)[:, 2].min() for name in self.line_models)) if self.line_models else 0
+        )
         return np.stack([low - margin, high + margin], axis=1)
 
     def _place(self) -> dict[str, np.ndarray]:
@@ -109,9 +125,16 @@ class Scene:
 
     def _beside(self, shifts: dict[str, np.ndarray], model: LineModel) -> np.ndarray:
         """Shift to the right of all that is placed."""
-        right = max((self.line_models[name].nodes[:, 0].max() + self.line_models[name].half_width + shift[0]
-                     for name, shift in shifts.items()), default=0.0)
-        return np.array([right + 0.3 * max(model.height, UNKNOWN_STOREY) + model.half_width - model.nodes[:, 0].min(), 0, 0])
+        right = max(
+            (
+                self.line_models[name].nodes[:, 0].max() + self.line_models[name].half_width + shift[0]
+                for name, shift in shifts.items()
+            ),
+            default=0.0,
+        )
+        return np.array(
+            [right + 0.3 * max(model.height, UNKNOWN_STOREY) + model.half_width - model.nodes[:, 0].min(), 0, 0]
+        )
 
     def _face(self, link: Link) -> np.ndarray:
         left = self.line_models[link.left]
@@ -139,8 +162,10 @@ class Motion:
         run = scene.run
         self.scene, self.times = scene, np.asarray(times, float)
         #: name -> [time, node, 3], as large as in the file [m]
-        self.displacements = {name: node_displacements(displaced_at(structure, run.time, self.times), scene.line_models[name])
-                              for name, structure in run.structures.items()}
+        self.displacements = {
+            name: node_displacements(displaced_at(structure, run.time, self.times), scene.line_models[name])
+            for name, structure in run.structures.items()
+        }
 
     def nodes(self, name: str, frame: int) -> np.ndarray:
         """[node, 3] in the scene, displacements enlarged."""

@@ -1,4 +1,5 @@
-"""Loops of the parts that yield and of devices: force over deformation of storeys, hinges and isolators, tension over elongation."""
+"""Loops of the parts that yield and of devices: force over deformation of storeys, hinges and isolators, tension over
+elongation."""
 
 from __future__ import annotations
 
@@ -15,7 +16,18 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding.devices import Device
 from pounding.pictures.panels import legend_beside
-from pounding.pictures.style import (ENERGY_UNITS, FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour)
+from pounding.pictures.style import (
+    ENERGY_UNITS,
+    FORCE_UNITS,
+    MM,
+    STYLE,
+    BadRequest,
+    Picture,
+    engineering,
+    head,
+    largest,
+    structure_colour,
+)
 from pounding.results import RunData, Structure
 from pounding.springs import Springs
 
@@ -33,24 +45,31 @@ HINGE = re.compile(r" (start|end)( [yz])?$")
 MOMENT_UNITS = tuple((size, f"{name} m") for size, name in FORCE_UNITS)
 
 
-def loops_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None,
-                 parts: list[tuple[str, str]] | None = None) -> Figure:
-    """Force over deformation at the output times: of `parts`, pairs of a structure and a name ("left", "storey 1"), or of the six parts and devices
-    between structures that lose most energy, the greatest first, or as many of them as fit into `size` [in]. A dot stands where the run ends; dashed lines are the
-    yield deformations. Raises BadRequest for a run without any, and for parts that there are not."""
+def loops_figure(
+    run: RunData,
+    title: str | None = None,
+    size: tuple[float, float] | None = None,
+    parts: list[tuple[str, str]] | None = None,
+) -> Figure:
+    """Force over deformation at the output times: of `parts`, pairs of a structure and a name ("left", "storey 1"), or
+    of the six parts and devices between structures that lose most energy, the greatest first, or as many of them as fit
+    into `size` [in]. A dot stands where the run ends; dashed lines are the yield deformations. Raises BadRequest for a
+    run without any, and for parts that there are not."""
     chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
-        raise BadRequest("there are no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force")
+        raise BadRequest(
+            "there are no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
+        )
     width = size[0] if size else 7.5
     columns = min(len(chosen), 3 if width >= 6 else 2 if width >= LEAST_OF_TWO else 1)
     rows = -(-len(chosen) // columns)
     if size is not None and parts is None:
         rows = min(rows, max(1, int((size[1] - 0.7) / LEAST_HEIGHT)))
-        chosen = chosen[:rows * columns]
+        chosen = chosen[: rows * columns]
     with rc_context(STYLE):
         figure = Picture(figsize=size or (7.5, 0.7 + 2.2 * rows), layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False)
-        for axes in grid.flat[len(chosen):]:
+        for axes in grid.flat[len(chosen) :]:
             axes.set_axis_off()
         for letter, axes, draw in zip("abcdefghijklmnopqrstuvwxyz", grid.flat, chosen):
             draw(axes)
@@ -63,10 +82,17 @@ def loops_figure(run: RunData, title: str | None = None, size: tuple[float, floa
 def most_energy(run: RunData) -> list[Loop]:
     """The SHOWN parts and devices that lose most energy; equal ones in the order of the input."""
     lost: list[tuple[float, Loop]] = [
-        (springs.largest["hysteretic"][part], _loop(number, structure, part)) for number, structure in enumerate(run.structures.values())
-        if (springs := structure.springs) is not None for part in range(len(springs))]
+        (springs.largest["hysteretic"][part], _loop(number, structure, part))
+        for number, structure in enumerate(run.structures.values())
+        if (springs := structure.springs) is not None
+        for part in range(len(springs))
+    ]
     told = {one["name"]: float(one["energy_lost"]) for one in run.summary.get("devices", [])}
-    lost += [(told[name], partial(draw_device, device=device, lost=told[name])) for name, device in run.devices.items() if name in told]
+    lost += [
+        (told[name], partial(draw_device, device=device, lost=told[name]))
+        for name, device in run.devices.items()
+        if name in told
+    ]
     return [loop for _, loop in sorted(lost, key=lambda one: -one[0])[:SHOWN]]
 
 
@@ -97,12 +123,21 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
         axes.axvline(MM * limit, color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
     _draw_curve(axes, deformation, force / size, colour)
     lost_size, lost_unit = engineering(springs.largest["hysteretic"][part], ENERGY_UNITS)
-    sense, way = (("Moment", "Rotation [mrad]") if turns else ("Tension", "Elongation [mm]") if is_device else
-                  ("Force", "Deformation [mm]") if isolates else ("Shear", "Drift [mm]"))
+    sense, way = (
+        ("Moment", "Rotation [mrad]")
+        if turns
+        else ("Tension", "Elongation [mm]")
+        if is_device
+        else ("Force", "Deformation [mm]")
+        if isolates
+        else ("Shear", "Drift [mm]")
+    )
     axes.set_title(f"{structure.name}, {name}")
     axes.set_ylabel(f"{sense} [{unit}]")
-    axes.set_xlabel(f"{way}\nductility {springs.largest['ductility'][part]:.3g}, "
-                    f"{springs.largest['hysteretic'][part] / lost_size:.3g} {lost_unit} lost")
+    axes.set_xlabel(
+        f"{way}\nductility {springs.largest['ductility'][part]:.3g}, "
+        f"{springs.largest['hysteretic'][part] / lost_size:.3g} {lost_unit} lost"
+    )
 
 
 def _draw_curve(axes: Axes, deformation: np.ndarray, force: np.ndarray, colour: str) -> None:
@@ -131,13 +166,17 @@ def _found(run: RunData, structure: str, part: str) -> tuple[int, Structure, int
 
 
 def _legend() -> list[Line2D]:
-    return [Line2D([], [], color="black", marker="o", markersize=4, linestyle="none", label="end of the run"),
-            Line2D([], [], color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), label="first yield")]
+    return [
+        Line2D([], [], color="black", marker="o", markersize=4, linestyle="none", label="end of the run"),
+        Line2D([], [], color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), label="first yield"),
+    ]
 
 
 def draw_residuals(axes: Axes, run: RunData) -> None:
     """Residual drifts at the end of the run beside the largest ones, storey by storey, of the structures that yield."""
-    shown = [(number, structure) for number, structure in enumerate(run.structures.values()) if structure.springs is not None]
+    shown = [
+        (number, structure) for number, structure in enumerate(run.structures.values()) if structure.springs is not None
+    ]
     axes.set_title("Drifts, largest and at the end")
     names: list[str] = []
     for number, structure in shown:
@@ -145,10 +184,17 @@ def draw_residuals(axes: Axes, run: RunData) -> None:
         residual = MM * np.abs(np.asarray(summary["residual_drift"], dtype=float))
         peak = MM * np.asarray(summary["peak_drift"], dtype=float)
         places = len(names) + np.arange(len(peak))
-        axes.bar(places, peak, width=0.7, facecolor="none", edgecolor=structure_colour(number), linewidth=0.9,
-                 label=f"{structure.name}, largest")
+        axes.bar(
+            places,
+            peak,
+            width=0.7,
+            facecolor="none",
+            edgecolor=structure_colour(number),
+            linewidth=0.9,
+            label=f"{structure.name}, largest",
+        )
         axes.bar(places, residual, width=0.7, color=structure_colour(number), label=f"{structure.name}, at the end")
-        names += structure.floors[:len(peak)]
+        names += structure.floors[: len(peak)]
     axes.set_ylabel("Drift\n[mm]")
     axes.set_xlabel("Storey")
     few = list(range(0, len(names), -(-len(names) // 24))) if names else []

@@ -21,8 +21,10 @@ from pounding.outputs import PICTURE, replaced, tell
 
 # Legends outside the axes came with it.
 if matplotlib.__version_info__ < (3, 7):
-    raise ImportError(f"pictures need matplotlib 3.7 or newer, and {sys.executable} has {matplotlib.__version__}: type python3 -m pip install "
-                      "--upgrade matplotlib, or set the environment variable POUNDING_PYTHON to a Python that has a newer one")
+    raise ImportError(
+        f"pictures need matplotlib 3.7 or newer, and {sys.executable} has {matplotlib.__version__}: type python3 -m pip install "
+        "--upgrade matplotlib, or set the environment variable POUNDING_PYTHON to a Python that has a newer one"
+    )
 
 #: Okabe and Ito's colours, which colour-blind readers can tell apart.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
@@ -33,11 +35,28 @@ QUIET = "0.72"
 #: Lines of the run without links.
 DASHED: dict[str, Any] = {"linestyle": (0, (3, 2)), "linewidth": 0.8}
 STYLE: dict[Any, Any] = {
-    "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
-    "legend.fontsize": 7.5, "legend.frameon": False, "legend.handlelength": 1.6, "legend.columnspacing": 1.2,
-    "legend.borderaxespad": 0.2, "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.6,
-    "lines.linewidth": 1.0, "axes.grid": True, "grid.color": "0.9", "grid.linewidth": 0.5, "axes.axisbelow": True,
-    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "savefig.dpi": 200, "text.parse_math": False,
+    "font.size": 8,
+    "axes.labelsize": 8,
+    "axes.titlesize": 8.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "legend.handlelength": 1.6,
+    "legend.columnspacing": 1.2,
+    "legend.borderaxespad": 0.2,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "lines.linewidth": 1.0,
+    "axes.grid": True,
+    "grid.color": "0.9",
+    "grid.linewidth": 0.5,
+    "axes.axisbelow": True,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "savefig.dpi": 200,
+    "text.parse_math": False,
     # TrueType, which journals ask for.
     "pdf.fonttype": 42,
 }
@@ -55,12 +74,14 @@ class BadRequest(InputError):
 
 
 class DrawnOnce(Figure):
-    """A figure that is drawn once when it is saved. Matplotlib draws one with a layout twice, the first time into nothing."""
+    """A figure that is drawn once when it is saved. Matplotlib draws one with a layout twice, the first time into
+    nothing."""
 
     _layout_is_enough = False
 
     def savefig(self, fname: Any, **options: Any) -> None:
-        """As Figure.savefig, in three quarters of the time. A file replaces nothing but a picture. Raises InputError, OSError."""
+        """As Figure.savefig, in three quarters of the time. A file replaces nothing but a picture. Raises InputError,
+        OSError."""
         if isinstance(fname, (str, os.PathLike)):
             if not Path(fname).suffix and "format" not in options:
                 raise BadRequest(f'cannot write "{fname}": the name of a picture ends in .png, .pdf or .svg')
@@ -114,7 +135,9 @@ def engineering(largest: float, units: Sequence[tuple[float, str]]) -> tuple[flo
 
 def largest(arrays: Iterable[np.ndarray]) -> float:
     """Largest absolute value over arrays; 0 when they are empty or hold only NaN (the force of a rigid impact)."""
-    return max((float(np.abs(finite).max()) for finite in (a[np.isfinite(a)] for a in arrays) if finite.size), default=0.0)
+    return max(
+        (float(np.abs(finite).max()) for finite in (a[np.isfinite(a)] for a in arrays) if finite.size), default=0.0
+    )
 
 
 def structure_colour(number: int) -> str:

@@ -32,13 +32,23 @@ def doubtful(given: Mapping[str, Any], points: Points, model: Mapping[str, Any])
     """Warnings about the words of a study, for factors of this model."""
     accepted = model.get("accept") or []
     found = [] if "pga" in accepted else [*_accelerations(given)]
-    return [*found, *_limits(given.get("limits") or {}), *_factors(points, model, "pga" in accepted), *_laws(points, model)]
+    return [
+        *found,
+        *_limits(given.get("limits") or {}),
+        *_factors(points, model, "pga" in accepted),
+        *_laws(points, model),
+    ]
 
 
 def _accelerations(given: Mapping[str, Any]) -> Iterator[str]:
     synthetic = (given.get("records") or {}).get("synthetic")
-    for place, values in (("study.intensity.levels", (given.get("intensity") or {}).get("levels", [])),
-                          ("study.records.synthetic.pga", [synthetic["pga"]] if isinstance(synthetic, Mapping) and "pga" in synthetic else [])):
+    for place, values in (
+        ("study.intensity.levels", (given.get("intensity") or {}).get("levels", [])),
+        (
+            "study.records.synthetic.pga",
+            [synthetic["pga"]] if isinstance(synthetic, Mapping) and "pga" in synthetic else [],
+        ),
+    ):
         bare = [value for value in values if not _unit_of(value) and _is_like_g(words.quantity(value, place)[0])]
         if bare:
             yield _in_g(place, bare[0])
@@ -74,13 +84,24 @@ def _factors(points: Points, model: Mapping[str, Any], accepts_pga: bool) -> Ite
         for keys in (keys for path in factor.of for keys in find(model, path, "")):
             held, place = at(model, keys), f"study.factors.{factor.name}"
             own, unit = words.quantity(held, place)[0], _unit_of(held)
-            if not unit and keys[-1] == "pga" and not accepts_pga and (like := [value for value in values.tolist() if _is_like_g(value)]):
+            if (
+                not unit
+                and keys[-1] == "pga"
+                and not accepts_pga
+                and (like := [value for value in values.tolist() if _is_like_g(value)])
+            ):
                 yield _in_g(place, f"{like[0]:g}")
                 break
-            far = [value for value in values.tolist() if unit and own and value and _is_meant_in(value, own, core.si_value(f"1 {unit}")[0])]
+            far = [
+                value
+                for value in values.tolist()
+                if unit and own and value and _is_meant_in(value, own, core.si_value(f"1 {unit}")[0])
+            ]
             if far:
-                yield (f"{place}: a bare {far[0]:g} is in SI, and {dotted(keys)} of the model is {held}; did you mean {far[0]:g} {unit}? Type the unit "
-                       "with every value")
+                yield (
+                    f"{place}: a bare {far[0]:g} is in SI, and {dotted(keys)} of the model is {held}; did you mean {far[0]:g} {unit}? Type the unit "
+                    "with every value"
+                )
                 break
 
 
@@ -92,26 +113,38 @@ def _is_meant_in(value: float, own: float, factor: float) -> bool:
 def _unit_of(value: Any) -> str:
     """The unit as it is written; "" for a bare number."""
     found = _NUMBER.match(str(value))
-    return str(value)[found.end():].strip() if found else ""
+    return str(value)[found.end() :].strip() if found else ""
 
 
 def _laws(points: Points, model: Mapping[str, Any]) -> Iterator[str]:
     """Lists of laws that take one bare number in different units."""
     parameters = {law["name"]: {one[0]: one[1] for one in law["parameters"]} for law in core.catalogue()}
     for factor in points.factors:
-        for keys in (keys for path in factor.of for keys in find(model, path, "") if factor.labels and keys[-1] == "law"):
+        for keys in (
+            keys for path in factor.of for keys in find(model, path, "") if factor.labels and keys[-1] == "law"
+        ):
             link = at(model, keys[:-1])
             found = {name: _units(name, link, factor.labels, parameters) for name in link}
-            name, mixed = next(((name, units) for name, units in found.items() if len(set(units.values())) > 1), ("", {}))
+            name, mixed = next(
+                ((name, units) for name, units in found.items() if len(set(units.values())) > 1), ("", {})
+            )
             if mixed:
-                yield (f"study.factors.{factor.name}: {dotted(keys[:-1])}.{name} is a bare {link[name]}, "
-                       f"{', '.join(f'in {unit} for {law}' for law, unit in mixed.items())}; compare laws of one unit, or make one study for each unit")
+                yield (
+                    f"study.factors.{factor.name}: {dotted(keys[:-1])}.{name} is a bare {link[name]}, "
+                    f"{', '.join(f'in {unit} for {law}' for law, unit in mixed.items())}; compare laws of one unit, or make one study for each unit"
+                )
                 break
 
 
-def _units(name: str, link: Mapping[str, Any], laws: Sequence[str], parameters: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
+def _units(
+    name: str, link: Mapping[str, Any], laws: Sequence[str], parameters: Mapping[str, Mapping[str, str]]
+) -> dict[str, str]:
     """The unit of a bare number of a link by each law that takes it."""
     if isinstance(link[name], (Mapping, list)) or _unit_of(link[name]):
         return {}
     exponent = words.quantity(link.get("exponent", EXPONENT), "")[0]
-    return {law: parameters[law][name].replace("^(n+1)", f"^{exponent + 1:g}").replace("^n", f"^{exponent:g}") for law in laws if name in parameters.get(law, {})}
+    return {
+        law: parameters[law][name].replace("^(n+1)", f"^{exponent + 1:g}").replace("^n", f"^{exponent:g}")
+        for law in laws
+        if name in parameters.get(law, {})
+    }

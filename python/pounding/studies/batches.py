@@ -26,11 +26,18 @@ class Batch:
     record: np.ndarray  #: [row] numbers of motions
     scale: np.ndarray  #: [row] factors on the motions
     engine: str  #: "auto", or the name of the one that shall run all of them
-    files: Mapping[str, bytes] = field(default_factory=dict)  #: contents of the files of its motions, by the names that these give them
+    #: contents of the files of its motions, by the names that these give them
+    files: Mapping[str, bytes] = field(default_factory=dict)
 
     def part(self, chosen: Sequence[int] | np.ndarray) -> Batch:
         """Some of the rows."""
-        return replace(self, rows=self.rows[chosen], values=self.values[chosen], record=self.record[chosen], scale=self.scale[chosen])
+        return replace(
+            self,
+            rows=self.rows[chosen],
+            values=self.values[chosen],
+            record=self.record[chosen],
+            scale=self.scale[chosen],
+        )
 
 
 @dataclass
@@ -48,14 +55,25 @@ class Done:
         """Some of the rows."""
         rows = self.rows[chosen]
         kept = set(rows.tolist())
-        return Done(rows, self.values[chosen], self.status[chosen], self.engine[chosen], self.seconds[chosen],
-                    {row: why for row, why in self.reasons.items() if row in kept})
+        return Done(
+            rows,
+            self.values[chosen],
+            self.status[chosen],
+            self.engine[chosen],
+            self.seconds[chosen],
+            {row: why for row, why in self.reasons.items() if row in kept},
+        )
 
     def take(self, chosen: np.ndarray, other: Done, engine: int) -> None:
-        """Puts what an engine has made of the chosen rows into their places; those that it did not run stay, with its reason."""
+        """Puts what an engine has made of the chosen rows into their places; those that it did not run stay, with its
+        reason."""
         ran = other.status != NOT_RUN
         places = chosen[ran]
-        self.values[places], self.status[places], self.seconds[places] = other.values[ran], other.status[ran], other.seconds[ran]
+        self.values[places], self.status[places], self.seconds[places] = (
+            other.values[ran],
+            other.status[ran],
+            other.seconds[ran],
+        )
         self.engine[places] = engine
         for row in self.rows[places].tolist():
             self.reasons.pop(row, None)
@@ -65,5 +83,11 @@ class Done:
 def nothing_of(batch: Batch, status: int = NOT_RUN) -> Done:
     """Rows without columns."""
     count = len(batch.rows)
-    return Done(batch.rows, np.full((count, len(batch.template.kept.columns)), np.nan), np.full(count, status, np.int8), np.full(count, -1, np.int8),
-                np.zeros(count), {})
+    return Done(
+        batch.rows,
+        np.full((count, len(batch.template.kept.columns)), np.nan),
+        np.full(count, status, np.int8),
+        np.full(count, -1, np.int8),
+        np.zeros(count),
+        {},
+    )

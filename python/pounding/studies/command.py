@@ -49,6 +49,7 @@ class _Terminated(KeyboardInterrupt):
 @contextmanager
 def _until_terminated() -> Iterator[None]:
     """SIGTERM and SIGHUP raise _Terminated; a second one ends the process at once. What nohup ignores stays ignored."""
+
     def end(number: int, _: object) -> None:
         signal.signal(number, signal.SIG_DFL)
         raise _Terminated
@@ -66,7 +67,8 @@ def _until_terminated() -> Iterator[None]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """The command line, with the name of the command first. Returns 0, 2 after wrong input, 3 after failed rows, on a full disk and out of memory."""
+    """The command line, with the name of the command first. Returns 0, 2 after wrong input, 3 after failed rows, on a
+    full disk and out of memory."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     name, rest = (given[0], given[1:]) if given else ("study", [])
     try:
@@ -88,19 +90,34 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"pounding: {error}", file=sys.stderr)
         return 3
     except MemoryError:
-        print("pounding: out of memory. Rows that were finished are kept; type the same command again to go on, with fewer processes: -j 1", file=sys.stderr)
+        print(
+            "pounding: out of memory. Rows that were finished are kept; type the same command again to go on, with fewer processes: -j 1",
+            file=sys.stderr,
+        )
         return 3
     except OSError as error:
-        if error.errno not in _DISK or name != "study" or (rest and rest[0] in VERBS and rest[0] not in ("run", "merge")):
+        if (
+            error.errno not in _DISK
+            or name != "study"
+            or (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
+        ):
             print(f"pounding: {error}", file=sys.stderr)
             return 2
-        print(f"pounding: {error}. Rows that were finished are kept; make room and type the same command again to go on", file=sys.stderr)
+        print(
+            f"pounding: {error}. Rows that were finished are kept; make room and type the same command again to go on",
+            file=sys.stderr,
+        )
         return 3
     except _Terminated:
-        print("pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on", file=sys.stderr)
+        print(
+            "pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on",
+            file=sys.stderr,
+        )
         return 3
     except KeyboardInterrupt:
-        print("pounding: stopped; rows that were finished are kept. Type the same command again to go on", file=sys.stderr)
+        print(
+            "pounding: stopped; rows that were finished are kept. Type the same command again to go on", file=sys.stderr
+        )
         return 3
 
 
@@ -123,13 +140,30 @@ def _parser(verb: str, meaning: str) -> argparse.ArgumentParser:
 
 
 def _run(words: list[str]) -> int:
-    parser = _parser("run", "Run all rows of a study. The same command goes on with one that was stopped. Other verbs: "
-                     + ", ".join(f"pounding study {verb}" for verb in VERBS[1:]))
+    parser = _parser(
+        "run",
+        "Run all rows of a study. The same command goes on with one that was stopped. Other verbs: "
+        + ", ".join(f"pounding study {verb}" for verb in VERBS[1:]),
+    )
     parser.add_argument("study", help="study file")
-    parser.add_argument("-o", "--output", help="table to write (default: the study's name with .h5, in the current folder)")
-    parser.add_argument("-j", "--workers", type=_at_least(0), help="processes (default: one per core); 0 runs in this one")
-    parser.add_argument("--executor", choices=("mpi",), help="mpi: the processes of mpirun -n N python3 -m mpi4py.futures -m pounding study ...")
-    parser.add_argument("--shard", type=_shard, default=(1, 1), metavar="K/N", help="only the K-th of N equal parts; put them together with merge")
+    parser.add_argument(
+        "-o", "--output", help="table to write (default: the study's name with .h5, in the current folder)"
+    )
+    parser.add_argument(
+        "-j", "--workers", type=_at_least(0), help="processes (default: one per core); 0 runs in this one"
+    )
+    parser.add_argument(
+        "--executor",
+        choices=("mpi",),
+        help="mpi: the processes of mpirun -n N python3 -m mpi4py.futures -m pounding study ...",
+    )
+    parser.add_argument(
+        "--shard",
+        type=_shard,
+        default=(1, 1),
+        metavar="K/N",
+        help="only the K-th of N equal parts; put them together with merge",
+    )
     parser.add_argument("--chunk", type=_at_least(1), help="rows of a chunk (default: half a second)")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
@@ -150,8 +184,15 @@ def _run(words: list[str]) -> int:
         executor = MPIPoolExecutor()
     begin = time.monotonic()
     try:
-        done = run_plan(plan, output, workers=options.workers, executor=executor, chunk=options.chunk, progress=False if options.quiet else None,
-                        shard=options.shard)
+        done = run_plan(
+            plan,
+            output,
+            workers=options.workers,
+            executor=executor,
+            chunk=options.chunk,
+            progress=False if options.quiet else None,
+            shard=options.shard,
+        )
     finally:
         if executor is not None:
             executor.shutdown()
@@ -170,9 +211,20 @@ def _check(words: list[str]) -> int:
     records, points, levels = plan.shape
     print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
     for factor in plan.points.factors:
-        values = f"{len(factor.values)} values" if factor.values is not None else factor.distribution.kind if factor.distribution else f"column {factor.column}"
-        print(f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}")
-    print(f"table: {size_text(size_of(plan))}, and {size_text(COPIES * size_of(plan))} of memory to write it; columns {', '.join(plan.units())}", flush=True)
+        values = (
+            f"{len(factor.values)} values"
+            if factor.values is not None
+            else factor.distribution.kind
+            if factor.distribution
+            else f"column {factor.column}"
+        )
+        print(
+            f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}"
+        )
+    print(
+        f"table: {size_text(size_of(plan))}, and {size_text(COPIES * size_of(plan))} of memory to write it; columns {', '.join(plan.units())}",
+        flush=True,
+    )
     require_room(plan)
     rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
     # The first time reads records and models, too.
@@ -188,13 +240,21 @@ def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
     for number, engine in enumerate(ENGINES):
         mine = np.flatnonzero(done.engine == number)
         if len(mine):
-            why = KernelEngine().why_not(batch.part(mine)) if engine.name == "solver" and plan.template.engine == "auto" else ""
-            lines.append(f"engine {engine.name}: {len(mine)} of {len(done.rows)} timed rows, {1e3 * done.seconds[mine].mean():.3g} ms each; "
-                         f"about {len(mine) * plan.count // len(done.rows)} rows of all{f', since {why}' if why else ''}")
+            why = (
+                KernelEngine().why_not(batch.part(mine))
+                if engine.name == "solver" and plan.template.engine == "auto"
+                else ""
+            )
+            lines.append(
+                f"engine {engine.name}: {len(mine)} of {len(done.rows)} timed rows, {1e3 * done.seconds[mine].mean():.3g} ms each; "
+                f"about {len(mine) * plan.count // len(done.rows)} rows of all{f', since {why}' if why else ''}"
+            )
     lines += [f"row {row}: {reason}" for row, reason in list(done.reasons.items())[:3]]
     checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == KERNEL).any() else 0
-    lines.append(f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
-                 + (f"; {checked} of them are run by the solver, too" if checked else ""))
+    lines.append(
+        f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
+        + (f"; {checked} of them are run by the solver, too" if checked else "")
+    )
     return lines
 
 
@@ -204,11 +264,15 @@ def _show(words: list[str]) -> int:
     parser.add_argument("--row", type=int, help="number of a row, from 0: prints its model")
     parser.add_argument("--column", help="column of a fragility curve, with --json; collapsed for that of collapse")
     parser.add_argument("--limit", help="of a fragility curve, with its unit or in that of the column: 5 MN")
-    parser.add_argument("--json", action="store_true", help="print one JSON object: counts, and percentiles of the columns")
+    parser.add_argument(
+        "--json", action="store_true", help="print one JSON object: counts, and percentiles of the columns"
+    )
     options = parser.parse_args(words)
     done = Study.open(options.table)
     if (options.column is None) != (options.limit is None) and options.column != COLLAPSED_COLUMN:
-        raise InputError("--column and --limit go together: the curve is that of the column above the limit; only --column collapsed needs none")
+        raise InputError(
+            "--column and --limit go together: the curve is that of the column above the limit; only --column collapsed needs none"
+        )
     if options.json:
         print(json.dumps(summary(done, options.column, options.limit)))
         return 0
@@ -244,7 +308,14 @@ def _merge(words: list[str]) -> int:
     finally:
         table.close()
     left = len(table.missing())
-    print(_told(Study.of(table)) + (f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them" if left else ""))
+    print(
+        _told(Study.of(table))
+        + (
+            f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them"
+            if left
+            else ""
+        )
+    )
     return 0
 
 
@@ -258,15 +329,21 @@ def _plot(words: list[str]) -> int:
     parser.add_argument("--limit", help="of a fragility, with its unit or in that of the column: 5 MN")
     parser.add_argument("--across", help="of a map: factor along its horizontal axis")
     parser.add_argument("--along", help="of a map: factor along its vertical axis")
-    parser.add_argument("-o", "--output", help="picture: .png, .pdf or .svg (default: TABLE-PICTURE.png in the current folder)")
+    parser.add_argument(
+        "-o", "--output", help="picture: .png, .pdf or .svg (default: TABLE-PICTURE.png in the current folder)"
+    )
     options = parser.parse_args(words)
     chosen = {key: value for key in ("limit", "across", "along") if (value := getattr(options, key)) is not None}
-    needed = {"fragility": () if options.column == COLLAPSED_COLUMN else ("limit",), "map": ("across", "along")}.get(options.picture, ())
+    needed = {"fragility": () if options.column == COLLAPSED_COLUMN else ("limit",), "map": ("across", "along")}.get(
+        options.picture, ()
+    )
     for key in needed:
         if key not in chosen:
             raise InputError(f"--picture {options.picture} needs --{key}")
     figure = Study.open(options.table).plot(options.picture, options.column, **chosen)
-    return write_picture(figure, f"{Path(options.table).stem}-{options.picture}.png" if options.output is None else options.output)
+    return write_picture(
+        figure, f"{Path(options.table).stem}-{options.picture}.png" if options.output is None else options.output
+    )
 
 
 def _export(words: list[str]) -> int:
@@ -284,7 +361,9 @@ def _export(words: list[str]) -> int:
 def _separation(words: list[str]) -> int:
     from pounding.studies.separation import read_separation, run_separation, table_of
 
-    parser = argparse.ArgumentParser(prog="pounding separation", description="The gap that a model needs, by its records and by rules.")
+    parser = argparse.ArgumentParser(
+        prog="pounding separation", description="The gap that a model needs, by its records and by rules."
+    )
     parser.add_argument("model", help="model file, with or without study: {records: ...}")
     parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
     parser.add_argument("-j", "--workers", type=_at_least(0), help="processes (default: one per core)")
@@ -312,6 +391,7 @@ def _table_name(study: str, given: str | None) -> Path:
 
 def _at_least(least: int) -> Callable[[str], int]:
     """A type of argparse: whole numbers from `least` on."""
+
     def read(text: str) -> int:
         if not re.fullmatch(r"\+?[0-9]{1,18}", text) or int(text) < least:
             raise argparse.ArgumentTypeError(f'takes a whole number of at least {least}, not "{text[:40]}"')
@@ -349,9 +429,17 @@ def _told(done: Study) -> str:
         reasons.setdefault(why, []).append(row)
     lines += [f"  rows {few(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
     if len(done.engines) > 1:
-        lines[0] += "; " + ", ".join(f"{count} by the {name}" for i, name in enumerate(done.engines) if (count := int((done["engine"] == i).sum())))
+        lines[0] += "; " + ", ".join(
+            f"{count} by the {name}"
+            for i, name in enumerate(done.engines)
+            if (count := int((done["engine"] == i).sum()))
+        )
     columns = done.description["kept"]["columns"]
-    lines += cross_check.told(done.check, np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)), columns)
+    lines += cross_check.told(
+        done.check,
+        np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)),
+        columns,
+    )
     if options := done.description.get("options"):
         lines.append(f"options of PETSc for rows of the solver: {' '.join(options)}")
     lines += [f"warning: {doubt}" for doubt in done.warnings]
@@ -360,7 +448,9 @@ def _told(done: Study) -> str:
 
 def _collapsed_without_links(done: Study) -> list[int]:
     """Rows whose run without links collapsed, as far as a column shows it."""
-    columns = [column for column in done.description["kept"]["columns"] if column.endswith(".alone") or column in OF_GAPS]
+    columns = [
+        column for column in done.description["kept"]["columns"] if column.endswith(".alone") or column in OF_GAPS
+    ]
     infinite = [np.isinf(done[column]) for column in columns]
     return np.flatnonzero(np.any(infinite, axis=0)).tolist() if infinite else []
 

@@ -33,9 +33,13 @@ def told(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[
     rows = sorted(check)
     apart = differences(values[rows], np.array([check[row] for row in rows]))
     worst, where = apart.max(axis=1), apart.argmax(axis=1)
-    lines = [f"{len(rows)} rows run by both engines: they differ by {np.median(worst):.1e} in the median row, {worst.max():.1e} at most"]
+    lines = [
+        f"{len(rows)} rows run by both engines: they differ by {np.median(worst):.1e} in the median row, {worst.max():.1e} at most"
+    ]
     far = [f"{rows[i]} ({columns[where[i]]} by {worst[i]:.1e})" for i in np.flatnonzero(worst > LARGE)]
     if far:
-        lines.append(f"  beyond {LARGE:g}: rows {', '.join(far[:5])}{f' and {len(far) - 5} more' if len(far) > 5 else ''}; an impact that just happens or just "
-                     "does not makes such rows, and so does a mistake: run them with a tenth of the tolerance")
+        lines.append(
+            f"  beyond {LARGE:g}: rows {', '.join(far[:5])}{f' and {len(far) - 5} more' if len(far) > 5 else ''}; an impact that just happens or just "
+            "does not makes such rows, and so does a mistake: run them with a tenth of the tolerance"
+        )
     return lines

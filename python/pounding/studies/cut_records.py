@@ -25,16 +25,21 @@ _OF_DURATION = "accept: [duration])"
 
 
 def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[str]) -> list[str]:
-    """Warnings of a model whose records are counted over all rows of its study: those of the model and of the first row are not all that run. Forces,
-    and motions of single structures, stay those of the model."""
-    return [doubt for doubt in of_model if not doubt.endswith(_OF_DURATION)] + list(cuts or [doubt for doubt in of_first if doubt.endswith(_OF_DURATION)])
+    """Warnings of a model whose records are counted over all rows of its study: those of the model and of the first row
+    are not all that run. Forces, and motions of single structures, stay those of the model."""
+    return [doubt for doubt in of_model if not doubt.endswith(_OF_DURATION)] + list(
+        cuts or [doubt for doubt in of_first if doubt.endswith(_OF_DURATION)]
+    )
 
 
 def cut_records(template: Template, points: Points, last_arrival: float, files: Mapping[str, bytes]) -> list[str]:
-    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row; empty if none does, or if the model
-    accepts it. A motion reaches its last support at `last_arrival` [s]; `files` has the contents of records. Raises InputError for a motion that cannot be read."""
+    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row; empty if
+    none does, or if the model accepts it. A motion reaches its last support at `last_arrival` [s]; `files` has the
+    contents of records. Raises InputError for a motion that cannot be read."""
     columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
-    values = np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
+    values = (
+        np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
+    )
     durations = _durations(template, values)
     duration = float(durations.min())
     if not duration or "duration" in (template.model.get("accept") or []):
@@ -57,9 +62,11 @@ def cut_records(template: Template, points: Points, last_arrival: float, files: 
     if not cut:
         return []
     count = len(template.motions)
-    return [f"analysis: the duration of {duration:.4g} s cuts {cut} of {count} record{'s' if count > 1 else ''}, by more than {100 * MAX_CUT:g} % of the Arias "
-            f"intensity and up to {100 * worst:.0f} %; type a duration of at least {math.ceil(10 * needed) / 10:.6g} s, or leave it out, and each row lasts as "
-            "long as its record (where it is meant: accept: [duration] in the model)"]
+    return [
+        f"analysis: the duration of {duration:.4g} s cuts {cut} of {count} record{'s' if count > 1 else ''}, by more than {100 * MAX_CUT:g} % of the Arias "
+        f"intensity and up to {100 * worst:.0f} %; type a duration of at least {math.ceil(10 * needed) / 10:.6g} s, or leave it out, and each row lasts as "
+        "long as its record (where it is meant: accept: [duration] in the model)"
+    ]
 
 
 def _durations(template: Template, values: np.ndarray) -> np.ndarray:
@@ -68,11 +75,17 @@ def _durations(template: Template, values: np.ndarray) -> np.ndarray:
     places = Places(template.model, template.factors)
     if ("analysis", "duration") in places.keys:
         return np.asarray(places.numbers(values)[:, places.keys.index(("analysis", "duration"))], dtype=float)
-    return np.full(len(values), quantity(analysis["duration"], "analysis.duration")[0] if "duration" in analysis else 0.0)
+    return np.full(
+        len(values), quantity(analysis["duration"], "analysis.duration")[0] if "duration" in analysis else 0.0
+    )
 
 
 def _different_motions(template: Template, values: np.ndarray, durations: np.ndarray) -> list[int]:
     """Points whose ground motions or durations differ, at most MOST_MOTIONS."""
-    moving = [j for j, factor in enumerate(template.factors) if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of)]
+    moving = [
+        j
+        for j, factor in enumerate(template.factors)
+        if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of)
+    ]
     _, first = np.unique(np.column_stack([durations, values[:, moving]]), axis=0, return_index=True)
     return [int(point) for point in first[np.unique(np.linspace(0, len(first) - 1, MOST_MOTIONS).astype(int))]]

@@ -14,11 +14,22 @@ from pounding.studies import words
 from pounding.studies.scipy_stats import stats
 
 #: Words of a distribution, each with its parameters.
-KINDS = {"uniform": ("from", "to"), "normal": ("mean", "sd", "cov"), "lognormal": ("median", "cov", "beta"), "triangular": ("from", "mode", "to"),
-         "discrete": ("values", "probabilities"), "scipy": ("name",)}
-EXAMPLES = {"uniform": "{from: 10 mm, to: 40 mm}", "normal": "{mean: 5 %, sd: 1 %}", "lognormal": "{median: 2.75e9, cov: 0.3}",
-            "triangular": "{from: 10 mm, mode: 20 mm, to: 40 mm}", "discrete": "{values: [10 mm, 20 mm], probabilities: [0.3, 0.7]}",
-            "scipy": "{name: gamma, a: 2, scale: 0.01}"}
+KINDS = {
+    "uniform": ("from", "to"),
+    "normal": ("mean", "sd", "cov"),
+    "lognormal": ("median", "cov", "beta"),
+    "triangular": ("from", "mode", "to"),
+    "discrete": ("values", "probabilities"),
+    "scipy": ("name",),
+}
+EXAMPLES = {
+    "uniform": "{from: 10 mm, to: 40 mm}",
+    "normal": "{mean: 5 %, sd: 1 %}",
+    "lognormal": "{median: 2.75e9, cov: 0.3}",
+    "triangular": "{from: 10 mm, mode: 20 mm, to: 40 mm}",
+    "discrete": "{values: [10 mm, 20 mm], probabilities: [0.3, 0.7]}",
+    "scipy": "{name: gamma, a: 2, scale: 0.01}",
+}
 
 
 #: Coefficient of variation of a lognormal distribution, at most.
@@ -39,7 +50,9 @@ class Distribution:
         """Values that are not exceeded with these probabilities; infinite ones where numbers end."""
         if self.kind == "discrete":
             steps = np.cumsum([value for _, value in self.parameters])
-            return np.asarray(self.values)[np.minimum(np.searchsorted(steps, probability, side="right"), len(self.values) - 1)]
+            return np.asarray(self.values)[
+                np.minimum(np.searchsorted(steps, probability, side="right"), len(self.values) - 1)
+            ]
         with np.errstate(all="ignore"):
             frozen = self._frozen()
             if self.truncate is not None:
@@ -87,10 +100,14 @@ def _require_values(made: Distribution, example: str, place: str) -> None:
     """Raises InputError where values that samples may have are no numbers, or are all the same."""
     least, middle, most = made.ppf(np.array([1e-12, 0.5, 1 - 1e-12]))
     if not np.isfinite([least, middle, most]).all():
-        raise InputError(f"{place}: has values from {least:g} over {middle:g} to {most:g}, and finite ones are needed; type values as in {example}, or limits "
-                         "in which it has some, as in truncate: [LOWER, UPPER]")
+        raise InputError(
+            f"{place}: has values from {least:g} over {middle:g} to {most:g}, and finite ones are needed; type values as in {example}, or limits "
+            "in which it has some, as in truncate: [LOWER, UPPER]"
+        )
     if not least < most:
-        raise InputError(f"{place}: all of its values are {middle:g}; type a wider spread as in {example}, or list: [{middle:g}] for one value")
+        raise InputError(
+            f"{place}: all of its values are {middle:g}; type a wider spread as in {example}, or list: [{middle:g}] for one value"
+        )
 
 
 def _complete(kind: str, p: dict[str, float], place: str) -> None:
@@ -100,23 +117,36 @@ def _complete(kind: str, p: dict[str, float], place: str) -> None:
     if kind == "lognormal" and "cov" in p:
         cov = p.pop("cov")
         if not 0 < cov <= MOST_COV:
-            raise InputError(f"{place}.cov: takes a positive number of at most {MOST_COV:g}, such as 0.3; {cov:g} was read")
+            raise InputError(
+                f"{place}.cov: takes a positive number of at most {MOST_COV:g}, such as 0.3; {cov:g} was read"
+            )
         p["beta"] = math.sqrt(math.log1p(cov**2))
-    needed = {"uniform": ("from", "to"), "normal": ("mean", "sd"), "lognormal": ("median", "beta"), "triangular": ("from", "mode", "to")}[kind]
+    needed = {
+        "uniform": ("from", "to"),
+        "normal": ("mean", "sd"),
+        "lognormal": ("median", "beta"),
+        "triangular": ("from", "mode", "to"),
+    }[kind]
     if set(p) != set(needed):
         raise InputError(f"{place}: takes {EXAMPLES[kind]}")
     tests: dict[str, Callable[[], bool]] = {
         "uniform": lambda: p["from"] >= p["to"],
         "normal": lambda: p["sd"] <= 0,
         "lognormal": lambda: min(p["median"], p["beta"]) <= 0,
-        "triangular": lambda: not p["from"] <= p["mode"] <= p["to"] or p["from"] == p["to"]}
+        "triangular": lambda: not p["from"] <= p["mode"] <= p["to"] or p["from"] == p["to"],
+    }
     if tests[kind]():
-        raise InputError(f"{place}: no such distribution; positive spreads and rising limits as in {EXAMPLES[kind]} are needed")
+        raise InputError(
+            f"{place}: no such distribution; positive spreads and rising limits as in {EXAMPLES[kind]} are needed"
+        )
 
 
 def _discrete(one: dict[str, Any], place: str) -> tuple[Distribution, str]:
     values, unit = words.quantities(one.get("values"), f"{place}.values")
-    shares = [words.quantity(share, f"{place}.probabilities")[0] for share in one.get("probabilities", [1 / len(values)] * len(values))]
+    shares = [
+        words.quantity(share, f"{place}.probabilities")[0]
+        for share in one.get("probabilities", [1 / len(values)] * len(values))
+    ]
     if len(shares) != len(values) or min(shares) < 0 or abs(sum(shares) - 1) > 1e-9:
         raise InputError(f"{place}.probabilities: takes one a value, not negative, with the sum 1")
     return Distribution("discrete", tuple((str(i), share) for i, share in enumerate(shares)), tuple(values)), unit
@@ -125,7 +155,9 @@ def _discrete(one: dict[str, Any], place: str) -> tuple[Distribution, str]:
 def _named(given: Any, truncate: Any, place: str) -> tuple[Distribution, str]:
     name = given.get("name") if isinstance(given, dict) else None
     if not isinstance(getattr(stats(), str(name), None), stats().rv_continuous):
-        raise InputError(f"{place}: takes the name of a continuous distribution of scipy.stats, as in {EXAMPLES['scipy']}; {name!r} was read")
+        raise InputError(
+            f"{place}: takes the name of a continuous distribution of scipy.stats, as in {EXAMPLES['scipy']}; {name!r} was read"
+        )
     p = {key: words.quantity(value, f"{place}.{key}")[0] for key, value in given.items() if key != "name"}
     made = Distribution("scipy", tuple(sorted(p.items())), truncate=_bounds(truncate, "", place), name=str(name))
     try:
@@ -141,7 +173,9 @@ def _bounds(truncate: Any, unit: str, place: str) -> tuple[float, float] | None:
     bounds, own = words.quantities(truncate, f"{place}: truncate")
     words.same_unit(own, unit, f"{place}: truncate", "20 mm")
     if unit and not own:
-        raise InputError(f"{place}: truncate takes limits in {unit}, as the values have; bare numbers were read: {truncate}")
+        raise InputError(
+            f"{place}: truncate takes limits in {unit}, as the values have; bare numbers were read: {truncate}"
+        )
     low, high = bounds[0], bounds[-1]
     if len(bounds) != 2 or low >= high:
         raise InputError(f"{place}: truncate takes a lower and an upper limit")

@@ -8,18 +8,51 @@ from typing import Protocol
 import numpy as np
 
 from pounding.errors import InputError, shortened
-from pounding.studies.batches import COLLAPSED, COMPLETE, DIED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, STATUSES, Batch, Done, nothing_of
+from pounding.studies.batches import (
+    COLLAPSED,
+    COMPLETE,
+    DIED,
+    DONE,
+    EXCEEDED,
+    FAILED,
+    NOT_RUN,
+    REFUSED,
+    STATUSES,
+    Batch,
+    Done,
+    nothing_of,
+)
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.prepared import prepared
 from pounding.studies.quantities import collapse_of
 from pounding.studies.template import Template
 
-__all__ = ["COLLAPSED", "COMPLETE", "DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "KERNEL", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine",
-           "nothing_of", "run_batch", "run_kernel"]
+__all__ = [
+    "COLLAPSED",
+    "COMPLETE",
+    "DIED",
+    "DONE",
+    "ENGINES",
+    "EXCEEDED",
+    "FAILED",
+    "KERNEL",
+    "NOT_RUN",
+    "REFUSED",
+    "STATUSES",
+    "WORDS",
+    "Batch",
+    "Done",
+    "Engine",
+    "SolverEngine",
+    "nothing_of",
+    "run_batch",
+    "run_kernel",
+]
 
 
 class Engine(Protocol):
-    """An engine. A row's columns may depend on nothing but the row: on no other row of the batch, and on nothing that ran before."""
+    """An engine. A row's columns may depend on nothing but the row: on no other row of the batch, and on nothing that
+    ran before."""
 
     name: str
 
@@ -27,8 +60,8 @@ class Engine(Protocol):
         """Whether it can run rows of this study; False where it is known beforehand that there are none."""
 
     def run(self, batch: Batch) -> Done:
-        """The columns of the rows. A wrong or failed row is a status with a reason, never an exception. Rows that the engine does not take stay
-        as they are, with the reason, and the next engine gets them. Raises MemoryError."""
+        """The columns of the rows. A wrong or failed row is a status with a reason, never an exception. Rows that the
+        engine does not take stay as they are, with the reason, and the next engine gets them. Raises MemoryError."""
 
 
 class SolverEngine:
@@ -59,7 +92,9 @@ class SolverEngine:
             summary = prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i]), batch.files)
             values = template.kept.of(summary)
             if undefined := template.kept.undefined_limits(np.array([values])):
-                raise InputError(f"study.limits: {', '.join(undefined)} is undefined in this row, so it cannot be compared with its limit")
+                raise InputError(
+                    f"study.limits: {', '.join(undefined)} is undefined in this row, so it cannot be compared with its limit"
+                )
         except InputError as error:
             return REFUSED, [], str(error)
         except MemoryError:  # of the process, whatever the row
@@ -86,7 +121,8 @@ def run_kernel(batch: Batch) -> Done:
 
 
 def run_batch(batch: Batch) -> Done:
-    """Runs rows in a worker, each by the first engine that takes it; must stay a function of a module, since workers get it by its name."""
+    """Runs rows in a worker, each by the first engine that takes it; must stay a function of a module, since workers
+    get it by its name."""
     done = nothing_of(batch)
     left = np.arange(len(batch.rows))
     for number, engine in enumerate(ENGINES):
@@ -95,5 +131,7 @@ def run_batch(batch: Batch) -> Done:
             left = left[done.status[left] == NOT_RUN]
     for row in batch.rows[left].tolist():
         done.status[batch.rows == row] = REFUSED
-        done.reasons[row] = f"engine: {batch.engine} does not take this row: {done.reasons.get(row, 'the study is none for it')}. Leave engine out, and the solver does"
+        done.reasons[row] = (
+            f"engine: {batch.engine} does not take this row: {done.reasons.get(row, 'the study is none for it')}. Leave engine out, and the solver does"
+        )
     return done

@@ -1,8 +1,8 @@
 """Rows on an executor: chunks of about half a second, resume, and workers that may die.
 
-Any `concurrent.futures.Executor` runs the chunks: local processes unless another one is given, `mpi4py.futures.MPIPoolExecutor` or
-Dask's `Client.get_executor()` likewise. When a local worker dies, the rows that were under way run again one by one, and the row
-that kills its worker is told as such; the others are not lost."""
+Any `concurrent.futures.Executor` runs the chunks: local processes unless another one is given,
+`mpi4py.futures.MPIPoolExecutor` or Dask's `Client.get_executor()` likewise. When a local worker dies, the rows that
+were under way run again one by one, and the row that kills its worker is told as such; the others are not lost."""
 
 from __future__ import annotations
 
@@ -11,7 +11,15 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
 from contextlib import ExitStack, contextmanager, nullcontext
 from statistics import median
 
@@ -19,7 +27,22 @@ import numpy as np
 
 from pounding.errors import InputError, SolverError, excerpt
 from pounding.studies.cross_check import rows_to_check
-from pounding.studies.engines import COLLAPSED, DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch, run_kernel
+from pounding.studies.engines import (
+    COLLAPSED,
+    DIED,
+    DONE,
+    ENGINES,
+    EXCEEDED,
+    FAILED,
+    KERNEL,
+    NOT_RUN,
+    REFUSED,
+    Batch,
+    Done,
+    nothing_of,
+    run_batch,
+    run_kernel,
+)
 from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
@@ -38,19 +61,43 @@ Progress = Callable[[int, int, int], None]
 def batch_of(plan: Plan, rows: np.ndarray, engine: str = "") -> Batch:
     """The rows as a worker gets them; `engine` instead of that of the plan."""
     columns = plan.columns(rows)
-    values = np.column_stack([columns[factor.name] for factor in plan.points.factors]) if plan.points.factors else np.empty((len(rows), 0))
-    return Batch(plan.template, rows, values, columns["record"], columns["scale"], engine or plan.template.engine,
-                 plan.files_of(columns["record"]))
+    values = (
+        np.column_stack([columns[factor.name] for factor in plan.points.factors])
+        if plan.points.factors
+        else np.empty((len(rows), 0))
+    )
+    return Batch(
+        plan.template,
+        rows,
+        values,
+        columns["record"],
+        columns["scale"],
+        engine or plan.template.engine,
+        plan.files_of(columns["record"]),
+    )
 
 
-def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = None, executor: Executor | None = None,
-             chunk: int | None = None, progress: Progress | None = None) -> None:
-    """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes; 0 runs in this process. Unless given,
-    rows of the kernel run on threads, and others in as many processes as there are cores. `chunk` is a number of rows instead of one by time. Raises
-    OSError when a chunk cannot be written, SolverError when too many rows fail."""
+def run_rows(
+    plan: Plan,
+    table: Table,
+    rows: np.ndarray,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    chunk: int | None = None,
+    progress: Progress | None = None,
+) -> None:
+    """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes; 0 runs
+    in this process. Unless given, rows of the kernel run on threads, and others in as many processes as there are
+    cores. `chunk` is a number of rows instead of one by time. Raises OSError when a chunk cannot be written,
+    SolverError when too many rows fail."""
     count = workers or available_cores()
     begun = 0
-    if workers is None and executor is None and plan.template.engine != "solver" and ENGINES[KERNEL].takes(plan.template):
+    if (
+        workers is None
+        and executor is None
+        and plan.template.engine != "solver"
+        and ENGINES[KERNEL].takes(plan.template)
+    ):
         kernel = _KernelWork(plan, table, rows, chunk, progress, count)
         with _Threads(count) as threads:
             _run_on(threads, kernel, count)
@@ -68,7 +115,8 @@ def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = N
 
 
 def require_count(name: str, value: int | None, least: int) -> None:
-    """Raises InputError for a number of workers, or of rows of a chunk, that is none or beyond what a machine can start."""
+    """Raises InputError for a number of workers, or of rows of a chunk, that is none or beyond what a machine can
+    start."""
     if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
         raise InputError(f"{name}: takes a whole number of at least {least}, or None; {excerpt(value)} was read")
     if name == "workers" and value is not None and value > MOST_WORKERS:
@@ -98,14 +146,31 @@ def available_cores() -> int:
 class _Work:
     """Rows that wait, and what is known of their time."""
 
-    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int, before: int = 0) -> None:
-        self._plan, self._table, self._rows, self._chunk, self._progress, self._workers = plan, table, rows, chunk, progress, workers
+    def __init__(
+        self,
+        plan: Plan,
+        table: Table,
+        rows: np.ndarray,
+        chunk: int | None,
+        progress: Progress | None,
+        workers: int,
+        before: int = 0,
+    ) -> None:
+        self._plan, self._table, self._rows, self._chunk, self._progress, self._workers = (
+            plan,
+            table,
+            rows,
+            chunk,
+            progress,
+            workers,
+        )
         self._seconds: list[float] = []
         self._done = self._before = before
         self._failed = 0
 
     def batches(self) -> Iterator[Batch]:
-        """One batch after the other; each is sized when it is asked for, and rows of one batch follow each other in the plan."""
+        """One batch after the other; each is sized when it is asked for, and rows of one batch follow each other in the
+        plan."""
         begin = 0
         while begin < len(self._rows):
             size = self._chunk or self._size(len(self._rows) - begin)
@@ -128,16 +193,24 @@ class _Work:
         self._failed += int(np.isin(done.status, (REFUSED, FAILED, DIED)).sum())
         if self._progress is not None:
             self._progress(self._done, self._failed, len(self._rows) + self._before)
-        if self._done >= ENOUGH_ROWS and self._failed > self._plan.stop_after * self._done and self._done < len(self._rows) + self._before:
+        if (
+            self._done >= ENOUGH_ROWS
+            and self._failed > self._plan.stop_after * self._done
+            and self._done < len(self._rows) + self._before
+        ):
             reason = next((why for row, why in self._table.reasons.items() if self._table.status[row] != COLLAPSED), "")
-            raise SolverError(f"{self._failed} of {self._done} rows have failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
-                              f"{reason}\nMend the study, or go on with stop_after: 100 %")
+            raise SolverError(
+                f"{self._failed} of {self._done} rows have failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
+                f"{reason}\nMend the study, or go on with stop_after: 100 %"
+            )
 
 
 class _KernelWork(_Work):
     """Rows for the kernel alone; those that it does not take are left."""
 
-    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int) -> None:
+    def __init__(
+        self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int
+    ) -> None:
         super().__init__(plan, table, rows, chunk, progress, workers)
         self.left: list[int] = []
 
@@ -151,7 +224,8 @@ class _KernelWork(_Work):
 
 
 class _Check(_Work):
-    """Rows of the kernel for the solver, one by one. What they give is compared and no part of the table; one that fails there says nothing."""
+    """Rows of the kernel for the solver, one by one. What they give is compared and no part of the table; one that
+    fails there says nothing."""
 
     def __init__(self, plan: Plan, table: Table, rows: np.ndarray, workers: int) -> None:
         super().__init__(plan, table, rows, 1, None, workers)
@@ -179,7 +253,8 @@ class _Given:
 
 
 class _Threads:
-    """Threads of this process for the kernel, which holds no lock of Python's while rows run: they start at once, and scripts need no guard."""
+    """Threads of this process for the kernel, which holds no lock of Python's while rows run: they start at once, and
+    scripts need no guard."""
 
     def __init__(self, workers: int) -> None:
         self._pool = ThreadPoolExecutor(workers)
@@ -211,8 +286,10 @@ class _LocalPool:
             hello.result()
         except BrokenExecutor:
             self._pool.shutdown(cancel_futures=True)
-            raise InputError("the worker processes of the study do not start. In a script put the call under `if __name__ == \"__main__\":`, since every worker "
-                             "reads the script, too; or run in this process with workers=0") from None
+            raise InputError(
+                'the worker processes of the study do not start. In a script put the call under `if __name__ == "__main__":`, since every worker '
+                "reads the script, too; or run in this process with workers=0"
+            ) from None
         except BaseException:
             # A worker that still starts would look for what this process takes away when it ends.
             self._pool.shutdown(cancel_futures=True)
@@ -220,7 +297,8 @@ class _LocalPool:
         return self
 
     def __exit__(self, *failure: object) -> None:
-        # At the end of all rows this takes no time worth a Ctrl-C. After a failure nobody reads the rows under way, which may take minutes.
+        # At the end of all rows this takes no time worth a Ctrl-C. After a failure nobody reads the rows under way,
+        # which may take minutes.
         with _interrupt_held() if failure[0] is None else nullcontext():
             if failure[0] is not None:
                 for process in list((getattr(self._pool, "_processes", None) or {}).values()):
@@ -258,7 +336,8 @@ class _LocalPool:
 
 @contextmanager
 def _interrupt_held() -> Iterator[None]:
-    """Workers that start meanwhile never see Ctrl-C, not even before begin_worker(); this process gets it afterwards."""
+    """Workers that start meanwhile never see Ctrl-C, not even before begin_worker(); this process gets it
+    afterwards."""
     came: list[int] = []
     handler = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
     if handler is not None:

@@ -25,7 +25,10 @@ if TYPE_CHECKING:
 
 #: Columns that every exported table has, whatever their order.
 _COLUMNS = (b"point", b"record", b"scale", b"im [m/s^2]")
-CSV = Kind("table that study export wrote", lambda _, start: set(_COLUMNS) <= set(start.partition(b"\n")[0].strip().split(b",")))
+CSV = Kind(
+    "table that study export wrote",
+    lambda _, start: set(_COLUMNS) <= set(start.partition(b"\n")[0].strip().split(b",")),
+)
 PARQUET = Kind("Parquet table", lambda _, start: start.startswith(b"PAR1"))
 
 
@@ -42,26 +45,37 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
 
 
 def to_csv(study: Rows, path: str | PathLike[str]) -> None:
-    """One line per row; numbers with all their digits. Texts that a spreadsheet would compute as formulas begin with an apostrophe. Raises InputError
-    for a file of another kind, OSError."""
+    """One line per row; numbers with all their digits. Texts that a spreadsheet would compute as formulas begin with an
+    apostrophe. Raises InputError for a file of another kind, OSError."""
     columns = readable(study)
     with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow([_inert(f"{name} [{study.units[name]}]" if study.units.get(name) else name) for name in columns])
-        writer.writerows(zip(*([_inert(each) for each in values.tolist()] if values.dtype.kind == "U" else values.tolist()
-                               for values in columns.values())))
+        writer.writerow(
+            [_inert(f"{name} [{study.units[name]}]" if study.units.get(name) else name) for name in columns]
+        )
+        writer.writerows(
+            zip(
+                *(
+                    [_inert(each) for each in values.tolist()] if values.dtype.kind == "U" else values.tolist()
+                    for values in columns.values()
+                )
+            )
+        )
 
 
 def _inert(cell: str) -> str:
     """A text that no spreadsheet takes for a formula; texts that are numbers stay numbers."""
-    return f"'{cell}" if cell.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(cell) else cell
+    return (
+        f"'{cell}" if cell.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(cell) else cell
+    )
 
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(inf|nan)")
 
 
 def _inputs(study: Rows) -> list[Path]:
-    """The table that a study was read from, and the files that its text names: a table of samples may be an earlier export."""
+    """The table that a study was read from, and the files that its text names: a table of samples may be an earlier
+    export."""
     if study.path is None or not study.path.is_file():
         return []
     with open_study(study.path) as file:
@@ -79,20 +93,28 @@ def _texts(given: Any) -> Iterator[str]:
 
 
 def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
-    """One file with units beside the names. Raises ImportError without pyarrow, InputError for a file of another kind, OSError."""
+    """One file with units beside the names. Raises ImportError without pyarrow, InputError for a file of another kind,
+    OSError."""
     try:
         import pyarrow
         from pyarrow import parquet
     except ModuleNotFoundError as error:
         raise ImportError("this needs pyarrow: type python3 -m pip install pyarrow") from error
-    columns = {name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values) for name, values in readable(study).items()}
-    fields = [pyarrow.field(name, column.type, metadata={"units": study.units.get(name, "")}) for name, column in columns.items()]
+    columns = {
+        name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values)
+        for name, values in readable(study).items()
+    }
+    fields = [
+        pyarrow.field(name, column.type, metadata={"units": study.units.get(name, "")})
+        for name, column in columns.items()
+    ]
     with replaced(path, PARQUET, _inputs(study)) as temporary:
         parquet.write_table(pyarrow.Table.from_arrays(list(columns.values()), schema=pyarrow.schema(fields)), temporary)
 
 
 def to_xarray(study: Rows) -> xarray.Dataset:
-    """Dimensions: record, one for each factor of the grid, sample where factors are distributed, level where there are levels."""
+    """Dimensions: record, one for each factor of the grid, sample where factors are distributed, level where there are
+    levels."""
     import xarray
 
     factors = study.description["factors"]
@@ -110,6 +132,9 @@ def to_xarray(study: Rows) -> xarray.Dataset:
     sizes += [study.description["sampling"]["count"], max(1, len(levels))]
     if levels:
         coordinates["level"] = levels
-    held = {name: (dims, values.reshape(sizes), {"units": study.units.get(name, "")}) for name, values in study.columns.items()
-            if name not in coordinates}
+    held = {
+        name: (dims, values.reshape(sizes), {"units": study.units.get(name, "")})
+        for name, values in study.columns.items()
+        if name not in coordinates
+    }
     return xarray.Dataset(held, coords=coordinates)

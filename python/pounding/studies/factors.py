@@ -23,7 +23,8 @@ _WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "
 
 @dataclass(frozen=True)
 class Factor:
-    """A name, the places in the model that take its value, and the values: a list, a distribution, or a column of the study's table of samples.
+    """A name, the places in the model that take its value, and the values: a list, a distribution, or a column of the
+    study's table of samples.
 
     With `times` the factor is a ratio: the places take it times the number that stands at that path."""
 
@@ -31,7 +32,8 @@ class Factor:
     of: tuple[str, ...]
     times: str | None
     unit: str  #: SI unit of the values; "" for bare numbers and ratios
-    values: tuple[float, ...] | None  #: [value] in SI; numbers of `labels` where there are any; None for a distribution and for a column
+    #: [value] in SI; numbers of `labels` where there are any; None for a distribution and for a column
+    values: tuple[float, ...] | None
     distribution: Distribution | None = None
     labels: tuple[str, ...] = ()  #: words, such as names of laws, that the places take instead of numbers
     column: str = ""  #: of the table of samples
@@ -61,13 +63,14 @@ def is_integer(held: Any) -> bool:
 
 
 def is_whole(value: float) -> bool:
-    """Whether a value is an integer that floating-point numbers hold exactly, up to the round-off of a range or ratio."""
+    """Whether a value is an integer that floating-point numbers hold exactly, up to the round-off of a range or
+    ratio."""
     return abs(value) < LARGEST_INTEGER and abs(value - round(value)) <= 1e-12 * abs(value)
 
 
 def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
-    """The factors of a study file. Raises InputError for a path that meets nothing in the model, for units that do not fit, and for
-    words that are not known."""
+    """The factors of a study file. Raises InputError for a path that meets nothing in the model, for units that do not
+    fit, and for words that are not known."""
     if given is None:
         return []
     if not isinstance(given, Mapping):
@@ -77,23 +80,32 @@ def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
     for factor in factors:
         for keys in (keys for path in factor.of for keys in find(model, path, "")):
             if keys in places:
-                raise InputError(f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; give each place one factor")
+                raise InputError(
+                    f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; give each place one factor"
+                )
             places[keys] = factor.name
     in_order(model, factors)
     return factors
 
 
 def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
-    """Numbers of the factors, each after the one that sets the base of its ratio. A ratio of a place that it sets itself is one of the
-    model's own number. Raises InputError for ratios of each other."""
-    setter = {keys: j for j, factor in enumerate(factors) for path in factor.of for keys in find(model, path, factor.name)}
-    after = {j: setter.get(find(model, factor.times, factor.name)[0], j) if factor.times is not None else j for j, factor in enumerate(factors)}
+    """Numbers of the factors, each after the one that sets the base of its ratio. A ratio of a place that it sets
+    itself is one of the model's own number. Raises InputError for ratios of each other."""
+    setter = {
+        keys: j for j, factor in enumerate(factors) for path in factor.of for keys in find(model, path, factor.name)
+    }
+    after = {
+        j: setter.get(find(model, factor.times, factor.name)[0], j) if factor.times is not None else j
+        for j, factor in enumerate(factors)
+    }
     found: list[int] = []
     while len(found) < len(factors):
         ready = [j for j in range(len(factors)) if j not in found and (after[j] == j or after[j] in found)]
         if not ready:
             circle = [factor.name for j, factor in enumerate(factors) if j not in found]
-            raise InputError(f"study.factors.{circle[0]}.times: {' and '.join(circle)} are ratios of each other; give one of them values without times")
+            raise InputError(
+                f"study.factors.{circle[0]}.times: {' and '.join(circle)} are ratios of each other; give one of them values without times"
+            )
         found += ready
     return found
 
@@ -101,7 +113,9 @@ def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
 def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
     place = f"study.factors.{name}"
     if not name.isidentifier():
-        raise InputError(f'{place}: a factor\'s name is a column of the table: letters, digits and _; "{name}" was read')
+        raise InputError(
+            f'{place}: a factor\'s name is a column of the table: letters, digits and _; "{name}" was read'
+        )
     one = words.only(given, _WORDS, place)
     if "of" not in one and "column" not in one:
         raise InputError(f"{place}: say what it is, as in of: links.*.gap")
@@ -118,8 +132,10 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         raise InputError(f"{place}.times: {times} meets several places of the model; name one")
     ways = [kind for kind in ("list", "from", "column", *KINDS) if kind in one]
     if len(ways) != 1:
-        raise InputError(f"{place}: give its values in one way: a list, from, to and count, a column, or a distribution ({', '.join(KINDS)}); "
-                         f"{' and '.join(ways) or 'none'} was read")
+        raise InputError(
+            f"{place}: give its values in one way: a list, from, to and count, a column, or a distribution ({', '.join(KINDS)}); "
+            f"{' and '.join(ways) or 'none'} was read"
+        )
     distribution, values = None, None
     labels: tuple[str, ...] = ()
     if ways[0] == "list" and _are_labels(one["list"]):
@@ -139,22 +155,43 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         raise InputError(f"{place}: with times it is a ratio, without a unit; its values are in {unit}")
     if times is None and not labels and ways[0] != "column":
         check_units(model, places, unit, place, _percent(one))
-    if values is not None and not labels and max(map(abs, values)) >= LARGEST_INTEGER and any(is_integer(at(model, keys)) for keys in places):
-        raise InputError(f"{place}: takes integers below {LARGEST_INTEGER} in the place of {dotted(places[0])}, so that each is exact; {max(values):g} was read")
-    return Factor(name, tuple(paths), times, unit, None if values is None else tuple(values), distribution, labels,
-                  str(one.get("column", "")))
+    if (
+        values is not None
+        and not labels
+        and max(map(abs, values)) >= LARGEST_INTEGER
+        and any(is_integer(at(model, keys)) for keys in places)
+    ):
+        raise InputError(
+            f"{place}: takes integers below {LARGEST_INTEGER} in the place of {dotted(places[0])}, so that each is exact; {max(values):g} was read"
+        )
+    return Factor(
+        name,
+        tuple(paths),
+        times,
+        unit,
+        None if values is None else tuple(values),
+        distribution,
+        labels,
+        str(one.get("column", "")),
+    )
 
 
 def _are_labels(values: Any) -> bool:
-    return isinstance(values, Sequence) and not isinstance(values, str) and bool(values) and all(
-        isinstance(value, str) and value[:1].isalpha() for value in values)
+    return (
+        isinstance(values, Sequence)
+        and not isinstance(values, str)
+        and bool(values)
+        and all(isinstance(value, str) and value[:1].isalpha() for value in values)
+    )
 
 
 def _percent(one: Mapping[str, Any]) -> str:
     """The first value in % of a list, a range or a distribution; "" if there is none."""
     kinds = [one[kind] for kind in KINDS if isinstance(one.get(kind), Mapping)]
-    typed = [*(one[key] for key in ("list", "from", "to") if key in one),
-             *(value for kind in kinds for key, value in kind.items() if key not in ("cov", "beta", "sd", "probabilities"))]
+    typed = [
+        *(one[key] for key in ("list", "from", "to") if key in one),
+        *(value for kind in kinds for key, value in kind.items() if key not in ("cov", "beta", "sd", "probabilities")),
+    ]
     every = [each for value in typed for each in (value if isinstance(value, list) else [value])]
     return next((each for each in every if isinstance(each, str) and "%" in each), "")
 
@@ -172,8 +209,11 @@ def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
     return [float(value) for value in made], unit
 
 
-def check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str, percent: str = "") -> None:
-    """Raises InputError where a factor's unit is not that of the model's own value, and both have one; `percent` is a value in %."""
+def check_units(
+    model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str, percent: str = ""
+) -> None:
+    """Raises InputError where a factor's unit is not that of the model's own value, and both have one; `percent` is a
+    value in %."""
     for keys in places:
         held = at(model, keys)
         if isinstance(held, (Mapping, list)):
@@ -183,15 +223,17 @@ def check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], u
         except InputError:
             continue
         if percent and own:
-            raise InputError(f"{place}: {percent} was read, and {dotted(keys)} of the model is {held}; type values in {own}, or a ratio: "
-                             f"times: {dotted(keys)}")
+            raise InputError(
+                f"{place}: {percent} was read, and {dotted(keys)} of the model is {held}; type values in {own}, or a ratio: "
+                f"times: {dotted(keys)}"
+            )
         if unit and own and unit != own:
             raise InputError(f"{place}: its values are in {unit}, and {dotted(keys)} of the model is {held}, in {own}")
 
 
 def find(model: Mapping[str, Any], path: str, place: str) -> list[tuple[str | int, ...]]:
-    """All places that a path such as `links.*.gap` meets, as keys from the top. Links are found by name, "left-right", or number.
-    Raises InputError where there is none."""
+    """All places that a path such as `links.*.gap` meets, as keys from the top. Links are found by name, "left-right",
+    or number. Raises InputError where there is none."""
     found: list[tuple[str | int, ...]] = [()]
     for step in str(path).split("."):
         further = [(*keys, key) for keys in found for key in _keys(at(model, keys), step)]
@@ -199,8 +241,10 @@ def find(model: Mapping[str, Any], path: str, place: str) -> list[tuple[str | in
             known = list(dict.fromkeys(name for keys in found for name in _names(at(model, keys))))
             whole = ".".join([dotted(found[0]), step]) if found[0] else step
             held = f"there is {', '.join(known)}" if known else "there is nothing"
-            raise InputError(f"{place}: {path} meets nothing in the model: {whole} is not there; {held}.{words.meant(step, known)} A key that the "
-                             "model leaves to its default must stand in the model")
+            raise InputError(
+                f"{place}: {path} meets nothing in the model: {whole} is not there; {held}.{words.meant(step, known)} A key that the "
+                "model leaves to its default must stand in the model"
+            )
         found = further
     return found
 
@@ -218,8 +262,10 @@ def _keys(part: Any, step: str) -> list[str | int]:
         named = [i for i, one in enumerate(part) if link_name(one, i) == step]
         numbered = [i for i in range(len(part)) if step in ("*", str(i))]
         if named and step != "*" and set(numbered) - set(named):
-            raise InputError(f'links.{step} means two links: the one of the name "{step}", and number {step} counted from 0; give the first another name, '
-                             f'such as "link {step}"')
+            raise InputError(
+                f'links.{step} means two links: the one of the name "{step}", and number {step} counted from 0; give the first another name, '
+                f'such as "link {step}"'
+            )
         return sorted({*named, *numbered})
     return []
 

@@ -1,4 +1,5 @@
-"""Files that a plan names. Each is read once: rows follow from these contents, whatever happens to the files while they run."""
+"""Files that a plan names. Each is read once: rows follow from these contents, whatever happens to the files while they
+run."""
 
 from __future__ import annotations
 
@@ -43,8 +44,8 @@ class Files(dict[str, bytes]):
 
 
 def absolute(parts: Mapping[str, Any], folder: Path, files: Files) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """The parts of a model with absolute names of its files, and the contents of these by the names that the model gives them. A name that
-    cannot be read stays: the reader of models says where it is."""
+    """The parts of a model with absolute names of its files, and the contents of these by the names that the model
+    gives them. A name that cannot be read stays: the reader of models says where it is."""
     typed: dict[str, bytes] = {}
 
     def named(part: Any, key: str = "") -> Any:
@@ -81,12 +82,16 @@ def replaced(part: Any, by: Callable[[str], str]) -> Any:
 def by_content(description: Mapping[str, Any]) -> dict[str, Any]:
     """The description of a plan with digests of files instead of their names: copies of a folder have the same one."""
     digests = description["files"]
-    found: dict[str, Any] = replaced({key: value for key, value in description.items() if key != "files"}, lambda text: digests.get(text, text))
+    found: dict[str, Any] = replaced(
+        {key: value for key, value in description.items() if key != "files"}, lambda text: digests.get(text, text)
+    )
     return found
 
 
 def relative(description: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """The description of a plan with names of files from `folder`, that of the table: they hold in a copy of all of it."""
+    """The description of a plan with names of files from `folder`, that of the table: they hold in a copy of all of
+    it."""
+
     def from_folder(text: str) -> str:
         return os.path.join(".", os.path.relpath(text, folder.resolve())) if text in description["files"] else text
 
@@ -97,5 +102,7 @@ def relative(description: Mapping[str, Any], folder: Path) -> dict[str, Any]:
 def located(description: Mapping[str, Any], folder: Path) -> dict[str, Any]:
     """The opposite of `relative`. Tables of version 0.2.0 have absolute names."""
     names = description.get("files", {})
-    found: dict[str, Any] = replaced(description, lambda text: str((folder / text).resolve()) if text in names else text)
+    found: dict[str, Any] = replaced(
+        description, lambda text: str((folder / text).resolve()) if text in names else text
+    )
     return found

@@ -1,7 +1,8 @@
 """Fragility: a lognormal curve P(exceeded | im) = Phi(ln(im/theta)/beta) by maximum likelihood.
 
-The likelihood is binomial, of counts or of single rows (Baker 2015); the standard errors come from the expected information, as those of
-a probit regression do. Separated data, where every exceedance is above every survival, have no finite fit: bounds are told instead."""
+The likelihood is binomial, of counts or of single rows (Baker 2015); the standard errors come from the expected
+information, as those of a probit regression do. Separated data, where every exceedance is above every survival, have no
+finite fit: bounds are told instead."""
 
 from __future__ import annotations
 
@@ -55,14 +56,18 @@ class Fragility:
     def __str__(self) -> str:
         if not self.is_finite:
             return self.problem
-        return (f"theta {self.theta:.4g}, beta {self.beta:.4g}; standard errors {self.se_log_theta:.2g} of ln theta, {self.se_beta:.2g} of beta"
-                + (f"; {self.failed} rows have failed and are left out" if self.failed else "")
-                + (f"; {self.undefined} rows in which it is undefined are left out" if self.undefined else ""))
+        return (
+            f"theta {self.theta:.4g}, beta {self.beta:.4g}; standard errors {self.se_log_theta:.2g} of ln theta, {self.se_beta:.2g} of beta"
+            + (f"; {self.failed} rows have failed and are left out" if self.failed else "")
+            + (f"; {self.undefined} rows in which it is undefined are left out" if self.undefined else "")
+        )
 
 
-def fit(im: Sequence[float] | np.ndarray, count: Sequence[int] | np.ndarray, exceeded: Sequence[int] | np.ndarray) -> Fragility:
-    """The curve of counts: `exceeded` of `count` trials at each intensity. Raises InputError for lengths that differ and for counts or
-    intensities that cannot be."""
+def fit(
+    im: Sequence[float] | np.ndarray, count: Sequence[int] | np.ndarray, exceeded: Sequence[int] | np.ndarray
+) -> Fragility:
+    """The curve of counts: `exceeded` of `count` trials at each intensity. Raises InputError for lengths that differ
+    and for counts or intensities that cannot be."""
     x, n, k = np.asarray(im, dtype=float), np.asarray(count, dtype=float), np.asarray(exceeded, dtype=float)
     if not x.shape == n.shape == k.shape or x.ndim != 1 or not x.size:
         raise InputError("a fragility takes one count and one number of exceedances for each intensity")
@@ -81,7 +86,9 @@ def fit(im: Sequence[float] | np.ndarray, count: Sequence[int] | np.ndarray, exc
 _FALLING = "exceedances do not grow with the intensity, so no lognormal curve describes them: look at the measure"
 
 
-def _without_fit(x: np.ndarray, n: np.ndarray, k: np.ndarray, problem: str, bounds: tuple[float, float] = (np.nan, np.nan)) -> Fragility:
+def _without_fit(
+    x: np.ndarray, n: np.ndarray, k: np.ndarray, problem: str, bounds: tuple[float, float] = (np.nan, np.nan)
+) -> Fragility:
     return Fragility(np.nan, np.nan, np.nan, np.nan, x, n, k, bounds, problem)
 
 
@@ -92,22 +99,30 @@ def _problem(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[str, tuple[fl
     if k.sum() == n.sum():
         return f"everything is exceeded from {x.min():.4g} on: theta is below; add lower levels", (0.0, float(x.min()))
     if x.min() == x.max():
-        return f"all rows have the intensity {x.min():.4g}: one level tells neither theta nor beta; add levels", (np.nan, np.nan)
+        return f"all rows have the intensity {x.min():.4g}: one level tells neither theta nor beta; add levels", (
+            np.nan,
+            np.nan,
+        )
     survived, fell = x[k < n].max(), x[k > 0].min()
     if survived == fell:
-        return (f"the data are separated: all survive below {fell:.4g} and all exceed above it, so beta has no finite estimate; theta is there; add "
-                "levels near it, or records"), (float(survived), float(fell))
+        return (
+            f"the data are separated: all survive below {fell:.4g} and all exceed above it, so beta has no finite estimate; theta is there; add "
+            "levels near it, or records"
+        ), (float(survived), float(fell))
     if survived < fell:
-        return (f"the data are separated: all survive up to {survived:.4g} and all exceed from {fell:.4g} on, so beta has no finite estimate; theta is "
-                "between the two; add levels there, or records"), (float(survived), float(fell))
+        return (
+            f"the data are separated: all survive up to {survived:.4g} and all exceed from {fell:.4g} on, so beta has no finite estimate; theta is "
+            "between the two; add levels there, or records"
+        ), (float(survived), float(fell))
     if x[k > 0].max() <= x[k < n].min():
         return _FALLING, (np.nan, np.nan)
     return None
 
 
 def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, np.ndarray]:
-    """Newton with the observed information on P = Phi(a + b z), whose likelihood is concave; then the covariance by the expected one.
-    A band fits a thousand times, and scipy.stats spends five times the time of these functions on looking at their arguments."""
+    """Newton with the observed information on P = Phi(a + b z), whose likelihood is concave; then the covariance by the
+    expected one. A band fits a thousand times, and scipy.stats spends five times the time of these functions on looking
+    at their arguments."""
     log_cdf = special().log_ndtr
     shift, spread = z.mean(), z.std() or 1.0
     t = (z - shift) / spread
@@ -139,11 +154,19 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
 
 
 def _log_pdf(x: np.ndarray) -> np.ndarray:
-    return -x**2 / 2 - np.log(np.sqrt(2 * np.pi))
+    return -(x**2) / 2 - np.log(np.sqrt(2 * np.pi))
 
 
-def of_rows(im: np.ndarray, exceeded: np.ndarray, event: np.ndarray, *, bootstrap: int = 1000, seed: int = 1, failed: int = 0,
-            undefined: int = 0) -> Fragility:
+def of_rows(
+    im: np.ndarray,
+    exceeded: np.ndarray,
+    event: np.ndarray,
+    *,
+    bootstrap: int = 1000,
+    seed: int = 1,
+    failed: int = 0,
+    undefined: int = 0,
+) -> Fragility:
     """The curve of single rows, with a band from events drawn again with all their rows."""
     found = fit(*_counted(im, exceeded))
     boot = []
@@ -157,10 +180,26 @@ def of_rows(im: np.ndarray, exceeded: np.ndarray, event: np.ndarray, *, bootstra
             # A drawn sample without a finite fit is a step: its bounds stand for theta.
             if one.is_finite:
                 boot.append((one.theta, one.beta))
-    return Fragility(found.theta, found.beta, found.se_log_theta, found.se_beta, found.im, found.count, found.exceeded, found.bounds, found.problem,
-                     np.array(boot).reshape(-1, 2), failed, undefined)
+    return Fragility(
+        found.theta,
+        found.beta,
+        found.se_log_theta,
+        found.se_beta,
+        found.im,
+        found.count,
+        found.exceeded,
+        found.bounds,
+        found.problem,
+        np.array(boot).reshape(-1, 2),
+        failed,
+        undefined,
+    )
 
 
 def _counted(im: np.ndarray, exceeded: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     levels, which = np.unique(im, return_inverse=True)
-    return levels, np.bincount(which, minlength=len(levels)), np.bincount(which, weights=np.asarray(exceeded, dtype=float), minlength=len(levels))
+    return (
+        levels,
+        np.bincount(which, minlength=len(levels)),
+        np.bincount(which, weights=np.asarray(exceeded, dtype=float), minlength=len(levels)),
+    )

@@ -26,35 +26,50 @@ class GapCurve:
     gap: np.ndarray  #: [row] rising [m]
     rules: dict[str, np.ndarray] = field(default_factory=dict)  #: abs, srss, ddc -> [row] in the order of the rows [m]
     required: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [row] in the order of the rows [m]
-    independent: int = 0  #: number of events behind the rows; rows of one event, at other levels or gaps, are no further samples
+    #: number of events behind the rows; rows of one event, at other levels or gaps, are no further samples
+    independent: int = 0
 
     @classmethod
     def of(cls, required: np.ndarray, rules: Mapping[str, np.ndarray], events: np.ndarray | None = None) -> GapCurve:
-        """The curve of some rows; each is an event by itself unless `events` [row] says which belong together. Raises InputError without any."""
+        """The curve of some rows; each is an event by itself unless `events` [row] says which belong together. Raises
+        InputError without any."""
         known = ~np.isnan(required)
         if not known.any():
             raise InputError("no row has a required gap; write keep: [required_gap]")
-        return cls(np.sort(required[known]), {name: values[known] for name, values in rules.items()}, required[known],
-                   int(known.sum()) if events is None else len(np.unique(events[known])))
+        return cls(
+            np.sort(required[known]),
+            {name: values[known] for name, values in rules.items()},
+            required[known],
+            int(known.sum()) if events is None else len(np.unique(events[known])),
+        )
 
     def exceedance(self, gap: float | str) -> float:
-        """Share of rows that need more than this gap ([m], or "20 mm"). A row that collapses without links needs more than any."""
+        """Share of rows that need more than this gap ([m], or "20 mm"). A row that collapses without links needs more
+        than any."""
         return float(np.mean(self.gap > _metres(gap)))
 
     @takes(confidence=_CONFIDENCE)
     def band(self, gap: float | str, confidence: float = 0.9) -> tuple[float, float]:
-        """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there are events."""
-        return clopper_pearson(int((self.gap > _metres(gap)).sum()) * self.independent / len(self.gap), self.independent, confidence)
+        """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there
+        are events."""
+        return clopper_pearson(
+            int((self.gap > _metres(gap)).sum()) * self.independent / len(self.gap), self.independent, confidence
+        )
 
     @takes(percent=number(0, 100), confidence=_CONFIDENCE)
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
-        """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
+        """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows
+        are too few [m]."""
         n = self.independent
         binom = stats().binom
         tail = (1 - confidence) / 2
         low = int(binom.ppf(tail, n, percent / 100))
         high = int(binom.ppf(1 - tail, n, percent / 100)) + 1
-        return (self._at(percent / 100), self._at(low / n) if low >= 1 else 0.0, self._at(high / n) if high <= n else math.inf)
+        return (
+            self._at(percent / 100),
+            self._at(low / n) if low >= 1 else 0.0,
+            self._at(high / n) if high <= n else math.inf,
+        )
 
     def _at(self, share: float) -> float:
         return float(self.gap[max(1, math.ceil(share * len(self.gap) - 1e-9)) - 1])
@@ -83,7 +98,10 @@ def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tup
 
 
 def double_difference(period_a: float, damping_a: float, period_b: float, damping_b: float) -> float:
-    """Correlation rho of two oscillators under white noise (Jeng, Kasai and Maison 1992): the gap is sqrt(uA^2 + uB^2 - 2 rho uA uB)."""
+    """Correlation rho of two oscillators under white noise (Jeng, Kasai and Maison 1992): the gap is sqrt(uA^2 + uB^2 -
+    2 rho uA uB)."""
     r = period_a / period_b
     above = 8 * math.sqrt(damping_a * damping_b) * (damping_a + r * damping_b) * r**1.5
-    return above / ((1 - r * r)**2 + 4 * damping_a * damping_b * r * (1 + r * r) + 4 * (damping_a**2 + damping_b**2) * r * r)
+    return above / (
+        (1 - r * r) ** 2 + 4 * damping_a * damping_b * r * (1 + r * r) + 4 * (damping_a**2 + damping_b**2) * r * r
+    )

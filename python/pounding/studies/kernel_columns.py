@@ -13,7 +13,11 @@ from pounding.studies.quantities import OF_GAPS, OF_LINKS, OF_STRUCTURES, SUMS
 #: Error of a step of the kernel, as a part of the tolerance of the model: the errors of many impacts add up.
 PART_OF_TOLERANCE, LARGEST, SMALLEST = 0.2, 2e-5, 1e-12
 #: Quantities of links by their names in the columns of the kernel.
-OF_KERNEL = {"force": "peak_force", "penetration": "peak_penetration", **{word: word for word in OF_LINKS if word not in ("force", "penetration")}}
+OF_KERNEL = {
+    "force": "peak_force",
+    "penetration": "peak_penetration",
+    **{word: word for word in OF_LINKS if word not in ("force", "penetration")},
+}
 
 
 @dataclass
@@ -29,7 +33,8 @@ class Found:
 
 
 def column_of(column: str, found: Found) -> np.ndarray:
-    """[row] one column of the table, as Kept.of makes it from a summary. Raises InputError for a link that is not there."""
+    """[row] one column of the table, as Kept.of makes it from a summary. Raises InputError for a link that is not
+    there."""
     quantity, _, rest = column.partition(".")
     if quantity in OF_STRUCTURES:
         if rest.endswith(".ratio"):
@@ -37,7 +42,9 @@ def column_of(column: str, found: Found) -> np.ndarray:
             alone = _most(found.alone[name][quantity])
             with np.errstate(invalid="ignore", divide="ignore"):
                 return np.where(alone != 0, _most(found.structures[name][quantity]) / alone, np.nan)
-        return _most((found.alone if rest.endswith(".alone") else found.structures)[rest.removesuffix(".alone")][quantity])
+        return _most(
+            (found.alone if rest.endswith(".alone") else found.structures)[rest.removesuffix(".alone")][quantity]
+        )
     if quantity in OF_GAPS:
         return np.maximum(0, found.gaps[quantity].max(axis=1, initial=0)) if found.links else np.zeros(_rows(found))
     if rest and rest not in found.links:
@@ -60,11 +67,17 @@ def _rows(found: Found) -> int:
     return len(next(iter(found.contacts.values())))
 
 
-def separations(closing: np.ndarray, left: np.ndarray, right: np.ndarray, correlation: np.ndarray) -> dict[str, np.ndarray]:
+def separations(
+    closing: np.ndarray, left: np.ndarray, right: np.ndarray, correlation: np.ndarray
+) -> dict[str, np.ndarray]:
     """Gaps by the run without links, and by rules from the peaks of both ends."""
     squares = left * left + right * right
-    return {"required_gap": closing, "gap_abs": left + right, "gap_srss": np.sqrt(squares),
-            "gap_ddc": np.sqrt(np.maximum(0, squares - 2 * correlation * left * right))}
+    return {
+        "required_gap": closing,
+        "gap_abs": left + right,
+        "gap_srss": np.sqrt(squares),
+        "gap_ddc": np.sqrt(np.maximum(0, squares - 2 * correlation * left * right)),
+    }
 
 
 def step_error(tolerance: float) -> float:

@@ -1,7 +1,8 @@
 """The engine of linear structures: the compiled kernel runs them in modal coordinates, thousands of rows in a second.
 
-Two oscillators go as columns. Every other model is read for each set of values of its factors and brought into modal coordinates. Which rows the
-kernel takes follows from each row alone, so that the bits of a table do not depend on chunks."""
+Two oscillators go as columns. Every other model is read for each set of values of its factors and brought into modal
+coordinates. Which rows the kernel takes follows from each row alone, so that the bits of a table do not depend on
+chunks."""
 
 from __future__ import annotations
 
@@ -24,8 +25,8 @@ from pounding.studies.template import Template
 
 #: Words of `analysis:` that the kernel follows; the others say how the solver shall run.
 ANALYSIS = ("duration", "tolerance", "output_step")
-#: Modes times the largest omega h of a model (1 at least), beyond which the solver takes less time: 35 modes of shear buildings with 93 take the kernel
-#: a fifth of the solver's time, 70 modes of two frames with 1150 twice as much.
+#: Modes times the largest omega h of a model (1 at least), beyond which the solver takes less time: 35 modes of shear
+#: buildings with 93 take the kernel a fifth of the solver's time, 70 modes of two frames with 1150 twice as much.
 MOST_WORK = 400
 #: Models in modal coordinates that are kept; rows that follow each other share one at all levels.
 KEPT_MODELS = 256
@@ -49,14 +50,21 @@ class KernelEngine:
         done = nothing_of(batch)
         ready = _ready(batch.template)
         groups: dict[tuple[Any, ...], list[int]] = {}
-        for i, key in enumerate(zip(batch.record.tolist(), batch.scale.tolist(), map(tuple, batch.values[:, ready.labels].tolist()))):
+        for i, key in enumerate(
+            zip(batch.record.tolist(), batch.scale.tolist(), map(tuple, batch.values[:, ready.labels].tolist()))
+        ):
             groups.setdefault(key, []).append(i)
         for (record, scale, labels), members in groups.items():
             begin = perf_counter()
             chosen = np.array(members)
             try:
                 motion = ready.prepared.motion(record, scale, batch.files)
-                reasons = ready.run(labels, batch.values[chosen], motion, lambda found, rows: self._fill(done, chosen[rows], found, batch.template.kept))
+                reasons = ready.run(
+                    labels,
+                    batch.values[chosen],
+                    motion,
+                    lambda found, rows: self._fill(done, chosen[rows], found, batch.template.kept),
+                )
             except (InputError, OSError) as error:
                 reasons = dict.fromkeys(range(len(chosen)), str(error))
             done.reasons.update({int(batch.rows[chosen[i]]): why for i, why in reasons.items()})
@@ -66,10 +74,16 @@ class KernelEngine:
     @staticmethod
     def _fill(done: Done, rows: np.ndarray, found: Found, kept: Kept) -> None:
         ran = np.array([i for i in range(len(rows)) if i not in found.reasons], dtype=np.int64)
-        values = np.column_stack([column_of(column, found) for column in kept.columns]) if kept.columns else np.empty((len(rows), 0))
+        values = (
+            np.column_stack([column_of(column, found) for column in kept.columns])
+            if kept.columns
+            else np.empty((len(rows), 0))
+        )
         if kept.undefined_limits(values[ran]):
             # The solver refuses these rows by name.
-            found.reasons.update((i, "a quantity with a limit is undefined") for i in ran.tolist() if kept.undefined_limits(values[[i]]))
+            found.reasons.update(
+                (i, "a quantity with a limit is undefined") for i in ran.tolist() if kept.undefined_limits(values[[i]])
+            )
             ran = np.array([i for i in ran.tolist() if i not in found.reasons], dtype=np.int64)
         done.values[rows[ran]] = values[ran]
         done.status[rows[ran]] = np.where(kept.exceeded(values[ran]), EXCEEDED, DONE)
@@ -94,8 +108,15 @@ class _Ready:
         self.accelerations = "acceleration" in quantities
         self.alone = template.kept.needs_comparison
 
-    def run(self, labels: tuple[float, ...], values: np.ndarray, motion: core.RowMotion | None, take: Callable[[Found, np.ndarray], None]) -> dict[int, str]:
-        """Runs rows of one motion and hands over what it found; returns why rows were not run. Raises InputError, OSError."""
+    def run(
+        self,
+        labels: tuple[float, ...],
+        values: np.ndarray,
+        motion: core.RowMotion | None,
+        take: Callable[[Found, np.ndarray], None],
+    ) -> dict[int, str]:
+        """Runs rows of one motion and hands over what it found; returns why rows were not run. Raises InputError,
+        OSError."""
         if motion is None or motion.step == 0:
             return dict.fromkeys(range(len(values)), "the kernel takes records with an even step from time 0 on")
         numbers = self.prepared.places.numbers(values)
@@ -122,11 +143,15 @@ class _Ready:
         return reasons
 
     def _way(self, numbers: np.ndarray, motion: core.RowMotion) -> Pairs | str:
-        """How rows of these labels run, by the model as it was given: as pairs, each by its modes (""), or why not at all. No value of a row has a say
-        in it, so that the way of a row depends on no other one."""
+        """How rows of these labels run, by the model as it was given: as pairs, each by its modes (""), or why not at
+        all. No value of a row has a say in it, so that the way of a row depends on no other one."""
         template = self.prepared.template
-        texts = [text if template.factors[j].labels else str(at(template.model, keys))
-                 for j, keys, text in zip(self.prepared.places.factor, self.prepared.places.keys, self.prepared.places.texts(numbers))]
+        texts = [
+            text if template.factors[j].labels else str(at(template.model, keys))
+            for j, keys, text in zip(
+                self.prepared.places.factor, self.prepared.places.keys, self.prepared.places.texts(numbers)
+            )
+        ]
         try:
             self.prepared.put_texts(texts)
             row = self.prepared.linear(motion, False, False)
@@ -139,11 +164,14 @@ class _Ready:
 
     def _one(self, row: np.ndarray, motion: core.RowMotion) -> Found:
         """Any model, by its modes. Its duration may be that of the motion, so that a model goes with one."""
+
         def make() -> core.LinearRow:
             self.prepared.put(row)
             return self.prepared.linear(motion, self.accelerations, self.alone)
 
-        return run_modes(self._models.get((row.tobytes(), motion.duration), make), motion, self.accelerations, self.alone)
+        return run_modes(
+            self._models.get((row.tobytes(), motion.duration), make), motion, self.accelerations, self.alone
+        )
 
 
 def run_modes(row: core.LinearRow, motion: core.RowMotion, accelerations: bool, alone: bool) -> Found:
@@ -164,12 +192,18 @@ def run_modes(row: core.LinearRow, motion: core.RowMotion, accelerations: bool, 
     return found
 
 
-def _by_structure(row: core.LinearRow, outputs: np.ndarray, accelerations: bool) -> tuple[dict[str, dict[str, np.ndarray]], np.ndarray]:
+def _by_structure(
+    row: core.LinearRow, outputs: np.ndarray, accelerations: bool
+) -> tuple[dict[str, dict[str, np.ndarray]], np.ndarray]:
     found, next_output = {}, 0
     for name, floors, has_storeys in row.structures:
         parts = {}
-        for quantity, count in (("displacement", floors), ("drift", floors if has_storeys else 0), ("acceleration", floors if accelerations else 0)):
-            parts[quantity] = outputs[:, next_output:next_output + count]
+        for quantity, count in (
+            ("displacement", floors),
+            ("drift", floors if has_storeys else 0),
+            ("acceleration", floors if accelerations else 0),
+        ):
+            parts[quantity] = outputs[:, next_output : next_output + count]
             next_output += count
         found[name] = parts
     return found, outputs[:, next_output:]

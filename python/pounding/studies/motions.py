@@ -75,7 +75,8 @@ def mean_of_horizontal(values: Mapping[str, float]) -> float:
 
 @dataclass(frozen=True)
 class Intensity:
-    """How strong a motion is: pga, sa (pseudo-acceleration at a period) or avg_sa (geometric mean over a range of periods)."""
+    """How strong a motion is: pga, sa (pseudo-acceleration at a period) or avg_sa (geometric mean over a range of
+    periods)."""
 
     measure: str = "pga"
     period: tuple[float, float] = (0.0, 0.0)  #: [s]; both the same for sa
@@ -83,21 +84,37 @@ class Intensity:
     levels: tuple[float, ...] = ()  #: [m/s^2]; none for motions as they are
 
     def of(self, motion: Motion, files: Files) -> float:
-        """The intensity of an unscaled motion [m/s^2], of horizontal components the geometric mean. Raises InputError for a measure that the
-        motion does not have."""
+        """The intensity of an unscaled motion [m/s^2], of horizontal components the geometric mean. Raises InputError
+        for a measure that the motion does not have."""
         if self.measure == "pga":
             return motion.pga
         if not motion.is_record:
-            raise InputError(f"study.intensity.measure: {self.measure} is known of records; with artificial earthquakes or the model's own motion "
-                             "type measure: pga")
+            raise InputError(
+                f"study.intensity.measure: {self.measure} is known of records; with artificial earthquakes or the model's own motion "
+                "type measure: pga"
+            )
         periods = np.geomspace(*self.period, 20) if self.measure == "avg_sa" else np.array(self.period[:1])
-        return mean_of_horizontal({axis: self._of_record(part, periods, files) for axis, part in motion.parts.items() if axis != "z" or len(motion.parts) == 1})
+        return mean_of_horizontal(
+            {
+                axis: self._of_record(part, periods, files)
+                for axis, part in motion.parts.items()
+                if axis != "z" or len(motion.parts) == 1
+            }
+        )
 
     def _of_record(self, part: Mapping[str, Any], periods: np.ndarray, files: Files) -> float:
         name = str(part["record"])
-        _, sd, _ = core.record_spectrum(name, str(part.get("units", "")), str(part.get("channel", "")), periods.tolist(), self.damping, step_of(part),
-                                        files.content(name))
-        # A record that does not move, or a period so long that nothing is left of its acceleration, has the intensity 0.
+        _, sd, _ = core.record_spectrum(
+            name,
+            str(part.get("units", "")),
+            str(part.get("channel", "")),
+            periods.tolist(),
+            self.damping,
+            step_of(part),
+            files.content(name),
+        )
+        # A record that does not move, or a period so long that nothing is left of its acceleration, has the intensity
+        # 0.
         with np.errstate(divide="ignore", under="ignore"):
             return abs(factor_of(part)) * float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
 
@@ -110,10 +127,14 @@ def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
     measure = one.get("measure")
     if measure not in ("pga", "sa", "avg_sa"):
         asked = "levels need the measure that they are of" if measure is None else f"{measure!r} was read"
-        raise InputError(f"study.intensity: {asked}; type measure: pga, measure: sa with period: 1 s, or measure: avg_sa")
+        raise InputError(
+            f"study.intensity: {asked}; type measure: pga, measure: sa with period: 1 s, or measure: avg_sa"
+        )
     damping = words.quantity(one.get("damping", 0.05), "study.intensity.damping")[0]
     if not 0 <= damping < 1:
-        raise InputError(f"study.intensity.damping: takes a share from 0 to 100 %, such as 5 %; {one['damping']} was read")
+        raise InputError(
+            f"study.intensity.damping: takes a share from 0 to 100 %, such as 5 %; {one['damping']} was read"
+        )
     levels: list[float] = []
     if "levels" in one:
         levels, unit = words.quantities(one["levels"], "study.intensity.levels")
@@ -127,7 +148,9 @@ def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
     span = (0.0, 0.0)
     if measure == "sa":
         if "period" not in one:
-            raise InputError("study.intensity: sa needs its period, as in period: 1 s; for two structures measure: avg_sa serves both")
+            raise InputError(
+                "study.intensity: sa needs its period, as in period: 1 s; for two structures measure: avg_sa serves both"
+            )
         value, unit = words.quantity(one["period"], "study.intensity.period")
         words.same_unit(unit, "s", "study.intensity.period", "1 s")
         words.no_percent(one["period"], "study.intensity.period", "s", "1 s")
@@ -159,20 +182,39 @@ def step_of(part: Mapping[str, Any]) -> float:
 def read_file(name: str, options: Mapping[str, str], files: Files, event: str = "", component: str = "") -> Motion:
     """The motion of one file. Raises InputError where it is no record."""
     content = files.content(name)
-    points, step, duration, pga, warnings = core.record_measures(name, options.get("units", ""), options.get("channel", ""), step_of(options), content)
-    return Motion(Path(name).name, {"record": name, **options}, event or Path(name).stem, component, points, step, duration, pga,
-                  digest=hashlib.sha256(content).hexdigest(), warnings=tuple(f"record {Path(name).name}: {text}" for text in warnings))
+    points, step, duration, pga, warnings = core.record_measures(
+        name, options.get("units", ""), options.get("channel", ""), step_of(options), content
+    )
+    return Motion(
+        Path(name).name,
+        {"record": name, **options},
+        event or Path(name).stem,
+        component,
+        points,
+        step,
+        duration,
+        pga,
+        digest=hashlib.sha256(content).hexdigest(),
+        warnings=tuple(f"record {Path(name).name}: {text}" for text in warnings),
+    )
 
 
 def joined(parts: Mapping[str, Motion]) -> Motion:
     """One motion of several components."""
     every = list(parts.values())
     steps = {motion.step for motion in every}
-    return Motion(" + ".join(motion.name for motion in every), {"components": {axis: motion.words for axis, motion in parts.items()}}, every[0].event,
-                  " + ".join(motion.component or axis for axis, motion in parts.items()), every[0].points, steps.pop() if len(steps) == 1 else 0.0,
-                  max(motion.duration for motion in every), mean_of_horizontal({axis: motion.pga for axis, motion in parts.items()}),
-                  digest=hashlib.sha256("".join(motion.digest for motion in every).encode()).hexdigest(),
-                  warnings=tuple(text for motion in every for text in motion.warnings))
+    return Motion(
+        " + ".join(motion.name for motion in every),
+        {"components": {axis: motion.words for axis, motion in parts.items()}},
+        every[0].event,
+        " + ".join(motion.component or axis for axis, motion in parts.items()),
+        every[0].points,
+        steps.pop() if len(steps) == 1 else 0.0,
+        max(motion.duration for motion in every),
+        mean_of_horizontal({axis: motion.pga for axis, motion in parts.items()}),
+        digest=hashlib.sha256("".join(motion.digest for motion in every).encode()).hexdigest(),
+        warnings=tuple(text for motion in every for text in motion.warnings),
+    )
 
 
 def measured(motions: Sequence[Motion], intensity: Intensity | None, files: Files) -> list[Motion]:
@@ -181,8 +223,10 @@ def measured(motions: Sequence[Motion], intensity: Intensity | None, files: File
         return list(motions)
     for motion in motions:
         if np.isnan(motion.pga):
-            raise InputError("study.intensity: the motion of the model cannot be scaled; name records, as in records: {files: records/*.AT2}, or give the "
-                             "model an artificial earthquake (synthetic)")
+            raise InputError(
+                "study.intensity: the motion of the model cannot be scaled; name records, as in records: {files: records/*.AT2}, or give the "
+                "model an artificial earthquake (synthetic)"
+            )
     return [replace(motion, intensity=intensity.of(motion, files)) for motion in motions]
 
 
@@ -197,18 +241,36 @@ def repeated(motions: Sequence[Motion]) -> list[str]:
     """A warning of records that are named twice, which are no independent samples."""
     counts = Counter(f"{motion.name}: {motion.words}" for motion in motions if motion.is_record)
     again = [text.partition(": ")[0] for text, count in counts.items() if count > 1]
-    return [f"study.records: {words.few(again)}: named more than once, and every time a sample of its own; name each record once"] if again else []
+    return (
+        [
+            f"study.records: {words.few(again)}: named more than once, and every time a sample of its own; name each record once"
+        ]
+        if again
+        else []
+    )
 
 
 def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
     """Warnings of records that the model or the intensity scales."""
     if intensity is None or not intensity.levels:
         scales = [abs(factor_of(part)) for motion in motions for part in motion.parts.values() if "scale" in part]
-        return [f"scale or pga of the model's ground_motion applies to the records of the study, which are scaled by {min(scales):.3g} to {max(scales):.3g}; remove it to "
-                "use them as recorded, or type levels of an intensity"] if scales else []
-    scales = [max(intensity.levels) / motion.intensity * max(abs(factor_of(part)) for part in motion.parts.values()) for motion in motions if motion.digest]
+        return (
+            [
+                f"scale or pga of the model's ground_motion applies to the records of the study, which are scaled by {min(scales):.3g} to {max(scales):.3g}; remove it to "
+                "use them as recorded, or type levels of an intensity"
+            ]
+            if scales
+            else []
+        )
+    scales = [
+        max(intensity.levels) / motion.intensity * max(abs(factor_of(part)) for part in motion.parts.values())
+        for motion in motions
+        if motion.digest
+    ]
     if not scales or max(scales) <= PLAUSIBLE_SCALE:
         return []
     far = sum(scale > PLAUSIBLE_SCALE for scale in scales)
-    return [f"{far} of {len(motions)} records are scaled by more than {PLAUSIBLE_SCALE:g} at the highest level, at most by {max(scales):.3g}; such motions "
-            "are milder in their shape than strong ones recorded, and curves from them are biased"]
+    return [
+        f"{far} of {len(motions)} records are scaled by more than {PLAUSIBLE_SCALE:g} at the highest level, at most by {max(scales):.3g}; such motions "
+        "are milder in their shape than strong ones recorded, and curves from them are biased"
+    ]

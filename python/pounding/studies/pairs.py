@@ -27,8 +27,17 @@ Keys = tuple[str | int, ...]
 class Pairs:
     """Columns of the pairs of one study and one set of labels: constants of the model, and numbers of places."""
 
-    def __init__(self, names: Sequence[str], link: Mapping[str, Any], pairs: Mapping[str, Keys], parameters: Mapping[str, Keys], constants: Mapping[Keys, float],
-                 places: Mapping[Keys, int], duration: float, tolerance: float) -> None:
+    def __init__(
+        self,
+        names: Sequence[str],
+        link: Mapping[str, Any],
+        pairs: Mapping[str, Keys],
+        parameters: Mapping[str, Keys],
+        constants: Mapping[Keys, float],
+        places: Mapping[Keys, int],
+        duration: float,
+        tolerance: float,
+    ) -> None:
         self.names = names  #: of the structures, the left one first
         self.law, self.formula = str(link["law"]), str(link.get("formula", ""))
         self.link = str(link.get("name", "-".join(names)))
@@ -37,8 +46,9 @@ class Pairs:
 
     @classmethod
     def of(cls, prepared: Prepared, texts: Sequence[str], row: core.LinearRow) -> Pairs | None:
-        """The pairs of a template, with these texts in its places; None for other models, which go by their modes. `row` is such a model: what it
-        says holds for all rows, since no value of a column makes a linear pair another one."""
+        """The pairs of a template, with these texts in its places; None for other models, which go by their modes.
+        `row` is such a model: what it says holds for all rows, since no value of a column makes a linear pair another
+        one."""
         model = copy.deepcopy(prepared.template.model)
         for keys, text in zip(prepared.places.keys, texts):
             put(model, keys, text)
@@ -47,14 +57,20 @@ class Pairs:
             return None
         link = model["links"][0]
         pairs: dict[str, Keys] = {"gap": ("links", 0, "gap")}
-        pairs |= {f"{word}_{side}": ("structures", name, *_home(model["structures"][name], word), word)
-                  for side, name in zip(("left", "right"), names) for word in OSCILLATOR}
+        pairs |= {
+            f"{word}_{side}": ("structures", name, *_home(model["structures"][name], word), word)
+            for side, name in zip(("left", "right"), names)
+            for word in OSCILLATOR
+        }
         entry = next(one for one in core.catalogue() if one["name"] == link["law"])
         known = ("restitution", "impact_velocity", *(one[0] for one in entry["parameters"]))
         parameters: dict[str, Keys] = {word: ("links", 0, word) for word in link if word in known}
         columns = {*pairs.values(), *parameters.values()}
         places = {keys: i for i, keys in enumerate(prepared.places.keys)}
-        if not set(link) <= {*known, *LINK} or not set(places) <= columns | {("links", 0, "law"), ("links", 0, "formula")}:
+        if not set(link) <= {*known, *LINK} or not set(places) <= columns | {
+            ("links", 0, "law"),
+            ("links", 0, "formula"),
+        }:
             return None
         analysis = model.get("analysis") or {}
         duration = words.quantity(analysis["duration"], "")[0] if "duration" in analysis else 0.0
@@ -76,16 +92,35 @@ class Pairs:
         options: dict[str, Any] = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
         # One row at least stands in a column, for the number of rows.
         pairs["gap"] = np.broadcast_to(pairs["gap"], count)
-        ran = core.study_pairs(pairs, self.law, self.formula, parameters, record, motion.step, required_gap=False, **options)
-        found = Found(dict(ran["reasons"]), [self.link], self._by_structure(ran, accelerations),
-                      {quantity: np.asarray(ran[key])[:, None] for quantity, key in OF_KERNEL.items()})
+        ran = core.study_pairs(
+            pairs, self.law, self.formula, parameters, record, motion.step, required_gap=False, **options
+        )
+        found = Found(
+            dict(ran["reasons"]),
+            [self.link],
+            self._by_structure(ran, accelerations),
+            {quantity: np.asarray(ran[key])[:, None] for quantity, key in OF_KERNEL.items()},
+        )
         if alone:
-            apart = core.study_pairs({**pairs, "gap": np.full(count, FAR)}, self.law, self.formula, parameters, record, motion.step, required_gap=True, **options)
+            apart = core.study_pairs(
+                {**pairs, "gap": np.full(count, FAR)},
+                self.law,
+                self.formula,
+                parameters,
+                record,
+                motion.step,
+                required_gap=True,
+                **options,
+            )
             found.reasons.update(apart["reasons"])
             found.alone = self._by_structure(apart, accelerations)
             left, right = (np.asarray(apart["displacement"])[:, [k]] for k in (0, 1))
-            correlation = core.double_difference(pairs["period_left"], pairs["damping_left"], pairs["period_right"], pairs["damping_right"])
-            found.gaps = separations(np.asarray(apart["required_gap"])[:, None], left, right, np.reshape(correlation, (-1, 1)))
+            correlation = core.double_difference(
+                pairs["period_left"], pairs["damping_left"], pairs["period_right"], pairs["damping_right"]
+            )
+            found.gaps = separations(
+                np.asarray(apart["required_gap"])[:, None], left, right, np.reshape(correlation, (-1, 1))
+            )
         return found
 
     def _column(self, keys: Keys, numbers: np.ndarray) -> Any:
@@ -108,10 +143,17 @@ def _names_of_pair(model: Mapping[str, Any]) -> list[str] | None:
     if not isinstance(links, list) or len(links) != 1 or "devices" in model or len(structures) != 2:
         return None
     names = links[0].get("between")
-    if not isinstance(names, list) or len(names) != 2 or set(map(str, names)) != set(structures) or not {"gap", "law"} <= set(links[0]):
+    if (
+        not isinstance(names, list)
+        or len(names) != 2
+        or set(map(str, names)) != set(structures)
+        or not {"gap", "law"} <= set(links[0])
+    ):
         return None
     for one in structures.values():
-        if not set(one) <= {"oscillator", "damping"} or sorted([*one["oscillator"], *set(one) - {"oscillator"}]) != sorted(OSCILLATOR):
+        if not set(one) <= {"oscillator", "damping"} or sorted(
+            [*one["oscillator"], *set(one) - {"oscillator"}]
+        ) != sorted(OSCILLATOR):
             return None
     return list(names)
 

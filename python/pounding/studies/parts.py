@@ -58,11 +58,14 @@ class Parts:
         foreign = sorted(name for name in names if not _OWN.fullmatch(name))
         if foreign and PLAN not in names:
             others = " and others" if len(foreign) > 1 else ""
-            raise InputError(f"{self.folder} exists and is no folder of a study: it holds {foreign[0]}{others}. "
-                             "Name another table, or move the folder away")
+            raise InputError(
+                f"{self.folder} exists and is no folder of a study: it holds {foreign[0]}{others}. "
+                "Name another table, or move the folder away"
+            )
 
     def plan(self) -> dict[str, Any] | None:
-        """Digest and description of the plan whose chunks the folder holds; None for a new folder. Raises NotResults."""
+        """Digest and description of the plan whose chunks the folder holds; None for a new folder. Raises
+        NotResults."""
         path = self.folder / PLAN
         if not path.exists():
             return None
@@ -70,7 +73,9 @@ class Parts:
             kept = json.loads(path.read_text(encoding="utf-8"))
             return {"digest": str(kept["digest"]), "plan": dict(kept["plan"])}
         except (OSError, ValueError, TypeError, KeyError):
-            raise NotResults(f"{path} is damaged. Remove {self.folder} if no file in it is yours; its rows run again") from None
+            raise NotResults(
+                f"{path} is damaged. Remove {self.folder} if no file in it is yours; its rows run again"
+            ) from None
 
     def begin(self, plan: Mapping[str, Any]) -> None:
         """Writes the plan. Raises OSError."""
@@ -85,8 +90,15 @@ class Parts:
         """Writes a chunk. Raises OSError."""
         told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
         written = io.BytesIO()
-        np.savez(written, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds,
-                 told=np.array(told))
+        np.savez(
+            written,
+            rows=done.rows,
+            values=done.values,
+            status=done.status,
+            engine=done.engine,
+            seconds=done.seconds,
+            told=np.array(told),
+        )
         content = written.getvalue()
         self._write(f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz", content)
 
@@ -119,5 +131,11 @@ def _read_chunk(path: Path) -> Done:
         raise NotResults(f"{path} is damaged. Remove it; its rows run again")
     with np.load(io.BytesIO(content), allow_pickle=False) as part:
         told = json.loads(str(part["told"]))
-        return Done(part["rows"], part["values"], part["status"], part["engine"], part["seconds"],
-                    {int(row): why for row, why in told["reasons"].items()})
+        return Done(
+            part["rows"],
+            part["values"],
+            part["status"],
+            part["engine"],
+            part["seconds"],
+            {int(row): why for row, why in told["reasons"].items()},
+        )

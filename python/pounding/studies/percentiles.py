@@ -22,10 +22,13 @@ class Percentiles:
 
     @takes(value=number(), percent=number(0, 100))
     def im_at(self, value: float, percent: float) -> float:
-        """The intensity at which a percentile of the quantity first reaches a value, straight between levels; infinite where none does.
-        The p-th percentile of the quantity given im belongs to the (100 - p)-th of im given the quantity."""
+        """The intensity at which a percentile of the quantity first reaches a value, straight between levels; infinite
+        where none does. The p-th percentile of the quantity given im belongs to the (100 - p)-th of im given the
+        quantity."""
         if percent not in self.percent:
-            raise InputError(f"there is no percentile {percent:g}; there is {', '.join(f'{one:g}' for one in self.percent)}")
+            raise InputError(
+                f"there is no percentile {percent:g}; there is {', '.join(f'{one:g}' for one in self.percent)}"
+            )
         curve = self.values[self.percent.index(percent)]
         above = np.flatnonzero(curve >= value)
         if not above.size:
@@ -33,7 +36,7 @@ class Percentiles:
         i = int(above[0])
         if i == 0 or not np.isfinite(curve[i]):
             return float(self.im[i])
-        return float(np.interp(value, curve[i - 1:i + 1], self.im[i - 1:i + 1]))
+        return float(np.interp(value, curve[i - 1 : i + 1], self.im[i - 1 : i + 1]))
 
 
 @dataclass(frozen=True)
@@ -67,7 +70,14 @@ def at_levels(im: np.ndarray, values: np.ndarray, percent: Sequence[float]) -> P
     return Percentiles(levels, tuple(float(p) for p in percent), found, np.bincount(which, minlength=len(levels)))
 
 
-def over_two(across: np.ndarray, along: np.ndarray, values: np.ndarray, finished: np.ndarray, percent: float, names: tuple[str, str]) -> Map:
+def over_two(
+    across: np.ndarray,
+    along: np.ndarray,
+    values: np.ndarray,
+    finished: np.ndarray,
+    percent: float,
+    names: tuple[str, str],
+) -> Map:
     """A percentile of the finished rows at every pair of values."""
     x, i = np.unique(across, return_inverse=True)
     y, j = np.unique(along, return_inverse=True)

@@ -21,9 +21,11 @@ GRAVITY = 9.80665  #: [m/s^2]
 PICTURES = ("fragility", "ida", "gap", "map", "tornado")
 
 
-def study_figure(study: Rows, picture: str, column: str | None = None, *, size: tuple[float, float] = (5.0, 3.4), **options: Any) -> Figure:
-    """One picture. Options are those of the reading: limit for a fragility, across and along for a map, values of factors for all but
-    map and tornado. Raises InputError."""
+def study_figure(
+    study: Rows, picture: str, column: str | None = None, *, size: tuple[float, float] = (5.0, 3.4), **options: Any
+) -> Figure:
+    """One picture. Options are those of the reading: limit for a fragility, across and along for a map, values of
+    factors for all but map and tornado. Raises InputError."""
     if picture not in PICTURES:
         raise InputError(f'there is no picture "{picture}"; there is {", ".join(PICTURES)}')
     if column is None and picture != "gap":
@@ -32,7 +34,13 @@ def study_figure(study: Rows, picture: str, column: str | None = None, *, size: 
 
     from pounding.pictures.style import STYLE, Picture
 
-    ways: dict[str, Callable[..., None]] = {"fragility": _fragility, "ida": _ida, "gap": _gap, "map": _map, "tornado": _tornado}
+    ways: dict[str, Callable[..., None]] = {
+        "fragility": _fragility,
+        "ida": _ida,
+        "gap": _gap,
+        "map": _map,
+        "tornado": _tornado,
+    }
     arguments.options_of(ways[picture], options, 3)
     size = arguments.size("size", size)
     with rc_context(STYLE):
@@ -83,7 +91,9 @@ def _fragility(axes: Axes, study: Rows, column: str, limit: float | str | None =
     axes.plot(curve.im / GRAVITY, share, "o", color="black", markersize=4, label=f"share of rows, {condition}")
     if curve.is_finite:
         im = np.linspace(1e-3, 1.2 * curve.im.max(), 300)
-        axes.plot(im / GRAVITY, curve.probability(im), label=f"theta {curve.theta / GRAVITY:.3g} g, beta {curve.beta:.3g}")
+        axes.plot(
+            im / GRAVITY, curve.probability(im), label=f"theta {curve.theta / GRAVITY:.3g} g, beta {curve.beta:.3g}"
+        )
         if curve.boot is not None and len(curve.boot):
             axes.fill_between(im / GRAVITY, *curve.band(im), alpha=0.2, label="5 to 95 %, records drawn again")
     else:
@@ -104,13 +114,36 @@ def _ida(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     for record, point in curves:
         rows = chosen & (study["record"] == record) & (study["point"] == point)
         order = np.argsort(study["im"][rows])
-        axes.plot(_drawn(study[column][rows][order], edge) / divisor, study["im"][rows][order] / GRAVITY, color="0.75", linewidth=0.6, marker="o", markersize=2, label=name)
+        axes.plot(
+            _drawn(study[column][rows][order], edge) / divisor,
+            study["im"][rows][order] / GRAVITY,
+            color="0.75",
+            linewidth=0.6,
+            marker="o",
+            markersize=2,
+            label=name,
+        )
         name = None
     for percent, curve, style in zip(found.percent, found.values, ("--", "-", "--")):
         finite = np.isfinite(curve)
-        axes.plot(curve[finite] / divisor, found.im[finite] / GRAVITY, style, color="black", marker="o", markersize=3, label=f"{percent:g} %")
+        axes.plot(
+            curve[finite] / divisor,
+            found.im[finite] / GRAVITY,
+            style,
+            color="black",
+            marker="o",
+            markersize=3,
+            label=f"{percent:g} %",
+        )
     if (infinite := chosen & np.isinf(study[column])).any():
-        axes.plot(np.full(int(infinite.sum()), edge) / divisor, study["im"][infinite] / GRAVITY, ">", color="tab:red", markersize=4, label="collapsed")
+        axes.plot(
+            np.full(int(infinite.sum()), edge) / divisor,
+            study["im"][infinite] / GRAVITY,
+            ">",
+            color="tab:red",
+            markersize=4,
+            label="collapsed",
+        )
     axes.set(xlabel=label, ylabel=_im_label(study))
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
@@ -120,13 +153,24 @@ def _ida(axes: Axes, study: Rows, column: str, **values: Any) -> None:
 def _gap(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     curve = study.gaps(**values)
     gap = np.linspace(0, _edge(curve.gap), 200)
-    axes.plot(1e3 * gap, [curve.exceedance(f"{one!r} m") for one in gap.tolist()], color="black", label="share of rows that need more")
+    axes.plot(
+        1e3 * gap,
+        [curve.exceedance(f"{one!r} m") for one in gap.tolist()],
+        color="black",
+        label="share of rows that need more",
+    )
     low, high = np.array([curve.band(f"{one!r} m") for one in gap.tolist()]).T
     axes.fill_between(1e3 * gap, low, high, alpha=0.2, label=f"90 % (Clopper and Pearson, {curve.independent} events)")
     for name, style in zip(curve.rules, ("--", "-.", ":")):
         if not np.isfinite(np.median(curve.rules[name])):
             continue
-        axes.axvline(1e3 * float(np.median(curve.rules[name])), linestyle=style, color="tab:red", linewidth=1, label=f"{name.upper()}, median")
+        axes.axvline(
+            1e3 * float(np.median(curve.rules[name])),
+            linestyle=style,
+            color="tab:red",
+            linewidth=1,
+            label=f"{name.upper()}, median",
+        )
     axes.set(xlabel="gap [mm]", ylabel="probability of contact", ylim=(0, 1))
     axes.set_xlim(left=0)
     axes.legend(fontsize=7)
@@ -140,10 +184,19 @@ def _map(axes: Axes, study: Rows, column: str, across: str, along: str, percent:
     drawn = np.ma.masked_where(np.isnan(found.values), _drawn(found.values, _edge(found.values)) / depth)
     # Percentiles that are infinite have the colour beyond the others.
     infinite = np.isinf(found.values).any()
-    low, high = (0, float(found.values[np.isfinite(found.values)].max(initial=0)) / depth or 0.5) if infinite else (None, None)
+    low, high = (
+        (0, float(found.values[np.isfinite(found.values)].max(initial=0)) / depth or 0.5) if infinite else (None, None)
+    )
     colours = colormaps["viridis"].with_extremes(over="tab:red")
-    mesh = axes.pcolormesh(found.across / width, found.along / height, drawn, shading="nearest", cmap=colours, vmin=low, vmax=high)
-    axes.figure.colorbar(mesh, ax=axes, label=f"{label}, {percent:g} %{' (red: collapsed)' if infinite else ''}", extend="max" if infinite else "neither")
+    mesh = axes.pcolormesh(
+        found.across / width, found.along / height, drawn, shading="nearest", cmap=colours, vmin=low, vmax=high
+    )
+    axes.figure.colorbar(
+        mesh,
+        ax=axes,
+        label=f"{label}, {percent:g} %{' (red: collapsed)' if infinite else ''}",
+        extend="max" if infinite else "neither",
+    )
     axes.set(xlabel=xlabel, ylabel=ylabel)
 
 
@@ -156,11 +209,21 @@ def _tornado(axes: Axes, study: Rows, column: str) -> None:
     found = [(name, *_drawn(np.array(both), edge).tolist()) for name, *both in found]
     divisor, label = _axis(study, column)
     for i, (_, low, high) in enumerate(reversed(found)):
-        axes.barh(i, (high - low) / divisor, left=low / divisor, height=0.6, color="tab:blue" if high > low else "tab:orange")
+        axes.barh(
+            i, (high - low) / divisor, left=low / divisor, height=0.6, color="tab:blue" if high > low else "tab:orange"
+        )
     axes.use_sticky_edges = False
     axes.margins(x=0.08)
-    axes.legend(handles=[Patch(color="tab:blue", label="rises with the factor"), Patch(color="tab:orange", label="falls with the factor")], fontsize=7,
-                loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+    axes.legend(
+        handles=[
+            Patch(color="tab:blue", label="rises with the factor"),
+            Patch(color="tab:orange", label="falls with the factor"),
+        ],
+        fontsize=7,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1),
+        ncols=2,
+    )
     axes.set_yticks(range(len(found)), [name for name, _, _ in reversed(found)])
     beyond = "; the right end is collapse" if np.isinf(medians).any() else ""
     axes.set_xlabel(f"median of {label}{beyond}, lowest against highest tenth of each factor")

@@ -42,9 +42,13 @@ class Places:
         """[row, place] in SI, from the [row, factor] of a batch; of a label its number."""
         found = np.empty((len(values), len(self.keys)))
         for i, (j, base) in enumerate(zip(self.factor, self._base)):
-            found[:, i] = values[:, j] if base is None else values[:, j] * (found[:, base] if isinstance(base, int) else base)
+            found[:, i] = (
+                values[:, j] if base is None else values[:, j] * (found[:, base] if isinstance(base, int) else base)
+            )
         return found
 
     def texts(self, numbers: np.ndarray) -> list[str]:
         """Texts for the model, from the numbers of one row."""
-        return [self._factors[j].word(number, held) for j, number, held in zip(self.factor, numbers.tolist(), self._held)]
+        return [
+            self._factors[j].word(number, held) for j, number, held in zip(self.factor, numbers.tolist(), self._held)
+        ]

@@ -40,9 +40,11 @@ MOST_LABELS = 100
 
 @dataclass(frozen=True)
 class Plan:
-    """All rows of a study. Row i depends on the file, the records and the seed alone: on no number of workers, no chunk, no time.
+    """All rows of a study. Row i depends on the file, the records and the seed alone: on no number of workers, no
+    chunk, no time.
 
-    Rows follow each other by record, point of the factors, and level, the last one fastest: one chunk shares a record."""
+    Rows follow each other by record, point of the factors, and level, the last one fastest: one chunk shares a
+    record."""
 
     template: Template
     points: Points
@@ -101,12 +103,25 @@ class Plan:
     def description(self) -> dict[str, Any]:
         """Everything that the rows follow from, for the table and for comparing plans."""
         sample = np.ascontiguousarray(self.points.sample)
-        found = {"model": self.template.model, "factors": [asdict(factor) for factor in self.points.factors],
-                 "sampling": {"way": self.points.way, "count": len(sample), "digest": hashlib.sha256(sample.tobytes()).hexdigest()},
-                 "records": [{key: value for key, value in asdict(motion).items() if key != "warnings"} for motion in self.template.motions],
-                 "intensity": asdict(self.intensity) if self.intensity else None,
-                 "kept": asdict(self.template.kept), "seed": self.seed, "engine": self.template.engine,
-                 "version": core.version, "kernel": core.kernel_version}
+        found = {
+            "model": self.template.model,
+            "factors": [asdict(factor) for factor in self.points.factors],
+            "sampling": {
+                "way": self.points.way,
+                "count": len(sample),
+                "digest": hashlib.sha256(sample.tobytes()).hexdigest(),
+            },
+            "records": [
+                {key: value for key, value in asdict(motion).items() if key != "warnings"}
+                for motion in self.template.motions
+            ],
+            "intensity": asdict(self.intensity) if self.intensity else None,
+            "kept": asdict(self.template.kept),
+            "seed": self.seed,
+            "engine": self.template.engine,
+            "version": core.version,
+            "kernel": core.kernel_version,
+        }
         # Tables of studies without options stay as they are.
         return {**found, **({"options": self.options} if self.options else {}), "files": self.files.digests(found)}
 
@@ -142,10 +157,14 @@ def read_given(name: str | PathLike[str]) -> Given:
     if "model" in parts:
         unknown = [key for key in rest if key != "title"]
         if unknown:
-            raise InputError(f"{name}: beside model: there is {', '.join(unknown)}; put these into {parts['model']}, or all of the model here")
+            raise InputError(
+                f"{name}: beside model: there is {', '.join(unknown)}; put these into {parts['model']}, or all of the model here"
+            )
         return Given(name, text, Model.from_file(Path(name).parent / str(parts["model"])), given)
     if not rest:
-        raise InputError(f"{name}: has study: and no model; type model: FILE.yaml beside it, or structures:, links: and ground_motion: of the model")
+        raise InputError(
+            f"{name}: has study: and no model; type model: FILE.yaml beside it, or structures:, links: and ground_motion: of the model"
+        )
     return Given(name, text, Model._from_text(yaml_text.emit(rest), name), given)
 
 
@@ -153,7 +172,9 @@ def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
     """The plan of a study file. Raises InputError."""
     given = read_given(study)
     if given.words is None:
-        raise InputError(f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {words.STUDY_WORDS['factors']}}}")
+        raise InputError(
+            f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {words.STUDY_WORDS['factors']}}}"
+        )
     return plan_of(given, store)
 
 
@@ -165,7 +186,9 @@ def plan_of(given: Given, store: Path | None = None) -> Plan:
         raise InputError(str(error) if str(error).startswith(given.name) else f"{given.name}: {error}") from None
 
 
-def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None) -> Plan:
+def make_plan(
+    model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None
+) -> Plan:
     """The plan of a model and of the words of `study:`. Raises InputError."""
     one = words.only(yaml_text.plain(given), words.STUDY_WORDS, "study")
     files = Files()
@@ -177,12 +200,16 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     has_records = one.get("records") is not None
     # A model that leaves its motion and its duration to the records is whole with one of them.
     beside = kept_beside(ground)
-    lacks_motion = has_records and (ground is None and "duration" not in (model.analysis or {}) or bool(beside) and beside == ground)
+    lacks_motion = has_records and (
+        ground is None and "duration" not in (model.analysis or {}) or bool(beside) and beside == ground
+    )
     of_model: list[str] = [] if lacks_motion else core.check(model._source())[2]
     seed = words.whole(one.get("seed", 1), "study.seed", 0)
     motions = read_motions(one.get("records"), ground, folder, seed, store, files)
     if lacks_motion:
-        model = Model._from_text(yaml_text.emit({**parts, "ground_motion": {**motions[0].scaled(1.0), **beside}}), model._file or "model")
+        model = Model._from_text(
+            yaml_text.emit({**parts, "ground_motion": {**motions[0].scaled(1.0), **beside}}), model._file or "model"
+        )
         model._files = files
         of_model = core.check(model._source())[2]
     if has_records:
@@ -203,26 +230,59 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         _require_one_ground(parts)
     moved = {**parts, **({"ground_motion": {**motions[0].scaled(1.0), **beside}} if motions[0].words else {})}
     layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model", files.named_by(moved)))
-    kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), layout, read_limits(one.get("limits")))
+    kept = read_keep(
+        one.get("keep"),
+        words.yes(one.get("without_links", False), "study.without_links"),
+        layout,
+        read_limits(one.get("limits")),
+    )
     engine = str(one.get("engine", "auto"))
     if engine not in ENGINES_OF_STUDIES:
-        raise InputError(f'study.engine: takes {", ".join(ENGINES_OF_STUDIES)}; "{engine}" was read.{words.meant(engine, ENGINES_OF_STUDIES)}')
+        raise InputError(
+            f'study.engine: takes {", ".join(ENGINES_OF_STUDIES)}; "{engine}" was read.{words.meant(engine, ENGINES_OF_STUDIES)}'
+        )
     parts.pop("compare", None)
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
     stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
     if not 0 <= stop <= 1:
         raise InputError(f"study.stop_after: takes a share from 0 to 100 %, such as 5 %; {one['stop_after']} was read")
-    template = Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine,
-                        files.named_by([parts, *(factor.labels for factor in factors)]))
-    plan = Plan(template, points, intensity, seed, stop, text or yaml_text.emit({"study": one}), (), files,
-                tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else ())
+    template = Template(
+        parts,
+        model._file or "model",
+        tuple(factors),
+        tuple(motions),
+        kept,
+        engine,
+        files.named_by([parts, *(factor.labels for factor in factors)]),
+    )
+    plan = Plan(
+        template,
+        points,
+        intensity,
+        seed,
+        stop,
+        text or yaml_text.emit({"study": one}),
+        (),
+        files,
+        tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else (),
+    )
     if plan.count > MOST_ROWS:
-        raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
+        raise InputError(
+            f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records"
+        )
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
-    of_first = core.check(core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))}))[2]
-    warnings = (*with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
-                *implausible(motions, parts.get("accept") or ()), *repeated(motions), *doubts(motions, intensity), *doubtful(one, points, parts), *_refused_labels(plan))
+    of_first = core.check(
+        core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))})
+    )[2]
+    warnings = (
+        *with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
+        *implausible(motions, parts.get("accept") or ()),
+        *repeated(motions),
+        *doubts(motions, intensity),
+        *doubtful(one, points, parts),
+        *_refused_labels(plan),
+    )
     return replace(plan, warnings=warnings)
 
 
@@ -233,7 +293,7 @@ def _refused_labels(plan: Plan) -> Iterator[str]:
     files = {**template.files, **plan.files_of(np.array([0]))}
     for j, factor in enumerate(template.factors):
         for label in range(1, min(len(factor.labels), MOST_LABELS)):
-            case = template.case([*values[:j], float(label), *values[j + 1:]], 0, float(first["scale"][0]))
+            case = template.case([*values[:j], float(label), *values[j + 1 :]], 0, float(first["scale"][0]))
             try:
                 core.check(core.Source(yaml_text.emit(case), _place(template), files))
             except InputError as error:
@@ -242,11 +302,14 @@ def _refused_labels(plan: Plan) -> Iterator[str]:
 
 def _require_one_ground(parts: Mapping[str, Any]) -> None:
     """Raises InputError if a structure or support has a motion that neither the records nor the levels change."""
+
     def find(part: Any, place: str) -> None:
         for key, value in part.items() if isinstance(part, Mapping) else ():
             if key == "ground_motion":
-                raise InputError(f"{place}.ground_motion: is the same in every row, whatever records and levels the study has; remove it, or the records and "
-                                 "the intensity of the study")
+                raise InputError(
+                    f"{place}.ground_motion: is the same in every row, whatever records and levels the study has; remove it, or the records and "
+                    "the intensity of the study"
+                )
             find(value, f"{place}.{key}")
 
     for name, structure in (parts.get("structures") or {}).items():
@@ -260,16 +323,21 @@ def _require_kept(factors: Any) -> None:
         for path in [paths] if isinstance(paths, str) else paths or []:
             first, _, rest = str(path).partition(".")
             if first == "ground_motion" and rest.partition(".")[0] != "wave":
-                raise InputError(f"study.factors.{name}.of: the records replace the ground motion of the model; vary intensity instead of {path}")
+                raise InputError(
+                    f"study.factors.{name}.of: the records replace the ground motion of the model; vary intensity instead of {path}"
+                )
 
 
 def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], intensity: Intensity | None) -> None:
-    """Raises InputError for a factor that sets the strength of the model's motion, which the intensity sets or measures."""
+    """Raises InputError for a factor that sets the strength of the model's motion, which the intensity sets or
+    measures."""
     strength = ("ground_motion", "synthetic", "pga")
     for factor in factors if intensity else ():
         if any(keys == strength for path in factor.of for keys in find(parts, path, "")):
-            raise InputError(f"study.factors.{factor.name}.of: intensity sets or measures ground_motion.synthetic.pga; type its values as levels, or leave "
-                             "intensity out")
+            raise InputError(
+                f"study.factors.{factor.name}.of: intensity sets or measures ground_motion.synthetic.pga; type its values as levels, or leave "
+                "intensity out"
+            )
 
 
 def _require_free_names(factors: list[Factor]) -> None:
@@ -277,16 +345,24 @@ def _require_free_names(factors: list[Factor]) -> None:
     taken = (*UNITS, COLLAPSED_COLUMN, "point", "record", "scale", "im", "status", "engine")
     for factor in factors:
         if factor.name in taken:
-            raise InputError(f"study.factors.{factor.name}: the table has a column of this name already; call the factor, for example, {factor.name}_factor")
+            raise InputError(
+                f"study.factors.{factor.name}: the table has a column of this name already; call the factor, for example, {factor.name}_factor"
+            )
 
 
 def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> None:
     """Raises InputError where no factor brings a motion to a level."""
     levels = intensity.levels if intensity else ()
     for motion in motions if levels else ():
-        if not motion.intensity > 0 or not math.isfinite(max(levels) / motion.intensity) or min(levels) / motion.intensity == 0:
-            raise InputError(f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which no factor brings to "
-                             f"{min(levels):g} to {max(levels):g} m/s^2; type other levels, another measure or period, or leave the motion out")
+        if (
+            not motion.intensity > 0
+            or not math.isfinite(max(levels) / motion.intensity)
+            or min(levels) / motion.intensity == 0
+        ):
+            raise InputError(
+                f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which no factor brings to "
+                f"{min(levels):g} to {max(levels):g} m/s^2; type other levels, another measure or period, or leave the motion out"
+            )
 
 
 def _place(template: Template) -> str:

@@ -1,4 +1,5 @@
-"""A template made ready in the process that runs its rows: the model is read once and only its values change; so are the records."""
+"""A template made ready in the process that runs its rows: the model is read once and only its values change; so are
+the records."""
 
 from __future__ import annotations
 
@@ -46,22 +47,34 @@ class Prepared:
         self.template = template
         self.kernel: Any = None  #: what the kernel has made ready
         self.places = Places(template.model, template.factors)
-        self._rows = core.RowModel(yaml_text.emit(template.model), "row", [[str(key) for key in keys] for keys in self.places.keys], template.files)
+        self._rows = core.RowModel(
+            yaml_text.emit(template.model),
+            "row",
+            [[str(key) for key in keys] for keys in self.places.keys],
+            template.files,
+        )
         self._motions, self._records = Last(KEPT_MOTIONS), Last(KEPT_RECORDS)
         self._varies_ground = any(keys[0] == "ground_motion" for keys in self.places.keys)
 
     def motion(self, record: int, scale: float, files: Mapping[str, bytes]) -> core.RowMotion | None:
-        """The ground motion of a row; None if it changes with the values of factors, or if there is none. Raises InputError."""
+        """The ground motion of a row; None if it changes with the values of factors, or if there is none. Raises
+        InputError."""
         given = self.template.motions[record]
         own = self.template.model.get("ground_motion")
         if self._varies_ground or not given.words and own is None:
             return None
         if given.words and given.is_record:
-            unscaled = self._records.get(record, lambda: self._read(self.template.ground_motion(own, record, 1.0), files))
+            unscaled = self._records.get(
+                record, lambda: self._read(self.template.ground_motion(own, record, 1.0), files)
+            )
             return self._motions.get((record, scale), lambda: unscaled.scaled(scale))
-        return self._motions.get((record, scale), lambda: self._read(self.template.ground_motion(own, record, scale), files))
+        return self._motions.get(
+            (record, scale), lambda: self._read(self.template.ground_motion(own, record, scale), files)
+        )
 
-    def _motion_of_row(self, values: np.ndarray, record: int, scale: float, files: Mapping[str, bytes]) -> core.RowMotion | None:
+    def _motion_of_row(
+        self, values: np.ndarray, record: int, scale: float, files: Mapping[str, bytes]
+    ) -> core.RowMotion | None:
         if not self._varies_ground:
             return self.motion(record, scale, files)
         return self._read(self.template.case(values.tolist(), record, scale)["ground_motion"], files)

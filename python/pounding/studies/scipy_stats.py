@@ -1,4 +1,5 @@
-"""Parts of scipy, imported where they are first needed: workers of a study and whoever only draws a table do without them."""
+"""Parts of scipy, imported where they are first needed: workers of a study and whoever only draws a table do without
+them."""
 
 from __future__ import annotations
 
@@ -22,5 +23,7 @@ def _part(name: str) -> ModuleType:
     try:
         return importlib.import_module(name)
     except ImportError as error:
-        raise InputError("samples, distributions and bands of studies need scipy, which is not installed. Type `python3 -m pip install scipy`, "
-                         "or `make python-test` in the source directory and set POUNDING_PYTHON to .venv-test/bin/python3") from error
+        raise InputError(
+            "samples, distributions and bands of studies need scipy, which is not installed. Type `python3 -m pip install scipy`, "
+            "or `make python-test` in the source directory and set POUNDING_PYTHON to .venv-test/bin/python3"
+        ) from error

@@ -21,11 +21,15 @@ from pounding.studies.plan import Plan, plan_of, read_given
 from pounding.studies.study import Study, records_folder, run_plan
 from pounding.studies.words import few
 
-#: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest displacements; the second
-#: factor counts where the floors of both structures align. Displacements are those of the model under the records, not reduced by a
-#: behaviour factor.
-CODES = (("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0), ("Eurocode 8 (EN 1998-1)", "4.4.2.7", "srss", 1.0, 0.7),
-         ("IS 1893-1", "7.11.3", "abs", 1.0, 0.5), ("NZS 1170.5, inside a site", "-", "abs", 1.0, 1.0))
+#: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest
+#: displacements; the second factor counts where the floors of both structures align. Displacements are those of the
+#: model under the records, not reduced by a behaviour factor.
+CODES = (
+    ("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0),
+    ("Eurocode 8 (EN 1998-1)", "4.4.2.7", "srss", 1.0, 0.7),
+    ("IS 1893-1", "7.11.3", "abs", 1.0, 0.5),
+    ("NZS 1170.5, inside a site", "-", "abs", 1.0, 1.0),
+)
 
 
 #: Keys of `study:` that a separation uses; the last two add columns that it does not print.
@@ -34,8 +38,8 @@ _GAPS = ("required_gap", "gap_abs", "gap_srss", "gap_ddc")
 
 
 def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None) -> Plan:
-    """The plan of a separation: of the file of a model or of a study; `records` are used instead of those of the file. Raises InputError, also
-    for what a separation cannot use."""
+    """The plan of a separation: of the file of a model or of a study; `records` are used instead of those of the file.
+    Raises InputError, also for what a separation cannot use."""
     given = read_given(path)
     if not given.model.links:
         check(given.model)
@@ -43,27 +47,41 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
     one = dict(words.only(given.words or {}, words.STUDY_WORDS, f"{path}: study"))
     for word in one:
         if word not in _USED:
-            raise InputError(f"{path}: study.{word}: a separation does not use it; leave it out, or type pounding study {path}")
+            raise InputError(
+                f"{path}: study.{word}: a separation does not use it; leave it out, or type pounding study {path}"
+            )
     keep = one.get("keep") or []
-    used: dict[str, Any] = {"stop_after": "100 %", **one, "keep": [*([keep] if isinstance(keep, str) else keep), *_GAPS]}
+    used: dict[str, Any] = {
+        "stop_after": "100 %",
+        **one,
+        "keep": [*([keep] if isinstance(keep, str) else keep), *_GAPS],
+    }
     if records:
         used["records"] = {"files": [fspath(Path(one).resolve()) for one in records]}
     plan = plan_of(replace(given, words=used), records_folder(Path(Path(path).name)))
     varied = [factor.name for factor in plan.points.factors if factor.values is not None and len(factor.values) > 1]
     if varied:
-        raise InputError(f"{path}: study.factors.{varied[0]}: a separation has one gap, and this list or range would mix several; leave one value, or type "
-                         f"pounding study {path} with keep: [required_gap]")
+        raise InputError(
+            f"{path}: study.factors.{varied[0]}: a separation has one gap, and this list or range would mix several; leave one value, or type "
+            f"pounding study {path} with keep: [required_gap]"
+        )
     if len(plan.levels) > 1:
-        raise InputError(f"{path}: study.intensity.levels: a separation has one gap, and {len(plan.levels)} levels would mix; leave one level, or type "
-                         f"pounding study {path} with keep: [required_gap]")
+        raise InputError(
+            f"{path}: study.intensity.levels: a separation has one gap, and {len(plan.levels)} levels would mix; leave one level, or type "
+            f"pounding study {path} with keep: [required_gap]"
+        )
     return plan
 
 
-@takes(model=arguments.file, records=arguments.optional(arguments.files), workers=arguments.optional(arguments.whole(0)))
-def separation(model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None) -> dict[str, Any]:
-    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A gap is None, and has no mean, if
-    structures collapse without links: no gap is enough. Raises InputError, and SolverError where a record fails; emits the warnings of the plan
-    (ImplausibleWarning)."""
+@takes(
+    model=arguments.file, records=arguments.optional(arguments.files), workers=arguments.optional(arguments.whole(0))
+)
+def separation(
+    model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None
+) -> dict[str, Any]:
+    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A
+    gap is None, and has no mean, if structures collapse without links: no gap is enough. Raises InputError, and
+    SolverError where a record fails; emits the warnings of the plan (ImplausibleWarning)."""
     plan = read_separation(model, records)
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
@@ -86,33 +104,69 @@ def _found(done: Study, align: bool) -> dict[str, Any]:
     names = [str(done.records["name"][record]) for record in done["record"]]
     if done["point"].max() > 0:
         names = [f"{name}, sample {point}" for name, point in zip(names, done["point"])]
-    per_record = [{"record": name, "required": finite(need), "abs": finite(a), "srss": finite(s), "ddc": finite(d)}
-                  for name, need, a, s, d in zip(names, done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])]
+    per_record = [
+        {"record": name, "required": finite(need), "abs": finite(a), "srss": finite(s), "ddc": finite(d)}
+        for name, need, a, s, d in zip(names, done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])
+    ]
     mean = {rule: finite(np.mean(done[f"gap_{rule}"])) for rule in ("abs", "srss", "ddc")}
     curve = done.gaps()
-    needed = {f"{percent} %": dict(zip(("gap", "low", "high"), (finite(value) for value in curve.percentile(percent)))) for percent in (50, 84)}
-    codes = [{"code": code, "clause": clause, "gap": None if (gap := mean[rule]) is None else gap * (aligned if align else apart)}
-             for code, clause, rule, apart, aligned in CODES]
+    needed = {
+        f"{percent} %": dict(zip(("gap", "low", "high"), (finite(value) for value in curve.percentile(percent))))
+        for percent in (50, 84)
+    }
+    codes = [
+        {
+            "code": code,
+            "clause": clause,
+            "gap": None if (gap := mean[rule]) is None else gap * (aligned if align else apart),
+        }
+        for code, clause, rule, apart, aligned in CODES
+    ]
     collapsed = [name for name, need in zip(names, done["required_gap"]) if np.isinf(need)]
-    return {"records": per_record, "required": needed, "mean": mean, "floors_align": align, "codes": codes, "collapsed": collapsed,
-            "warnings": list(done.warnings)}
+    return {
+        "records": per_record,
+        "required": needed,
+        "mean": mean,
+        "floors_align": align,
+        "codes": codes,
+        "collapsed": collapsed,
+        "warnings": list(done.warnings),
+    }
 
 
 def table_of(found: Mapping[str, Any]) -> str:
     """The printed table, in mm."""
+
     def mm(value: float | None) -> str:
         return f"{'-':>9}" if value is None else f"{1e3 * value:9.1f}"
 
     # The number of a sample ends its name.
     width = min(60, max(28, *(len(one["record"]) for one in found["records"])))
     lines = [f"{'record':<{width}} needed (mm)       ABS      SRSS       DDC"]
-    lines += [f"{one['record'][:width]:<{width}}   {mm(one['required'])} {mm(one['abs'])} {mm(one['srss'])} {mm(one['ddc'])}" for one in found["records"]]
-    lines.append(f"{'mean of the rules':<{width}}   {'':>9} {mm(found['mean']['abs'])} {mm(found['mean']['srss'])} {mm(found['mean']['ddc'])}")
+    lines += [
+        f"{one['record'][:width]:<{width}}   {mm(one['required'])} {mm(one['abs'])} {mm(one['srss'])} {mm(one['ddc'])}"
+        for one in found["records"]
+    ]
+    lines.append(
+        f"{'mean of the rules':<{width}}   {'':>9} {mm(found['mean']['abs'])} {mm(found['mean']['srss'])} {mm(found['mean']['ddc'])}"
+    )
     for percent, one in found["required"].items():
-        lines.append(f"{f'enough for {percent} of records':<{width}}   {mm(one['gap'])}   (90 % band {mm(one['low']).strip()} to {mm(one['high']).strip()})")
-    lines.append(f"\n{'rule of a code, from the mean':<36} {'clause':<9} gap (mm)" + ("; floors align" if found["floors_align"] else ""))
+        lines.append(
+            f"{f'enough for {percent} of records':<{width}}   {mm(one['gap'])}   (90 % band {mm(one['low']).strip()} to {mm(one['high']).strip()})"
+        )
+    lines.append(
+        f"\n{'rule of a code, from the mean':<36} {'clause':<9} gap (mm)"
+        + ("; floors align" if found["floors_align"] else "")
+    )
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
     if found["collapsed"]:
-        lines.append(f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({few(found['collapsed'])}): no gap is "
-                     "enough for them, and the rules have no mean.")
-    return "\n".join([*lines, "Displacements are those of the model, without a behaviour factor. Read the clause before you design by it."])
+        lines.append(
+            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({few(found['collapsed'])}): no gap is "
+            "enough for them, and the rules have no mean."
+        )
+    return "\n".join(
+        [
+            *lines,
+            "Displacements are those of the model, without a behaviour factor. Read the clause before you design by it.",
+        ]
+    )

@@ -1,4 +1,5 @@
-"""Sources of the ground motions of a study: files, sets of records in packages, artificial earthquakes, the model itself."""
+"""Sources of the ground motions of a study: files, sets of records in packages, artificial earthquakes, the model
+itself."""
 
 from __future__ import annotations
 
@@ -28,8 +29,22 @@ _RECORDS = ("set", "files", "x", "y", "z", "units", "channel", "step", "skip", "
 _OPTIONS = ("units", "channel", "step")
 _EXAMPLES = {"x": "records/*-hor1.AT2", "y": "records/*-hor2.AT2", "z": "records/*-up.AT2"}
 #: Keys of a ground motion that belong to its source; the others hold for any source.
-_OF_SOURCE = ("record", "channel", "units", "step", "scale", "pga", "initial_velocity", "harmonic", "sum", "duration", "pulse", "synthetic", "displacement",
-              "components")
+_OF_SOURCE = (
+    "record",
+    "channel",
+    "units",
+    "step",
+    "scale",
+    "pga",
+    "initial_velocity",
+    "harmonic",
+    "sum",
+    "duration",
+    "pulse",
+    "synthetic",
+    "displacement",
+    "components",
+)
 
 
 def kept_beside(ground: Any) -> dict[str, Any]:
@@ -37,9 +52,12 @@ def kept_beside(ground: Any) -> dict[str, Any]:
     return {key: value for key, value in ground.items() if key not in _OF_SOURCE} if isinstance(ground, Mapping) else {}
 
 
-def read_motions(given: Any, ground: Mapping[str, Any] | None, folder: Path, seed: int, store: Path | None, files: Files) -> list[Motion]:
-    """The ground motions of a study, unscaled, for a model with the section `ground`. Relative names start from `folder`; records of packages
-    are written into `store`. Raises InputError with every record that cannot be read, for motions that do not fit the model, and what to type."""
+def read_motions(
+    given: Any, ground: Mapping[str, Any] | None, folder: Path, seed: int, store: Path | None, files: Files
+) -> list[Motion]:
+    """The ground motions of a study, unscaled, for a model with the section `ground`. Relative names start from
+    `folder`; records of packages are written into `store`. Raises InputError with every record that cannot be read, for
+    motions that do not fit the model, and what to type."""
     if given is None:
         return [_own(ground or {})]
     one = words.only(given, _RECORDS, "study.records")
@@ -48,26 +66,35 @@ def read_motions(given: Any, ground: Mapping[str, Any] | None, folder: Path, see
     axes = [axis for axis in AXES if axis in one]
     ways = [way for way in ("set", "files", "synthetic") if way in one] + ([", ".join(axes)] if axes else [])
     if len(ways) != 1:
-        raise InputError("study.records: takes files: records/*.AT2, x: and y: for motions with components, set: far_field, or "
-                         f"synthetic: {{count: 50, duration: 20 s, pga: 0.3 g}}; {' and '.join(ways) or 'none of them'} was read")
+        raise InputError(
+            "study.records: takes files: records/*.AT2, x: and y: for motions with components, set: far_field, or "
+            f"synthetic: {{count: 50, duration: 20 s, pga: 0.3 g}}; {' and '.join(ways) or 'none of them'} was read"
+        )
     sections = _sections(ground)
     if axes:
         if "skip" in one:
-            raise InputError("study.records.skip: belongs to the files of one axis, as in x: {files: records/*-hor1.AT2, skip: [NAME]}")
+            raise InputError(
+                "study.records.skip: belongs to the files of one axis, as in x: {files: records/*-hor1.AT2, skip: [NAME]}"
+            )
         _require_axes(sections, axes)
         return _with_components({axis: _along(axis, one, sections.get(axis, {}), folder, files) for axis in axes})
     if "set" in one and set(sections) == {"x", "y"}:
         return _pairs_of_set(read_set(str(one["set"]), store, files), sections)
     if len(sections) > 1:
-        raise InputError(f"study.records: the model has components along {', '.join(sections)}, and {ways[0]} gives one motion for each row; name a file for "
-                         f"every component, as in {_example(sections)}")
+        raise InputError(
+            f"study.records: the model has components along {', '.join(sections)}, and {ways[0]} gives one motion for each row; name a file for "
+            f"every component, as in {_example(sections)}"
+        )
     axis, section = next(iter(sections.items()))
     if ways[0] == "synthetic":
         found = _synthetic(one["synthetic"], seed)
     elif ways[0] == "set":
         found = [_with_strength(motion, section) for motion in read_set(str(one["set"]), store, files)]
     else:
-        found = [_with_strength(motion, section) for motion, _ in _files(one["files"], one, folder, files, "study.records.files")]
+        found = [
+            _with_strength(motion, section)
+            for motion, _ in _files(one["files"], one, folder, files, "study.records.files")
+        ]
     return found if axis == "x" else [joined({axis: motion}) for motion in found]
 
 
@@ -75,7 +102,11 @@ def _sections(ground: Mapping[str, Any] | None) -> dict[str, Mapping[str, Any]]:
     """The model's own motion along each of its axes; along x where there are no components."""
     given = ground or {}
     components = given.get("components")
-    return {axis: components[axis] for axis in AXES if axis in components} or {"x": {}} if isinstance(components, Mapping) else {"x": given}
+    return (
+        {axis: components[axis] for axis in AXES if axis in components} or {"x": {}}
+        if isinstance(components, Mapping)
+        else {"x": given}
+    )
 
 
 def _example(axes: Iterable[str]) -> str:
@@ -85,28 +116,40 @@ def _example(axes: Iterable[str]) -> str:
 def _require_axes(sections: Mapping[str, Any], axes: Sequence[str]) -> None:
     missing = [axis for axis in sections if axis not in axes]
     if missing:
-        raise InputError(f"study.records: the model moves along {', '.join(sections)}, and the records are along {', '.join(axes)}; name files along "
-                         f"{', '.join(missing)} too, as in {_example(sections)}, or remove that component from the model")
+        raise InputError(
+            f"study.records: the model moves along {', '.join(sections)}, and the records are along {', '.join(axes)}; name files along "
+            f"{', '.join(missing)} too, as in {_example(sections)}, or remove that component from the model"
+        )
 
 
 def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
-    """A record with the strength that the model gives to its own: times `scale`, or scaled to `pga`. Raises InputError for what belongs to one
-    record only."""
+    """A record with the strength that the model gives to its own: times `scale`, or scaled to `pga`. Raises InputError
+    for what belongs to one record only."""
     if "record" not in section:
         return motion
     if "initial_velocity" in section:
-        raise InputError(f"ground_motion.initial_velocity: {section['initial_velocity']} belongs to the record of the model, and the records of the study replace "
-                         "it; remove initial_velocity from the model")
+        raise InputError(
+            f"ground_motion.initial_velocity: {section['initial_velocity']} belongs to the record of the model, and the records of the study replace "
+            "it; remove initial_velocity from the model"
+        )
     if "pga" in section:
         if not motion.pga > 0:
-            raise InputError(f"study.records: {motion.name} is zero throughout, and ground_motion.pga of the model cannot scale it; leave it out")
+            raise InputError(
+                f"study.records: {motion.name} is zero throughout, and ground_motion.pga of the model cannot scale it; leave it out"
+            )
         factor = words.quantity(section["pga"], "ground_motion.pga")[0] / motion.pga
     else:
         factor = factor_of(section)
-    return motion if factor == 1 else replace(motion, words={**motion.words, "scale": repr(factor)}, pga=abs(factor) * motion.pga)
+    return (
+        motion
+        if factor == 1
+        else replace(motion, words={**motion.words, "scale": repr(factor)}, pga=abs(factor) * motion.pga)
+    )
 
 
-def _along(axis: str, given: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files) -> list[tuple[Motion, tuple[str, ...] | None]]:
+def _along(
+    axis: str, given: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files
+) -> list[tuple[Motion, tuple[str, ...] | None]]:
     place = f"study.records.{axis}"
     one = given[axis]
     options = {key: given[key] for key in _OPTIONS if key in given}
@@ -117,23 +160,42 @@ def _along(axis: str, given: Mapping[str, Any], section: Mapping[str, Any], fold
 
 
 def _with_components(every: Mapping[str, Sequence[tuple[Motion, tuple[str, ...] | None]]]) -> list[Motion]:
-    """One motion of the files of all axes: those of a pattern belong together by their names, those of lists by their order."""
+    """One motion of the files of all axes: those of a pattern belong together by their names, those of lists by their
+    order."""
     (first, one), *others = every.items()
     matched = [[i for i in range(len(one))]]
     for axis, other in others:
         if len(other) != len(one):
-            raise InputError(f"study.records: {first} names {len(one)} files, and {axis} names {len(other)}; name as many along each axis, or leave some out by skip")
+            raise InputError(
+                f"study.records: {first} names {len(one)} files, and {axis} names {len(other)}; name as many along each axis, or leave some out by skip"
+            )
         by_name = len(one) > 1 and all(key is not None for _, key in (*one, *other))
-        found = partners([motion.name for motion, _ in one], [motion.name for motion, _ in other], [key for _, key in one], [key for _, key in other]) \
-            if by_name else list(range(len(one)))
+        found = (
+            partners(
+                [motion.name for motion, _ in one],
+                [motion.name for motion, _ in other],
+                [key for _, key in one],
+                [key for _, key in other],
+            )
+            if by_name
+            else list(range(len(one)))
+        )
         if found is None:
-            raise InputError(f"study.records: the files along {first} and {axis} do not pair by their names: {one[0][0].name} and {len(one) - 1} more, "
-                             f"{other[0][0].name} and {len(other) - 1} more. List them in the same order: records: {{{first}: [A1, B1], {axis}: [A2, B2]}}")
+            raise InputError(
+                f"study.records: the files along {first} and {axis} do not pair by their names: {one[0][0].name} and {len(one) - 1} more, "
+                f"{other[0][0].name} and {len(other) - 1} more. List them in the same order: records: {{{first}: [A1, B1], {axis}: [A2, B2]}}"
+            )
         for earlier, taken in zip(every, matched):
-            same = [other[j][0].name for i, j in enumerate(found) if _samples(other[j][0]) == _samples(every[earlier][taken[i]][0])]
+            same = [
+                other[j][0].name
+                for i, j in enumerate(found)
+                if _samples(other[j][0]) == _samples(every[earlier][taken[i]][0])
+            ]
             if same:
-                raise InputError(f"study.records: {earlier} and {axis} both name {same[0]}; name another file or channel along each axis, as in "
-                                 f"{_example(every)}")
+                raise InputError(
+                    f"study.records: {earlier} and {axis} both name {same[0]}; name another file or channel along each axis, as in "
+                    f"{_example(every)}"
+                )
         matched.append(found)
     return [joined({axis: every[axis][found[i]][0] for axis, found in zip(every, matched)}) for i in range(len(one))]
 
@@ -143,9 +205,11 @@ def _samples(motion: Motion) -> tuple[str, str]:
     return motion.words["record"], motion.words.get("channel", "")
 
 
-def partners(names: Sequence[str], others: Sequence[str], keys: Sequence[Any], other_keys: Sequence[Any]) -> list[int] | None:
-    """[name] the number of its partner: the one that has the same text in the place of the pattern's wildcards, or else the one with the longest
-    common beginning. None if that is not one to one."""
+def partners(
+    names: Sequence[str], others: Sequence[str], keys: Sequence[Any], other_keys: Sequence[Any]
+) -> list[int] | None:
+    """[name] the number of its partner: the one that has the same text in the place of the pattern's wildcards, or else
+    the one with the longest common beginning. None if that is not one to one."""
     if len(set(keys)) == len(keys) and set(keys) == set(other_keys):
         return [list(other_keys).index(key) for key in keys]
 
@@ -155,7 +219,11 @@ def partners(names: Sequence[str], others: Sequence[str], keys: Sequence[Any], o
 
     found = [best(name, others) for name in names]
     back = [best(other, names) for other in others]
-    return [j for j in found if j is not None] if all(j is not None and back[j] == i for i, j in enumerate(found)) else None
+    return (
+        [j for j in found if j is not None]
+        if all(j is not None and back[j] == i for i, j in enumerate(found))
+        else None
+    )
 
 
 def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str, Any]]) -> list[Motion]:
@@ -165,13 +233,22 @@ def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str,
         events.setdefault(motion.event, []).append(motion)
     wrong = [event for event, components in events.items() if len(components) != 2]
     if wrong:
-        raise InputError(f"study.records.set: {wrong[0]} has {len(events[wrong[0]])} components, and the model moves along x and y")
-    return [joined({axis: _with_strength(motion, sections[axis]) for axis, motion in zip("xy", components)}) for components in events.values()]
+        raise InputError(
+            f"study.records.set: {wrong[0]} has {len(events[wrong[0]])} components, and the model moves along x and y"
+        )
+    return [
+        joined({axis: _with_strength(motion, sections[axis]) for axis, motion in zip("xy", components)})
+        for components in events.values()
+    ]
 
 
 def _own(ground: Mapping[str, Any]) -> Motion:
     inner = ground.get("synthetic")
-    pga = words.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0] if isinstance(inner, Mapping) else math.nan
+    pga = (
+        words.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0]
+        if isinstance(inner, Mapping)
+        else math.nan
+    )
     return Motion("the model's", {}, "the model's", pga=pga)
 
 
@@ -195,7 +272,9 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
         has_magic = glob.has_magic(whole) and not os.path.isfile(one)
         matching = sorted(filter(os.path.isfile, glob.glob(whole))) if has_magic else [one]
         if not matching:
-            raise InputError(f"{place}: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2")
+            raise InputError(
+                f"{place}: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2"
+            )
         found += [(name, _wild(whole, name) if has_magic else None) for name in matching]
     if not found:
         raise InputError(f"{place}: names no file; type a pattern such as records/*.AT2")
@@ -204,12 +283,18 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
 
 def _wild(pattern: str, name: str) -> tuple[str, ...]:
     """The texts in the place of the wildcards of a pattern."""
-    groups = re.sub(r"\\\*|\\\?|\\\[.*?\\\]", lambda found: {"\\*": "([^/]*)", "\\?": "(.)"}.get(found[0], "(.)"), re.escape(pattern))
+    groups = re.sub(
+        r"\\\*|\\\?|\\\[.*?\\\]",
+        lambda found: {"\\*": "([^/]*)", "\\?": "(.)"}.get(found[0], "(.)"),
+        re.escape(pattern),
+    )
     matched = re.fullmatch(groups, name)
     return matched.groups() if matched else (name,)
 
 
-def _files(given: Any, options: Mapping[str, Any], folder: Path, files: Files, place: str) -> list[tuple[Motion, tuple[str, ...] | None]]:
+def _files(
+    given: Any, options: Mapping[str, Any], folder: Path, files: Files, place: str
+) -> list[tuple[Motion, tuple[str, ...] | None]]:
     named = _named(given, folder, place)
     asked = {key: str(options[key]) for key in _OPTIONS if key in options}
     skipped = options.get("skip", [])
@@ -228,8 +313,10 @@ def _files(given: Any, options: Mapping[str, Any], folder: Path, files: Files, p
             wrong.append((Path(name).name, str(error)))
     if wrong:
         listed = "\n".join(f"  {text}" for _, text in wrong)
-        raise InputError(f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nMend them, or leave them out: "
-                         f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]")
+        raise InputError(
+            f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nMend them, or leave them out: "
+            f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]"
+        )
     if not motions:
         raise InputError("study.records.skip: leaves no record")
     return motions
@@ -247,5 +334,7 @@ def _synthetic(given: Any, seed: int) -> list[Motion]:
     for i in range(count):
         # A number that depends on the seed of the study and on i alone.
         number = int(np.random.SeedSequence(seed, spawn_key=(i,)).generate_state(1)[0]) >> 1
-        made.append(Motion(f"artificial {i + 1}", {"synthetic": {**one, "seed": str(number)}}, f"artificial {i + 1}", pga=pga))
+        made.append(
+            Motion(f"artificial {i + 1}", {"synthetic": {**one, "seed": str(number)}}, f"artificial {i + 1}", pga=pga)
+        )
     return made

@@ -50,27 +50,44 @@ class Study(Rows):
     def of(cls, table: Table) -> Study:
         """The study of a table in memory."""
         plan = table.plan
-        columns = {**plan.columns(np.arange(plan.count)), **dict(zip(plan.template.kept.columns, table.values.T)), "status": table.status,
-                   "engine": table.engine}
+        columns = {
+            **plan.columns(np.arange(plan.count)),
+            **dict(zip(plan.template.kept.columns, table.values.T)),
+            "status": table.status,
+            "engine": table.engine,
+        }
         motions = plan.template.motions
-        records = {name: [getattr(motion, name) for motion in motions] if name in ("name", "event", "component") else
-                   np.array([getattr(motion, name) for motion in motions])
-                   for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")}
-        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(relative(plan.description(), table.folder))), table.engines, table.path,
-                    table.check, plan.warnings)
+        records = {
+            name: [getattr(motion, name) for motion in motions]
+            if name in ("name", "event", "component")
+            else np.array([getattr(motion, name) for motion in motions])
+            for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")
+        }
+        found = cls(
+            columns,
+            plan.units(),
+            records,
+            table.reasons,
+            json.loads(json.dumps(relative(plan.description(), table.folder))),
+            table.engines,
+            table.path,
+            table.check,
+            plan.warnings,
+        )
         found.plan = plan
         return found
 
     def indices(self, column: str) -> Indices:
-        """Sobol indices of the factors of a study with sampling: {saltelli: n}. Needs SALib. See `pounding.studies.indices`."""
+        """Sobol indices of the factors of a study with sampling: {saltelli: n}. Needs SALib. See
+        `pounding.studies.indices`."""
         from pounding.studies.indices import sobol_indices
 
         return sobol_indices(self, column)
 
     @takes(picture=arguments.text, column=arguments.optional(arguments.text))
     def plot(self, picture: str, column: str | None = None, **options: Any) -> Figure:
-        """A picture from the table alone: "fragility", "ida", "gap", "map" or "tornado". Raises InputError, ImportError without
-        matplotlib."""
+        """A picture from the table alone: "fragility", "ida", "gap", "map" or "tornado". Raises InputError, ImportError
+        without matplotlib."""
         from pounding.studies.pictures import study_figure
 
         return study_figure(self, picture, column, **options)
@@ -84,14 +101,16 @@ class Study(Rows):
         return pandas.DataFrame(readable(self), index=pandas.RangeIndex(len(self), name="row"))
 
     def to_xarray(self) -> xarray.Dataset:
-        """The columns over the dimensions record, point and level, with units; factors of a grid are dimensions of their own."""
+        """The columns over the dimensions record, point and level, with units; factors of a grid are dimensions of
+        their own."""
         from pounding.studies.export import to_xarray
 
         return to_xarray(self)
 
     @takes(path=arguments.file)
     def to_csv(self, path: File) -> None:
-        """Writes all rows as text: a line per row, names with units above. Raises InputError for a file that is no such table, OSError."""
+        """Writes all rows as text: a line per row, names with units above. Raises InputError for a file that is no such
+        table, OSError."""
         from pounding.studies.export import to_csv
 
         to_csv(self, path)
@@ -104,28 +123,37 @@ class Study(Rows):
         to_parquet(self, path)
 
     def model_of(self, row: int) -> str:
-        """The input file of one row, which `pounding run` takes. Raises InputError for a row that is not there; rows count from 0."""
+        """The input file of one row, which `pounding run` takes. Raises InputError for a row that is not there; rows
+        count from 0."""
         row = arguments.whole(0, len(self) - 1)("row", row)
         given = located(self.description, Path() if self.path is None else self.path.parent)
-        factors = tuple(Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"])) for one in given["factors"])
+        factors = tuple(
+            Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"]))
+            for one in given["factors"]
+        )
         motions = tuple(Motion(one["name"], one["words"], one["event"], pga=one["pga"]) for one in given["records"])
         template = Template(given["model"], "", factors, motions, Kept(()))
         values = [float(self[factor.name][row]) for factor in factors]
         return yaml_text.emit(template.case(values, int(self["record"][row]), float(self["scale"][row])))
 
     def evaluate(self, factors: Mapping[str, float]) -> dict[str, np.ndarray]:
-        """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level]. A plain function for
-        scipy.optimize, pymoo or optuna. Columns of a row that collapses are infinite. Raises InputError for a row that fails."""
+        """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level]. A
+        plain function for scipy.optimize, pymoo or optuna. Columns of a row that collapses are infinite. Raises
+        InputError for a row that fails."""
         if self.plan is None:
             raise InputError("a table from a file cannot run; make the study with pounding.study(...)")
-        factors = {name: arguments.number()(name, value) for name, value in arguments.mapping("factors", factors).items()}
+        factors = {
+            name: arguments.number()(name, value) for name, value in arguments.mapping("factors", factors).items()
+        }
         missing = [name for name in self.factors if name not in factors]
         if missing or set(factors) - set(self.factors):
             raise InputError(f"evaluate takes a value for each of {', '.join(self.factors)}")
         records, points, levels = self.plan.shape
         for factor in self.plan.points.factors:
             if factor.labels and factors[factor.name] not in range(len(factor.labels)):
-                raise arguments.refuse(factor.name, f"the number of a label, from 0 to {len(factor.labels) - 1}", factors[factor.name])
+                raise arguments.refuse(
+                    factor.name, f"the number of a label, from 0 to {len(factor.labels) - 1}", factors[factor.name]
+                )
         rows = (np.arange(records)[:, None] * points * levels + np.arange(levels)).ravel()
         batch = batch_of(self.plan, rows)
         batch.values[:] = [factors[name] for name in self.factors]
@@ -153,22 +181,49 @@ def _progress(name: str, value: Any) -> Any:
     return value if callable(value) else arguments.flag(name, value)
 
 
-@takes(model=_model, stop_after=arguments.quantity, output=arguments.optional(arguments.file), executor=arguments.optional(_executor),
-       progress=arguments.optional(_progress))
-def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, records: Any = None, intensity: Mapping[str, Any] | None = None,
-          keep: Sequence[str] | None = None, sampling: Any = None, without_links: bool = False, limits: Mapping[str, Any] | None = None,
-          seed: int = 1, stop_after: float | str = "5 %", output: File | None = None, workers: int | None = None, executor: Executor | None = None,
-          chunk: int | None = None, progress: Progress | bool | None = None) -> Study:
+@takes(
+    model=_model,
+    stop_after=arguments.quantity,
+    output=arguments.optional(arguments.file),
+    executor=arguments.optional(_executor),
+    progress=arguments.optional(_progress),
+)
+def study(
+    model: Model | File,
+    factors: Mapping[str, Any] | None = None,
+    *,
+    records: Any = None,
+    intensity: Mapping[str, Any] | None = None,
+    keep: Sequence[str] | None = None,
+    sampling: Any = None,
+    without_links: bool = False,
+    limits: Mapping[str, Any] | None = None,
+    seed: int = 1,
+    stop_after: float | str = "5 %",
+    output: File | None = None,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    chunk: int | None = None,
+    progress: Progress | bool | None = None,
+) -> Study:
     """Runs a study: of a study file, or of a model with the words of `study:` as arguments (guide, "Studies").
 
-    `output` is the table, an HDF5 file that a killed study goes on from; without it the table is in memory. Unless `workers` is given, rows of the
-    kernel run on threads and those of the solver in processes, one a core; with `workers` all run in so many processes, and 0 runs them here. With
-    processes the call stands under `if __name__ == "__main__":` in a script. `executor` is any concurrent.futures.Executor, such as
-    MPIPoolExecutor or Dask's Client.get_executor().
+    `output` is the table, an HDF5 file that a killed study goes on from; without it the table is in memory. Unless
+    `workers` is given, rows of the kernel run on threads and those of the solver in processes, one a core; with
+    `workers` all run in so many processes, and 0 runs them here. With processes the call stands under `if __name__ ==
+    "__main__":` in a script. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
+    Client.get_executor().
 
-    Raises InputError for a wrong plan, before anything runs; OSError when the table cannot be written, and SolverError when more than
-    `stop_after` of the rows fail: finished chunks are kept in both cases."""
-    words = {"factors": factors, "records": records, "intensity": intensity, "keep": keep, "sampling": sampling, "limits": limits}
+    Raises InputError for a wrong plan, before anything runs; OSError when the table cannot be written, and SolverError
+    when more than `stop_after` of the rows fail: finished chunks are kept in both cases."""
+    words = {
+        "factors": factors,
+        "records": records,
+        "intensity": intensity,
+        "keep": keep,
+        "sampling": sampling,
+        "limits": limits,
+    }
     given = {name: value for name, value in words.items() if value is not None}
     require_count("workers", workers, 0)
     require_count("chunk", chunk, 1)
@@ -183,33 +238,67 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
             raise InputError(f"{read.name} is a study with its own words; write {', '.join(typed)} there")
         plan = plan_of(read, records_folder(path or Path(read.name)))
     else:
-        plan = make_plan(model if read is None else read.model, {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
-                         store=records_folder(path or Path("study")))
+        plan = make_plan(
+            model if read is None else read.model,
+            {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)},
+            Path(),
+            store=records_folder(path or Path("study")),
+        )
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     return run_plan(plan, path, workers=workers, executor=executor, chunk=chunk, progress=progress)
 
 
 @takes(model=_model, records=arguments.optional(arguments.files))
-def sweep(model: Model | File, factors: Mapping[str, Sequence[Any]], *, records: Sequence[File] | None = None, keep: Sequence[str] | None = None,
-          workers: int = 0) -> Study:
-    """All combinations of some values: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`, for every record. Runs in this process unless
-    `workers` is given. Columns are called by the last word of their path, with its number where two are alike."""
+def sweep(
+    model: Model | File,
+    factors: Mapping[str, Sequence[Any]],
+    *,
+    records: Sequence[File] | None = None,
+    keep: Sequence[str] | None = None,
+    workers: int = 0,
+) -> Study:
+    """All combinations of some values: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`, for every record. Runs in
+    this process unless `workers` is given. Columns are called by the last word of their path, with its number where two
+    are alike."""
     if not isinstance(factors, Mapping):
-        raise InputError(f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(factors)} was read')
+        raise InputError(
+            f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(factors)} was read'
+        )
     named: dict[str, dict[str, Any]] = {}
     for path, values in factors.items():
-        if not isinstance(path, str) or isinstance(values, (str, Mapping)) or not isinstance(values, Iterable) or getattr(values, "ndim", 1) == 0:
-            raise InputError(f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(path)}: {excerpt(values)} was read')
+        if (
+            not isinstance(path, str)
+            or isinstance(values, (str, Mapping))
+            or not isinstance(values, Iterable)
+            or getattr(values, "ndim", 1) == 0
+        ):
+            raise InputError(
+                f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(path)}: {excerpt(values)} was read'
+            )
         last = path.rpartition(".")[2]
         name = next(each for each in (last, *(f"{last}_{i}" for i in range(2, len(named) + 3))) if each not in named)
         named[name] = {"of": path, "list": list(values)}
-    return study(model, named, records=None if records is None else {"files": [fspath(one) for one in records]}, keep=keep, workers=workers,
-                 progress=False)
+    return study(
+        model,
+        named,
+        records=None if records is None else {"files": [fspath(one) for one in records]},
+        keep=keep,
+        workers=workers,
+        progress=False,
+    )
 
 
-def run_plan(plan: Plan, path: Path | None, *, workers: int | None = None, executor: Executor | None = None, chunk: int | None = None,
-             progress: Progress | bool | None = None, shard: tuple[int, int] = (1, 1)) -> Study:
+def run_plan(
+    plan: Plan,
+    path: Path | None,
+    *,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    chunk: int | None = None,
+    progress: Progress | bool | None = None,
+    shard: tuple[int, int] = (1, 1),
+) -> Study:
     """Runs the rows of a plan that `path` does not hold yet; of shard (k, n) only the k-th of n equal parts."""
     require_count("workers", workers, 0)
     require_count("chunk", chunk, 1)

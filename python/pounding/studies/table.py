@@ -1,7 +1,8 @@
-"""The table of a study: one HDF5 file with a checksum in front, and while the study runs finished chunks in a folder next to it.
+"""The table of a study: one HDF5 file with a checksum in front, and while the study runs finished chunks in a folder
+next to it.
 
-A study that is killed at any moment loses only the chunks under way. The table is replaced as a whole, from all chunks, when the study ends or
-stops. A lock in the folder of chunks refuses a second study into the same table."""
+A study that is killed at any moment loses only the chunks under way. The table is replaced as a whole, from all chunks,
+when the study ends or stops. A lock in the folder of chunks refuses a second study into the same table."""
 
 from __future__ import annotations
 
@@ -35,9 +36,9 @@ class Table:
     """The columns that have been filled so far, in memory, and their files where there are any."""
 
     def __init__(self, plan: Plan, path: str | os.PathLike[str] | None = None) -> None:
-        """An empty table, or what an earlier run of this plan has left at `path`. From here until `write` or `close` the path is locked. Raises
-        InputError for a path that cannot be written, that another study writes now, or that holds another plan, and for more rows than the memory
-        holds."""
+        """An empty table, or what an earlier run of this plan has left at `path`. From here until `write` or `close`
+        the path is locked. Raises InputError for a path that cannot be written, that another study writes now, or that
+        holds another plan, and for more rows than the memory holds."""
         require_room(plan)
         self.plan = plan
         self.path = None if path is None else Path(path)
@@ -74,7 +75,8 @@ class Table:
         self._fill(done)
 
     def write(self) -> None:
-        """Writes the whole table, removes the chunks, which it holds now, and unlocks the path. Raises InputError, OSError."""
+        """Writes the whole table, removes the chunks, which it holds now, and unlocks the path. Raises InputError,
+        OSError."""
         if self.path is None or self.parts is None:
             return
         try:
@@ -121,9 +123,22 @@ class Table:
             status = file["rows/status"][:]
             rows = np.flatnonzero(status != NOT_RUN)
             columns = self.plan.template.kept.columns
-            values = np.column_stack([file[f"rows/{column}"][:] for column in columns]) if columns else np.empty((len(status), 0))
+            values = (
+                np.column_stack([file[f"rows/{column}"][:] for column in columns])
+                if columns
+                else np.empty((len(status), 0))
+            )
             reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
-            self._fill(Done(rows, values[rows], status[rows], file["rows/engine"][:][rows], file["timing/seconds"][:][rows], reasons))
+            self._fill(
+                Done(
+                    rows,
+                    values[rows],
+                    status[rows],
+                    file["rows/engine"][:][rows],
+                    file["timing/seconds"][:][rows],
+                    reasons,
+                )
+            )
             self.check.update(zip(file["check/row"][:].tolist(), file["check/solver"][:]))
 
 
@@ -133,16 +148,23 @@ def size_of(plan: Plan) -> int:
 
 
 def size_text(size: float) -> str:
-    """"3.2 MB"."""
+    """ "3.2 MB"."""
     return f"{size / 1e9:.3g} GB" if size >= 1e9 else f"{size / 1e6:.3g} MB"
 
 
 def require_room(plan: Plan) -> None:
     """Raises InputError if the memory does not hold the table of a plan."""
-    memory = min([os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"), *(limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit > 0)])
+    memory = min(
+        [
+            os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"),
+            *(limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit > 0),
+        ]
+    )
     if COPIES * size_of(plan) > memory:
-        raise InputError(f"study: {plan.count} rows make a table of {size_text(size_of(plan))}, which takes {size_text(COPIES * size_of(plan))} of memory to write, "
-                         f"and this machine has {size_text(memory)}; take fewer values, samples, levels or records")
+        raise InputError(
+            f"study: {plan.count} rows make a table of {size_text(size_of(plan))}, which takes {size_text(COPIES * size_of(plan))} of memory to write, "
+            f"and this machine has {size_text(memory)}; take fewer values, samples, levels or records"
+        )
 
 
 def _rank(status: np.ndarray) -> np.ndarray:
@@ -168,8 +190,10 @@ def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
     now = json.loads(json.dumps(by_content(plan.description())))
     before = by_content({"files": {}, **kept["plan"]})
     different = [name for name in {**now, **before} if now.get(name) != before.get(name)]
-    raise InputError(f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
-                     f"{path} and {path.name}.parts to begin again")
+    raise InputError(
+        f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
+        f"{path} and {path.name}.parts to begin again"
+    )
 
 
 def _image(table: Table) -> bytes:
@@ -190,10 +214,14 @@ def _image(table: Table) -> bytes:
         rows["status"].attrs["labels"] = list(STATUSES)
         reasons = sorted(table.reasons.items())
         file["reasons/row"] = np.array([row for row, _ in reasons], np.int64)
-        file.create_dataset("reasons/text", data=[why for _, why in reasons], dtype=h5py.string_dtype(), shape=(len(reasons),))
+        file.create_dataset(
+            "reasons/text", data=[why for _, why in reasons], dtype=h5py.string_dtype(), shape=(len(reasons),)
+        )
         file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": relative(plan.description(), table.folder)})
         file["study/text"] = plan.text
-        file.create_dataset("study/warnings", data=plan.warnings, dtype=h5py.string_dtype(), shape=(len(plan.warnings),))
+        file.create_dataset(
+            "study/warnings", data=plan.warnings, dtype=h5py.string_dtype(), shape=(len(plan.warnings),)
+        )
         file.create_dataset("study/engines", data=table.engines, dtype=h5py.string_dtype(), shape=(len(table.engines),))
         _write_records(file, plan)
         _write_check(file, table)

@@ -1,4 +1,5 @@
-"""All that a worker needs to run rows. Workers import this and no more than numpy: they start once a study, each of them."""
+"""All that a worker needs to run rows. Workers import this and no more than numpy: they start once a study, each of
+them."""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ from pounding.studies.quantities import Kept
 class Template:
     """The model, where the factors go, the motions, and what is kept."""
 
-    model: dict[str, Any]  #: parts of the input in texts; of a ground motion that records replace only what holds for each of them
+    #: parts of the input in texts; of a ground motion that records replace only what holds for each of them
+    model: dict[str, Any]
     place: str  #: file that the model stands for in messages
     factors: tuple[Factor, ...]
     motions: tuple[Motion, ...]

@@ -10,9 +10,18 @@ from pounding._native import core
 from pounding.errors import InputError
 
 #: Words of `study:`; the second of each pair is an example.
-STUDY_WORDS = {"seed": "1", "factors": "{gap: {of: links.*.gap, list: [10 mm, 20 mm]}}", "sampling": "{sobol: 128}",
-               "records": "{files: records/*.AT2}", "intensity": "{measure: pga, levels: [0.1 g, 0.2 g]}",
-               "keep": "[displacement, force]", "without_links": "yes", "limits": "{drift: 30 mm}", "stop_after": "5 %", "engine": "auto"}
+STUDY_WORDS = {
+    "seed": "1",
+    "factors": "{gap: {of: links.*.gap, list: [10 mm, 20 mm]}}",
+    "sampling": "{sobol: 128}",
+    "records": "{files: records/*.AT2}",
+    "intensity": "{measure: pga, levels: [0.1 g, 0.2 g]}",
+    "keep": "[displacement, force]",
+    "without_links": "yes",
+    "limits": "{drift: 30 mm}",
+    "stop_after": "5 %",
+    "engine": "auto",
+}
 
 
 def only(words: Any, known: Iterable[str], place: str) -> dict[str, Any]:
@@ -26,7 +35,7 @@ def only(words: Any, known: Iterable[str], place: str) -> dict[str, Any]:
 
 
 def meant(word: str, known: Iterable[str]) -> str:
-    """" Did you mean "gap"?", or nothing."""
+    """ " Did you mean "gap"?", or nothing."""
     close = difflib.get_close_matches(word, [str(each) for each in known], 1)
     return f' Did you mean "{close[0]}"?' if close else ""
 
@@ -48,11 +57,14 @@ def quantities(values: Any, place: str) -> tuple[list[float], str]:
     read = [quantity(value, f"{place}[{i}]") for i, value in enumerate(values)]
     for i, (_, unit) in enumerate(read):
         if unit != read[0][1]:
+
             def told(number: int) -> str:
                 return f'"{values[number]}" is {"in " + read[number][1] if read[number][1] else "a bare number, which is in SI"}'
 
-            raise InputError(f"{place}[{i}]: {told(i)}, and {told(0)}; write every value of the list with a unit of one kind, or all of "
-                             "them as bare numbers in SI")
+            raise InputError(
+                f"{place}[{i}]: {told(i)}, and {told(0)}; write every value of the list with a unit of one kind, or all of "
+                "them as bare numbers in SI"
+            )
     return [number for number, _ in read], read[0][1]
 
 

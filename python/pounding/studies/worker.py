@@ -13,8 +13,8 @@ from pounding.studies.engines import Batch, Done, run_batch
 
 
 def begin_worker() -> None:
-    """Prepares a new process: Ctrl-C and a terminal that closes are for the one that drives the study, whose end ends this one, and BLAS stays at one
-    thread."""
+    """Prepares a new process: Ctrl-C and a terminal that closes are for the one that drives the study, whose end ends
+    this one, and BLAS stays at one thread."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGHUP, signal.SIG_IGN)
     threading.Thread(target=_end_with_driver, daemon=True).start()

@@ -1,4 +1,5 @@
-// The installed library in a program that owns MPI and PETSc: each process runs a model of its own on its own communicator.
+// The installed library in a program that owns MPI and PETSc: each process runs a model of its own on its own
+// communicator.
 #include <petscts.h>
 
 #include <cmath>

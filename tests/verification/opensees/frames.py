@@ -1,9 +1,10 @@
 """The models of this folder in OpenSees: the same nodes, members, masses and motions as the YAML files say. SI units.
 
-In the plane OpenSees has x, y and a rotation from x to y; pounding has x, z and ry, which turns z into x: moments change their
-sign, shear forces do not. In space z is up in both, and the local axes are those of pounding: local z of beams upwards, of
-columns against x.
+In the plane OpenSees has x, y and a rotation from x to y; pounding has x, z and ry, which turns z into x: moments
+change their sign, shear forces do not. In space z is up in both, and the local axes are those of pounding: local z of
+beams upwards, of columns against x.
 """
+
 import math
 import sys
 from pathlib import Path
@@ -83,7 +84,8 @@ class Plane:
 
 
 class LinkedPlane:
-    """Both plane frames in one model, with links of `pounding.opensees` between their facing nodes at every common floor."""
+    """Both plane frames in one model, with links of `pounding.opensees` between their facing nodes at every common
+    floor."""
 
     def __init__(self, **link):
         """`link`: what pounding.opensees.link takes, gap= and law= among it."""
@@ -95,8 +97,10 @@ class LinkedPlane:
         left, _ = plane_frame(STOREYS[0], BAYS[0], STIFFER[0], 0.0, 1, 1)
         right, _ = plane_frame(STOREYS[1], BAYS[1], STIFFER[1], 18.02, 1001, 1001)
         # Nodes from the ground up.
-        self.faces = {"left": [left(s, BAYS[0]) for s in range(1, STOREYS[0] + 1)],
-                      "right": [right(s, 0) for s in range(1, STOREYS[1] + 1)]}
+        self.faces = {
+            "left": [left(s, BAYS[0]) for s in range(1, STOREYS[0] + 1)],
+            "right": [right(s, 0) for s in range(1, STOREYS[1] + 1)],
+        }
         self.links = [opensees.link(5000 + i, a, b, **link) for i, (a, b) in enumerate(zip(*self.faces.values()))]
 
 
@@ -158,8 +162,21 @@ class Space:
                     for name, a, b, (area, along_y, along_z, torsion, about_y, about_z), axes in members:
                         number += 1
                         self.tags[name] = number
-                        ops.element("ElasticTimoshenkoBeam", number, self.tags[a], self.tags[b], self.young, self.shear, area,
-                                    torsion, about_y, about_z, along_y, along_z, axes)
+                        ops.element(
+                            "ElasticTimoshenkoBeam",
+                            number,
+                            self.tags[a],
+                            self.tags[b],
+                            self.young,
+                            self.shear,
+                            area,
+                            torsion,
+                            about_y,
+                            about_z,
+                            along_y,
+                            along_z,
+                            axes,
+                        )
 
     def constraints(self):
         ops.constraints("Transformation")
@@ -226,8 +243,11 @@ def statics(model):
     ops.analysis("Static")
     if ops.analyze(1):
         raise RuntimeError("the static analysis failed")
-    return {"nodes": {name: list(model.moved(name)) for name in model.reported_nodes},
-            "members": {name: list(model.forces(name)) for name in model.reported_members}, "base_shear": model.base_shear()}
+    return {
+        "nodes": {name: list(model.moved(name)) for name in model.reported_nodes},
+        "members": {name: list(model.forces(name)) for name in model.reported_members},
+        "base_shear": model.base_shear(),
+    }
 
 
 def history(model, step):

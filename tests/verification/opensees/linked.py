@@ -2,9 +2,10 @@
 
     PYTHONPATH=build/python python3 tests/verification/opensees/linked.py LAW STEP
 
-Prints the row of README.md: impacts of each link, and the largest differences of a link's peak force and of a floor's peak
-displacement as parts of the reference.
+Prints the row of README.md: impacts of each link, and the largest differences of a link's peak force and of a floor's
+peak displacement as parts of the reference.
 """
+
 import json
 import sys
 
@@ -43,8 +44,10 @@ def main(law, step):
     impacts = [each.impacts for each in frames.links]
     force = [abs(each["peak_force"].max() / peak - 1) for each, peak in zip(impacts, wanted["peak_force"]) if peak > 0]
     moved = [np.abs(peaks[side] / wanted["peak_displacement"][side] - 1).max() for side in peaks]
-    print(f"| `{law}` | {1e3 * step:g} ms | {[len(each) for each in impacts]} | {wanted['impacts']} | {max(force):.1e} | "
-          f"{max(moved):.1e} | {np.mean(iterations):.2f}, {max(iterations)} |")
+    print(
+        f"| `{law}` | {1e3 * step:g} ms | {[len(each) for each in impacts]} | {wanted['impacts']} | {max(force):.1e} | "
+        f"{max(moved):.1e} | {np.mean(iterations):.2f}, {max(iterations)} |"
+    )
 
 
 if __name__ == "__main__":

@@ -6,11 +6,13 @@
     python3 make_references.py pounding        # plane_pounding.json: some minutes
     python3 make_references.py linked STEP     # adds OpenSees' own runs with links to plane_pounding.json
 
-plane, space: periods, static answers and histories of OpenSees, the histories by Newmark at four halved steps and Richardson's
-extrapolation, which takes the error out to the order of step^8; `doubt` is what the last halving still changed.
-pounding: mass and stiffness of the plane frames taken out of OpenSees, then DOP853 that lands on every touch, separation and
-corner of a law. Newmark in OpenSees itself, at steps that one can wait for, is only good to some 1e-3 there.
+plane, space: periods, static answers and histories of OpenSees, the histories by Newmark at four halved steps and
+Richardson's extrapolation, which takes the error out to the order of step^8; `doubt` is what the last halving still
+changed. pounding: mass and stiffness of the plane frames taken out of OpenSees, then DOP853 that lands on every touch,
+separation and corner of a law. Newmark in OpenSees itself, at steps that one can wait for, is only good to some 1e-3
+there.
 """
+
 import json
 import sys
 
@@ -57,19 +59,30 @@ def linear(model):
     runs = [frames.history(model, step) for step in model.steps]
     best, before = richardson(runs), richardson(runs[:-1])
     store["doubt"] = max(float(np.abs(best[g] - before[g]).max() / np.abs(best[g]).max()) for g in scales(model))
-    store["newmark_error"] = {f"{step:g}": max(float(np.abs(best[g] - run[g]).max() / np.abs(best[g]).max()) for g in scales(model))
-                              for step, run in zip(model.steps, runs)}
+    store["newmark_error"] = {
+        f"{step:g}": max(float(np.abs(best[g] - run[g]).max() / np.abs(best[g]).max()) for g in scales(model))
+        for step, run in zip(model.steps, runs)
+    }
     store["rayleigh_frequencies"] = list(model.frequencies)
     store["rayleigh"] = list(frames.coefficients(model.frequencies))
     every = round(KEPT / STEP)
     at = 0
-    for kind, names, parts in (("nodes", model.reported_nodes, model.directions), ("members", model.reported_members, model.components)):
+    for kind, names, parts in (
+        ("nodes", model.reported_nodes, model.directions),
+        ("members", model.reported_members, model.components),
+    ):
         store[kind] = {"parts": list(parts)}
         for name in names:
-            rows = best[at:at + len(parts)]
-            store[kind][name] = {"history": [digits(row[::every]) for row in rows], "peak": digits(np.abs(rows).max(axis=1))}
+            rows = best[at : at + len(parts)]
+            store[kind][name] = {
+                "history": [digits(row[::every]) for row in rows],
+                "peak": digits(np.abs(rows).max(axis=1)),
+            }
             at += len(parts)
-    store["base_shear"] = {"history": [digits(row[::every]) for row in best[at:]], "peak": digits(np.abs(best[at:]).max(axis=1))}
+    store["base_shear"] = {
+        "history": [digits(row[::every]) for row in best[at:]],
+        "peak": digits(np.abs(best[at:]).max(axis=1)),
+    }
     print(type(model).__name__, f"doubt {store['doubt']:.1e}", store["newmark_error"], flush=True)
     return store
 
@@ -93,14 +106,23 @@ def write(name, store):
 
 
 def header(words):
-    return {"command": "python3 tests/verification/opensees/make_references.py " + words,
-            "program": f"OpenSees {ops.version()}", "record": "motion.txt", "history_step": KEPT, "peaks_at_multiples_of": STEP}
+    return {
+        "command": "python3 tests/verification/opensees/make_references.py " + words,
+        "program": f"OpenSees {ops.version()}",
+        "record": "motion.txt",
+        "history_step": KEPT,
+        "peaks_at_multiples_of": STEP,
+    }
 
 
 def make_linear(name, **models):
     steps = next(iter(models.values())).steps
-    write(f"{name}.json", header(name) | {"method": f"Newmark, steps {steps} s, Richardson"}
-          | {structure: linear(model) for structure, model in models.items()})
+    write(
+        f"{name}.json",
+        header(name)
+        | {"method": f"Newmark, steps {steps} s, Richardson"}
+        | {structure: linear(model) for structure, model in models.items()},
+    )
 
 
 def matrices(model):
@@ -134,7 +156,9 @@ class Pair:
         for mass, k, place in parts:
             moving, turning = np.nonzero(mass)[0], np.nonzero(mass == 0)[0]
             across = k[np.ix_(turning, moving)]
-            stiffnesses.append(k[np.ix_(moving, moving)] - across.T @ np.linalg.solve(k[np.ix_(turning, turning)], across))
+            stiffnesses.append(
+                k[np.ix_(moving, moving)] - across.T @ np.linalg.solve(k[np.ix_(turning, turning)], across)
+            )
             masses.append(mass[moving])
             at = {dof: n + j for j, dof in enumerate(moving)}
             places.append(lambda name, place=place, at=at: at[place(name, 0)])
@@ -177,10 +201,16 @@ class Pair:
 
         times = np.arange(len(ground)) * STEP
         contacts = [Contact(law, problem.FRAME_MASS) for _ in faces]
-        kept, peaks, _ = integrate(slope, contacts, relative, np.zeros(2 * n), times[1:], times, rtol, 1e-3 * rtol, STEP / 2)
+        kept, peaks, _ = integrate(
+            slope, contacts, relative, np.zeros(2 * n), times[1:], times, rtol, 1e-3 * rtol, STEP / 2
+        )
         moved = {"left": kept[:, self.left].T, "right": kept[:, self.right].T}
         drift = {side: np.abs(np.diff(u, axis=0, prepend=0)).max(axis=1) for side, u in moved.items()}
-        return {"peaks": peaks, "drift": drift, "displacement": {side: np.abs(u).max(axis=1) for side, u in moved.items()}}
+        return {
+            "peaks": peaks,
+            "drift": drift,
+            "displacement": {side: np.abs(u).max(axis=1) for side, u in moved.items()},
+        }
 
 
 def difference(a, b):
@@ -195,14 +225,20 @@ def difference(a, b):
 def make_pounding():
     path = FOLDER / "plane_pounding.json"
     store = json.loads(path.read_text()) if path.exists() else {"laws": {}}
-    store = header("pounding") | {"method": "matrices of OpenSees, scipy DOP853, rtol 1e-10; doubt: change from rtol 1e-8",
-                                  "rayleigh_periods": list(frames.pair_periods()), "laws": store["laws"]}
+    store = header("pounding") | {
+        "method": "matrices of OpenSees, scipy DOP853, rtol 1e-10; doubt: change from rtol 1e-8",
+        "rayleigh_periods": list(frames.pair_periods()),
+        "laws": store["laws"],
+    }
     pair = Pair()
     for law in problem.LAWS:
         tight = pair.run(law, 1e-10)
         entry = store["laws"].setdefault(law, {})
-        entry |= {"doubt": difference(pair.run(law, 1e-8), tight), "impacts": [len(p) for p in tight["peaks"]],
-                  "peak_force": digits(max(p, default=0.0) for p in tight["peaks"])}
+        entry |= {
+            "doubt": difference(pair.run(law, 1e-8), tight),
+            "impacts": [len(p) for p in tight["peaks"]],
+            "peak_force": digits(max(p, default=0.0) for p in tight["peaks"]),
+        }
         for kind in ("drift", "displacement"):
             entry[f"peak_{kind}"] = {side: digits(values) for side, values in tight[kind].items()}
         print(law, entry["impacts"], f"doubt {entry['doubt']:.1e}", flush=True)
@@ -217,7 +253,11 @@ def make_linked(step):
     store = json.loads(path.read_text())
     for law in problem.LAWS:
         run = opensees_frames.plane(law, step, FOLDER / "motion.txt")
-        reason = {"failed_at": run["failed_at"]} if "failed_at" in run else {"peak_force": digits(p + 0.0 for p in run["peaks"])}
+        reason = (
+            {"failed_at": run["failed_at"]}
+            if "failed_at" in run
+            else {"peak_force": digits(p + 0.0 for p in run["peaks"])}
+        )
         store["laws"][law]["opensees"] = {"command": f"make_references.py linked {step:g}", "step": step} | reason
         print(law, store["laws"][law]["opensees"], store["laws"][law]["peak_force"], flush=True)
         write(path.name, store)
@@ -225,5 +265,9 @@ def make_linked(step):
 
 if __name__ == "__main__":
     what, *rest = sys.argv[1:]
-    {"plane": lambda: make_linear("plane", left=Plane(0), right=Plane(1)), "space": lambda: make_linear("space", tower=Space()),
-     "pounding": make_pounding, "linked": lambda: make_linked(float(rest[0]))}[what]()
+    {
+        "plane": lambda: make_linear("plane", left=Plane(0), right=Plane(1)),
+        "space": lambda: make_linear("space", tower=Space()),
+        "pounding": make_pounding,
+        "linked": lambda: make_linked(float(rest[0])),
+    }[what]()

@@ -1,9 +1,10 @@
-/// BHRC, the strong-motion network of Iran's Road, Housing and Urban Development Research Center, as published files have it; no
-/// description is published.
+/// BHRC, the strong-motion network of Iran's Road, Housing and Urban Development Research Center, as published files
+/// have it; no description is published.
 ///
-/// Three components, each ended by "/&", with 13 lines of text, the first "* VOL1DS FILE:  5522/01", then 7 of integers, 7 of reals and
-/// the accelerations (10E13.6). Used are: text line 5, the component; line 11, points and duration; line 12, the unit; real 7, the
-/// first on the second line of reals, the sampling rate [Hz], which must fit the duration.
+/// Three components, each ended by "/&", with 13 lines of text, the first "* VOL1DS FILE:  5522/01", then 7 of
+/// integers, 7 of reals and the accelerations (10E13.6). Used are: text line 5, the component; line 11, points and
+/// duration; line 12, the unit; real 7, the first on the second line of reals, the sampling rate [Hz], which must fit
+/// the duration.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -31,7 +32,8 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
   if (component.empty()) lines.fail(begin + 4, "is no component such as L, T or V");
   const auto azimuth = captured(lines.at(begin + 7, "the line of the station"), azimuths);
   std::string place;
-  if (azimuth && (component == "L" || component == "T")) place = fmt::format("{} deg", (*azimuth)[component == "T" ? 1 : 0]);
+  if (azimuth && (component == "L" || component == "T"))
+    place = fmt::format("{} deg", (*azimuth)[component == "T" ? 1 : 0]);
   return {.number = {}, .component = component, .place = place, .begin = begin};
 }
 
@@ -55,8 +57,8 @@ double read_step(const Lines& lines, std::size_t begin, std::size_t values_begin
       checked_positive(lines, i, "the sampling rate", words.empty() ? 0 : lines.number(i, words.front()), "a number");
   // The duration counts the samples, or the spaces between them, and is rounded.
   if (std::abs(static_cast<double>(count) / rate - duration) > std::max(2 / rate, 0.001 * duration))
-    lines.fail(i, fmt::format("states {:g} samples a second, which do not fit {} points in {:g} s on line {}", rate, count,
-                              duration, begin + 11));
+    lines.fail(i, fmt::format("states {:g} samples a second, which do not fit {} points in {:g} s on line {}", rate,
+                              count, duration, begin + 11));
   return 1 / rate;
 }
 
@@ -70,14 +72,15 @@ Record read(const Lines& lines, const RecordOptions& options) {
   Record record;
   record.channel = channel.text();
   const auto number = captured(lines[begin], file);
-  record.station = single_spaced(fmt::format("{} {}", number ? number->front() : "", station.substr(0, station.find("Station"))));
+  record.station =
+      single_spaced(fmt::format("{} {}", number ? number->front() : "", station.substr(0, station.find("Station"))));
   record.title = single_spaced(lines.at(begin + 2, "the end of its header"));
   if (!begins_with(trimmed(lines[begin]), "* VOL1")) {
     record.format = "BHRC V2";
     if (!volumes::read_stated(lines, begin, end_of(lines, begin), {8, 10}, options, record))
-      lines.fail(
-          begin,
-          "is no file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in ...\"; take the V1 file");
+      lines.fail(begin,
+                 "is no file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in ...\"; "
+                 "take the V1 file");
     return record;
   }
   record.format = "BHRC V1";
@@ -87,10 +90,12 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const auto unit_text = captured(lines.at(begin + 11, "the unit"), units);
   if (!unit_text) lines.fail(begin + 11, "has no \"UNITS ARE SECONDS AND\"");
   const double unit = agreed_unit(lines, begin + 11, unit_text->front(), options, record.unit);
-  const std::size_t count = checked_count(lines, begin + 10, "the number of points", lines.number(begin + 10, (*stated)[0]));
+  const std::size_t count =
+      checked_count(lines, begin + 10, "the number of points", lines.number(begin + 10, (*stated)[0]));
   const std::size_t values_begin = volumes::after_headers(lines, begin);
   const double dt = read_step(lines, begin, values_begin, count, lines.number(begin + 10, (*stated)[1]));
-  record.samples.accelerations = read_columns(lines, values_begin, numbers, {count, fmt::format("line {}", begin + 11)});
+  record.samples.accelerations =
+      read_columns(lines, values_begin, numbers, {count, fmt::format("line {}", begin + 11)});
   for (double& a : record.samples.accelerations) a *= unit;
   record.samples.times = even_times(count, dt);
   return record;

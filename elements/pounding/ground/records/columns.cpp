@@ -1,6 +1,6 @@
-/// Numbers in columns, as text or CSV: a column of times and one or more of values; or, at a step that the user states, values alone, one
-/// or several a line in the order of reading, or one column of them. A column that counts the rows is skipped, as are lines that state
-/// the number of values and the step.
+/// Numbers in columns, as text or CSV: a column of times and one or more of values; or, at a step that the user states,
+/// values alone, one or several a line in the order of reading, or one column of them. A column that counts the rows is
+/// skipped, as are lines that state the number of values and the step.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -50,12 +50,13 @@ struct Header {
     const auto states = [](const Name& name) { return !name.unit.empty(); };
     const auto is_named = [](const Name& name) { return !name.name.empty(); };
     return std::any_of(columns.begin(), columns.end(), states) ||
-           (std::all_of(columns.begin(), columns.end(), is_named) && lines[line].find_first_of(";,\t") != std::string_view::npos);
+           (std::all_of(columns.begin(), columns.end(), is_named) &&
+            lines[line].find_first_of(";,\t") != std::string_view::npos);
   }
 };
 
-/// Whether a comment with as many words as there are columns names them: it states no units, or that of a time in front of times, or of
-/// what is wanted; "# depth 5 (km)" and "# acc (g), smoothed" do not.
+/// Whether a comment with as many words as there are columns names them: it states no units, or that of a time in front
+/// of times, or of what is wanted; "# depth 5 (km)" and "# acc (g), smoothed" do not.
 bool names_columns(const std::vector<Name>& columns, const RecordOptions& options) {
   const auto states = [](const Name& name) { return !name.unit.empty(); };
   const auto fits = [&](const Name& name) { return unit_of_values(name.unit, options).has_value(); };
@@ -92,7 +93,8 @@ double time_unit(const Lines& lines, const Header& header, std::size_t column) {
 }
 
 /// Refuses rows of another length than the first; the last may be shorter where values follow each other.
-void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_be_shorter, std::string_view advice = {}) {
+void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_be_shorter,
+                   std::string_view advice = {}) {
   const std::size_t count = table.columns(0);
   for (std::size_t row = 1; row < table.rows(); ++row) {
     const std::size_t here = table.columns(row);
@@ -106,10 +108,14 @@ std::vector<double> read_times(const Lines& lines, const NumberTable& table, std
   std::vector<double> times = table.column(column);
   for (std::size_t row = 0; row < times.size(); ++row) {
     const std::string_view line = lines[table.line(row)];
-    const bool by_commas = table.columns(0) == 4 && line.find(',') != std::string_view::npos && line.find_first_of(".;") == std::string_view::npos;
-    const std::string advice = by_commas ? fmt::format("; {}", comma_advice) : table.columns(0) > 2 || row == 1 ? fmt::format("; {}", step_advice) : "";
+    const bool by_commas = table.columns(0) == 4 && line.find(',') != std::string_view::npos &&
+                           line.find_first_of(".;") == std::string_view::npos;
+    const std::string advice = by_commas                          ? fmt::format("; {}", comma_advice)
+                               : table.columns(0) > 2 || row == 1 ? fmt::format("; {}", step_advice)
+                                                                  : "";
     if (times[row] < 0)
-      lines.fail(table.line(row), fmt::format("time {} is before 0, where every run begins{}", times[row], row == 0 ? "" : advice));
+      lines.fail(table.line(row),
+                 fmt::format("time {} is before 0, where every run begins{}", times[row], row == 0 ? "" : advice));
     if (row > 0 && !(times[row] > times[row - 1]))
       lines.fail(table.line(row), fmt::format("time {} does not come after the one before it{}", times[row], advice));
   }
@@ -123,12 +129,14 @@ void refuse_times(const Lines& lines, const NumberTable& table, double unit) {
   if (table.columns(0) < 2 || first.size() < 3) return;
   const double mean = (first.back() - first.front()) / static_cast<double>(first.size() - 1);
   for (std::size_t i = 1; i < first.size(); ++i)
-    if (!(first[i] > first[i - 1]) || (table.columns(0) > 2 && std::abs(first[i] - first[i - 1] - mean) > 0.1 * mean)) return;
+    if (!(first[i] > first[i - 1]) || (table.columns(0) > 2 && std::abs(first[i] - first[i - 1] - mean) > 0.1 * mean))
+      return;
   lines.fail(table.line(0), fmt::format("the first column holds times, every {:g} s; remove \"step\"", mean * unit));
 }
 
 /// The columns of values that may be meant: those that do not state the unit of something else.
-std::vector<Channel> channels_of(const Header& header, const std::vector<std::size_t>& values, const RecordOptions& options) {
+std::vector<Channel> channels_of(const Header& header, const std::vector<std::size_t>& values,
+                                 const RecordOptions& options) {
   std::vector<Channel> all, fitting;
   for (const std::size_t i : values) {
     const Name& column = header.columns[i];
@@ -155,7 +163,8 @@ std::size_t time_column(const Lines& lines, const NumberTable& table, const Head
 }
 
 /// All columns but that of the times and, where others remain, counters.
-std::vector<std::size_t> value_columns(const NumberTable& table, const Header& header, std::optional<std::size_t> times) {
+std::vector<std::size_t> value_columns(const NumberTable& table, const Header& header,
+                                       std::optional<std::size_t> times) {
   std::vector<std::size_t> all, values;
   for (std::size_t i = 0; i < table.columns(0); ++i) {
     if (i == times) continue;
@@ -170,8 +179,8 @@ std::string drop_count_rows(const Lines& lines, NumberTable& table, const Record
   const CountRows found = find_count_rows(table, options.step);
   if (found.rows == 0) return {};
   const bool one = found.rows == 1;
-  const std::string place =
-      one ? fmt::format("line {}", table.line(0) + 1) : fmt::format("lines {} and {}", table.line(0) + 1, table.line(1) + 1);
+  const std::string place = one ? fmt::format("line {}", table.line(0) + 1)
+                                : fmt::format("lines {} and {}", table.line(0) + 1, table.line(1) + 1);
   const std::string stated = fmt::format("{} state{} {} values{}", place, one ? "s" : "", found.count,
                                          found.step > 0 ? fmt::format(" and a step of {:g} s", found.step) : "");
   NumberTable rest = table;
@@ -181,8 +190,9 @@ std::string drop_count_rows(const Lines& lines, NumberTable& table, const Record
   if (found.step > 0 && options.step == 0 && !has_times)
     lines.fail(table.line(0), fmt::format("{}; type step: {:g} s", stated, found.step));
   if (found.step > 0 && options.step > 0 && std::abs(found.step - options.step) > 1e-6 * options.step)
-    lines.fail(table.line(0), fmt::format("{}, but \"step\" says {:g} s; type step: {:g} s, or delete what is no sample", stated,
-                                          options.step, found.step));
+    lines.fail(table.line(0),
+               fmt::format("{}, but \"step\" says {:g} s; type step: {:g} s, or delete what is no sample", stated,
+                           options.step, found.step));
   table = std::move(rest);
   return stated;
 }
@@ -195,9 +205,11 @@ double unit_of_column(const Lines& lines, const Header& header, const NumberTabl
 }
 
 void require_samples(const Lines& lines, std::size_t count, std::string_view what) {
-  if (count > most_samples) throw InputError(fmt::format("{}: {} samples; a record has at most {}", lines.name(), count, most_samples));
+  if (count > most_samples)
+    throw InputError(fmt::format("{}: {} samples; a record has at most {}", lines.name(), count, most_samples));
   if (count >= 2) return;
-  throw InputError(fmt::format("{}: {} sample{}; a record has two or more {}", lines.name(), count, count == 1 ? "" : "s", what));
+  throw InputError(
+      fmt::format("{}: {} sample{}; a record has two or more {}", lines.name(), count, count == 1 ? "" : "s", what));
 }
 
 /// Refuses lines of integers above values with decimals, as headers of numbers have them.
@@ -205,13 +217,12 @@ void refuse_integer_header(const Lines& lines, const NumberTable& table) {
   const std::size_t header = integer_header(table);
   if (header == 0) return;
   const std::size_t first = table.line(0) + 1, last = table.line(header - 1) + 1;
-  lines.fail(
-      table.line(0),
-      fmt::format(
-          "{} integers alone, as a header such as the number of values does, and all values below have decimals; delete {}, or "
-          "begin {} with #",
-          first == last ? fmt::format("line {} holds", first) : fmt::format("lines {} to {} hold", first, last),
-          first == last ? "it" : "them", first == last ? "it" : "each"));
+  lines.fail(table.line(0), fmt::format("{} integers alone, as a header such as the number of values does, and all "
+                                        "values below have decimals; delete {}, or "
+                                        "begin {} with #",
+                                        first == last ? fmt::format("line {} holds", first)
+                                                      : fmt::format("lines {} to {} hold", first, last),
+                                        first == last ? "it" : "them", first == last ? "it" : "each"));
 }
 
 /// Warns of values that stand out at the begin, as the numbers of a header do.
@@ -223,12 +234,14 @@ void warn_of_header(const NumberTable& table, const RecordOptions& options, Reco
   const auto peak = std::max_element(values.begin(), values.end(), less);
   const std::size_t place = static_cast<std::size_t>(peak - values.begin());
   if (place < head)
-    record.warnings.push_back(fmt::format(
-        "the largest value, {:g}, is number {} of {}; if a line above the values states their number or the step, delete it",
-        *peak, place + 1, values.size()));
+    record.warnings.push_back(
+        fmt::format("the largest value, {:g}, is number {} of {}; if a line above the values states their number or "
+                    "the step, delete it",
+                    *peak, place + 1, values.size()));
   else if (table.columns(0) == 1 && values.front() == options.step)
-    record.warnings.push_back(fmt::format("the first value, {:g}, equals the step; if line {} states the step, delete it",
-                                          values.front(), table.line(0) + 1));
+    record.warnings.push_back(
+        fmt::format("the first value, {:g}, equals the step; if line {} states the step, delete it", values.front(),
+                    table.line(0) + 1));
 }
 
 /// The columns of values at a step. Counters are left out; times must have the step.
@@ -241,11 +254,14 @@ std::vector<std::size_t> columns_at_step(const Lines& lines, const NumberTable& 
     return value_columns(table, header, std::nullopt);
   }
   check_lengths(lines, table, false);
-  if (const double unit = unit_of_time(header.columns.front().unit).value_or(1); unit != 1) refuse_times(lines, table, unit);
-  const double spacing = table.columns(0) > 2 ? even_spacing(table, 1) * unit_of_time(header.columns[1].unit).value_or(1) : 0;
+  if (const double unit = unit_of_time(header.columns.front().unit).value_or(1); unit != 1)
+    refuse_times(lines, table, unit);
+  const double spacing =
+      table.columns(0) > 2 ? even_spacing(table, 1) * unit_of_time(header.columns[1].unit).value_or(1) : 0;
   if (spacing > 0 && std::abs(spacing - options.step) > 1e-3 * options.step)
     lines.fail(table.line(0), fmt::format("the second column holds times, every {:g} s; remove \"step\"", spacing));
-  std::vector<std::size_t> values = value_columns(table, header, spacing > 0 ? std::optional<std::size_t>(1) : std::nullopt);
+  std::vector<std::size_t> values =
+      value_columns(table, header, spacing > 0 ? std::optional<std::size_t>(1) : std::nullopt);
   std::erase(values, std::size_t{0});
   return values;
 }
@@ -254,8 +270,10 @@ Record read_at_step(const Lines& lines, const NumberTable& table, const Header& 
   const std::size_t count = table.columns(0);
   const std::vector<std::size_t> values = columns_at_step(lines, table, header, options);
   if (table.commas_are_ambiguous() && !header.is_sure(lines))
-    lines.fail(table.line(0), fmt::format("\"{}\" may be one value with a decimal comma or two values; write decimal points, or part "
-                                          "the values by semicolons", excerpt(trimmed(lines[table.line(0)]))));
+    lines.fail(table.line(0),
+               fmt::format("\"{}\" may be one value with a decimal comma or two values; write decimal points, or part "
+                           "the values by semicolons",
+                           excerpt(trimmed(lines[table.line(0)]))));
   refuse_integer_header(lines, table);
   Record record;
   std::size_t column = 0;
@@ -280,9 +298,11 @@ Record read_at_step(const Lines& lines, const NumberTable& table, const Header& 
   return record;
 }
 
-Record read_with_times(const Lines& lines, const NumberTable& table, const Header& header, const RecordOptions& options) {
+Record read_with_times(const Lines& lines, const NumberTable& table, const Header& header,
+                       const RecordOptions& options) {
   const std::size_t count = table.columns(0);
-  if (count == 1) lines.fail(table.line(0), fmt::format("one column; time and acceleration are two, and {}", step_advice));
+  if (count == 1)
+    lines.fail(table.line(0), fmt::format("one column; time and acceleration are two, and {}", step_advice));
 
   Record record;
   check_lengths(lines, table, false, count > 2 ? fmt::format("; {}", step_advice) : "");
@@ -291,10 +311,10 @@ Record read_with_times(const Lines& lines, const NumberTable& table, const Heade
   const double seconds = time_unit(lines, header, times);
   record.samples.times = read_times(lines, table, times, seconds);
   if (seconds == 1 && counts_rows(table, times))
-    record.warnings.push_back(
-        fmt::format("the times count {:g}, {:g}, {:g}, ... and were read in s; if they are an index of the samples, type the "
-                    "step, as in step: 0.01 s",
-                    table.at(0, times), table.at(1, times), table.at(2, times)));
+    record.warnings.push_back(fmt::format(
+        "the times count {:g}, {:g}, {:g}, ... and were read in s; if they are an index of the samples, type the "
+        "step, as in step: 0.01 s",
+        table.at(0, times), table.at(1, times), table.at(2, times)));
   std::size_t column = values.front();
   if (count == 2) {
     refuse_channel(lines, options);
@@ -317,7 +337,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   if (table.rows() == 0) require_samples(lines, 0, "lines of time and acceleration");
   const std::string remark = drop_count_rows(lines, table, options);
   const Header header = read_header(lines, table, options);
-  Record record = options.step > 0 ? read_at_step(lines, table, header, options) : read_with_times(lines, table, header, options);
+  Record record =
+      options.step > 0 ? read_at_step(lines, table, header, options) : read_with_times(lines, table, header, options);
   record.remark = remark;
   return record;
 }

@@ -1,9 +1,9 @@
 /// COSMOS V1 and V2 (COSMOS Strong Motion Data Format, version 1.20, 2001).
 ///
-/// One or more series, each with a text header of 13 lines or as many as its first line says, integers, reals, comments and
-/// samples. Each of these parts begins with a line that states how much follows and in which columns. Used are: real 62, the
-/// spacing [ms]; real 63, the length [s], which must fit; from the line above the samples their number, quantity and unit.
-/// Series of velocity and displacement, which some networks put between, are skipped.
+/// One or more series, each with a text header of 13 lines or as many as its first line says, integers, reals, comments
+/// and samples. Each of these parts begins with a line that states how much follows and in which columns. Used are:
+/// real 62, the spacing [ms]; real 63, the length [s], which must fit; from the line above the samples their number,
+/// quantity and unit. Series of velocity and displacement, which some networks put between, are skipped.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -54,10 +54,12 @@ Series read_series(const Lines& lines, std::size_t begin) {
   static const std::regex text_lines = pattern(R"(with\s+([0-9]{1,4})\s+text lines)");
   // The unit may carry its code: "units=cm/sec2(04)", "units=g.     (02)", "units=counts (50)", "units=cm/s^2".
   static const std::regex stated = pattern(R"(^\s*[0-9]+\s+([a-z]+).*units\s*=\s*([^(,]*))");
-  if (!contains(lines[begin], "(FORMAT V")) lines.fail(begin, "a series begins here, but not with \"(Format v01.20 ...\"");
+  if (!contains(lines[begin], "(FORMAT V"))
+    lines.fail(begin, "a series begins here, but not with \"(Format v01.20 ...\"");
   Series series{.begin = begin, .quantity = {}, .unit = {}, .reals = {}, .samples = {}};
   const auto text = captured(lines[begin], text_lines);
-  const Part integers = read_part(lines, begin + (text ? std::stoul(text->front()) : 13), "integer-header values", true);
+  const Part integers =
+      read_part(lines, begin + (text ? std::stoul(text->front()) : 13), "integer-header values", true);
   series.reals = read_part(lines, integers.next(), "real-header values", true);
   const Part comments = read_part(lines, series.reals.next(), "comment line", false);
   series.samples = read_part(lines, comments.next(), "pts", true);
@@ -73,7 +75,7 @@ Series read_series(const Lines& lines, std::size_t begin) {
 std::vector<Series> find_series(const Lines& lines) {
   std::vector<Series> all;
   for (std::size_t i = 0; i < lines.size();) {
-    // The standard ends a series by "End-of-data for ..."; its own sample by "/&  ---  End of data for channel  1  ---".
+    // The standard ends a series by "End-of-data for ..."; its own sample by "/&  ---  End of data for channel  1 ---".
     if (trimmed(lines[i]).empty() || begins_with(trimmed(lines[i]), "END-OF-DATA") || lines[i].starts_with("/&")) {
       ++i;
       continue;
@@ -94,8 +96,10 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
   const auto parts = captured(line, words);
   if (!parts) lines.fail(i, "is no line \"Sta Chan  1: 90 deg\"");
   const auto place = captured(line, location);
-  return {.number = (*parts)[0] == "?" ? std::string() : (*parts)[0], .component = single_spaced((*parts)[1]),
-          .place = place ? single_spaced(place->front()) : std::string(), .begin = begin};
+  return {.number = (*parts)[0] == "?" ? std::string() : (*parts)[0],
+          .component = single_spaced((*parts)[1]),
+          .place = place ? single_spaced(place->front()) : std::string(),
+          .begin = begin};
 }
 
 /// Spacing [s]: real 62 [ms], checked against real 63.
@@ -112,8 +116,9 @@ double read_step(const Lines& lines, const Series& series) {
   // The length counts the samples, or the spaces between them, and is rounded.
   const double length = real(63), points = static_cast<double>(series.samples.count);
   if (length > 0 && std::abs(points * dt - length) > std::max(2 * dt, 0.001 * length))
-    lines.fail(i, fmt::format("real 62 states a spacing of {:g} ms and real 63 a length of {:g} s, which do not fit {} points",
-                              1000 * dt, length, series.samples.count));
+    lines.fail(
+        i, fmt::format("real 62 states a spacing of {:g} ms and real 63 a length of {:g} s, which do not fit {} points",
+                       1000 * dt, length, series.samples.count));
   return dt;
 }
 
@@ -123,7 +128,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   for (const Series& series : all)
     if (begins_with(series.quantity, "ACC")) channels.push_back(read_channel(lines, series.begin));
   if (channels.empty())
-    lines.fail(all.front().samples.line, fmt::format("holds {}; take the file of accelerations", excerpt(all.front().quantity)));
+    lines.fail(all.front().samples.line,
+               fmt::format("holds {}; take the file of accelerations", excerpt(all.front().quantity)));
   const Channel channel = chosen(lines, channels, options);
   std::size_t k = 0;
   while (all[k].begin != channel.begin) ++k;
@@ -141,8 +147,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   if (uncorrected) record.remark = "uncorrected";
 
   const double unit = agreed_unit(lines, series.samples.line, series.unit, options, record.unit);
-  const std::size_t count = checked_count(lines, series.samples.line, "the number of points",
-                                          static_cast<double>(series.samples.count));
+  const std::size_t count =
+      checked_count(lines, series.samples.line, "the number of points", static_cast<double>(series.samples.count));
   const double dt = read_step(lines, series);
   record.samples.accelerations = read_columns(lines, series.samples.line + 1, series.samples.columns,
                                               {count, fmt::format("line {}", series.samples.line + 1)});

@@ -1,9 +1,9 @@
 /// CSMIP (CDMG) V1 and V2 (Shakal & Huang 1985, Standard tape format for CSMIP strong-motion data tapes, OSMS 85-03).
 ///
-/// One or more channels, each ended by a line that begins with "/&". V1: 13 lines of text, 7 of integers, 7 of reals; then
-/// a line that states points, rate or spacing, unit and columns, or, in older files, pairs of time and acceleration (10F7.3).
-/// V2: 25 lines of text, 7 of integers, 13 of reals; then acceleration, velocity and displacement, each after a line that
-/// states points, spacing and unit. Only accelerations are read.
+/// One or more channels, each ended by a line that begins with "/&". V1: 13 lines of text, 7 of integers, 7 of reals;
+/// then a line that states points, rate or spacing, unit and columns, or, in older files, pairs of time and
+/// acceleration (10F7.3). V2: 25 lines of text, 7 of integers, 13 of reals; then acceleration, velocity and
+/// displacement, each after a line that states points, spacing and unit. Only accelerations are read.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -46,8 +46,10 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
   const auto parts = captured(line, words);
   if (!parts) lines.fail(i, "is no line \"Chan  1: 90 Deg\"");
   const auto place = captured(line, location);
-  return {.number = single_spaced((*parts)[0]), .component = single_spaced((*parts)[1]),
-          .place = place ? single_spaced(place->front()) : std::string(), .begin = begin};
+  return {.number = single_spaced((*parts)[0]),
+          .component = single_spaced((*parts)[1]),
+          .place = place ? single_spaced(place->front()) : std::string(),
+          .begin = begin};
 }
 
 std::vector<Channel> find_channels(const Lines& lines) {
@@ -58,7 +60,8 @@ std::vector<Channel> find_channels(const Lines& lines) {
       between = true;
     } else if (between && !trimmed(lines[i]).empty()) {
       if (!begins_with(trimmed(lines[i]), v1_title) && !begins_with(trimmed(lines[i]), v2_title))
-        lines.fail(i, "a channel begins here, but not with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
+        lines.fail(
+            i, "a channel begins here, but not with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
       channels.push_back(read_channel(lines, i));
       between = false;
     }
@@ -86,7 +89,8 @@ void read_v1(const Lines& lines, std::size_t begin, const RecordOptions& options
 
 void read_v2(const Lines& lines, std::size_t begin, const RecordOptions& options, Record& record) {
   if (!volumes::read_stated(lines, begin, end_of(lines, begin), {8, 10}, options, record))
-    lines.fail(begin, "the channel that begins here has no line \"points of accel data equally spaced at ... sec, in ...\"");
+    lines.fail(begin,
+               "the channel that begins here has no line \"points of accel data equally spaced at ... sec, in ...\"");
 }
 
 Record read(const Lines& lines, const RecordOptions& options) {
@@ -102,8 +106,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   static const std::regex number = pattern(R"(station no\.?\s*([0-9A-Z]+))");
   const auto code = captured(lines[text_line(lines, begin, 5)], number);
   // Columns 1 to 40; the owner of the station follows.
-  record.station = single_spaced(
-      fmt::format("{} {}", code ? code->front() : "", lines[text_line(lines, begin, 6)].substr(0, 40)));
+  record.station =
+      single_spaced(fmt::format("{} {}", code ? code->front() : "", lines[text_line(lines, begin, 6)].substr(0, 40)));
   if (v1) {
     record.remark = "uncorrected";
     read_v1(lines, begin, options, record);

@@ -37,27 +37,28 @@ Entry entry(const Lines& lines, std::string_view key) {
 }
 
 /// Empty when there is none.
-std::string value(const Lines& lines, std::string_view key) {
-  return find_entry(lines, key).value_or(Entry{}).value;
-}
+std::string value(const Lines& lines, std::string_view key) { return find_entry(lines, key).value_or(Entry{}).value; }
 
 Record read(const Lines& lines, const RecordOptions& options) {
   lines.at(header_length - 1, "the end of the header of 64 lines");
   const Entry type = entry(lines, "DATA_TYPE");
   const std::string_view wanted = options.displacement ? "DISPLACEMENT" : "ACCELERATION";
   if (upper(type.value) != wanted)
-    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of {}s", excerpt(type.value), options.displacement ? "displacement" : "acceleration"));
+    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of {}s", excerpt(type.value),
+                                      options.displacement ? "displacement" : "acceleration"));
   Record record;
   record.format = "ESM";
   record.title = single_spaced(value(lines, "EVENT_NAME") + " " + value(lines, "EVENT_DATE_YYYYMMDD"));
   record.station = single_spaced(fmt::format("{} {} {}", value(lines, "NETWORK"), entry(lines, "STATION_CODE").value,
                                              value(lines, "STATION_NAME")));
   const Entry stream = entry(lines, "STREAM");
-  record.channel = chosen(lines, {{.number = {}, .component = stream.value, .place = {}, .begin = stream.line}}, options).text();
+  record.channel =
+      chosen(lines, {{.number = {}, .component = stream.value, .place = {}, .begin = stream.line}}, options).text();
   const Entry units = entry(lines, "UNITS");
   const double unit = agreed_unit(lines, units.line, units.value, options, record.unit);
   const Entry step = entry(lines, "SAMPLING_INTERVAL_S"), npts = entry(lines, "NDATA");
-  const double dt = checked_positive(lines, step.line, "SAMPLING_INTERVAL_S", lines.number(step.line, step.value), "a time");
+  const double dt =
+      checked_positive(lines, step.line, "SAMPLING_INTERVAL_S", lines.number(step.line, step.value), "a time");
   const std::size_t count = checked_count(lines, npts.line, "NDATA", lines.number(npts.line, npts.value));
   if (contains(value(lines, "BASELINE_CORRECTION"), "NOT REMOVED") || upper(value(lines, "PROCESSING")) == "NONE")
     record.remark = "uncorrected";

@@ -50,16 +50,21 @@ std::span<const Format* const> formats() {
 
 Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
   if (text.size() > longest_record)
-    throw InputError(fmt::format("{}: has more than {} MB, and a record has at most that; is it the right file?", name_, longest_record / 1'000'000));
+    throw InputError(fmt::format("{}: has more than {} MB, and a record has at most that; is it the right file?", name_,
+                                 longest_record / 1'000'000));
   text = without_padding(without_mark(text));
   const char mark = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(mark, begin), text.size());
     const std::string_view line = without_breaks(text.substr(begin, end - begin));
-    if (line.size() > longest_line) fail(size(), fmt::format("has {} bytes, and a line has at most {}", line.size(), longest_line));
-    if (size() == most_lines) fail(size(), fmt::format("the file goes on after {} lines; a record has at most that many", most_lines));
+    if (line.size() > longest_line)
+      fail(size(), fmt::format("has {} bytes, and a line has at most {}", line.size(), longest_line));
+    if (size() == most_lines)
+      fail(size(), fmt::format("the file goes on after {} lines; a record has at most that many", most_lines));
     if (line.find(zero) != std::string_view::npos)
-      fail(size(), "holds zero bytes, as UTF-16, workbooks of Excel and files that are no text do; save the file as text in UTF-8, a sheet as CSV");
+      fail(size(),
+           "holds zero bytes, as UTF-16, workbooks of Excel and files that are no text do; save the file as text in "
+           "UTF-8, a sheet as CSV");
     lines_.push_back(line);
     begin = end + 1;
   }
@@ -120,8 +125,10 @@ std::optional<std::vector<std::string>> captured(std::string_view line, const st
 }
 
 std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value) {
-  if (!(value >= 2 && value == std::floor(value))) lines.fail(i, fmt::format("{} is {:g}; it must be an integer >= 2", name, value));
-  if (value > most_samples) lines.fail(i, fmt::format("{} is {:g}; a record has at most {} samples", name, value, most_samples));
+  if (!(value >= 2 && value == std::floor(value)))
+    lines.fail(i, fmt::format("{} is {:g}; it must be an integer >= 2", name, value));
+  if (value > most_samples)
+    lines.fail(i, fmt::format("{} is {:g}; a record has at most {} samples", name, value, most_samples));
   return static_cast<std::size_t>(value);
 }
 
@@ -162,7 +169,8 @@ std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const St
     if (has_ended) {
       // A line that says where the data end may be followed by words, not by more values.
       double value = 0;
-      if (const auto words = split_at_blanks(lines[i]); !words.empty() && parse_number(words.front(), value)) fail_late(lines, i, stated);
+      if (const auto words = split_at_blanks(lines[i]); !words.empty() && parse_number(words.front(), value))
+        fail_late(lines, i, stated);
       continue;
     }
     for (const std::string_view word : split_at_blanks(lines[i])) {
@@ -207,7 +215,8 @@ std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Co
     }
     if (rest_is_blank(i, fields)) continue;
     if (fields < columns.per_line) fail_late(lines, i, stated);
-    lines.fail(i, fmt::format("goes on after {} numbers of {} characters, which {} allows", fields, columns.width, stated.by));
+    lines.fail(
+        i, fmt::format("goes on after {} numbers of {} characters, which {} allows", fields, columns.width, stated.by));
   }
   if (i < lines.size() && !ends_numbers(lines[i])) fail_late(lines, i, stated);
   return values;
@@ -249,7 +258,8 @@ Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOp
   }
   if (found.empty())
     fail(fmt::format("no channel has the number or the component \"{}\"; the file has", excerpt(options.channel)));
-  if (found.size() > 1) fail(fmt::format("{} channels are \"{}\"; type the number of one", found.size(), excerpt(options.channel)));
+  if (found.size() > 1)
+    fail(fmt::format("{} channels are \"{}\"; type the number of one", found.size(), excerpt(options.channel)));
   return channels[found.front()];
 }
 

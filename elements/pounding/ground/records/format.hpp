@@ -17,18 +17,18 @@
 namespace pounding::records {
 
 // Limits of a file, far above the largest records.
-inline constexpr std::size_t longest_record = 128'000'000;   ///< bytes
-inline constexpr std::size_t longest_line = 10'000'000;      ///< bytes
+inline constexpr std::size_t longest_record = 128'000'000;  ///< bytes
+inline constexpr std::size_t longest_line = 10'000'000;     ///< bytes
 inline constexpr std::size_t most_lines = 5'000'000;
 inline constexpr std::size_t most_numbers = 20'000'000;
 inline constexpr std::size_t most_samples = 5'000'000;
-inline constexpr std::size_t longest_header = 200'000;       ///< bytes
+inline constexpr std::size_t longest_header = 200'000;  ///< bytes
 /// Largest absolute value of a time or a sample, as it stands in the file.
 inline constexpr double largest_value = 1e30;
 
-/// The lines of a file, and errors that name them. Lines count from 0 here and from 1 in messages. They end with LF, CR LF, or, where
-/// there is no LF at all, with CR. Form feeds and the DOS end-of-file mark 0x1A at the ends of lines are ignored, as are zero bytes
-/// behind the last line.
+/// The lines of a file, and errors that name them. Lines count from 0 here and from 1 in messages. They end with LF, CR
+/// LF, or, where there is no LF at all, with CR. Form feeds and the DOS end-of-file mark 0x1A at the ends of lines are
+/// ignored, as are zero bytes behind the last line.
 class Lines {
  public:
   /// Throws InputError for a text in UTF-16 and one beyond the limits.
@@ -54,10 +54,11 @@ class Lines {
 /// One format of records.
 struct Format {
   std::string_view name;  ///< for messages and reports
-  /// Whether a file is of this format, by its content; formats before it in formats.inc were asked first and did not recognise it.
+  /// Whether a file is of this format, by its content; formats before it in formats.inc were asked first and did not
+  /// recognise it.
   bool (*recognises)(const Lines& lines);
-  /// Reads the record; read_record() fills `file`, `uniform` and `measures` afterwards, and turns displacements [m], which stand for
-  /// the accelerations until then, into accelerations. Throws InputError with "file:line: ".
+  /// Reads the record; read_record() fills `file`, `uniform` and `measures` afterwards, and turns displacements [m],
+  /// which stand for the accelerations until then, into accelerations. Throws InputError with "file:line: ".
   Record (*read)(const Lines& lines, const RecordOptions& options);
 };
 
@@ -96,11 +97,12 @@ struct Stated {
   std::string by;  ///< "NPTS", "line 46"
 };
 
-/// Numbers parted by blanks, from line `begin` to the end of the file, or to a line such as "*** End Data ***". Fails when there are
-/// fewer or more than stated.
+/// Numbers parted by blanks, from line `begin` to the end of the file, or to a line such as "*** End Data ***". Fails
+/// when there are fewer or more than stated.
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated);
 
-/// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}, (1X,10F7.3) is {10, 7, 1}.
+/// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}, (1X,10F7.3) is {10,
+/// 7, 1}.
 struct Columns {
   std::size_t per_line, width;
   std::size_t indent = 0;
@@ -130,8 +132,8 @@ struct StatedUnit {
   std::size_t line;
 };
 
-/// The value in SI of the unit of an acceleration, or displacement, as records spell it ("G", "CM/SEC/SEC", "m/s**2", "g/10"); nothing
-/// when it is none.
+/// The value in SI of the unit of an acceleration, or displacement, as records spell it ("G", "CM/SEC/SEC", "m/s**2",
+/// "g/10"); nothing when it is none.
 std::optional<double> unit_of_values(std::string_view text, const RecordOptions& options);
 
 /// Seconds in the unit of a time ("s", "sec", "ms"); nothing when it is none.
@@ -140,16 +142,18 @@ std::optional<double> unit_of_time(std::string_view text);
 /// Whether a text is the unit of a time, a length, a velocity or an acceleration.
 bool is_unit(std::string_view text);
 
-/// Units of values in the prose of lines 0 to `end`: "acc (g)", "acceleration[m/s^2]", "units are g", "in cm/s/s"; not "0.32 g".
+/// Units of values in the prose of lines 0 to `end`: "acc (g)", "acceleration[m/s^2]", "units are g", "in cm/s/s"; not
+/// "0.32 g".
 std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const RecordOptions& options);
 
-/// Value in SI of 1 in the file [m/s^2], or [m], from what the file states (empty: nothing) and what the user says; `unit` becomes what
-/// was taken. Fails when neither or both and not alike, and for another dimension.
+/// Value in SI of 1 in the file [m/s^2], or [m], from what the file states (empty: nothing) and what the user says;
+/// `unit` becomes what was taken. Fails when neither or both and not alike, and for another dimension.
 double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string& stated, const RecordOptions& options,
                    std::string& unit);
 
 /// Agrees likewise where the file may state units in several places; where they differ, the user must say one of them.
-double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, const RecordOptions& options, std::string& unit);
+double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, const RecordOptions& options,
+                   std::string& unit);
 
 // Channels.
 
@@ -164,8 +168,8 @@ struct Channel {
   std::string text() const;
 };
 
-/// The channel that the options name by number or component, or the only one. Where numbers lack or repeat, channels are
-/// numbered as they come. Fails with the list of them when none, or none of these, was named.
+/// The channel that the options name by number or component, or the only one. Where numbers lack or repeat, channels
+/// are numbered as they come. Fails with the list of them when none, or none of these, was named.
 Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOptions& options);
 
 /// Fails when a channel is asked for of a format that does not name any.

@@ -1,10 +1,11 @@
 /// GeoNet V1A and V2A of New Zealand (W. J. Cousins, GNS Accelerogram Data Files, Standard Format, 2008;
 /// geonet.org.nz/data/supplementary/strong_motion_file_formats).
 ///
-/// Three components, each with 16 lines of text, 4 of integers (10I8), 6 of reals (10F8.0) and the accelerations (10F8.1); V2A files
-/// continue with velocities and displacements. Used are: text line 10, the number of points; line 11, the unit of raw readings; line 13,
-/// the component; line 14, the unit; integers 34 to 36, the samples of acceleration, velocity and displacement; real 26, the interval [s].
-/// Nines in all digits stand for a missing sample: those at the begin and end are left out, and `remark` says so.
+/// Three components, each with 16 lines of text, 4 of integers (10I8), 6 of reals (10F8.0) and the accelerations
+/// (10F8.1); V2A files continue with velocities and displacements. Used are: text line 10, the number of points; line
+/// 11, the unit of raw readings; line 13, the component; line 14, the unit; integers 34 to 36, the samples of
+/// acceleration, velocity and displacement; real 26, the interval [s]. Nines in all digits stand for a missing sample:
+/// those at the begin and end are left out, and `remark` says so.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -66,7 +67,8 @@ void check_lines(const Lines& lines, std::size_t begin, std::size_t count) {
   for (const std::size_t number : {35, 36}) {
     const double others = header_number(lines, begin + integers_line, number);
     if (!(others >= 0 && others <= most_samples))
-      lines.fail(begin + integers_line + 3, fmt::format("integer {} is {:g}; it must be a number of samples", number, others));
+      lines.fail(begin + integers_line + 3,
+                 fmt::format("integer {} is {:g}; it must be a number of samples", number, others));
     stated += fields.lines_for(static_cast<std::size_t>(others));
   }
   if (end - begin - values_line != stated)
@@ -77,7 +79,8 @@ void check_lines(const Lines& lines, std::size_t begin, std::size_t count) {
 /// Sampling interval [s]: real 26, which has four decimals. A rate in whole Hz that rounds to it is meant.
 double read_interval(const Lines& lines, std::size_t begin) {
   const double stated = header_number(lines, begin + reals_line, 26);
-  const double dt = checked_positive(lines, begin + reals_line + 2, "real 26, the sampling interval,", stated, "a time");
+  const double dt =
+      checked_positive(lines, begin + reals_line + 2, "real 26, the sampling interval,", stated, "a time");
   const double whole = 1 / std::round(1 / dt);
   return std::abs(whole - dt) <= 0.5e-4 ? whole : dt;
 }
@@ -92,7 +95,8 @@ std::vector<double> read_values(const Lines& lines, std::size_t begin, std::size
   while (first < count && is_missing(field(first))) ++first;
   while (end > first && is_missing(field(end - 1))) --end;
   if (end - first < 2) lines.fail(values_begin, "the component has no two samples that are not missing");
-  if (end - first < count) record.remark += fmt::format(", {} missing samples at the ends left out", count - (end - first));
+  if (end - first < count)
+    record.remark += fmt::format(", {} missing samples at the ends left out", count - (end - first));
   std::vector<double> values;
   for (std::size_t k = first; k < end; ++k) {
     const std::size_t i = values_begin + k / fields.per_line;

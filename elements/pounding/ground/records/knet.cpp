@@ -1,8 +1,8 @@
 /// K-NET and KiK-net ASCII, as NIED describes it (https://www.kyoshin.bosai.go.jp/kyoshin/man/knetform_en.html).
 ///
 /// A header of lines whose name takes 18 characters, from "Origin Time" to "Memo."; then counts. Acceleration in gal is
-/// (count - mean) times the scale factor "3920(gal)/6182761": the logger's zero is not at 0. KiK-net numbers its channels:
-/// 1 to 3 are N-S, E-W and U-D in the borehole, 4 to 6 the same at the surface.
+/// (count - mean) times the scale factor "3920(gal)/6182761": the logger's zero is not at 0. KiK-net numbers its
+/// channels: 1 to 3 are N-S, E-W and U-D in the borehole, 4 to 6 the same at the surface.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -49,7 +49,8 @@ double read_scale(const Lines& lines) {
   static const std::regex fraction = pattern(R"(^([0-9.]+)\s*\(gal\)\s*/\s*([0-9.]+)$)");
   const std::size_t i = find_line(lines, "SCALE FACTOR");
   const auto parts = captured(value(lines, i), fraction);
-  if (!parts) lines.fail(i, fmt::format("\"{}\" is no scale factor such as 3920(gal)/6182761", excerpt(value(lines, i))));
+  if (!parts)
+    lines.fail(i, fmt::format("\"{}\" is no scale factor such as 3920(gal)/6182761", excerpt(value(lines, i))));
   return checked_positive(lines, i, "the scale factor", lines.number(i, (*parts)[0]) / lines.number(i, (*parts)[1]),
                           "a number");
 }
@@ -64,15 +65,17 @@ double read_frequency(const Lines& lines) {
 Record read(const Lines& lines, const RecordOptions& options) {
   Record record;
   record.format = "K-NET";
-  record.title = single_spaced(fmt::format("{}, M {}", value(lines, find_line(lines, "ORIGIN TIME")),
-                                           value(lines, find_line(lines, "MAG."))));
+  record.title = single_spaced(
+      fmt::format("{}, M {}", value(lines, find_line(lines, "ORIGIN TIME")), value(lines, find_line(lines, "MAG."))));
   record.station = value(lines, find_line(lines, "STATION CODE"));
   record.channel = chosen(lines, {read_channel(lines)}, options).text();
-  const double unit = agreed_unit(lines, find_line(lines, "SCALE FACTOR"), "gal", options, record.unit) * read_scale(lines);
+  const double unit =
+      agreed_unit(lines, find_line(lines, "SCALE FACTOR"), "gal", options, record.unit) * read_scale(lines);
   const double frequency = read_frequency(lines);
   const std::size_t i = find_line(lines, "DURATION TIME(S)");
   const double duration = checked_positive(lines, i, "the duration", lines.number(i, value(lines, i)), "a time");
-  const std::size_t count = checked_count(lines, i, "duration times sampling frequency", std::round(duration * frequency));
+  const std::size_t count =
+      checked_count(lines, i, "duration times sampling frequency", std::round(duration * frequency));
 
   std::vector<double>& values = record.samples.accelerations;
   values = read_numbers(lines, find_line(lines, "MEMO.") + 1, {count, "duration times sampling frequency"});

@@ -1,7 +1,8 @@
-/// AFAD (TR-NSMN), the strong-motion network of Turkey: text files as published until 2019. Later files of AFAD are those of ESM.
+/// AFAD (TR-NSMN), the strong-motion network of Turkey: text files as published until 2019. Later files of AFAD are
+/// those of ESM.
 ///
-/// "STRONG GROUND MOTION RECORDS OF TURKIYE", lines "KEY : value", a line with the names of the components, and lines with a value each.
-/// The unit stands in "RAW PGA VALUES (gal)".
+/// "STRONG GROUND MOTION RECORDS OF TURKIYE", lines "KEY : value", a line with the names of the components, and lines
+/// with a value each. The unit stands in "RAW PGA VALUES (gal)".
 
 #include <pounding/ground/records/format.hpp>
 
@@ -50,24 +51,28 @@ Record read(const Lines& lines, const RecordOptions& options) {
   while (names_line > step_line && trimmed(lines[names_line]).empty()) --names_line;
   std::vector<Channel> channels;
   for (const std::string_view name : split_at_blanks(lines[names_line]))
-    channels.push_back(
-        {.number = std::to_string(channels.size() + 1), .component = std::string(name), .place = {}, .begin = channels.size()});
+    channels.push_back({.number = std::to_string(channels.size() + 1),
+                        .component = std::string(name),
+                        .place = {},
+                        .begin = channels.size()});
   lines.at(begin, "the values");
   const std::size_t columns = split_at_blanks(lines[begin]).size();
   if (channels.size() != columns)
-    lines.fail(names_line, fmt::format("names {} components; the lines below have {} values", channels.size(), columns));
+    lines.fail(names_line,
+               fmt::format("names {} components; the lines below have {} values", channels.size(), columns));
   const Channel channel = chosen(lines, channels, options);
 
   Record record;
   record.format = "AFAD (TR-NSMN)";
   record.title = single_spaced(fmt::format("{}, M {}", value(lines, find_line(lines, "EARTHQUAKE DATE")),
                                            value(lines, find_line(lines, "EARTHQUAKE MAGNITUDE"))));
-  record.station =
-      single_spaced(fmt::format("{} {}", value(lines, find_line(lines, "STATION ID")), value(lines, find_line(lines, "PLACE"))));
+  record.station = single_spaced(
+      fmt::format("{} {}", value(lines, find_line(lines, "STATION ID")), value(lines, find_line(lines, "PLACE"))));
   record.channel = channel.text();
   record.remark = "uncorrected";
   const auto unit_text = captured(lines[unit_line], bracket);
-  const double unit = agreed_unit(lines, unit_line, unit_text ? unit_text->front() : std::string(), options, record.unit);
+  const double unit =
+      agreed_unit(lines, unit_line, unit_text ? unit_text->front() : std::string(), options, record.unit);
   static const std::regex in_bracket = pattern(R"(\(([^)]*)\))");
   const auto time_text = captured(lines[step_line].substr(0, lines[step_line].find(':')), in_bracket);
   const std::optional<double> seconds = unit_of_time(time_text ? time_text->front() : "s");
@@ -78,7 +83,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
       checked_count(lines, count_line, "NUMBER OF DATA", lines.number(count_line, value(lines, count_line)));
   const std::vector<double> all =
       read_numbers(lines, begin, {count * columns, fmt::format("NUMBER OF DATA, in {} columns,", columns)});
-  for (std::size_t i = 0; i < count; ++i) record.samples.accelerations.push_back(unit * all[i * columns + channel.begin]);
+  for (std::size_t i = 0; i < count; ++i)
+    record.samples.accelerations.push_back(unit * all[i * columns + channel.begin]);
   record.samples.times = even_times(count, dt);
   return record;
 }

@@ -1,4 +1,5 @@
-/// PEER AT2: a header that states NPTS and DT [s], or DT in MSEC, in either order of word and number, and "UNITS OF G"; then the values.
+/// PEER AT2: a header that states NPTS and DT [s], or DT in MSEC, in either order of word and number, and "UNITS OF G";
+/// then the values.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -44,7 +45,8 @@ Size read_size(const Lines& lines, std::size_t i) {
   const auto count = captured(line, stated_count), step = captured(line, stated_step);
   if (count && step)
     return {checked_count(lines, i, "NPTS", lines.number(i, count->front())),
-            checked_positive(lines, i, "DT", lines.number(i, (*step)[0]) * unit_of_dt(lines, i, (*step)[1], !(*step)[2].empty()),
+            checked_positive(lines, i, "DT",
+                             lines.number(i, (*step)[0]) * unit_of_dt(lines, i, (*step)[1], !(*step)[2].empty()),
                              "a time")};
   std::vector<double> numbers;
   std::string separated = line;

@@ -1,8 +1,8 @@
 /// USGS SMC, time series of versions 1 and 2 of the format (smcfmt, USGS National Strong-Motion Program).
 ///
-/// 11 lines of text, the first with what the file holds; 48 integers (8I10), of which number 16 counts the comments and 17
-/// the samples; 50 reals (5E15.7), of which number 1 stands for "unknown" and 2 is the sampling rate; comments; samples in
-/// cm/s^2 (8E10.4, or 5E14.7 where integer 47 is 8, as D. Boore's programs write for more digits).
+/// 11 lines of text, the first with what the file holds; 48 integers (8I10), of which number 16 counts the comments and
+/// 17 the samples; 50 reals (5E15.7), of which number 1 stands for "unknown" and 2 is the sampling rate; comments;
+/// samples in cm/s^2 (8E10.4, or 5E14.7 where integer 47 is 8, as D. Boore's programs write for more digits).
 
 #include <pounding/ground/records/format.hpp>
 
@@ -51,7 +51,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const auto parts = captured(lines.at(5, "the end of its header"), names);
   if (!parts) lines.fail(5, "has no \"station = ... component= ...\"");
   record.station = single_spaced((*parts)[0]);
-  record.channel = chosen(lines, {{.number = {}, .component = single_spaced((*parts)[1]), .place = {}, .begin = 5}}, options).text();
+  record.channel =
+      chosen(lines, {{.number = {}, .component = single_spaced((*parts)[1]), .place = {}, .begin = 5}}, options).text();
   if (begins_with(kind, uncorrected)) record.remark = "uncorrected";
   const double unit = agreed_unit(lines, 0, "cm/s^2", options, record.unit);
 
@@ -60,7 +61,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
                                           header_number(lines, integers_line, integers, 17));
   const double comments = header_number(lines, integers_line, integers, 16);
   std::size_t begin = comments_line;
-  for (; begin < lines.size() && lines[begin].starts_with('|'); ++begin) {}
+  for (; begin < lines.size() && lines[begin].starts_with('|'); ++begin) {
+  }
   if (comments >= 0 && static_cast<double>(begin - comments_line) != comments)
     lines.fail(integers_line + 1, fmt::format("integer 16 states {:g} comments; {} lines begin with \"|\"", comments,
                                               begin - comments_line));

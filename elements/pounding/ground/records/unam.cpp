@@ -1,9 +1,10 @@
-/// UNAM, "archivo estandar de aceleracion" 2.0 of Mexico's strong-motion networks (Base Mexicana de Datos de Sismos Fuertes,
-/// Instituto de Ingenieria, UNAM; Quaas et al. 1995).
+/// UNAM, "archivo estandar de aceleracion" 2.0 of Mexico's strong-motion networks (Base Mexicana de Datos de Sismos
+/// Fuertes, Instituto de Ingenieria, UNAM; Quaas et al. 1995).
 ///
-/// Some 109 lines of text, most of them "KEY : value", where lists of channels are "/V/N00E/N90E"; below "DATOS DE ACELERACION" the names of the
-/// channels between two rules, then a line of values each (3F10.4). Used are: orientations, intervals [s], numbers of samples and
-/// durations of channels 1 to 6 and 7 to 12, the unit, and the columns.
+/// Some 109 lines of text, most of them "KEY : value", where lists of channels are "/V/N00E/N90E"; below "DATOS DE
+/// ACELERACION" the names of the channels between two rules, then a line of values each (3F10.4). Used are:
+/// orientations, intervals [s], numbers of samples and durations of channels 1 to 6 and 7 to 12, the unit, and the
+/// columns.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -54,7 +55,8 @@ std::vector<std::string> list(const Lines& lines, std::string_view key) {
       const std::string text = value(lines, i);
       for (std::size_t at = text.find('/'); at != std::string::npos;) {
         const std::size_t next = text.find('/', at + 1);
-        entries.emplace_back(trimmed(std::string_view(text).substr(at + 1, next == std::string::npos ? next : next - at - 1)));
+        entries.emplace_back(
+            trimmed(std::string_view(text).substr(at + 1, next == std::string::npos ? next : next - at - 1)));
         at = next;
       }
       break;
@@ -74,7 +76,8 @@ Columns columns_of(const Lines& lines, std::size_t channels) {
   const std::size_t i = line_of(lines, "FORMATO DATOS");
   const auto columns = fortran_columns("(" + value(lines, i) + ")");
   if (!columns || columns->per_line < channels)
-    lines.fail(i, fmt::format("\"{}\" states no columns for {} channels, as 3F10.4 does", excerpt(value(lines, i)), channels));
+    lines.fail(
+        i, fmt::format("\"{}\" states no columns for {} channels, as 3F10.4 does", excerpt(value(lines, i)), channels));
   return *columns;
 }
 
@@ -101,22 +104,25 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const std::string unit_text = value(lines, unit_line);
   const double unit =
       agreed_unit(lines, unit_line, single_spaced(unit_text.substr(0, unit_text.find('('))), options, record.unit);
-  const std::size_t count_line = line_of(lines, "NUM. TOTAL DE MUESTRAS"), step_line = line_of(lines, "INTERVALO DE MUESTREO");
-  const std::size_t count = checked_count(lines, count_line, "the number of samples", number(lines, "NUM. TOTAL DE MUESTRAS", k));
-  const double dt = checked_positive(lines, step_line, "the interval", number(lines, "INTERVALO DE MUESTREO", k), "a time");
+  const std::size_t count_line = line_of(lines, "NUM. TOTAL DE MUESTRAS"),
+                    step_line = line_of(lines, "INTERVALO DE MUESTREO");
+  const std::size_t count =
+      checked_count(lines, count_line, "the number of samples", number(lines, "NUM. TOTAL DE MUESTRAS", k));
+  const double dt =
+      checked_positive(lines, step_line, "the interval", number(lines, "INTERVALO DE MUESTREO", k), "a time");
   // Where samples were left out ("factor de decimacion"), the interval may be that of the instrument.
   const double duration = number(lines, "DURACION DEL REGISTRO", k);
   if (std::abs(static_cast<double>(count) * dt - duration) > std::max(2 * dt, 0.01 * duration))
-    lines.fail(step_line, fmt::format("{} samples every {:g} s do not fit the duration of {:g} s on line {}", count, dt, duration,
-                                      line_of(lines, "DURACION DEL REGISTRO") + 1));
+    lines.fail(step_line, fmt::format("{} samples every {:g} s do not fit the duration of {:g} s on line {}", count, dt,
+                                      duration, line_of(lines, "DURACION DEL REGISTRO") + 1));
 
   std::size_t begin = line_of(lines, values_title) + 1;
   for (std::size_t rules = 0; rules < 2; ++begin)
     if (lines.at(begin, "the values").starts_with("---")) ++rules;
   const Columns columns = columns_of(lines, channels.size());
   if (begin + count > lines.size())
-    lines.fail(lines.size() - 1,
-               fmt::format("the values end here, after {}; line {} states {}", lines.size() - begin, count_line + 1, count));
+    lines.fail(lines.size() - 1, fmt::format("the values end here, after {}; line {} states {}", lines.size() - begin,
+                                             count_line + 1, count));
   for (std::size_t i = 0; i < count; ++i)
     record.samples.accelerations.push_back(
         unit * lines.sample(begin + i, column_field(lines, begin, columns, i * columns.per_line + k)));
@@ -125,9 +131,11 @@ Record read(const Lines& lines, const RecordOptions& options) {
          !column_field(lines, begin, columns, (count + more) * columns.per_line + k).empty())
     ++more;
   // Files of the network end with a few repeated samples.
-  if (more > count / 100) lines.fail(begin + count, fmt::format("more values than the {} that line {} states", count, count_line + 1));
+  if (more > count / 100)
+    lines.fail(begin + count, fmt::format("more values than the {} that line {} states", count, count_line + 1));
   if (more > 0)
-    record.warnings.push_back(fmt::format("{} more rows than the {} that line {} states are left out", more, count, count_line + 1));
+    record.warnings.push_back(
+        fmt::format("{} more rows than the {} that line {} states are left out", more, count, count_line + 1));
   record.samples.times = even_times(count, dt);
   return record;
 }

@@ -1,9 +1,10 @@
-/// USC, the Los Angeles strong-motion network of the University of Southern California, Volumes I and II (M. D. Trifunac and
-/// V. W. Lee, Routine Computer Processing of Strong-Motion Accelerograms, EERL 73-03, 1973).
+/// USC, the Los Angeles strong-motion network of the University of Southern California, Volumes I and II (M. D.
+/// Trifunac and V. W. Lee, Routine Computer Processing of Strong-Motion Accelerograms, EERL 73-03, 1973).
 ///
-/// Volume I: 13 lines of text, the first "FILE 0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", 7 of integers, 7 of reals; then pairs of
-/// time and acceleration (1X,10F7.3). Volume II: one line of text more in front, 25 in all; accelerations after a line that states points,
-/// spacing and unit. Columns 73 to 80 of the text hold the lengths of the lines. A file has one component or more.
+/// Volume I: 13 lines of text, the first "FILE 0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", 7 of integers, 7 of
+/// reals; then pairs of time and acceleration (1X,10F7.3). Volume II: one line of text more in front, 25 in all;
+/// accelerations after a line that states points, spacing and unit. Columns 73 to 80 of the text hold the lengths of
+/// the lines. A file has one component or more.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -73,8 +74,9 @@ Record read(const Lines& lines, const RecordOptions& options) {
   } else {
     record.format = "USC V2";
     if (!volumes::read_stated(lines, begin, end_of(lines, begin), {8, 10}, options, record))
-      lines.fail(begin,
-                 "the component that begins here has no line \"POINTS OF ACC DATA EQUALLY SPACED AT ... SEC. IN UNITS ...\"");
+      lines.fail(
+          begin,
+          "the component that begins here has no line \"POINTS OF ACC DATA EQUALLY SPACED AT ... SEC. IN UNITS ...\"");
   }
   return record;
 }

@@ -1,9 +1,10 @@
 #pragma once
-/// Layout of Caltech's Volumes I and II (Hudson et al., 1969 to 1975), which CSMIP, USC and BHRC share. Users call read_record() instead.
+/// Layout of Caltech's Volumes I and II (Hudson et al., 1969 to 1975), which CSMIP, USC and BHRC share. Users call
+/// read_record() instead.
 ///
-/// A channel of Volume I: 13 lines of text, integers, reals, then pairs of time and acceleration, or accelerations at even times.
-/// A channel of Volume II: 25 lines of text, integers, reals, then acceleration, velocity and displacement, each after a line that
-/// states points, spacing and unit.
+/// A channel of Volume I: 13 lines of text, integers, reals, then pairs of time and acceleration, or accelerations at
+/// even times. A channel of Volume II: 25 lines of text, integers, reals, then acceleration, velocity and displacement,
+/// each after a line that states points, spacing and unit.
 
 #include <string>
 #include <string_view>
@@ -19,18 +20,18 @@ std::string unit_alone(std::string_view text);
 /// Number of the line after the integers and reals of a channel of Volume I that begins at `begin`.
 std::size_t after_headers(const Lines& lines, std::size_t begin);
 
-/// Reads evenly spaced accelerations below line i, which states them: `count`, `unit`, and columns such as (8F10.3), which otherwise
-/// follow from the length of the first line, or are the `usual` ones. `dt` [s].
+/// Reads evenly spaced accelerations below line i, which states them: `count`, `unit`, and columns such as (8F10.3),
+/// which otherwise follow from the length of the first line, or are the `usual` ones. `dt` [s].
 void read_even(const Lines& lines, std::size_t i, const std::string& count, const std::string& unit, double dt,
                const Columns& usual, const RecordOptions& options, Record& record);
 
-/// Reads the accelerations below the line "2000 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC, IN CM/SEC2" between two lines; false if
-/// there is no such line.
-bool read_stated(const Lines& lines, std::size_t begin, std::size_t end, const Columns& usual, const RecordOptions& options,
-                 Record& record);
+/// Reads the accelerations below the line "2000 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC, IN CM/SEC2" between
+/// two lines; false if there is no such line.
+bool read_stated(const Lines& lines, std::size_t begin, std::size_t end, const Columns& usual,
+                 const RecordOptions& options, Record& record);
 
-/// Reads pairs of time [s] and acceleration from line `first` on, uneven because film was digitised by hand. Their number is stated on
-/// line `count_line`, the unit on `unit_line`.
+/// Reads pairs of time [s] and acceleration from line `first` on, uneven because film was digitised by hand. Their
+/// number is stated on line `count_line`, the unit on `unit_line`.
 void read_pairs(const Lines& lines, std::size_t count_line, std::size_t unit_line, std::size_t first,
                 const RecordOptions& options, Record& record);
 

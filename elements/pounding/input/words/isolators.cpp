@@ -11,17 +11,34 @@
 namespace pounding::words {
 namespace {
 
-constexpr Word rate_word{.key = "rate", .takes = Takes::quantity, .dimension = {0, -1, 1}, .unit = "s/m", .bounds = bounds::positive, .otherwise = "none",
-                         .since = "0.2.0", .meaning = "How fast the friction comes from the slow coefficient to the fast one as the velocity grows.",
-                         .example = "60 s/m"};
+constexpr Word rate_word{
+    .key = "rate",
+    .takes = Takes::quantity,
+    .dimension = {0, -1, 1},
+    .unit = "s/m",
+    .bounds = bounds::positive,
+    .otherwise = "none",
+    .since = "0.2.0",
+    .meaning = "How fast the friction comes from the slow coefficient to the fast one as the velocity grows.",
+    .example = "60 s/m"};
 
 /// The words of the laws of isolators: of all laws that yield both ways.
 struct OfIsolators : YieldingWords {
   std::vector<Word> own{
-      {.key = "capacity", .takes = Takes::quantity, .dimension = dimension::length, .bounds = bounds::positive, .otherwise = "none", .since = "0.2.0",
-       .meaning = "Deformation that it can bear. Nothing happens there, but a run that goes beyond says so.", .example = "350 mm"},
-      {.key = "coupled", .takes = Takes::boolean, .otherwise = "true in space, where it is refused", .since = "0.2.0",
-       .meaning = "false lets an isolator of a frame in space follow its law along x and along y, each by itself, which carries up to 1.41 times too "
+      {.key = "capacity",
+       .takes = Takes::quantity,
+       .dimension = dimension::length,
+       .bounds = bounds::positive,
+       .otherwise = "none",
+       .since = "0.2.0",
+       .meaning = "Deformation that it can bear. Nothing happens there, but a run that goes beyond says so.",
+       .example = "350 mm"},
+      {.key = "coupled",
+       .takes = Takes::boolean,
+       .otherwise = "true in space, where it is refused",
+       .since = "0.2.0",
+       .meaning = "false lets an isolator of a frame in space follow its law along x and along y, each by itself, "
+                  "which carries up to 1.41 times too "
                   "much along a diagonal. Laws of both at once are not there yet.",
        .example = "false"}};
 
@@ -31,15 +48,22 @@ struct OfIsolators : YieldingWords {
     Example example;
     for (const auto& parameter : L::parameters) {
       of_law.push_back(word_of(parameter, made));
-      if (of_law.back().need == Need::required || parameter.info.need == hysteresis::Need::instead) example.add(of_law.back());
+      if (of_law.back().need == Need::required || parameter.info.need == hysteresis::Need::instead)
+        example.add(of_law.back());
     }
     if (L::name == "friction_pendulum") of_law.push_back(rate_word);
     add_choices(made, of_law);
-    const Section& section = add_section({.name = kept(fmt::format("isolator_{}", L::name)),
-                                          .place = kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
-                                          .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), .words = of_law});
-    own.push_back({.key = L::name, .inside = &section, .need = Need::exactly_one, .since = "0.2.0",
-                   .meaning = kept(fmt::format("It follows this law: {}.", L::summary)), .example = kept(example.text())});
+    const Section& section =
+        add_section({.name = kept(fmt::format("isolator_{}", L::name)),
+                     .place = kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
+                     .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
+                     .words = of_law});
+    own.push_back({.key = L::name,
+                   .inside = &section,
+                   .need = Need::exactly_one,
+                   .since = "0.2.0",
+                   .meaning = kept(fmt::format("It follows this law: {}.", L::summary)),
+                   .example = kept(example.text())});
   }
 
  private:
@@ -49,7 +73,8 @@ struct OfIsolators : YieldingWords {
     if (word.key == "friction") {
       word.form = Form::one_or_list;
       word.least = word.most = 2;
-      word.meaning = "Coefficient of friction mu, or two, [slow, fast], with rate: mu = fast - (fast - slow) exp(-rate |v|).";
+      word.meaning =
+          "Coefficient of friction mu, or two, [slow, fast], with rate: mu = fast - (fast - slow) exp(-rate |v|).";
     }
     if (word.key == "weight") {
       word.need = Need::optional;
@@ -72,9 +97,11 @@ const OfIsolators& isolators() {
 
 }  // namespace
 
-const Section isolator{.name = "isolator", .place = "structures.NAME.frame.supports.NODE.isolator",
-                       .meaning = "An isolator under a foot of a frame, or all isolators of a shear building together, by its law.",
-                       .words = isolators().own};
+const Section isolator{
+    .name = "isolator",
+    .place = "structures.NAME.frame.supports.NODE.isolator",
+    .meaning = "An isolator under a foot of a frame, or all isolators of a shear building together, by its law.",
+    .words = isolators().own};
 
 std::vector<const Section*> laws_of_isolators() { return isolators().sections(); }
 

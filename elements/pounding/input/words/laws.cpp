@@ -32,7 +32,8 @@ struct OfLaw {
     link_words.insert(link_words.end(), own_words.begin(),
                       own_words.begin() + static_cast<std::ptrdiff_t>(law.parameters.size()));
     const std::string_view name = law.name, summary = law.summary;
-    own = {.name = name, .place = kept(fmt::format("links[] with law: {}", name)), .meaning = summary, .words = own_words};
+    own = {
+        .name = name, .place = kept(fmt::format("links[] with law: {}", name)), .meaning = summary, .words = own_words};
     link = {.name = words::link.name, .place = words::link.place, .meaning = words::link.meaning, .words = link_words};
   }
 
@@ -75,7 +76,8 @@ struct OfLaw {
 
   Word word_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
     const auto exponent = std::ranges::find(law.parameters, "exponent", &laws::ParameterInfo::name);
-    const std::string unit = laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
+    const std::string unit =
+        laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
     const std::string_view typical = kept(fmt::format("{:g}{}{}", parameter.typical, unit.empty() ? "" : " ", unit));
     const bool is_optional = parameter.need == laws::Need::optional;
     const bool may_be_estimated = parameter.name == "stiffness" && !law.presses_soil;
@@ -85,7 +87,8 @@ struct OfLaw {
             .dimension = parse_unit_dimension(unit),
             .unit = parameter.unit,
             .bounds = parameter.name == "exponent" ? bounds::positive : bounds::any,
-            .instead = may_be_estimated ? std::span<const std::string_view>(estimated) : std::span<const std::string_view>(),
+            .instead =
+                may_be_estimated ? std::span<const std::string_view>(estimated) : std::span<const std::string_view>(),
             .need = need_of(parameter, law),
             .otherwise = is_optional ? typical : std::string_view{},
             .meaning = parameter.meaning,

@@ -24,13 +24,20 @@ struct OfLaws : YieldingWords {
       if (parameter.info.name == "stiffness") continue;
       Word& word = own.emplace_back(word_of(parameter, made));
       word.form = Form::one_or_each;
-      word.meaning = kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
+      word.meaning =
+          kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
       if (word.need == Need::required) example.add(word);
     }
     add_choices(made, own);
-    const Section& section = add_section({.name = L::name, .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
-                                          .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), .words = own});
-    by_name.push_back({.key = L::name, .inside = &section, .need = Need::exactly_one, .since = "0.2.0",
+    const Section& section =
+        add_section({.name = L::name,
+                     .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
+                     .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
+                     .words = own});
+    by_name.push_back({.key = L::name,
+                       .inside = &section,
+                       .need = Need::exactly_one,
+                       .since = "0.2.0",
                        .meaning = kept(fmt::format("The storeys follow this law: {}.", L::summary)),
                        .example = kept(example.text())});
   }
@@ -41,7 +48,8 @@ const OfLaws& laws() {
     OfLaws made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
       // A storey has a stiffness and yields both ways.
-      const bool has_stiffness = std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
+      const bool has_stiffness =
+          std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
       if (has_stiffness && hysteresis::by_name::entry<L>().is_symmetric) made.add(law);
     });
     return made;
@@ -51,9 +59,11 @@ const OfLaws& laws() {
 
 }  // namespace
 
-const Section storey_spring{.name = "spring", .place = "structures.NAME.shear_building.spring",
-                            .meaning = "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
-                            .words = laws().by_name};
+const Section storey_spring{
+    .name = "spring",
+    .place = "structures.NAME.shear_building.spring",
+    .meaning = "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
+    .words = laws().by_name};
 
 std::vector<const Section*> laws_of_springs() { return laws().sections(); }
 

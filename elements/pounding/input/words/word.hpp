@@ -1,6 +1,6 @@
 #pragma once
-/// The words of the input. The reader reads through these tables, and `pounding words`, the page of the site and the JSON
-/// schema are made from them: none of them can know a key that the others do not.
+/// The words of the input. The reader reads through these tables, and `pounding words`, the page of the site and the
+/// JSON schema are made from them: none of them can know a key that the others do not.
 
 #include <optional>
 #include <span>
@@ -30,7 +30,8 @@ enum class Form : unsigned char {
   list,         ///< a list of values
   named,        ///< a map from names of the user's choice to values
   named_lists,  ///< a map from names of the user's choice to lists
-  by_storey     ///< one value, a list from the ground up, or a map from storeys ("4", "1-3"); in both each may be a list by line
+  by_storey  ///< one value, a list from the ground up, or a map from storeys ("4", "1-3"); in both each may be a list
+             ///< by line
 };
 
 /// Necessity of a key in its section.
@@ -48,15 +49,16 @@ struct Word {
   std::string_view key;
   Takes takes = Takes::nothing;
   Form form = Form::one;
-  int least = 0, most = 0;          ///< members of a list; 0 for any number of them
-  const Section* inside = nullptr;  ///< keys of the map that is taken, instead of the single value or beside it
-  Dimension dimension{};            ///< of a quantity
+  int least = 0, most = 0;             ///< members of a list; 0 for any number of them
+  const Section* inside = nullptr;     ///< keys of the map that is taken, instead of the single value or beside it
+  Dimension dimension{};               ///< of a quantity
   std::optional<Dimension> turning{};  ///< dimension of a quantity that belongs to a rotation, where it may
-  std::string_view unit{};  ///< unit in SI, where the dimension alone does not tell it: "rad/s", "N/m^n"
-  Bounds bounds{};          ///< of a quantity in SI, of an integer
+  std::string_view unit{};             ///< unit in SI, where the dimension alone does not tell it: "rad/s", "N/m^n"
+  Bounds bounds{};                     ///< of a quantity in SI, of an integer
   std::span<const std::string_view> choices{};
   std::span<const std::string_view> instead{};  ///< texts that stand in the place of the whole value: `nodes: all`
-  std::string_view noun{};  ///< what the choices name, where it is not the key; a quantity, where its dimension does not name it
+  std::string_view
+      noun{};  ///< what the choices name, where it is not the key; a quantity, where its dimension does not name it
   Need need = Need::optional;
   std::string_view otherwise{};  ///< value when the key is left out: as it would be typed, or in words; "" for none
   std::string_view since = "0.1.0";
@@ -71,8 +73,9 @@ struct Word {
 
 /// The keys of one map of the input.
 struct Section {
-  std::string_view name;   ///< unique: "links", "grid"
-  std::string_view place;  ///< "structures.NAME.frame.grid"; names in capitals are the user's, [] is each member of a list
+  std::string_view name;  ///< unique: "links", "grid"
+  std::string_view
+      place;  ///< "structures.NAME.frame.grid"; names in capitals are the user's, [] is each member of a list
   std::string_view meaning;
   std::span<const Word> words;
 

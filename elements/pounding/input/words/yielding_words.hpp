@@ -1,6 +1,6 @@
 #pragma once
-/// The words by which inputs choose a law of yielding, whatever yields by it: storeys (springs.cpp), hinges (hinges.cpp),
-/// devices (devices.cpp), isolators (isolators.cpp).
+/// The words by which inputs choose a law of yielding, whatever yields by it: storeys (springs.cpp), hinges
+/// (hinges.cpp), devices (devices.cpp), isolators (isolators.cpp).
 
 #include <deque>
 #include <string>
@@ -36,7 +36,8 @@ class YieldingWords {
   /// With a capital where the text begins with a word, and not with a symbol.
   static std::string capital(std::string_view text) {
     std::string all(text);
-    if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' ')) all[0] = static_cast<char>(all[0] - 'a' + 'A');
+    if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' '))
+      all[0] = static_cast<char>(all[0] - 'a' + 'A');
     return all;
   }
 
@@ -51,10 +52,17 @@ class YieldingWords {
   Word word_of(const Parameter& parameter, const L& made) {
     const hysteresis::ParameterInfo& info = parameter.info;
     const bool is_required = info.need == hysteresis::Need::required;
-    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .unit = info.unit, .bounds = bounds::any,
-              .need = is_required ? Need::required : Need::optional, .since = "0.2.0", .meaning = kept(fmt::format("{}.", capital(info.meaning))),
+    Word word{.key = info.name,
+              .takes = Takes::quantity,
+              .dimension = parse_unit_dimension(info.unit),
+              .unit = info.unit,
+              .bounds = bounds::any,
+              .need = is_required ? Need::required : Need::optional,
+              .since = "0.2.0",
+              .meaning = kept(fmt::format("{}.", capital(info.meaning))),
               .example = kept(shown(info.typical, info.unit))};
-    if (!is_required) word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
+    if (!is_required)
+      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
     return word;
   }
 
@@ -73,9 +81,13 @@ class YieldingWords {
   void add_choices(const L& made, std::vector<Word>& words) {
     if constexpr (requires { L::choices; })
       for (const auto& choice : L::choices)
-        words.push_back({.key = choice.info.name, .takes = Takes::choice, .choices = choice.info.words,
-                         .otherwise = choice.info.words[choice.get(made)], .since = "0.2.0",
-                         .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))), .example = choice.info.words.back()});
+        words.push_back({.key = choice.info.name,
+                         .takes = Takes::choice,
+                         .choices = choice.info.words,
+                         .otherwise = choice.info.words[choice.get(made)],
+                         .since = "0.2.0",
+                         .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))),
+                         .example = choice.info.words.back()});
   }
 
  private:
