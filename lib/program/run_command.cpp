@@ -26,7 +26,6 @@
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>
-#include <pounding/run/same_model.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
@@ -183,7 +182,6 @@ void run_task(const RunArguments& words, const Task& task) {
   const bool resume = !words.resume.empty();
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
   const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
-  require_same_model(ranks, model);
   RunOptions run_options;
   const bool plot = words.plot || words.report || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;

@@ -553,7 +553,12 @@ TEST(Frames, GoOnToTheSameBits) {
   const Model model = test::model_of(yaml);
   Outcome continued = run(model, {.output = path, .resume = path});
   std::filesystem::remove(path);
-  EXPECT_EQ(checksum_of_histories(whole.results), checksum_of_histories(continued.results));
+  const auto values_of = [](Results& results) {
+    std::vector<std::vector<double>> all;
+    visit_histories(results, [&](const std::string&, const std::vector<double>& values) { all.push_back(values); });
+    return all;
+  };
+  EXPECT_EQ(values_of(whole.results), values_of(continued.results));
   EXPECT_EQ(whole.results.solver.steps, continued.results.solver.steps);
   ASSERT_EQ(whole.results.impacts.size(), continued.results.impacts.size());
   for (std::size_t i = 0; i < whole.results.impacts.size(); ++i)

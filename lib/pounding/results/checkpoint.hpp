@@ -15,7 +15,4 @@ struct Checkpoint {
   std::vector<std::byte> state;      ///< stepper, TS and recorder of every process (Archive)
 };
 
-/// Checksum of a checkpoint and of the input beside it, to detect a damaged file.
-std::string checksum_of(const Checkpoint& checkpoint, const std::string& model_yaml, const std::string& resolved_yaml);
-
 }  // namespace pounding

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <pounding/core/checksum.hpp>
 #include <pounding/core/error.hpp>
 #include <pounding/results/device_file.hpp>
 #include <pounding/results/ends_file.hpp>
@@ -305,8 +304,6 @@ void write_checkpoint(hid_t file, const Results& results) {
   const Checkpoint& checkpoint = *results.checkpoint;
   const Handle place = group(file, "checkpoint");
   attribute(place, "ground", checkpoint.ground);
-  attribute(place, "histories", checksum_of_histories(results));
-  attribute(place, "fingerprint", checksum_of(checkpoint, results.model_yaml, results.resolved_yaml));
   text(place, "model_file", "input file, absolute", checkpoint.model_file);
   text(place, "options", "PETSc options that the result depends on",
        fmt::format("{}", fmt::join(checkpoint.options, "\n")));
@@ -422,18 +419,12 @@ void visit_histories(Results& results,
   visit_all(results, visit);
 }
 
-std::string checksum_of_histories(const Results& results) {
-  Checksum checksum;
-  visit_all(results, [&](const std::string&, const std::vector<double>& values) { checksum.add(values); });
-  return checksum.text();
-}
-
 FileImage results_image(const Results& results) {
   return hdf5::checked_image([&](hid_t file) { write_all(file, results); });
 }
 
 FileImage image_to_add(const Results& results) {
-  return hdf5::image_to_add([&](hid_t file) { write_all(file, results); });
+  return hdf5::file_image([&](hid_t file) { write_all(file, results); });
 }
 
 void write_results(const Results& results, const std::string& path) {

@@ -129,7 +129,7 @@ struct Results {
 /// moment, finds a complete earlier or a complete new file. Names of structures and links become group names, so they
 /// must differ, must not be empty, "." or "..", and must not contain '/'. Throws InputError when `path` cannot be
 /// written or a name is not possible, std::invalid_argument when the lengths of the histories do not fit together,
-/// SolverError with HDF5's own text when HDF5 fails, which happens without memory alone.
+/// std::runtime_error with HDF5's error text if HDF5 fails.
 void write_results(const Results& results, const std::string& path);
 
 /// Bytes of the file that write_results() writes, for readers without a disk; throws as write_results().
@@ -142,7 +142,5 @@ FileImage image_to_add(const Results& results);
 /// values.
 void visit_histories(Results& results,
                      const std::function<void(const std::string& path, std::vector<double>& values)>& visit);
-/// Checksum of the values of all histories.
-std::string checksum_of_histories(const Results& results);
 
 }  // namespace pounding

@@ -21,7 +21,6 @@ struct InterruptedRun {
   std::string file;                ///< its results file
   std::string model_yaml = {};     ///< the input as given
   std::string resolved_yaml = {};  ///< the input with all defaults filled in
-  std::string histories = {};      ///< checksum of the histories
   /// Whether `compare: no_pounding` was interrupted in its first part, the run without links: the checkpoint and the
   /// histories are its.
   bool without_links = false;

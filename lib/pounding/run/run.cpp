@@ -23,7 +23,6 @@
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run_monitor.hpp>
 #include <pounding/run/run_writer.hpp>
-#include <pounding/run/same_model.hpp>
 #include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
@@ -178,6 +177,13 @@ Outcome run_without_links(const Task& task, const InterruptedRun* earlier = null
     throw FailedRun(fmt::format("the run without links: {}", failed.what()),
                     first_part(task, failed.outcome().results));
   }
+}
+
+// Frames would otherwise wait for each other.
+void require_same_model(const petsc::Ranks& ranks, const Model& model) {
+  if (!ranks.same(model.source_text + checkpoint_of(model, {}).ground))
+    throw InputError(fmt::format("{}: the processes read different models or records; name files that all of them see",
+                                 model.source_file.empty() ? "the model" : model.source_file));
 }
 
 // A preloaded contact presses from the start, but time has not passed.
