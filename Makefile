@@ -28,7 +28,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 CTEST = ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS)
 
-.PHONY: build program test test-all test-sanitized test-damage test-petsc-headers test-faults fuzz demo announce format format-check docs wheel test-wheel \
+.PHONY: build program test test-all test-sanitized test-damage test-petsc-headers fuzz demo announce format format-check docs wheel test-wheel \
   portable-wheel test-portable-wheel release python python-test petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
@@ -61,9 +61,6 @@ test-damage: build
 # Sources that call PETSc are compiled against the headers of other versions, from their archives on PyPI.
 test-petsc-headers: build
 	bash tests/install/petsc_headers.sh build $(VERSIONS)
-
-test-faults: build
-	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.((message|model)_)?faults$$'
 
 # Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
 fuzz:
@@ -163,7 +160,7 @@ help:
 	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
 	@echo "make test       install what tests need, compile everything, run all tests but the long ones; test-all: those too"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
-	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes and allocations that fail, signals and kills, for every n"
+	@echo "make test-damage      COUNT=n damaged results files, by every reader"
 	@echo "make test-petsc-headers   VERSIONS=\"3.22.5 3.26.1\": compile what calls PETSc against their headers, without making code"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
 	@echo "make build      compile everything into build/"

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 
 #include <pounding/core/error.hpp>

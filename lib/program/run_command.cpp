@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,7 +13,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <pounding/core/limits.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
@@ -36,15 +34,6 @@ struct RunArguments {
   std::string model, output, picture, resume;
   bool json = false, plot = false, report = false, quiet = false;
 };
-
-Model read(const Input& input) {
-  try {
-    return read_model(input, petsc::lowest_modes);
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory(fmt::format("{}: out of memory while the model was read; {} were there", input.file(),
-                                  limits::text_of_bytes(limits::memory())));
-  }
-}
 
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
@@ -181,7 +170,8 @@ void run_task(const RunArguments& words, const Task& task) {
   const auto& [model_file, options, earlier] = task;
   const bool resume = !words.resume.empty();
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
-  const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
+  const Model model =
+      read_model(model_file.empty() ? input_of(earlier) : Input::read_file(model_file), petsc::lowest_modes);
   RunOptions run_options;
   const bool plot = words.plot || words.report || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
@@ -223,14 +213,6 @@ void run_task(const RunArguments& words, const Task& task) {
         steps >= model.analysis.most_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
     throw SolverError(
         fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
-  } catch (const std::bad_alloc& lack) {
-    if (terminal) clear_progress();
-    const std::string text = dynamic_cast<const OutOfMemory*>(&lack)
-                                 ? lack.what()
-                                 : fmt::format("{}: out of memory; {} were there", model.source_file,
-                                               limits::text_of_bytes(limits::memory()));
-    const bool keeps = !run_options.output.empty() && std::filesystem::exists(run_options.output);
-    throw OutOfMemory(keeps ? fmt::format("{}\nWhat was written last is in {}", text, run_options.output) : text);
   } catch (...) {
     if (terminal) clear_progress();
     throw;
@@ -304,7 +286,7 @@ void add_run(CLI::App& app) {
   check_command->add_flag("--json", check_words->json, "Print one JSON object");
   check_command->callback([check_words] {
     const petsc::Environment environment;
-    const Model model = read(Input::read_file(check_words->model));
+    const Model model = read_model(Input::read_file(check_words->model), petsc::lowest_modes);
     const std::vector<std::string> warnings = implausible(model);
     print_warnings(warnings);
     if (!check_words->json) {

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/core/limits.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/petsc/launch.hpp>
 #include "commands.hpp"
@@ -60,14 +59,6 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     before += word + " ";
   }
   return {};
-}
-
-// "run", "record info": the commands that were typed.
-std::vector<std::string> commands_of(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* level = &app; !level->get_subcommands().empty(); names.push_back(level->get_name()))
-    level = level->get_subcommands().front();
-  return names;
 }
 
 // True if standard output is a pipe whose reader has seen enough.
@@ -129,14 +120,9 @@ int serve(int argc, char** argv) {
       return report((unknown + "\nType pounding --help.").c_str(), bad_input);
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(),
                   bad_input);
-  } catch (const OutOfMemory&) {
-    throw;
   } catch (const std::system_error&) {
     if (std::ferror(stdout)) return printed();  // fmt::print throws
     throw;
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),
-                                  limits::text_of_bytes(limits::memory())));
   }
 }
 

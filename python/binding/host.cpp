@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -63,12 +62,8 @@ std::set<std::string, std::less<>> names_in_environment() {
 class KeptEnvironment {
  public:
   ~KeptEnvironment() {
-    try {
-      for (const std::string& name : names_in_environment())
-        if (!before_.contains(name)) unsetenv(name.c_str());
-    } catch (const std::bad_alloc&) {
-      // Without memory for their names the variables stay.
-    }
+    for (const std::string& name : names_in_environment())
+      if (!before_.contains(name)) unsetenv(name.c_str());
   }
 
  private:

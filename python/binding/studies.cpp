@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -118,9 +117,9 @@ void run_row(Columns& columns, std::size_t row, bool gap, const study::EvenRecor
     if (!gap) return columns.fill(row, peaks, nullptr);
     const study::Peaks apart = study::run(study::without_links(model), record, settings);
     columns.fill(row, peaks, &apart);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
+  } catch (const std::invalid_argument& error) {
+    columns.fail(row, error.what());
+  } catch (const std::runtime_error& error) {
     columns.fail(row, error.what());
   }
 }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <pounding/petsc/environment.hpp>
-#include "support/short_memory.hpp"
 
 namespace pounding::petsc {
 namespace options_test {
@@ -37,10 +36,6 @@ TEST_F(Options, AreThoseOfOurPrefixWithTheirValues) {
 TEST_F(Options, InForceAreThoseOfAHostAsWell) {
   EXPECT_EQ(Environment::all_options(),
             (std::vector<std::string>{"-other_option_of_a_host 3", "-pounding_ts_monitor", "-pounding_ts_rtol 1e-6"}));
-}
-
-TEST_F(Options, AreAllToldOrNoneWhereMemoryEnds) {
-  test::expect_right_answers_in_short_memory([] { return Environment::given_options(); });
 }
 
 }  // namespace options_test

@@ -68,39 +68,6 @@ REDUCED = (
     + "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n"
     "analysis: {duration: 0.3, output_step: 10 ms, tolerance: 0.01, reduction: {links: 6, ground: 10}}\n"
 )
-#: For faults at every allocation: a column whose two hinges yield by two laws, one while it presses on a wall.
-FEW_HINGES = """\
-ground_motion: {harmonic: {amplitude: -12, period: 0.5 s, duration: 0.2 s}}
-structures:
-  left:
-    frame:
-      material: {E: 30 GPa}
-      sections: {s: {rectangle: [0.4, 0.4]}}
-      nodes: {a: [0, 0], b: [0, 2 m], c: [0, 3 m]}
-      members: {m: {between: [a, b], section: s}, n: {between: [b, c], section: s}}
-      masses: {c: 40 t}
-      supports: {a: fixed}
-      hinges:
-        m: {at: start, yield_moment: 90 kN m, hardening: 2 %}
-        n: {at: start, bouc_wen: {yield_moment: 25 kN m, spring_hardening: 2 %, stiffness_factor: 10}}
-    damping: 5 %
-  right: {wall: {}}
-links: [{between: [{structure: left, node: c}, right], gap: 5 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]
-analysis: {duration: 0.2 s, tolerance: 1e-3, output_step: 50 ms}
-"""
-#: And a frame of which few of its few coordinates are left.
-FEW_COORDINATES = """\
-ground_motion: {harmonic: {amplitude: -8, period: 0.7, duration: 1}}
-structures:
-  left:
-    frame:
-      material: {E: 30 GPa}
-      grid: {storeys: 6, bays: 1, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 60 t, rigid_floors: false}
-    damping: 5 %
-  right: {wall: {}}
-links: [{between: [left.6, right], gap: 5 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]
-analysis: {duration: 0.25, output_step: 50 ms, tolerance: 0.01, reduction: {links: 3, ground: 6}}
-"""
 #: A bar and a damper between two oscillators.
 DEVICES = OSCILLATORS.replace(
     "links:\n",
@@ -133,11 +100,3 @@ study:
   intensity: {measure: pga, levels: [0.2 g, 0.4 g]}
   keep: [displacement, force, impacts]
 """
-#: For faults at every allocation: its first two rows, shorter.
-FEW_ROWS = (
-    STUDY.partition("  records:")[0]
-    .replace("duration: 0.8 s", "duration: 0.3 s")
-    .replace("[left, right]", "[right, left]")
-    .replace("list: [1 mm, 3 mm]", "list: [0.1 mm, 0.2 mm]")
-    + "  keep: [displacement, force, impacts]\n"
-)

@@ -105,7 +105,6 @@ class Memory(ProgramTest):
             "{duration: 3.0}", "{duration: 30000, output_step: 4 ms}"
         )
         self.write(text)
-        # Without a results file, in which HDF5 might be the first to get no memory: see test_faults.
         done = subprocess.run(
             [PROGRAM, "run", "model.yaml", "-q"],
             cwd=self.folder,
@@ -115,33 +114,6 @@ class Memory(ProgramTest):
         )
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertRegex(done.stderr, "out of memory")
-        self.assertNotIn("bad_alloc", done.stderr)
-
-    def test_that_ends_where_hdf5_starts_is_told(self):
-        """HDF5 1.10 crashed there: within 6 MB below what a run with a results file needs."""
-        self.write(OSCILLATORS)
-        surroundings = os.environ | {"OPENBLAS_NUM_THREADS": "1"}  # its threads do not end where they get no memory
-
-        def run(megabytes):
-            return subprocess.run(
-                [PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"],
-                cwd=self.folder,
-                capture_output=True,
-                text=True,
-                env=surroundings,
-                timeout=60,
-                preexec_fn=within(megabytes / 1000),
-            )
-
-        short, enough = 50.0, 1000.0
-        while enough - short > 0.25:
-            middle = (short + enough) / 2
-            short, enough = (short, middle) if run(middle).returncode == 0 else (middle, enough)
-        for below in range(1, 13):
-            done = run(enough - below / 2)
-            with self.subTest(below=below / 2):
-                self.assertEqual(done.returncode, 3, done.stderr)
-                self.assertIn("memory left to make the results file", done.stderr)
 
     def test_for_a_text_is_told(self):
         """A model of nearly 16 MB, of which the reader of YAML makes a tree."""

@@ -1,12 +1,10 @@
 #pragma once
 /// Errors for users, and the search for the name that was probably meant.
 
-#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace pounding {
 
@@ -21,16 +19,6 @@ class InputError : public std::runtime_error {
 class SolverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// Memory that could not be had. The text says for what. Exit code 3 of the program, MemoryError in Python.
-class OutOfMemory : public std::bad_alloc {
- public:
-  explicit OutOfMemory(std::string text) : text_(std::move(text)) {}
-  const char* what() const noexcept override { return text_.c_str(); }
-
- private:
-  std::string text_;
 };
 
 /// A text of the user for a message: at most 200 characters, control characters and bytes that are no UTF-8 escaped;

@@ -90,7 +90,6 @@ class CorotationalFrame::Path {
   double product(const Equilibrium& a, const Equilibrium& b) const {
     return a.q.dot(weight_.cwiseProduct(b.q)) / scale_ + a.factor * b.factor / (first_ * first_);
   }
-  // A new one each time: Eigen 3.4 frees parts of an old one twice where there is no memory (core/renew.hpp).
   void factor(const VectorXd& q) { lu_.emplace().compute(frame_.tangent(q)); }
   VectorXd solve(const VectorXd& right) {
     if (lu_->info() != Eigen::Success) return VectorXd::Constant(right.size(), NAN);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <pounding/core/renew.hpp>
 #include <pounding/linear/wide_vectors.hpp>
 
 namespace pounding {
@@ -195,7 +194,7 @@ void add_products(const Columns& a, const Columns& x, std::span<const int> rows,
                   Eigen::MatrixXd& room) {
   const int first = rows.front();
   if (rows.back() - first + 1 == a.rows) return add_products(a, x, y.data() + first, y.outerStride());
-  renew(room, a.rows, x.count);
+  room.resize(a.rows, x.count);
   for (Index i = 0; i < a.rows; ++i) room.row(i) = y.row(rows[static_cast<std::size_t>(i)]);
   add_products(a, x, room.data(), a.rows);
   for (Index i = 0; i < a.rows; ++i) y.row(rows[static_cast<std::size_t>(i)]) = room.row(i);

@@ -148,7 +148,7 @@ void Factor::set_up() {
     PCFailedReason reason = PC_NOERROR;
     check(PCGetFailedReason(pc, &reason));
     if (reason == PC_FACTOR_OUTMEMORY)
-      throw OutOfMemory(fmt::format("out of memory for the factor of a matrix of {} rows", product_.rows()));
+      throw SolverError(fmt::format("out of memory for the factor of a matrix of {} rows", product_.rows()));
     ok_ = reason == PC_NOERROR && reproduces();
   } catch (const SolverError&) {
     ok_ = false;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding {
 
 using Eigen::Index;
@@ -78,7 +76,7 @@ void LinkColumns::find_entries(std::vector<Block>& blocks, int count) {
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
                          Eigen::MatrixXd& relative) const {
-  renew(relative, count, x.cols());
+  relative.resize(count, x.cols());
   add_rows(blocks, x, 0, count, relative);
 }
 
@@ -188,9 +186,8 @@ bool LinkColumns::choose(std::span<const int> links) {
     Block& made = chosen_blocks_[used++];
     made.first = block.first;
     made.links = std::move(places);
-    renew(made.by_link, block.size(), static_cast<Index>(own.size()));
+    made.by_link.resize(block.size(), static_cast<Index>(own.size()));
     for (std::size_t i = 0; i < own.size(); ++i) made.by_link.col(static_cast<Index>(i)) = block.by_link.col(own[i]);
-    renew(made.by_coordinate, made.by_link.cols(), made.by_link.rows());
     made.by_coordinate = made.by_link.transpose();
   }
   chosen_blocks_.resize(used);
@@ -201,8 +198,7 @@ bool LinkColumns::choose(std::span<const int> links) {
 // For one link after the other its row up to the diagonal: three of them at a time, whose last entries beside it are
 // left out.
 void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const {
-  renew(g, static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
-  g.setZero();
+  g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
   for (const Block& block : chosen_blocks_) {
     const Index ends = block.by_link.cols(), size = block.size();
     const auto enter = [&](Index i, Index j, double sum) {
@@ -219,14 +215,13 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
         }
       continue;
     }
-    renew(weighed_, ends, size);
+    weighed_.resize(ends, size);
     for (Index k = 0; k < size; ++k)
       for (Index i = 0; i < ends; ++i) weighed_(i, k) = block.by_coordinate(i, k) * d[block.first + k];
     constexpr Index together = 3;
     for (Index j = 0; j < ends; j += together) {
       const Index columns = std::min(together, ends - j), rows = j + columns;
-      renew(sums_, rows, columns);
-      sums_.setZero();
+      sums_.setZero(rows, columns);
       add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size},
                    sums_.data(), rows);
       for (Index c = 0; c < columns; ++c)
@@ -236,11 +231,9 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
 }
 
 void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
-  renew(g, static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
-  g.setZero();
+  g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
   for (const Block& block : chosen_blocks_)
     for (std::size_t j = 0; j < block.links.size(); ++j) {
-      renew(solved_, block.size());
       solved_ = block.by_link.col(static_cast<Index>(j));
       solve(block.first, solved_);
       for (std::size_t i = 0; i <= j; ++i) {
@@ -261,7 +254,6 @@ void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const So
   for (const Block& block : chosen_blocks_) {
     if (block.first < from) continue;
     for (std::size_t j = 0; j < block.links.size(); ++j) {
-      renew(solved_, block.size());
       solved_ = block.by_link.col(static_cast<Index>(j));
       solve(block.first, solved_);
       y.segment(block.first, block.size()) += factor * f[block.links[j]] * solved_;

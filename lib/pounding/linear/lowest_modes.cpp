@@ -106,7 +106,7 @@ class Flexibility {
     void* self = nullptr;
     const PetscScalar* x = nullptr;
     PetscScalar* y = nullptr;
-    std::string failure;
+    std::exception_ptr failure;
     PetscFunctionBegin;
     PetscCall(MatShellGetContext(shell, &self));
     PetscCall(VecGetArrayRead(from, &x));
@@ -114,12 +114,12 @@ class Flexibility {
     try {
       const auto& me = *static_cast<const Flexibility*>(self);
       Eigen::VectorXd::Map(y, me.size()) = me.root_.transpose() * me.shape(Eigen::VectorXd::Map(x, me.size()));
-    } catch (const std::exception& error) {
-      failure = error.what();
+    } catch (...) {
+      failure = std::current_exception();
     }
     PetscCall(VecRestoreArrayRead(from, &x));
     PetscCall(VecRestoreArrayWrite(to, &y));
-    if (!failure.empty()) PetscFunctionReturn(fail(failure));
+    if (failure) PetscFunctionReturn(fail(failure));
     PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
   }
 

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding::petsc {
 namespace {
 
@@ -165,8 +163,7 @@ bool SparseSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
   CachedFactor& entry = factors_.current();
   if (!ensure(entry, links)) return false;
   const int count = static_cast<int>(links.size());
-  renew(g, count, count);
-  g.setZero();
+  g.setZero(count, count);
   std::vector<char> own(system_.groups.size(), 0);
   for (int j = 0; j < count; ++j) {
     const auto ends = entry.ends.col(entry.column_of[links[j]]);
@@ -214,7 +211,7 @@ void SparseSolver::gather(std::span<const int> links, Eigen::Ref<const Eigen::Ma
                           Eigen::MatrixXd& relative) const {
   Eigen::MatrixXd all;
   ends_.gather(x, all);
-  renew(relative, static_cast<Eigen::Index>(links.size()), x.cols());
+  relative.resize(static_cast<Eigen::Index>(links.size()), x.cols());
   for (std::size_t i = 0; i < links.size(); ++i) relative.row(static_cast<Eigen::Index>(i)) = all.row(links[i]);
 }
 

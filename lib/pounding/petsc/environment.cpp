@@ -18,18 +18,13 @@ namespace {
 
 // PETSc calls its error handler once a function on the way up; this keeps the first message.
 thread_local std::string failure;
-thread_local bool lacks_memory = false;
-// Once PETSc has got no memory, what it was about to make is half made for good.
-bool is_half_made = false;
+// An exception that a callback has thrown.
+thread_local std::exception_ptr thrown;
 
 PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
                             PetscErrorType type, const char* message, void*) {
   if (type == PETSC_ERROR_INITIAL) {
-    // PETSc 3.18 gives the number of a line as the code of an allocation that failed, and the function that asked as
-    // its message.
-    lacks_memory = code == PETSC_ERR_MEM || (file && std::strstr(file, "sys/memory/"));
-    failure = lacks_memory ? "out of memory: " : "";
-    failure += message ? message : "no message";
+    failure = message ? message : "no message";
     failure += std::string(" (PETSc, ") + (function ? function : "?") + ", " + (file ? file : "?") + ":" +
                std::to_string(line) + ")";
   }
@@ -85,9 +80,7 @@ Environment::Environment(const std::vector<std::string>& options) {
     PetscPopSignalHandler();
     sigaction(SIGPIPE, &of_pipes, nullptr);  // which PETSc has made end the process
   }
-  // Before anything else: PETSc's own handler reads options, and crashes where their table has got no memory.
-  if (PetscPushErrorHandler(keep_message, nullptr) != 0)
-    throw OutOfMemory("out of memory: PETSc takes no error handler");
+  check(PetscPushErrorHandler(keep_message, nullptr));
   if (owns_petsc_) leave_unread_options_out();
   check(SlepcInitialized(&ready));
   if (!ready) {
@@ -97,8 +90,6 @@ Environment::Environment(const std::vector<std::string>& options) {
 }
 
 Environment::~Environment() {
-  // PETSc crashes when it ends what is half made. A process that talks to itself only may leave that to the system.
-  if (is_half_made && owns_petsc_ && !launch()) return;
   // Our handler stays until the end: a failure there (a full standard output) is told by the program, not by PETSc.
   if (owns_slepc_) SlepcFinalize();
   if (owns_petsc_)
@@ -151,19 +142,14 @@ bool is_option_name(std::string_view word) {
 
 void check(PetscErrorCode code) {
   if (code == 0) return;
-  std::string text = failure.empty() ? "PETSc error " + std::to_string(static_cast<int>(code)) : failure;
-  failure.clear();
-  if (std::exchange(lacks_memory, false) || code == PETSC_ERR_MEM) {
-    is_half_made = true;
-    throw OutOfMemory(text);
-  }
-  throw SolverError(text);
+  if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+  throw SolverError(failure.empty() ? "PETSc error " + std::to_string(static_cast<int>(code))
+                                    : std::exchange(failure, {}));
 }
 
-PetscErrorCode fail(const std::string& text, PetscErrorCode code) {
-  failure = text;
-  lacks_memory = false;
-  return code;
+PetscErrorCode fail(std::exception_ptr error) {
+  thrown = std::move(error);
+  return static_cast<PetscErrorCode>(PETSC_ERR_CONV_FAILED);
 }
 
 }  // namespace pounding::petsc

@@ -3,6 +3,7 @@
 
 #include <petscsys.h>
 
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,11 +39,11 @@ class Environment {
 /// True for the name of an option ("-log_view"), false for a value, which may be a negative number.
 bool is_option_name(std::string_view word);
 
-/// Throws SolverError with PETSc's own text when `code` is not zero, and OutOfMemory where PETSc could get no memory.
+/// Throws SolverError with PETSc's own text if `code` is not zero, or the exception that was given to fail().
 void check(PetscErrorCode code);
 
-/// For a callback of PETSc's that fails: returns the error code to return from it, after which check() throws `text`
-/// alone.
-PetscErrorCode fail(const std::string& text, PetscErrorCode code = static_cast<PetscErrorCode>(PETSC_ERR_CONV_FAILED));
+/// Error code for a PETSc callback that caught an exception. The check() of the outer PETSc call rethrows the
+/// exception.
+PetscErrorCode fail(std::exception_ptr error = std::current_exception());
 
 }  // namespace pounding::petsc

@@ -12,7 +12,7 @@
 namespace pounding::petsc {
 namespace {
 
-enum class Kind : char { input, solver, memory, other };
+enum class Kind : char { input, solver, other };
 
 // A failure as a message to other processes: its kind, then its text.
 std::vector<std::byte> message(Kind kind, std::string text) {
@@ -32,10 +32,6 @@ std::vector<std::byte> failure_of(const std::function<void()>& task) {
     return message(Kind::input, error.what());
   } catch (const SolverError& error) {
     return message(Kind::solver, error.what());
-  } catch (const std::bad_alloc& error) {
-    return message(Kind::memory, error.what());
-  } catch (const std::length_error& error) {
-    return message(Kind::memory, error.what());
   } catch (const std::exception& error) {
     return message(Kind::other, error.what());
   }
@@ -46,7 +42,6 @@ std::vector<std::byte> failure_of(const std::function<void()>& task) {
   switch (static_cast<Kind>(message.front())) {
     case Kind::input: throw InputError(text);
     case Kind::solver: throw SolverError(text);
-    case Kind::memory: throw OutOfMemory(text);
     case Kind::other: break;
   }
   throw std::runtime_error(text);

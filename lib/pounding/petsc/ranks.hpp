@@ -32,8 +32,7 @@ class Ranks {
   void on_root(const std::function<void()>& task) const;
   /// Runs `task`, which must not be collective, on all processes. Where it throws, all processes throw what the first
   /// of those that failed has thrown: InputError and SolverError as they are, std::invalid_argument as InputError,
-  /// std::bad_alloc as OutOfMemory, others as std::runtime_error. When not all have failed the text names it: "process
-  /// 2 of 4 failed alone: ...".
+  /// others as std::runtime_error. When not all have failed the text names it: "process 2 of 4 failed alone: ...".
   void on_each(const std::function<void()>& task) const;
   /// Whether `mine` is the same on all processes.
   bool same(std::string_view mine) const;

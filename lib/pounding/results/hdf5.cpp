@@ -1,9 +1,7 @@
 #include <pounding/results/hdf5.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <new>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -78,30 +76,13 @@ void describe(hid_t object, const Label& label) {
 
 hid_t checked(hid_t status, std::string_view action) {
   if (status >= 0) return status;
-  struct {
-    std::string text;
-    bool lacks_memory = false;
-  } message{"HDF5 could not " + std::string(action)};
-  const auto append = [](unsigned, const H5E_error2_t* error, void* target) -> herr_t {
-    auto& told = *static_cast<decltype(message)*>(target);
-    try {
-      if (error->desc != nullptr) told.text.append(": ").append(error->desc);
-    } catch (const std::bad_alloc&) {  // no exception may pass through HDF5
-      told.lacks_memory = true;
-    }
-    if (error->maj_num == H5E_RESOURCE) told.lacks_memory = true;
+  std::string text = "HDF5 could not " + std::string(action);
+  const auto append = [](unsigned, const H5E_error2_t* error, void* target) noexcept -> herr_t {
+    if (error->desc != nullptr) static_cast<std::string*>(target)->append(": ").append(error->desc);
     return 0;
   };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, append, &message);
-  if (message.lacks_memory) throw NoMemory(message.text);
-  throw std::runtime_error(message.text);
-}
-
-void require_room() {
-  constexpr std::size_t room = std::size_t{8} << 20;  // it takes up to 5 MB for the first file
-  void* volatile taken = std::malloc(room);           // volatile, or a compiler leaves both calls out
-  if (taken == nullptr) throw NoMemory("HDF5 finds no 8 MB to begin with");
-  std::free(taken);
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, append, &text);
+  throw std::runtime_error(text);
 }
 
 Handle group(hid_t parent, const std::string& name) {

@@ -18,25 +18,13 @@
 
 namespace pounding::hdf5 {
 
-/// HDF5 failed because it got no memory.
-class NoMemory : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`, as NoMemory where that was the
-/// reason.
+/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`.
 hid_t checked(hid_t status, std::string_view action);
-
-/// Throws NoMemory unless HDF5 finds room for a small file. Version 1.10 ends the process where it gets no memory while
-/// it starts, since its own message needs what could not be made.
-void require_room();
 
 /// Silences HDF5's own printing while it lives; a host program's handler comes back afterwards.
 class Quiet {
  public:
   Quiet() {
-    require_room();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
@@ -54,8 +42,7 @@ class Handle {
  public:
   /// The HDF5 function that closes an identifier of this kind.
   using Close = herr_t (*)(hid_t);
-  /// Throws as `checked` does, for this action on the thing of this name. The two are joined here, where a lack of
-  /// memory loses no identifier.
+  /// Throws as `checked` does, for this action on the object of this name.
   Handle(hid_t id, Close close, std::string_view action, std::string_view name = {}) : id_(id), close_(close) {
     if (id < 0) checked(id, std::string(action).append(name));
   }
@@ -75,11 +62,8 @@ class Handle {
 /// meaning; HDF5 never touches the disk.
 FileImage file_image(const std::function<void(hid_t file)>& write);
 
-/// As `file_image`, with the checksum in front. Throws OutOfMemory where memory ends, SolverError where HDF5 fails in
-/// another way, and InputError as `write` does.
+/// As `file_image`, with the checksum in front.
 FileImage checked_image(const std::function<void(hid_t file)>& write);
-/// As `checked_image` without a checksum, for `add_file`.
-FileImage image_to_add(const std::function<void(hid_t file)>& write);
 
 /// Opens the image of a file for `read`, where it is, and closes it afterwards.
 void open_image(const FileImage& image, const std::function<void(hid_t file)>& read);

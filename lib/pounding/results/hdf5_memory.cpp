@@ -5,13 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
-#include <new>
-#include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include <pounding/core/error.hpp>
 #include <pounding/results/checked_file.hpp>
 
 namespace pounding::hdf5 {
@@ -82,22 +77,6 @@ FileImage made_by(const std::function<void(hid_t file)>& write, bool with_checks
   return {bytes, size};
 }
 
-FileImage made_for_a_run(const std::function<void(hid_t file)>& write, bool with_checksum) {
-  try {
-    return made_by(write, with_checksum);
-  } catch (const InputError&) {
-    throw;
-  } catch (const NoMemory& error) {
-    throw OutOfMemory(fmt::format(
-        "there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
-  } catch (const std::runtime_error& error) {
-    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}",
-                                  error.what()));
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory("there is no memory left to make the results file, which keeps what was written before");
-  }
-}
-
 }  // namespace
 
 void open_image(const FileImage& image, const std::function<void(hid_t file)>& read) {
@@ -114,8 +93,6 @@ void open_image(const FileImage& image, const std::function<void(hid_t file)>& r
 
 FileImage file_image(const std::function<void(hid_t file)>& write) { return made_by(write, false); }
 
-FileImage checked_image(const std::function<void(hid_t file)>& write) { return made_for_a_run(write, true); }
-
-FileImage image_to_add(const std::function<void(hid_t file)>& write) { return made_for_a_run(write, false); }
+FileImage checked_image(const std::function<void(hid_t file)>& write) { return made_by(write, true); }
 
 }  // namespace pounding::hdf5

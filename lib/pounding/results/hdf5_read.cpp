@@ -2,7 +2,6 @@
 
 #include <pounding/results/hdf5.hpp>
 
-#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -11,41 +10,22 @@
 namespace pounding::hdf5 {
 namespace {
 
-// Names that HDF5 tells one after the other. It calls in C, and what an exception passes there stays open.
-class Names {
- public:
-  template <class Info>
-  static herr_t add(hid_t, const char* name, const Info*, void* target) noexcept {
-    auto& names = *static_cast<Names*>(target);
-    try {
-      names.found_.emplace_back(name);
-      return 0;
-    } catch (const std::bad_alloc&) {
-      names.lacks_memory_ = true;
-      return -1;
-    }
-  }
-  std::vector<std::string> all_after(herr_t status, const char* action) && {
-    if (lacks_memory_) throw std::bad_alloc();
-    checked(status, action);
-    return std::move(found_);
-  }
-
- private:
-  std::vector<std::string> found_;
-  bool lacks_memory_ = false;
-};
+template <class Info>
+herr_t add_name(hid_t, const char* name, const Info*, void* names) noexcept {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
 
 std::vector<std::string> members_of(hid_t group) {
-  Names names;
-  const herr_t status = H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, Names::add<H5L_info_t>, &names);
-  return std::move(names).all_after(status, "list a group");
+  std::vector<std::string> names;
+  checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5L_info_t>, &names), "list a group");
+  return names;
 }
 
 std::vector<std::string> attributes_of(hid_t object) {
-  Names names;
-  const herr_t status = H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, Names::add<H5A_info_t>, &names);
-  return std::move(names).all_after(status, "list attributes");
+  std::vector<std::string> names;
+  checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5A_info_t>, &names), "list attributes");
+  return names;
 }
 
 // Copies all members and the attributes, which are texts, of a group or of the root of a file.

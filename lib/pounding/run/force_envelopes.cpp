@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include <pounding/core/renew.hpp>
 #include <pounding/run/beyond_extremes.hpp>
 
 namespace pounding {
@@ -172,8 +171,8 @@ void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& 
   motion_.row(0) = u_;
   motion_.row(1) = v_;
   block.quantities.evaluate<1>(motion_, std::span(&time, 1), plan_.motions, evaluated_once_);
-  renew(values, block.quantities.size());
-  renew(rates, block.quantities.size());
+  values.resize(block.quantities.size());
+  rates.resize(block.quantities.size());
   values = evaluated_once_.row(0);
   rates = evaluated_once_.row(1);
   if (block.structure >= 0 && yields(model_.structures[block.structure])) {

@@ -4,7 +4,6 @@
 #include <map>
 #include <utility>
 
-#include <pounding/core/renew.hpp>
 #include <pounding/linear/wide_vectors.hpp>
 
 namespace pounding {
@@ -123,7 +122,7 @@ LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first
 template <int instants>
 void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<const double> times,
                                 std::span<const GroundMotion> grounds, Instants<instants>& quantities) const {
-  renew(quantities, 2 * instants, size());
+  quantities.resize(2 * instants, size());
   const SparseRows rows{rows_.outerIndexPtr(), rows_.innerIndexPtr(), rows_.valuePtr(), at_rest_.data(), size()};
   const double* const from = motions.data() + static_cast<std::ptrdiff_t>(2 * instants) * first_;
   if (has_wide_vectors())

@@ -67,9 +67,7 @@ class FailedRun : public SolverError {
 ///   run that
 ///                     cannot be resumed (read_interrupted_run, check_same_run), and for models or records that differ
 ///                     between processes
-///   OutOfMemory       when memory ends while steps are taken; the file stays as it was written last, and `resume`
-///   takes it std::logic_error  for a model that has been run or is not complete, and for options made before PETSc's
-///   start
+///   std::logic_error  for a model that has been run or is not complete, and for options made before PETSc's start
 Outcome run(const Model& model, const RunOptions& options = {});
 /// Completes the model first; throws ModelError where that fails.
 inline Outcome run(Model& model, const RunOptions& options = {}) {

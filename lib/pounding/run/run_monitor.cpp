@@ -1,7 +1,6 @@
 #include <pounding/run/run_monitor.hpp>
 
 #include <algorithm>
-#include <new>
 #include <string>
 
 #include <fmt/format.h>
@@ -18,14 +17,6 @@ namespace {
 constexpr double seconds_between_looks = 0.02;
 constexpr int max_steps_between_looks = 256;
 constexpr double seconds_between_reports = 0.1;
-
-std::string text_of(const std::exception_ptr& failure) {
-  try {
-    std::rethrow_exception(failure);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
 
 }  // namespace
 
@@ -45,13 +36,8 @@ std::string RunMonitor::solve() {
   petsc::check(TSSetPostStep(ts_, after_step));
   try {
     petsc::check(TSSolve(ts_, nullptr));
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory(fmt::format(
-        "out of memory at t = {:.6g} s of {:.6g} s, after {} impacts; the histories need fewer output times, reported "
-        "nodes or members, or a machine with more memory",
-        stepper_.time(), duration_, recorder_.impacts()));
-  } catch (const SolverError& error) {
-    return failure_ ? text_of(failure_) : error.what();
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
   return early_end();
 }
@@ -78,12 +64,9 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
     monitor->recorder_.step();
     monitor->end_at_collapse();
     if (--monitor->steps_to_look_ == 0) monitor->look();
-  } catch (const std::bad_alloc&) {
-    PetscFunctionReturn(petsc::fail("out of memory", static_cast<PetscErrorCode>(PETSC_ERR_MEM)));
   } catch (...) {
-    monitor->failure_ = std::current_exception();
+    PetscFunctionReturn(petsc::fail());
   }
-  if (monitor->failure_) PetscFunctionReturn(petsc::fail("recording failed"));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 

@@ -3,7 +3,6 @@
 
 #include <petscts.h>
 
-#include <exception>
 #include <string>
 
 #include <pounding/petsc/ranks.hpp>
@@ -49,7 +48,6 @@ class RunMonitor {
   int steps_between_looks_ = 1, steps_to_look_ = 1;
   bool resumable_ = false;
   std::string collapse_;
-  std::exception_ptr failure_ = nullptr;  // thrown after a step, kept out of PETSc's callbacks
 };
 
 }  // namespace pounding

@@ -79,9 +79,7 @@ void RunWriter::restart(const InterruptedRun& run) {
     Archive state(own_part(run.checkpoint.state));
     archive(state);
     state.expect_end();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
+  } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{}: the run cannot go on: {}", run.file, error.what()));
   }
   earlier_seconds_ = outcome_.results.solver.wall_seconds;

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include <pounding/core/renew.hpp>
 #include <pounding/model/storey_heights.hpp>
 #include <pounding/run/histories.hpp>
 
@@ -230,7 +229,7 @@ void SpringHistories::sample(double time, bool inside) {
   const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const double part = inside ? (time - begin.time) / (end.time - begin.time) : 1;
   if (stepper_.springs_wait()) {
-    renew(waiting_, stepper_.base().size(), batch);
+    waiting_.resize(stepper_.base().size(), batch);
     auto next = waiting_.col(waiting_count_++);
     if (inside)
       stepper_.displacements(part, next);

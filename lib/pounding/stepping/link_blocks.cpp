@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding {
 namespace {
 
@@ -70,7 +68,7 @@ std::pair<Index, Index> LinkBlocks::range(Index link) const {
 }
 
 void LinkBlocks::multiply(const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  renew(y, x.size());
+  y.resize(x.size());
   if (ends_.size() == 1)
     y.noalias() = flexibility * x;
   else
@@ -79,7 +77,7 @@ void LinkBlocks::multiply(const Eigen::MatrixXd& flexibility, const Eigen::Vecto
 
 void LinkBlocks::multiply_sizes(const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& x,
                                 Eigen::VectorXd& y) const {
-  renew(y, x.size());
+  y.resize(x.size());
   if (ends_.size() == 1)
     y.noalias() = flexibility.cwiseAbs() * x.cwiseAbs();
   else
@@ -104,9 +102,8 @@ bool BlockFactors::factorize(const LinkBlocks& blocks, const Eigen::MatrixXd& fl
     numbers = place + count * count;
     return true;
   });
-  renew(roots_, roots.size());
-  renew(flexibility_, numbers);
-  renew(factors_, numbers);
+  flexibility_.resize(numbers);
+  factors_.resize(numbers);
   roots_ = roots;
   const bool definite = each_block(ends_, [&](Index first, Index count, Index place) {
     Eigen::Map<Eigen::MatrixXd> g(flexibility_.data() + place, count, count),

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding {
 
 // Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
@@ -19,7 +17,7 @@ bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
 void LinkSolver::find_slopes(const CondensedLinks& links) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
-  renew(slopes_, g.rows(), g.cols());
+  slopes_.resize(g.rows(), g.cols());
   for (int i = 0; i < plain_; ++i) {
     if (links_.is_held(links.active[i])) {
       slopes_.row(i) = g.row(i) / g(i, i);
@@ -49,8 +47,7 @@ bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
 bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
   int soft = 0;
   others_.clear();
-  renew(slopes_of_springs_, by_penetration_.size());
-  slopes_of_springs_.setZero();
+  slopes_of_springs_.setZero(by_penetration_.size());
   for (int k = 0; k < by_penetration_.size(); ++k) {
     if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
       others_.push_back(k);

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding {
 namespace {
 
@@ -232,7 +230,7 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
   for (Eigen::VectorXd* const room :
        {&residual_, &relief_, &relief_at_once_, &by_penetration_, &by_rate_, &trial_, &direction_, &sizes_})
-    renew(*room, count);
+    room->resize(count);
   by_penetration_.setZero();
   by_rate_.setZero();
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
@@ -242,7 +240,7 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const auto held =
       std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
   const bool many = count >= LinkBlocks::many && links.blocks && held == 0 && plain_ == count && !links.relief;
-  if (!many) renew(slopes_, count, count);
+  if (!many) slopes_.resize(count, count);
   bool descends = false;
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);

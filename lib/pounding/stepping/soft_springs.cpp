@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include <pounding/core/renew.hpp>
 #include <pounding/stepping/link_solver.hpp>
 
 namespace pounding {
@@ -18,15 +17,13 @@ void SoftSprings::choose(const Eigen::VectorXd& slopes) {
   for (int i = 0; i < slopes.size(); ++i)
     if (slopes[i] < 0) soft_.push_back(i);
   const auto count = static_cast<Eigen::Index>(soft_.size());
-  renew(root_, count);
+  root_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) root_[i] = std::sqrt(-slopes[soft_[i]]);
 }
 
 void SoftSprings::find_by_others(const CondensedLinks& links, const Eigen::VectorXd& forces) {
-  renew(by_others_, forces.size());
   by_others_.noalias() = links.by_u * links.weight * (links.flexibility * forces);
   if (!links.relief) return;
-  renew(relief_, forces.size());
   relief_.noalias() = *links.relief * forces;
   by_others_ += relief_;
 }
@@ -34,7 +31,7 @@ void SoftSprings::find_by_others(const CondensedLinks& links, const Eigen::Vecto
 // The factor of `count` soft springs from one on.
 bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eigen::Index count) {
   const double by_u = links.by_u * links.weight;
-  renew(matrix_, count, count);
+  matrix_.resize(count, count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const int column = soft_[first + j];
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -44,7 +41,7 @@ bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eig
     }
     matrix_(j, j) += 1;
   }
-  renew_factor(factor_, count);
+  if (!factor_ || factor_->rows() != count) factor_.emplace(count);
   factor_->compute(matrix_);
   return factor_->info() == Eigen::Success;
 }
@@ -57,7 +54,7 @@ bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slop
   if (count == 0) return true;
   for (const int i : soft_) direction[i] = 0;
   find_by_others(links, direction);
-  renew(right_, count);
+  right_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) right_[i] = residual[soft_[i]] / root_[i] + root_[i] * by_others_[soft_[i]];
   if (count >= least_by_structure) {
     if (!solve_blocks(links, right_)) return false;
@@ -108,7 +105,7 @@ bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<in
   for (const int i : others) direction[i] = 0;
   find_by_others(links, direction);
   // A column for the residual and one for a unit force of each other link.
-  renew(by_links_, count, 1 + beside);
+  by_links_.resize(count, 1 + beside);
   for (Eigen::Index i = 0; i < count; ++i) {
     by_links_(i, 0) = residual[soft_[i]] / root_[i] + root_[i] * by_others_[soft_[i]];
     for (Eigen::Index j = 0; j < beside; ++j) by_links_(i, 1 + j) = root_[i] * flexibility(links, soft_[i], others[j]);
@@ -122,7 +119,6 @@ bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<in
   right.noalias() -= by_soft * by_links_.col(0);
   const Eigen::VectorXd forces = own.partialPivLu().solve(right);
   for (Eigen::Index j = 0; j < beside; ++j) direction[others[j]] = forces[j];
-  renew(right_, count);
   right_.noalias() = by_links_.rightCols(beside) * forces;
   for (Eigen::Index i = 0; i < count; ++i) direction[soft_[i]] = by_links_(i, 0) + right_[i];
   return true;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding {
 namespace {
 
@@ -53,8 +51,8 @@ bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& for
 }
 
 void SpringForces::set_no_flexibility(Eigen::Index count) const {
-  renew(zero_, count, count);
-  renew(none_, count);
+  zero_.resize(count, count);
+  none_.resize(count);
   zero_.setZero();
   none_.setZero();
 }
@@ -100,7 +98,7 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
   if (soft_.empty()) return;
   const auto count = static_cast<Eigen::Index>(soft_.size());
   flexibility_ = dense(s, soft_);
-  renew(right_, count, of_springs.cols());
+  right_.resize(count, of_springs.cols());
   for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
   const Eigen::VectorXd own = slopes(soft_);
   if (!answer_by_structure(own, right_)) {
@@ -108,8 +106,7 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
       flexibility_.col(i) *= own[i];
       flexibility_(i, i) += 1;
     }
-    renew_factor(lu_, count);
-    renew(solved_, count, right_.cols());
+    if (!lu_ || lu_->rows() != count) lu_.emplace(count);
     lu_->compute(flexibility_);
     solved_ = lu_->solve(right_);
     right_ = own.asDiagonal() * solved_;
@@ -126,7 +123,6 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
 bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
   if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
   set_no_flexibility(slopes.size());
-  renew(solved_, rates.rows(), rates.cols());
   solved_ = rates;
   const CondensedLinks condensed{
       .active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <pounding/core/renew.hpp>
-
 namespace pounding {
 namespace {
 
@@ -45,8 +43,8 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
     }
   }
   free_.resize(active_.size());
-  renew(free_acceleration_, static_cast<Eigen::Index>(active_.size()));
-  renew(active_force_, free_acceleration_.size());
+  free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
+  active_force_.resize(free_acceleration_.size());
   equations_.solver.set_matrix(matrix, level);
   if (active_.empty()) return true;
   if (!equations_.solver.flexibility(active_, flexibility_)) return false;

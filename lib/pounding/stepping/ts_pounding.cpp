@@ -4,7 +4,6 @@
 
 #include <cstring>
 #include <exception>
-#include <new>
 #include <optional>
 #include <string>
 
@@ -32,15 +31,13 @@ struct Data {
 Data& data_of(TS ts) { return *static_cast<Data*>(ts->data); }
 MPI_Comm comm_of(TS ts) { return PetscObjectComm(reinterpret_cast<PetscObject>(ts)); }
 
-// Keeps exceptions out of PETSc: `body` returns PETSc's code, or throws what becomes one.
+// Keeps exceptions out of PETSc: check() rethrows what `body` throws.
 template <class Body>
 PetscErrorCode guarded(const Body& body) {
   try {
     return body();
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory", static_cast<PetscErrorCode>(PETSC_ERR_MEM));
-  } catch (const std::exception& error) {
-    return fail(error.what());
+  } catch (...) {
+    return fail();
   }
 }
 
@@ -265,7 +262,9 @@ PetscErrorCode archive(TS ts, Archive& state) {
   PetscFunctionBegin;
   PetscBool plain = PETSC_FALSE;
   PetscCall(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(ts->adapt), &plain, TSADAPTBASIC, TSADAPTNONE, ""));
-  if (!plain) PetscFunctionReturn(fail("only the adapt types basic and none can go on from a saved state"));
+  if (!plain)
+    PetscFunctionReturn(
+        fail(std::make_exception_ptr(SolverError("only the adapt types basic and none can go on from a saved state"))));
   PetscFunctionReturn(guarded([&] {
     state(ts->ptime);
     state(ts->time_step);
