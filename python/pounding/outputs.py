@@ -5,8 +5,6 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import os
-import re
-import socket
 import stat
 import struct
 from collections.abc import Callable, Iterable, Iterator
@@ -114,16 +112,16 @@ def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Pa
     inputs = tuple(inputs)
     place = destination(path, kind, inputs)
     suffix = ".tmp" + Path(os.fsdecode(path)).suffix
-    temporary = place.with_name(f"{_remove_leftovers(place, suffix)}{os.getpid()}{suffix}")
+    temporary = place.with_name(f".{place.name}.{os.getpid()}{suffix}")
     try:
         os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW, 0o666))
     except OSError as error:
         refuse(path, error.strerror or str(error), "Name a file in a directory that you may write to")
     try:
         yield temporary
-        bring_to_disk(temporary)
+        _bring_to_disk(temporary)
         destination(path, kind, inputs)  # another program may have come first
-        keep_mode(place, temporary)
+        _keep_mode(place, temporary)
         os.replace(temporary, place)
     except OSError as error:
         if error.filename in (temporary, str(temporary)):
@@ -131,10 +129,10 @@ def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Pa
         raise
     finally:
         temporary.unlink(missing_ok=True)
-    bring_to_disk(place.parent)
+    _bring_to_disk(place.parent)
 
 
-def keep_mode(earlier: Path, new: Path) -> None:
+def _keep_mode(earlier: Path, new: Path) -> None:
     """Gives the new file the mode of the earlier one, and its owner as far as this process may."""
     with contextlib.suppress(OSError):
         before = os.stat(earlier)
@@ -143,38 +141,13 @@ def keep_mode(earlier: Path, new: Path) -> None:
         os.chmod(new, stat.S_IMODE(before.st_mode))
 
 
-def bring_to_disk(path: Path) -> None:
-    """Waits until a file, or the names in a directory, would outlast a power failure. Raises OSError."""
-    try:
+def _bring_to_disk(path: Path) -> None:
+    with contextlib.suppress(PermissionError):  # a directory may be writable and not readable
         descriptor = os.open(path, os.O_RDONLY)
-    except PermissionError:  # a directory may be writable and not readable
-        return
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
-
-
-def _remove_leftovers(place: Path, suffix: str) -> str:
-    """Removes temporary files of killed processes of this host next to the file. Returns the beginning of their
-    names."""
-    prefix = f".{place.name}.{socket.gethostname()}."
-    pattern = re.compile(re.escape(prefix) + r"(\d+)" + re.escape(suffix))
-    with contextlib.suppress(OSError):
-        for name in os.listdir(place.parent):
-            if (found := pattern.fullmatch(name)) and not _is_running(int(found[1])):
-                place.with_name(name).unlink(missing_ok=True)
-    return prefix
-
-
-def _is_running(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except (ProcessLookupError, OverflowError):
-        return False
-    except OSError:
-        return True
-    return True
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
 
 
 # One byte that no file reaches, as `pounding run` locks the file that it writes. HDF5 and other readers lock whole

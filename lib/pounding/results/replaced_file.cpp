@@ -1,21 +1,14 @@
 #include <pounding/results/replaced_file.hpp>
 
-#include <dirent.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
-#include <climits>
-#include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -50,14 +43,14 @@ struct flock place_of_lock(short kind) {
   return place;
 }
 
-// The lock is of an open file, not of a process: two objects of one process are refused alike. A file system without
-// locks holds nothing.
-void hold(const Descriptor& file) {
-  struct flock place = place_of_lock(F_RDLCK);
-  fcntl(file, F_OFD_SETLK, &place);
+// The lock belongs to an open file, not to a process, so two objects of one process exclude each other. False if
+// another open file has the lock. File systems without locks exclude nobody.
+bool lock(const Descriptor& file) {
+  struct flock place = place_of_lock(F_WRLCK);
+  return fcntl(file, F_OFD_SETLK, &place) == 0 || (errno != EAGAIN && errno != EACCES);
 }
 
-bool is_held_by_others(const Descriptor& file) {
+bool is_locked(const Descriptor& file) {
   struct flock place = place_of_lock(F_WRLCK);
   return fcntl(file, F_OFD_GETLK, &place) == 0 && place.l_type != F_UNLCK;
 }
@@ -68,18 +61,7 @@ bool is_same_file(const Descriptor& file, const fs::path& path) {
          open_one.st_dev == named.st_dev;
 }
 
-/// Results of versions before 0.2, which have no checksum in front: HDF5 with names that only ours have among its first
-/// ones.
-bool begins_results_without_checksum(std::string_view start) {
-  using namespace std::string_view_literals;
-  constexpr std::array names{"program\0"sv, "pounding"sv, "resolved.yaml"sv};
-  return start.starts_with("\x89HDF\r\n\x1a\n") &&
-         std::all_of(names.begin(), names.end(), [&](std::string_view name) { return start.find(name) != start.npos; });
-}
-
-bool is_results(std::string_view start) {
-  return begins_results(std::as_bytes(std::span(start))) || begins_results_without_checksum(start);
-}
+bool is_results(std::string_view start) { return begins_results(std::as_bytes(std::span(start))); }
 
 // As in python/pounding/outputs.py.
 bool is_picture(std::string_view start) {
@@ -132,7 +114,7 @@ fs::path destination(const std::string& path, const FileKind& kind, const Descri
   if (access(place.c_str(), W_OK) != 0) refuse(path, reason(errno), other_name(kind));
   const Descriptor earlier(open(place.c_str(), O_RDONLY | O_CLOEXEC));
   if (!earlier.is_open()) refuse(path, reason(errno), other_name(kind));
-  if (is_held_by_others(earlier)) refuse_busy(path);
+  if (is_locked(earlier)) refuse_busy(path);
   if (!may_be_replaced(earlier, kind))
     refuse(path, std::string("a file of this name exists and holds no ").append(kind.name),
            other_name(kind) + ", or first type: rm " + path);
@@ -141,59 +123,8 @@ fs::path destination(const std::string& path, const FileKind& kind, const Descri
   return place;
 }
 
-std::string host_name() {
-  std::array<char, HOST_NAME_MAX + 1> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "host";
-}
-
-/// Removes the temporary files of killed processes of this host, as far as possible. Those of others, which may share
-/// the disk, stay.
-void remove_leftovers(const fs::path& directory, const std::string& prefix, std::string_view suffix) {
-  // Where memory ends, the iterator of the standard library ends the process.
-  const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir(directory.c_str()), closedir);
-  if (!folder) return;
-  while (const dirent* entry = readdir(folder.get())) {
-    const std::string name = entry->d_name;
-    if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix)) continue;
-    const char* digits_end = name.data() + name.size() - suffix.size();
-    pid_t process = 0;
-    const auto parsed = std::from_chars(name.data() + prefix.size(), digits_end, process);
-    if (parsed.ec != std::errc{} || parsed.ptr != digits_end || process <= 0) continue;
-    if (kill(process, 0) == 0 || errno != ESRCH) continue;
-    // A container of the same name may have processes of its own.
-    const fs::path path = directory / name;
-    const Descriptor leftover(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-    std::error_code ignored;
-    if (leftover.is_open() && !is_held_by_others(leftover)) fs::remove(path, ignored);
-  }
-}
-
-/// A limit on the size of files (ulimit -f) ends a process by SIGXFSZ; while this lives, writing fails with EFBIG
-/// instead.
-class SizeLimitIsAnError {
- public:
-  SizeLimitIsAnError() {
-    sigemptyset(&limit_);
-    sigaddset(&limit_, SIGXFSZ);
-    pthread_sigmask(SIG_BLOCK, &limit_, &before_);
-  }
-  ~SizeLimitIsAnError() {
-    if (sigismember(&before_, SIGXFSZ) == 0) {
-      const timespec at_once = {};
-      sigtimedwait(&limit_, nullptr, &at_once);
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  SizeLimitIsAnError(const SizeLimitIsAnError&) = delete;
-  SizeLimitIsAnError& operator=(const SizeLimitIsAnError&) = delete;
-
- private:
-  sigset_t limit_, before_;
-};
-
 /// Returns 0 or the error number.
 int write_all(const Descriptor& file, std::span<const std::byte> bytes) {
-  const SizeLimitIsAnError limited;
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written > 0) {
@@ -214,28 +145,12 @@ int bring_to_disk(const Descriptor& file) {
   return 0;
 }
 
-/// The new name of a file is in its folder, which is brought to the disk by itself. File systems that know no such
-/// thing say EINVAL.
-int bring_folder_to_disk(const fs::path& directory) {
-  const Descriptor folder(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder.is_open()) return errno == EACCES ? 0 : errno;  // a folder may be written and not read
-  const int error = bring_to_disk(folder);
-  return error == EINVAL || error == ENOTSUP ? 0 : error;
-}
-
 /// Gives a new file the mode of the one that it replaces, and its owner as far as this process may.
 void keep_mode(const fs::path& earlier, const Descriptor& file) {
   struct stat before = {};
   if (stat(earlier.c_str(), &before) != 0) return;
   [[maybe_unused]] const int owned = fchown(file, before.st_uid, before.st_gid);
   fchmod(file, before.st_mode & 07777);
-}
-
-/// Returns 0 or the error number: EEXIST where the new name must be free and is not.
-int rename_to(const fs::path& from, const fs::path& to, bool must_be_free) {
-  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), must_be_free ? RENAME_NOREPLACE : 0) == 0) return 0;
-  if (!must_be_free || errno != EINVAL) return errno;
-  return rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;  // a file system that cannot ask whether a name is free
 }
 
 }  // namespace
@@ -252,39 +167,29 @@ void ReplacedFile::require_free() const { destination(path_, kind_, written_); }
 void ReplacedFile::replace(std::span<const std::byte> bytes) {
   const fs::path place = destination(path_, kind_, written_);
   const fs::path directory = place.has_parent_path() ? place.parent_path() : fs::path(".");
-  const std::string prefix =
-      std::string(".").append(place.filename().string()).append(".").append(host_name()).append(".");
-  const std::string_view suffix = ".tmp";
-  remove_leftovers(directory, prefix, suffix);
-
-  const fs::path temporary = directory / (prefix + std::to_string(getpid()) + std::string(suffix));
+  const fs::path temporary = directory / std::string(".").append(place.filename().string()).append(".tmp");
   Descriptor file(open(temporary.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (!file.is_open()) {
     refuse(path_, reason(errno),
            std::string("Name a file in an existing directory that you may write to: ").append(kind_.example) +
                ", or first type: mkdir -p " + directory.string());
   }
-  if (is_held_by_others(file)) refuse_busy(path_);
-  hold(file);
+  // Only one run at a time has the temporary file, and the one that has just renamed its own still holds the lock of
+  // the result.
+  if (!lock(file) || !is_same_file(file, temporary)) refuse_busy(path_);
   int error = ftruncate(file, 0) == 0 ? 0 : errno;
   if (error == 0) error = write_all(file, bytes);
   if (error == 0) error = bring_to_disk(file);
   if (error == 0) keep_mode(place, file);
-  // The first to arrive at a free place has it.
-  const bool is_first = !written_.is_open() && !fs::exists(place);
-  if (error == 0) error = rename_to(temporary, place, is_first);
+  if (error == 0) error = rename(temporary.c_str(), place.c_str()) == 0 ? 0 : errno;
   if (error != 0) {
     unlink(temporary.c_str());
-    if (is_first && error == EEXIST) refuse_busy(path_);
     refuse(path_, reason(error), "Make room, or name a file on another disk: -o /other/disk/results.h5");
   }
   written_ = std::move(file);
-  error = bring_folder_to_disk(directory);
-  if (error != 0)
-    refuse(path_,
-           "it is written, but its folder could not be brought to the disk, and a power failure may take it back: " +
-               reason(error),
-           "Name a file on another disk: -o /other/disk/results.h5");
+  // The new name is part of the folder, which has to reach the disk as well.
+  if (const Descriptor folder(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); folder.is_open())
+    fsync(folder);
 }
 
 }  // namespace pounding

@@ -34,7 +34,7 @@ struct FileKind {
   bool (*recognises)(std::string_view start);  ///< whether an existing file with these first bytes is of this kind
 };
 
-/// Results, also those of versions before 0.2.
+/// Results of runs.
 extern const FileKind results_files;
 /// Pictures of any format that Python writes.
 extern const FileKind picture_files;
@@ -47,14 +47,11 @@ class ReplacedFile {
 
   /// Throws InputError where `replace` would refuse the path as it is now.
   void require_free() const;
-  /// Writes `bytes` to a temporary file in the directory of the path (named `.NAME.HOST.PROCESS.tmp`), brings it to the
-  /// disk and renames it; a symbolic link is followed and stays, and the mode of an earlier file is kept. Temporary
-  /// files of processes of this host that no longer run are removed.
+  /// Writes `bytes` to the temporary file `.NAME.tmp` in the same directory, fsyncs it and renames it over the path.
+  /// Symbolic links are followed, and the mode of an earlier file is kept.
   ///
-  /// Throws InputError, with the earlier file untouched, when the path is a directory or another thing that is not a
-  /// file, is write-protected, holds data of another kind, is written by another run, or cannot be written. Where the
-  /// folder cannot be brought to the disk the new file is there, and InputError says that a power failure may take it
-  /// back.
+  /// Throws InputError, with the earlier file untouched, if the path is not a regular file, is write-protected,
+  /// contains data of another kind, is being written by another run, or cannot be written.
   void replace(std::span<const std::byte> bytes);
 
  private:
