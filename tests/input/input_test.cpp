@@ -117,7 +117,8 @@ TEST(Input, BadYamlIsReportedWithLineAndColumn) {
 TEST(Input, EmptyFileAndSecondDocumentAreRefused) {
   EXPECT_EQ(error_in(""), "model.yaml:1:1: the file is empty");
   EXPECT_EQ(error_in("# nothing\n"), "model.yaml:1:1: the file is empty");
-  EXPECT_EQ(error_in("a: 1\n---\nb: 2\n"), "model.yaml:2:1: a second YAML document; one file holds one model");
+  EXPECT_EQ(error_in("a: 1\n---\nb: 2\n"),
+            "model.yaml:2:1: a second YAML document, or text after the model; one file contains one model");
 }
 
 TEST(Input, KeyGivenTwiceIsRefusedAtTheSecondPlace) {

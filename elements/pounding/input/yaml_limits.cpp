@@ -1,9 +1,8 @@
 #include <pounding/input/yaml_limits.hpp>
 
 #include <algorithm>
-#include <istream>
 #include <map>
-#include <streambuf>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -27,15 +26,6 @@ struct Refusal {
   std::string text;
 };
 
-/// A text as a stream, without a copy.
-class TextBuffer : public std::streambuf {
- public:
-  explicit TextBuffer(std::string_view text) {
-    char* const begin = const_cast<char*>(text.data());  // a get area is only read
-    setg(begin, begin, begin + text.size());
-  }
-};
-
 /// Size of a value with everything in it.
 struct Extent {
   std::size_t values = 0;
@@ -55,9 +45,7 @@ class Limits : public YAML::EventHandler {
     if (open_.empty()) is_empty_ = true;
     add(mark, anchor, {1, 0});
   }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                const std::string& value) override {
-    refuse_tag(mark, tag);
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string& value) override {
     if (value.size() > longest_value)
       throw Refusal{mark,
                     fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?",
@@ -77,14 +65,14 @@ class Limits : public YAML::EventHandler {
       throw Refusal{mark, "does an alias contain itself? This one stands inside its own anchor; write the values out"};
     add(mark, 0, known->second);
   }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
-    begin_collection(mark, tag, anchor);
+    begin_collection(mark, anchor);
   }
   void OnSequenceEnd() override { end_collection(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
-    begin_collection(mark, tag, anchor);
+    begin_collection(mark, anchor);
   }
   void OnMapEnd() override { end_collection(); }
 
@@ -96,12 +84,7 @@ class Limits : public YAML::EventHandler {
     Extent inside;
   };
 
-  static void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
-    if (!tag.empty() && tag != "?" && tag != "!")
-      throw Refusal{mark, fmt::format("the tag {} is not read; leave it out", excerpt(tag))};
-  }
-  void begin_collection(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
-    refuse_tag(mark, tag);
+  void begin_collection(const YAML::Mark& mark, YAML::anchor_t anchor) {
     open_.push_back({mark, anchor, {}});
     refuse_depth(mark, 0);
   }
@@ -137,12 +120,6 @@ class Limits : public YAML::EventHandler {
   bool is_empty_ = false;
 };
 
-/// The line that begins at a place.
-std::string_view line_at(std::string_view text, const YAML::Mark& mark) {
-  const std::string_view rest = text.substr(std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text.size()));
-  return rest.substr(0, rest.find('\n'));
-}
-
 [[noreturn]] void fail(const std::string& name, int line, int column, std::string_view what) {
   throw InputError(fmt::format("{}:{}:{}: {}", name, line, column, what));
 }
@@ -176,8 +153,7 @@ std::string remedy(std::string_view message) {
 }
 
 void check_document(std::string_view text, const std::string& name) {
-  TextBuffer buffer(text);
-  std::istream stream(&buffer);
+  std::istringstream stream{std::string(text)};
   YAML::Parser parser(stream);
   Limits first;
   if (!parser.HandleNextDocument(first)) fail(name, 1, 1, "the file is empty");
@@ -186,12 +162,8 @@ void check_document(std::string_view text, const std::string& name) {
     // nothing.
     Limits second;
     parser.HandleNextDocument(second);
-    const YAML::Mark& mark = second.begin();
-    const std::string_view rest = line_at(text, mark);
-    if (rest.starts_with("---"))
-      fail(name, mark.line + 1, mark.column + 1, "a second YAML document; one file holds one model");
-    fail(name, mark.line + 1, mark.column + 1,
-         fmt::format("\"{}\" stands outside the model; one file holds one YAML document", excerpt(rest)));
+    fail(name, second.begin().line + 1, second.begin().column + 1,
+         "a second YAML document, or text after the model; one file contains one model");
   }
   if (first.is_empty()) fail(name, 1, 1, "the file is empty");
 }

@@ -14,7 +14,7 @@ inline constexpr std::size_t longest_value = 10'000;   ///< bytes of one value
 inline constexpr int deepest = 64;                     ///< levels of maps and lists in each other
 
 /// Throws InputError with "name:line:column: " in front unless the text is one YAML document within these limits, in
-/// UTF-8, without tags and control characters. `name` is that of the file.
+/// UTF-8, without control characters. `name` is that of the file.
 void check_yaml(std::string_view text, const std::string& name);
 
 }  // namespace pounding
