@@ -2,13 +2,11 @@
 // in the way.
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -151,48 +149,6 @@ TEST_F(Kept, AreMadeAnewWhereAFileIsDamagedOrCut) {
   EXPECT_FALSE(kept.find(of.bytes()));
   kept.keep(of.bytes(), made);
   expect_equal(kept.find(of.bytes()).value(), made);
-}
-
-// A pipe would block, a device never ends, and a link leads to a file of others.
-TEST_F(Kept, AreReadFromRegularFilesOnlyAndReplaceOthers) {
-  const ModesOrigin of = origin();
-  const ReducedGroup made = group();
-  const KeptModes kept(folder);
-  kept.keep(of.bytes(), made);
-  const fs::path path = files().at(0), other = fs::path(folder) / "other.txt";
-  const std::string whole = read();
-  const auto put_pipe = [](const fs::path& name) { ASSERT_EQ(mkfifo(name.c_str(), 0600), 0); };
-  const auto put_link = [&](const fs::path& name) { fs::create_symlink(other, name); };
-  const auto put_device = [](const fs::path& name) { fs::create_symlink("/dev/zero", name); };
-  const fs::path unfinished = fmt::format("{}.{}.modes.tmp", (fs::path(folder) / path.stem()).string(), getpid());
-  for (const auto& put : std::vector<std::function<void(const fs::path&)>>{put_pipe, put_link, put_device}) {
-    std::ofstream(other) << whole;
-    fs::remove(path);
-    put(path);
-    put(unfinished);
-    EXPECT_FALSE(kept.find(of.bytes()));
-    kept.keep(of.bytes(), made);
-    expect_equal(kept.find(of.bytes()).value(), made);
-    EXPECT_FALSE(fs::exists(fs::symlink_status(unfinished)));
-    EXPECT_EQ(fs::file_size(other), whole.size());
-    fs::remove(other);
-  }
-  fs::remove(path);
-  fs::create_directory(path);
-  EXPECT_FALSE(kept.find(of.bytes()));
-  kept.keep(of.bytes(), made);
-  EXPECT_TRUE(fs::is_directory(path));
-  EXPECT_FALSE(kept.find(of.bytes()));
-}
-
-// No memory for what is not there: others may have put a file of any size.
-TEST_F(Kept, AreNotReadFromAHugeFileOfOthers) {
-  const ModesOrigin of = origin();
-  const KeptModes kept(folder);
-  kept.keep(of.bytes(), group());
-  write("");
-  fs::resize_file(files().at(0), 1ULL << 38);
-  EXPECT_FALSE(kept.find(of.bytes()));
 }
 
 TEST_F(Kept, GoWhereTheFolderIsFullByTheirLastUse) {

@@ -1,10 +1,8 @@
 #include <pounding/linear/kept_modes.hpp>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -55,22 +53,6 @@ void archive_group(Archive& archive, ReducedGroup& group) {
   if (has_shadow) group.shadow = std::make_shared<const ShadowModes>(std::move(shadow));
 }
 
-// Makes a file of its own: a name that exists is removed first, so that nothing is written through a link or into a
-// pipe.
-bool write_new(const std::string& path, const std::string& begin, const std::vector<std::byte>& rest) {
-  unlink(path.c_str());
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor < 0) return false;
-  std::FILE* const file = fdopen(descriptor, "wb");
-  if (!file) {
-    close(descriptor);
-    return false;
-  }
-  const bool written = std::fwrite(begin.data(), 1, begin.size(), file) == begin.size() &&
-                       std::fwrite(rest.data(), 1, rest.size(), file) == rest.size();
-  return (std::fclose(file) == 0) && written;
-}
-
 // The beginning of each file.
 Archive archive_of(const std::vector<std::byte>& origin) {
   Archive archive;
@@ -87,30 +69,24 @@ std::string checksum_of(const std::vector<std::byte>& bytes) {
   return checksum.text();
 }
 
-// False for a pipe, which may block for ever, a device, a folder, and a symbolic link, which may lead anywhere.
-bool is_regular(const fs::path& path) {
-  std::error_code failed;
-  return fs::is_regular_file(fs::symlink_status(path, failed));
+bool write_whole(const std::string& path, const std::vector<std::byte>& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file << checksum_of(bytes);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  return file.good();
 }
 
-// nullopt if the file cannot be read, is not as it was written, or does not begin so. The beginning is compared before
-// there is memory for the rest: a file that others made may have any size.
-std::optional<std::vector<std::byte>> read_whole(const std::string& path, const std::vector<std::byte>& beginning) {
-  if (!is_regular(path)) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
+// nullopt if the file cannot be read or is not as it was written.
+std::optional<std::vector<std::byte>> read_whole(const std::string& path) {
+  std::string checksum = checksum_of({});
   std::error_code failed;
   const std::uintmax_t size = fs::file_size(path, failed);
-  std::string checksum = checksum_of({});
-  if (failed || size < checksum.size() + beginning.size()) return std::nullopt;
-  std::vector<std::byte> bytes(beginning.size());
-  const auto read = [&](std::size_t from) {
-    file.read(reinterpret_cast<char*>(bytes.data() + from), static_cast<std::streamsize>(bytes.size() - from));
-  };
+  if (failed || size < checksum.size()) return std::nullopt;
+  std::vector<std::byte> bytes(size - checksum.size());
+  std::ifstream file(path, std::ios::binary);
   file.read(checksum.data(), static_cast<std::streamsize>(checksum.size()));
-  read(0);
-  if (!file || bytes != beginning) return std::nullopt;
-  bytes.resize(size - checksum.size());
-  read(beginning.size());
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!file || checksum != checksum_of(bytes)) return std::nullopt;
   return bytes;
 }
@@ -148,7 +124,7 @@ std::string KeptModes::file_of(const std::vector<std::byte>& origin) const {
 
 std::optional<ReducedGroup> KeptModes::find(const std::vector<std::byte>& origin) const {
   const std::string path = file_of(origin) + ending;
-  std::optional<std::vector<std::byte>> bytes = read_whole(path, archive_of(origin).bytes());
+  std::optional<std::vector<std::byte>> bytes = read_whole(path);
   if (!bytes) return std::nullopt;
   ReducedGroup group;
   try {
@@ -157,6 +133,7 @@ std::optional<ReducedGroup> KeptModes::find(const std::vector<std::byte>& origin
     std::vector<std::byte> of;
     archive(written);
     archive(of);
+    if (written != format || of != origin) return std::nullopt;
     archive_group(archive, group);
     archive.expect_end();
   } catch (const std::runtime_error&) {
@@ -173,7 +150,7 @@ void KeptModes::keep(const std::vector<std::byte>& origin, const ReducedGroup& g
   ReducedGroup kept = group;
   archive_group(archive, kept);
   const std::string temporary = fmt::format("{}.{}{}", path, getpid(), unfinished);
-  const bool written = write_new(temporary, checksum_of(archive.bytes()), archive.bytes());
+  const bool written = write_whole(temporary, archive.bytes());
   std::error_code failed;
   if (written) fs::rename(temporary, path + ending, failed);
   if (!written || failed) {
@@ -195,7 +172,7 @@ void KeptModes::make_room() const {
   std::error_code failed;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failed)) {
     const std::string name = entry.path().filename().string();
-    if ((!name.ends_with(ending) && !name.ends_with(unfinished)) || !is_regular(entry.path())) continue;
+    if (!name.ends_with(ending) && !name.ends_with(unfinished)) continue;
     const fs::file_time_type used = entry.last_write_time(failed);
     if (failed) continue;
     const std::uintmax_t size = entry.file_size(failed);
