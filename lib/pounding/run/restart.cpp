@@ -1,7 +1,6 @@
 #include <pounding/run/restart.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <string_view>
 
@@ -23,9 +22,6 @@ namespace {
 
 // Place of the run without links.
 constexpr const char* without_links_group = "no_pounding";
-
-// No chain is that long.
-constexpr int most_deeper = 10000;
 
 // Options that only print or draw, and the limit on steps, leave the steps as they are.
 bool result_depends_on(const std::string& option) {
@@ -99,10 +95,7 @@ void read(hid_t file, InterruptedRun& run) {
       run.without_links ? std::string(without_links_group) + "/solver/reduction" : "solver/reduction";
   if (hdf5::has(file, reduction.c_str())) {
     const hdf5::Handle of_reduction(H5Gopen2(file, reduction.c_str(), H5P_DEFAULT), H5Gclose, "open group reduction");
-    const std::string deeper = hdf5::read_attribute(of_reduction, "deeper");
-    const auto [end, error] = std::from_chars(deeper.data(), deeper.data() + deeper.size(), run.deeper);
-    if (error != std::errc{} || end != deeper.data() + deeper.size() || run.deeper < 0 || run.deeper > most_deeper)
-      refuse_damaged(run.file, "the depth of its reduction is no number");
+    run.deeper = std::stoi(hdf5::read_attribute(of_reduction, "deeper"));
   }
 }
 
