@@ -24,7 +24,7 @@ struct pnd_law {
 
 namespace {
 
-// An array of its own, so that the text of a lack of memory needs none and a thread leaves nothing to tidy up.
+// A fixed array needs no destructor at the end of a thread.
 thread_local std::array<char, 512> last_error{};
 
 }  // namespace

@@ -31,8 +31,7 @@ std::optional<WrongText> wrong_text(std::string_view text);
 /// blanks.
 std::string shown_line(std::string_view text);
 
-/// The parts of a text that lie between any of these characters, without empty ones. Streams, which read words and
-/// lines as well, end in silence where they get no memory.
+/// The non-empty parts of a text between any of these characters.
 std::vector<std::string_view> parts_between(std::string_view text, std::string_view separators);
 
 /// The fault of a name: more than 200 bytes, a control character, no UTF-8. Empty where all is well.
