@@ -24,6 +24,7 @@
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>
+#include <pounding/run/ts_setup.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
@@ -190,7 +191,7 @@ void run_task(const RunArguments& words, const Task& task) {
     run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
   if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
-  const std::vector<std::string> warnings = implausible(model);
+  const std::vector<std::string> warnings = implausible(model, effective_settings(model).stepper.tolerance);
   if (ranks.is_root()) print_warnings(warnings);
   const auto print_new_warnings = [&](const Outcome& ended) {
     const std::span<const std::string> all = ended.summary.warnings;

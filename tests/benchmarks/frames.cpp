@@ -285,8 +285,6 @@ nlohmann::json plane(const Words& words) {
   Watch watch{stepper, {pair.unknown(0, 8, 3), pair.unknown(1, 6, 0)}, 0.1, {}, {0, 0}, 0, 0, {}, {}};
   watch.look();
   Solve solve(stepper, duration, longest / 64);
-  check(petsc::set_solver_options(solve.ts, {stepper.options().scheme, petsc::SolverKind::automatic}));
-  check(TSAdaptSetStepLimits(solve.adapt(), 1e-18, longest));
   check(TSSetApplicationContext(solve.ts, &watch));
   check(TSSetPostStep(solve.ts, Watch::after_step));
   check(TSSetFromOptions(solve.ts));

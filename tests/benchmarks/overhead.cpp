@@ -83,10 +83,7 @@ Result run(Scheme::Kind scheme, double gap, double end, double longest, bool fix
   check(petsc::set_lazy_vectors(ts, PETSC_TRUE));
   TSAdapt adapt = nullptr;
   check(TSGetAdapt(ts, &adapt));
-  if (fixed)
-    check(TSAdaptSetType(adapt, TSADAPTNONE));
-  else
-    check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
+  if (fixed) check(TSAdaptSetType(adapt, TSADAPTNONE));
   const Clock::time_point start = Clock::now();
   check(TSSolve(ts, nullptr));
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -68,54 +67,6 @@ TEST(LinkColumns, GatherEachLinkWithTheSameBitsAloneAndAmongAll) {
     links.columns.gather_chosen(x, some);
     EXPECT_EQ(some, Eigen::MatrixXd(all(chosen, Eigen::all)));
   }
-}
-
-TEST(LinkColumns, GatherTheRowsOfAPartWithTheSameBits) {
-  Links links;
-  const Eigen::MatrixXd x = Eigen::MatrixXd::Random(Links::coordinates, 3);
-  Eigen::MatrixXd all;
-  links.columns.gather(x, all);
-  for (const auto& [first, end] : {std::pair(0, 9), {0, 3}, {3, 8}, {8, 9}, {4, 4}}) {
-    const LinkColumns part = links.columns.part(first, end);
-    Eigen::MatrixXd some = Eigen::MatrixXd::Constant(Links::count, 3, 7), expected = some;
-    expected.middleRows(first, end - first) = all.middleRows(first, end - first);
-    part.gather_rows(x, some);
-    EXPECT_EQ(some, expected) << first << " " << end;
-    // Columns one by one, between others.
-    Eigen::MatrixXd wide = Eigen::MatrixXd::Constant(Links::count, 5, 7);
-    for (int c = 0; c < 3; ++c) part.gather_rows(x.col(c), wide.col(1 + c));
-    EXPECT_EQ(Eigen::MatrixXd(wide.middleCols(1, 3)), expected);
-    EXPECT_TRUE((wide.col(0).array() == 7).all() && (wide.col(4).array() == 7).all());
-  }
-}
-
-TEST(LinkColumns, BoundThePartOfTheirRoomThatLinksUse) {
-  Links links;
-  Eigen::VectorXd rooms = Eigen::VectorXd::Random(Links::count).cwiseAbs(), parts(Links::coordinates);
-  rooms.array() += 0.1;
-  const auto largest_sum = [&](const Eigen::VectorXd& x) {
-    double most = 0;
-    for (const auto& [first, size] : {std::pair(0, 7), {7, 20}, {27, 33}})
-      most = std::max(most, parts.segment(first, size).dot(x.segment(first, size).cwiseAbs()));
-    return most;
-  };
-  ASSERT_TRUE(links.columns.bound(rooms, parts));
-  for (int repetition = 0; repetition < 20; ++repetition) {
-    const Eigen::VectorXd x = Eigen::VectorXd::Random(Links::coordinates);
-    EXPECT_GE(largest_sum(x), (links.b.transpose() * x).cwiseAbs().cwiseQuotient(rooms).maxCoeff());
-  }
-  // A link between two structures, pushed as hard as it can be by both: no sum of one of them alone may be smaller.
-  for (int i = 0; i < Links::count; ++i) {
-    const Eigen::VectorXd x = links.b.col(i).cwiseSign();
-    EXPECT_GE(largest_sum(x), (1 - 1e-12) * links.b.col(i).dot(x) / rooms[i]) << i;
-  }
-  // In part 5 to 9 link 6 alone counts, which has an end in one structure.
-  rooms.setConstant(std::numeric_limits<double>::infinity());
-  rooms[6] = 0.5;
-  ASSERT_TRUE(links.columns.part(5, 9).bound(rooms.tail(4), parts));
-  EXPECT_EQ(parts, Eigen::VectorXd(links.b.col(6).cwiseAbs() / 0.5));
-  rooms[7] = 0;
-  EXPECT_FALSE(links.columns.bound(rooms, parts));
 }
 
 TEST(LinkColumns, AreAsFlexibleAmongAnyOthers) {

@@ -41,6 +41,34 @@ class Options(ProgramTest):
         typed = self.summary("model.yaml", "-pounding_ts_rtol", "1e-7")
         self.assertEqual(typed["links"], written["links"])
 
+    def test_of_the_tolerance_hold_for_warnings(self):
+        def energy(told):
+            return [text for text in told["warnings"] if "energ" in text]
+
+        fine = self.write(OSCILLATORS.replace("{duration: 3.0}", "{duration: 3.0, tolerance: 1e-9}"))
+        self.assertEqual(energy(self.told(fine, "-pounding_ts_rtol", "1e-3")), [])
+        done = self.pounding("run", fine, "-q", "-pounding_ts_rtol", "0.05")
+        self.assertEqual(done.stderr.count("a tolerance of 0.05 allows errors of 5 %"), 1)
+        coarse = self.write(OSCILLATORS.replace("{duration: 3.0}", "{duration: 3.0, tolerance: 0.05}"))
+        self.assertEqual(self.told(coarse, "-pounding_ts_rtol", "1e-4")["warnings"], [])
+
+    def test_of_adaptivity_need_its_type(self):
+        path = self.write(OSCILLATORS)
+        self.refused(
+            2,
+            "-pounding_ts_adapt_safety 0.5 would change nothing without -pounding_ts_adapt_type basic",
+            "run",
+            path,
+            "--json",
+            "-pounding_ts_adapt_safety",
+            "0.5",
+        )
+        usual, basic = self.summary(path), self.summary(path, "-pounding_ts_adapt_type", "basic")
+        self.assertEqual(basic["solver"]["steps"], usual["solver"]["steps"])
+        self.assertEqual(basic["links"], usual["links"])
+        careful = self.summary(path, "-pounding_ts_adapt_type", "basic", "-pounding_ts_adapt_safety", "0.5")
+        self.assertGreater(careful["solver"]["steps"], usual["solver"]["steps"])
+
     def test_of_the_integrator_change_its_damping(self):
         done = self.pounding(
             "run",
@@ -58,7 +86,7 @@ class Options(ProgramTest):
     def test_of_the_damping_of_another_integrator_are_an_error(self):
         self.refused(
             2,
-            "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha",
+            "-pounding_ts_pounding_radius needs -pounding_ts_pounding_scheme generalized_alpha",
             "run",
             self.write(OSCILLATORS),
             "--json",

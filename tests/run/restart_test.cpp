@@ -300,31 +300,6 @@ TEST(ResumeWithDevices, GivesTheSameBits) {
   }
 }
 
-// Hinges whose motions wait where the run is stopped, as they are far from yielding, and hinges that yield.
-TEST(ResumeWithHinges, GivesTheSameBits) {
-  for (const char* moment : {"100 MN m", "150 kN m"})
-    for (const char* scheme : schemes) {
-      SCOPED_TRACE(std::string(moment) + ", " + scheme);
-      const std::string frame =
-          "{material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: "
-          "{rectangle: [0.4 m, 0.4 m]}, "
-          "beams: {rectangle: [0.3 m, 0.5 m]}, floor_mass: 40 t}, hinges: {beams: {at: both, yield_moment: " +
-          std::string(moment) + "}}}";
-      expect_to_go_on(
-          "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
-          "structures:\n"
-          "  left: {frame: " +
-              frame +
-              ", damping: 5 %}\n"
-              "  right: {shear_building: {storeys: 2, height: 3.2 m, mass: 150 t, stiffness: 9e5 kN/m, damping: 3 %}}\n"
-              "links: [{between: [left, right], floors: all, gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, "
-              "restitution: 0.65}]\n"
-              "analysis: {duration: 3, output_step: 0.3 s, " +
-              std::string(scheme) + "}\n",
-          touched);
-    }
-}
-
 // Isolators by two laws, friction that depends on the velocity, and walls whose backfill stays pressed in.
 constexpr const char* isolated =
     "ground_motion: {harmonic: {amplitude: 4 m/s^2, period: 1.2, duration: 4}}\n"

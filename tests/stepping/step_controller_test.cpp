@@ -37,7 +37,8 @@ struct Oscillators {
   std::span<const ImpactRow> impacts() const { return model.links[0].contact->impacts(); }
 };
 
-void solve_with_ts(Oscillators& run, double first, bool fixed) {
+// With this type of TSAdapt; null for the default one.
+void solve_with_ts(Oscillators& run, double first, TSAdaptType type) {
   petsc::Handle<TS> ts;
   petsc::Handle<Vec> u, v;
   TSAdapt adapt = nullptr;
@@ -51,12 +52,10 @@ void solve_with_ts(Oscillators& run, double first, bool fixed) {
   check(TS2SetSolution(ts, u, v));
   check(TSSetMaxTime(ts, duration));
   check(TSSetMaxSteps(ts, PETSC_MAX_INT));
-  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_STEPOVER));
+  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
   check(TSGetAdapt(ts, &adapt));
-  if (fixed)
-    check(TSAdaptSetType(adapt, TSADAPTNONE));
-  else
-    check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
+  if (type) check(TSAdaptSetType(adapt, type));
+  check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
   check(TSSetTimeStep(ts, first));
   check(petsc::set_stepper(ts, &run.stepper));
   check(TSSolve(ts, nullptr));
@@ -77,22 +76,24 @@ void expect_same_bits(const Oscillators& a, const Oscillators& b) {
 class DriverWithScheme : public testing::TestWithParam<test::NamedScheme> {};
 
 TEST_P(DriverWithScheme, MakesTheStepsThatPetscMakesWithBasicAdaptivity) {
-  Oscillators with_ts(GetParam().scheme), alone(GetParam().scheme);
-  solve_with_ts(with_ts, longest / 64, false);
+  Oscillators with_basic(GetParam().scheme), with_ts(GetParam().scheme), alone(GetParam().scheme);
+  solve_with_ts(with_basic, longest / 64, TSADAPTBASIC);
+  solve_with_ts(with_ts, longest / 64, nullptr);
   alone.start();
   StepController controller(alone.stepper);
-  ErrorControl policy(longest);
+  ErrorControl policy(longest, duration);
   double h = longest / 64;
   while (alone.stepper.time() < duration) h = controller.advance(h, duration, policy);
   EXPECT_EQ(alone.stepper.time(), duration);
   EXPECT_GT(policy.rejected(), 0);
   EXPECT_GT(controller.trials(), policy.rejected());
   expect_same_bits(with_ts, alone);
+  expect_same_bits(with_basic, alone);
 }
 
 TEST_P(DriverWithScheme, MakesTheStepsThatPetscMakesWithoutAdaptivity) {
   Oscillators with_ts(GetParam().scheme), alone(GetParam().scheme);
-  solve_with_ts(with_ts, 1e-3, true);
+  solve_with_ts(with_ts, 1e-3, TSADAPTNONE);
   alone.start();
   test::march_evenly(alone.stepper, duration, 1e-3);
   expect_same_bits(with_ts, alone);

@@ -305,7 +305,9 @@ std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& dou
 
 }  // namespace
 
-std::vector<std::string> implausible(const Model& model) {
+std::vector<std::string> implausible(const Model& model) { return implausible(model, model.analysis.tolerance); }
+
+std::vector<std::string> implausible(const Model& model, double tolerance) {
   std::vector<Doubt> doubts = model.read_doubts;
   for (const Structure& s : model.structures) {
     if (!stands(s)) continue;
@@ -322,11 +324,11 @@ std::vector<std::string> implausible(const Model& model) {
   doubt_records(model, doubts);
   doubt_faces(model, doubts);
   doubt_joints(model, doubts);
-  if (model.analysis.tolerance > coarsest_tolerance)
+  if (tolerance > coarsest_tolerance)
     doubts.push_back(
         {"tolerance",
          fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
-                     model.analysis.tolerance, 100 * model.analysis.tolerance)});
+                     tolerance, 100 * tolerance)});
   return texts(model, doubts);
 }
 

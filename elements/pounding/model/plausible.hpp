@@ -44,7 +44,9 @@ inline constexpr auto doubt_names = std::to_array<std::string_view>(
      "pga",       "record",  "motion",   "penetration", "tolerance", "duration",  "hardening", "scale", "density",
      "stiffness", "damping", "isolator", "height",      "friction",  "amplitude", "initial",   "drift"});
 
-/// Warnings about a model, one line each; none of those that it accepts.
+/// Warnings about a model, one line each; none of those that it accepts. `tolerance`: of the run, if it is not the
+/// model's.
+std::vector<std::string> implausible(const Model& model, double tolerance);
 std::vector<std::string> implausible(const Model& model);
 
 /// Warnings about a run of it: whether anything moved, and the peak penetrations of its links [m].

@@ -190,10 +190,10 @@ void add_products(const Columns& a, const Columns& x, double* y, Index y_stride)
     }
 }
 
-void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::Ref<Eigen::MatrixXd> y,
+void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::MatrixXd& y,
                   Eigen::MatrixXd& room) {
   const int first = rows.front();
-  if (rows.back() - first + 1 == a.rows) return add_products(a, x, y.data() + first, y.outerStride());
+  if (rows.back() - first + 1 == a.rows) return add_products(a, x, y.data() + first, y.rows());
   room.resize(a.rows, x.count);
   for (Index i = 0; i < a.rows; ++i) room.row(i) = y.row(rows[static_cast<std::size_t>(i)]);
   add_products(a, x, room.data(), a.rows);

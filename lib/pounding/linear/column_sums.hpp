@@ -26,7 +26,7 @@ struct Columns {
 void add_products(const Columns& a, const Columns& x, double* y, Eigen::Index y_stride);
 /// The same to some rows of Y, one for each row of A, ascending. `room` is overwritten where they do not follow each
 /// other.
-void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::Ref<Eigen::MatrixXd> y,
+void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::MatrixXd& y,
                   Eigen::MatrixXd& room);
 /// A X, by the same sums.
 Eigen::MatrixXd summed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x);

@@ -27,8 +27,8 @@ void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x
 
 template <bool begins>
 void LinkColumns::add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x,
-                              Eigen::Ref<Eigen::MatrixXd>& relative) {
-  const Index columns = x.cols(), x_stride = x.outerStride(), stride = relative.outerStride();
+                              Eigen::MatrixXd& relative) {
+  const Index columns = x.cols(), x_stride = x.outerStride(), stride = relative.rows();
   const double* of = x.data();
   double* to = relative.data();
   Index c = 0;
@@ -76,19 +76,13 @@ void LinkColumns::find_entries(std::vector<Block>& blocks, int count) {
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
                          Eigen::MatrixXd& relative) const {
-  relative.resize(count, x.cols());
-  add_rows(blocks, x, 0, count, relative);
-}
-
-// `count` rows from `first` on are those of the blocks.
-void LinkColumns::add_rows(const std::vector<Block>& blocks, const Eigen::Ref<const Eigen::MatrixXd>& x, int first,
-                           int count, Eigen::Ref<Eigen::MatrixXd> relative) const {
   const Index columns = x.cols();
+  relative.resize(count, columns);
   const bool begins = !blocks.empty() && blocks.front().begins;
   if (begins)
     add_closing<true>(blocks.front().entries, x, relative);
   else
-    relative.middleRows(first, count).setZero();
+    std::fill_n(relative.data(), relative.size(), 0.0);
   for (const Block& block : blocks) {
     if (block.is_small()) {
       if (!block.begins && !block.entries.empty()) add_closing<false>(block.entries, x, relative);
@@ -105,39 +99,6 @@ void LinkColumns::gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Matr
 }
 void LinkColumns::gather_chosen(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
   gather(chosen_blocks_, static_cast<int>(chosen_.size()), x, relative);
-}
-
-void LinkColumns::gather_rows(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> relative) const {
-  if (count_ > 0) add_rows(blocks_, x, first_, count_, relative);
-}
-
-LinkColumns LinkColumns::part(int first, int end) const {
-  LinkColumns made(end - first);
-  made.first_ = first;
-  for (const Block& block : blocks_) {
-    const auto from = std::ranges::lower_bound(block.links, first), to = std::ranges::lower_bound(block.links, end);
-    made.add_block(block.first, {from, to}, block.by_link.middleCols(from - block.links.begin(), to - from));
-  }
-  return made;
-}
-
-// A link with ends in several blocks has an equal share of its room for each.
-bool LinkColumns::bound(const Eigen::VectorXd& rooms, Eigen::VectorXd& parts) const {
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(count_);
-  for (const Block& block : blocks_)
-    for (const int link : block.links) weights[link - first_] += 1;
-  for (int i = 0; i < count_; ++i) {
-    if (!(rooms[i] > 0)) return false;
-    weights[i] /= rooms[i];
-  }
-  parts.setZero();
-  for (const Block& block : blocks_) {
-    auto of = parts.segment(block.first, block.size());
-    for (std::size_t i = 0; i < block.links.size(); ++i)
-      if (const double weight = weights[block.links[i] - first_]; weight > 0)
-        of = of.cwiseMax(weight * block.by_link.col(static_cast<Index>(i)).cwiseAbs());
-  }
-  return true;
 }
 
 void LinkColumns::add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d,

@@ -24,14 +24,6 @@ class LinkColumns {
 
   /// B^T x for all links [links x columns of x].
   void gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
-  /// The columns of the links from `first` to just before `end` alone, which keep their numbers.
-  LinkColumns part(int first, int end) const;
-  /// The rows of these links alone, in a matrix with a row for every link and a column for each of x.
-  void gather_rows(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> relative) const;
-  /// By coordinate the part g_k of a room that it takes: the largest sum of g_k |x_k| over a block is as large as |B^T
-  /// x| of every link over its room, or larger. `rooms`: one a link, infinite for a link that does not count. False
-  /// where one is not positive.
-  bool bound(const Eigen::VectorXd& rooms, Eigen::VectorXd& parts) const;
   /// y += factor B f, on coordinates from `from` on; f has one force a link.
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
 
@@ -70,21 +62,19 @@ class LinkColumns {
   };
 
   static void find_entries(std::vector<Block>& blocks, int count);
-  void add_rows(const std::vector<Block>& blocks, const Eigen::Ref<const Eigen::MatrixXd>& x, int first, int count,
-                Eigen::Ref<Eigen::MatrixXd> relative) const;
   template <int columns, bool begins>
   static void add_closing(const std::vector<Entry>& entries, const double* x, Eigen::Index x_stride, double* relative,
                           Eigen::Index stride);
   template <bool begins>
   static void add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x,
-                          Eigen::Ref<Eigen::MatrixXd>& relative);
+                          Eigen::MatrixXd& relative);
 
   void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
               Eigen::MatrixXd& relative) const;
   void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y,
            int from) const;
 
-  int first_ = 0, count_ = 0;  // links
+  int count_ = 0;
   std::vector<Block> blocks_, chosen_blocks_;
   std::vector<int> chosen_;
   // Room to work in.

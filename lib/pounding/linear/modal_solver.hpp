@@ -55,7 +55,6 @@ class ModalSolver final : public StructureSolver {
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
   void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
               Eigen::MatrixXd& relative) const override;
-  const LinkColumns* columns() const override { return &gap_jacobian_; }
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;

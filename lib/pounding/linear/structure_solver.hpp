@@ -14,8 +14,6 @@
 
 namespace pounding {
 
-class LinkColumns;
-
 /// Coefficients of A = mass M + damping C + stiffness K, the matrix of one step.
 struct EffectiveMatrix {
   double mass = 1;       ///< [-]
@@ -95,9 +93,6 @@ class StructureSolver {
   /// B^T x for the links of the last flexibility() alone [links of `links` x columns of x].
   virtual void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
                       Eigen::MatrixXd& relative) const = 0;
-  /// B by columns, where each process has all of it, so that some rows of gather() can be made alone; nullptr
-  /// elsewhere.
-  virtual const LinkColumns* columns() const { return nullptr; }
   /// y += factor B f; f has one force for each link of the system.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 

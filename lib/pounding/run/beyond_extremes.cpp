@@ -11,29 +11,12 @@ constexpr int knots = LinearQuantities::batch;
 
 POUNDING_INLINE bool goes_beyond(const double* values, const double* rates, const double* third, double least,
                                  double largest) {
-#ifdef POUNDING_HAS_FOUR
-  const Four low{least, least, least, least}, high{largest, largest, largest, largest};
-  Four lowest = low, highest = high;
-  for (int i = 0; i < knots; i += 4) {
-    const auto* const times = reinterpret_cast<const Four*>(third + i);
-    const Four value = *reinterpret_cast<const Four*>(values + i),
-               move = *times * *reinterpret_cast<const Four*>(rates + i);
-    const Four there = value + move, back = value - move;
-    highest = there > highest ? there : highest;
-    highest = back > highest ? back : highest;
-    lowest = there < lowest ? there : lowest;
-    lowest = back < lowest ? back : lowest;
-  }
-  const auto beyond = (highest > high) | (lowest < low);
-  return (beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0;
-#else
-  bool beyond = false;
+  int beyond = 0;  // without branches, as a comparison of vectors
   for (int i = 0; i < knots; ++i) {
     const double move = third[i] * std::abs(rates[i]);
-    beyond = beyond || values[i] + move > largest || values[i] - move < least;
+    beyond |= (values[i] + move > largest) | (values[i] - move < least);
   }
-  return beyond;
-#endif
+  return beyond != 0;
 }
 
 POUNDING_INLINE int find(const Reach& reach, const Extremes& extremes, int* found) {

@@ -47,7 +47,7 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
   }
   every_step_ = every_step_ || (turns_ && yields_);
   if (!with_links && !model.links.empty()) {
-    add_block(Block::of_links, false, approaches(model, plan));
+    add_block(-1, false, approaches(model, plan));
     results_.approach = blocks_.back().extremes;
   }
 }
@@ -95,46 +95,6 @@ void ForceEnvelopes::add_frame(int k) {
 void ForceEnvelopes::add_block(int structure, bool loaded, LinearQuantities quantities) {
   const std::size_t count = static_cast<std::size_t>(quantities.size());
   blocks_.push_back({structure, loaded, std::move(quantities), {}, {}, Extremes(count)});
-}
-
-// Ground that moves the ends of parts apart by itself leaves none untouched.
-void ForceEnvelopes::add_parts() {
-  const System& system = stepper_.system();
-  const int contacts = system.contact_count();
-  int parts = 0;
-  for (const Structure& s : model_.structures) parts += static_cast<int>(s.yielding.size());
-  Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(parts);
-  if (system.gravity_offset.size() > 0) at_rest = system.gravity_offset.segment(contacts, parts);
-  add_block(Block::of_parts, false,
-            {system.gap_jacobian.middleCols(contacts, parts).transpose(), static_cast<int>(system.size()), 0, at_rest,
-             Eigen::MatrixXd::Zero(parts, static_cast<int>(plan_.motions.size())), [](int) { return true; }, false});
-}
-
-void ForceEnvelopes::show_parts() {
-  const Extremes& all = blocks_.back().extremes;
-  for (std::size_t k = 0, at = 0; k < model_.structures.size(); ++k) {
-    SpringHistory& history = results_.structures[k].springs;
-    for (std::size_t i = 0; i < history.size(); ++i, ++at) {
-      const double stiffness = model_.structures[k].yielding[i].spring->stiffness();
-      for (const auto& [time, deformation] :
-           {std::pair(all.t_min[at], all.min[at]), std::pair(all.t_max[at], all.max[at])}) {
-        history.deformations.update(i, time, deformation);
-        history.forces.update(i, time, stiffness * deformation);
-      }
-    }
-  }
-}
-
-// Parts were touched in the last kept step: what they did before it is known now, and SpringHistories goes on.
-void ForceEnvelopes::leave_parts() {
-  const Instant& begin = stepper_.instant_begin();
-  if (begin.time > knots_.last() && !every_step_ && !turns_) {
-    stepper_.begin(u_, v_);
-    wait(begin);
-  }
-  follow();
-  show_parts();
-  blocks_.pop_back();
 }
 
 template <class Force>
@@ -201,7 +161,6 @@ void ForceEnvelopes::start_from(const Instant& instant) {
 }
 
 void ForceEnvelopes::begin() {
-  if (stepper_.springs_untouched()) add_parts();
   if (blocks_.empty()) return;
   u_ = stepper_.state().u;
   v_ = stepper_.state().v;
@@ -220,7 +179,6 @@ void ForceEnvelopes::step(const StepMotion& step) {
   const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const bool pressed = presses_on_members();
   acts_ = yields_ && parts_act();
-  if (has_parts() && !stepper_.springs_untouched()) leave_parts();
   if (every_step_) {
     take_begin(step);
     start_from(begin);
@@ -279,12 +237,13 @@ void ForceEnvelopes::show() {
       for (std::size_t i = 0; i < to.size(); ++i, ++place)
         if (place->at >= 0) to.copy(i, block.extremes, static_cast<std::size_t>(place->at), place->opposite ? -1 : 1);
     };
-    if (block.structure == Block::of_links) copy(results_.approach);
-    if (block.structure < 0) continue;
+    if (block.structure < 0) {
+      copy(results_.approach);
+      continue;
+    }
     StructureEnvelope& envelope = results_.structures[block.structure].envelope;
     for (Extremes* extremes : {&envelope.storey_shear, &envelope.member_force, &envelope.reaction}) copy(*extremes);
   }
-  if (has_parts()) show_parts();
 }
 
 bool ForceEnvelopes::is_apart(const Block& block, bool pressed) const {
@@ -300,7 +259,6 @@ bool ForceEnvelopes::presses_on_members() const {
 
 // Whether parts of frames add to the linear forces in the last kept step: none does before it yields.
 bool ForceEnvelopes::parts_act() const {
-  if (stepper_.springs_untouched()) return false;
   const int contacts = stepper_.system().contact_count();
   for (std::size_t k = 0; k < first_spring_.size(); ++k) {
     if (!yields(model_.structures[k])) continue;
@@ -413,7 +371,6 @@ void ForceEnvelopes::follow() {
 
 void ForceEnvelopes::archive(Archive& archive) {
   follow();
-  if (archive.reading() && stepper_.springs_untouched()) add_parts();
   knots_.archive(archive);
   archive(followed_);
   archive(jumped_);

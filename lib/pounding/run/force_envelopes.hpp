@@ -1,6 +1,5 @@
 #pragma once
-/// Extremes of forces inside frames, of reactions, of how far the ends of links approach each other, and of parts that
-/// may yield but have not.
+/// Extremes of forces inside frames, of reactions, and of how far the ends of links approach each other.
 
 #include <Eigen/Core>
 #include <vector>
@@ -20,13 +19,10 @@ namespace pounding {
 /// which several may lie between two knots while the cubic between these follows the displacements closely. Extremes
 /// between knots are found on it, for several knots at once. While a contact presses on a member between its ends, the
 /// forces of such members are followed in every step.
-///
-/// So are found the extremes of parts that may yield, before any of them does (Stepper::springs_untouched);
-/// SpringHistories knows the others.
 class ForceEnvelopes {
  public:
-  /// Fills `results`: the envelopes of its structures, and `approach` in a run without links; adds to the extremes of
-  /// SpringHistory. All arguments must outlive this.
+  /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must
+  /// outlive this.
   ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results);
 
   /// The present state is the initial one.
@@ -41,11 +37,10 @@ class ForceEnvelopes {
   void archive(Archive& archive);
 
  private:
-  // Quantities of one frame, of all links, or the deformations of all parts that may yield.
+  // Quantities of one frame, or of all links.
   struct Block {
-    int structure;  // or one of these:
-    static constexpr int of_links = -1, of_parts = -2;
-    bool loaded;  // contacts may press on members of its forces between their ends, or these members turn
+    int structure;  // -1: links
+    bool loaded;    // contacts may press on members of its forces between their ends, or these members turn
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;
@@ -61,10 +56,6 @@ class ForceEnvelopes {
 
   void add_frame(int structure);
   void add_block(int structure, bool loaded, LinearQuantities quantities);
-  void add_parts();
-  bool has_parts() const { return !blocks_.empty() && blocks_.back().structure == Block::of_parts; }
-  void show_parts();
-  void leave_parts();
   bool presses_on_members() const;
   bool parts_act() const;
   bool is_apart(const Block& block, bool pressed) const;

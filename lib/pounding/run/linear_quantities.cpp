@@ -1,5 +1,6 @@
 #include <pounding/run/linear_quantities.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -45,27 +46,13 @@ struct SparseRows {
 template <int numbers>
 POUNDING_INLINE void sum_rows(const SparseRows& rows, const double* of, double* sums) {
   for (int row = 0; row < rows.count; ++row, sums += numbers) {
-#ifdef POUNDING_HAS_FOUR
-    if constexpr (numbers % 8 == 0) {
-      constexpr int fours = numbers / 4;
-      const double r = rows.at_rest[row];
-      Four sum[fours];
-#pragma GCC unroll 4
-      for (int k = 0; k < fours; ++k) sum[k] = k < fours / 2 ? Four{r, r, r, r} : Four{};
-      for (int i = rows.begins[row]; i < rows.begins[row + 1]; ++i) {
-        const double f = rows.factors[i], *const column = of + static_cast<std::ptrdiff_t>(numbers) * rows.columns[i];
-#pragma GCC unroll 4
-        for (int k = 0; k < fours; ++k) sum[k] += Four{f, f, f, f} * *reinterpret_cast<const Four*>(column + 4 * k);
-      }
-#pragma GCC unroll 4
-      for (int k = 0; k < fours; ++k) *reinterpret_cast<Four*>(sums + 4 * k) = sum[k];
-      continue;
+    double sum[numbers];  // in registers
+    for (int k = 0; k < numbers; ++k) sum[k] = k < numbers / 2 ? rows.at_rest[row] : 0;
+    for (int i = rows.begins[row]; i < rows.begins[row + 1]; ++i) {
+      const double* const column = of + static_cast<std::ptrdiff_t>(numbers) * rows.columns[i];
+      for (int k = 0; k < numbers; ++k) sum[k] += rows.factors[i] * column[k];
     }
-#endif
-    for (int k = 0; k < numbers; ++k) sums[k] = k < numbers / 2 ? rows.at_rest[row] : 0;
-    for (int i = rows.begins[row]; i < rows.begins[row + 1]; ++i)
-      for (int k = 0; k < numbers; ++k)
-        sums[k] += rows.factors[i] * of[static_cast<std::ptrdiff_t>(numbers) * rows.columns[i] + k];
+    std::copy_n(sum, numbers, sums);
   }
 }
 

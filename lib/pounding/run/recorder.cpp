@@ -114,7 +114,6 @@ void Recorder::end() {
   links_.end();
   storeys_.show();
   forces_.end();
-  springs_.show();
   reduction_.end();
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
   results_.impacts = impacts_in_order();
@@ -123,7 +122,8 @@ void Recorder::end() {
 void Recorder::with_present_state(const std::function<void()>& write) {
   results_.impacts = impacts_in_order();
   links_.show_unfinished();
-  show();
+  storeys_.show();
+  forces_.show();
   write();
   links_.hide_unfinished();
 }
@@ -163,15 +163,7 @@ std::vector<ImpactRow> Recorder::impacts_in_order() const {
   return all;
 }
 
-// Brings results up to the present that wait for others.
-void Recorder::show() {
-  storeys_.show();
-  forces_.show();
-  springs_.show();
-}
-
-void Recorder::summarize(Summary& summary) {
-  show();
+void Recorder::summarize(Summary& summary) const {
   summary.structures.clear();
   summary.links.clear();
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {

@@ -52,13 +52,12 @@ class Recorder {
   /// Impacts of all links so far.
   int impacts() const;
   /// Fills peaks, links, devices, energies and reduced structures of a summary from the run so far.
-  void summarize(Summary& summary);
+  void summarize(Summary& summary) const;
 
  private:
   void sample_outputs_until(double end);
   void sample(double time, bool inside);
   void accelerations_of_ground(double time);
-  void show();
   void sample_energy();
   std::vector<ImpactRow> impacts_in_order() const;
   bool has_links() const { return stepper_.system().contact_count() > 0; }

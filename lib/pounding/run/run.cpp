@@ -51,11 +51,12 @@ void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
 struct Task {
   const Model& model;
   const RunOptions& options;
+  EffectiveSettings settings;
   WriteResults write;  // empty where there is no file to write
   Results heading;     // histories and ends are still to come
 };
 
-Results heading(const Model& model, const RunOptions& options) {
+Results heading(const Model& model, const RunOptions& options, const EffectiveSettings& settings) {
   Results results;
   results.version = POUNDING_VERSION;
   results.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -63,7 +64,7 @@ Results heading(const Model& model, const RunOptions& options) {
   results.command = options.command;
   results.model_yaml = model.source_text;
   if (!options.numbers_only) results.resolved_yaml = resolved_yaml(model);
-  results.integrator = model.analysis.scheme.name();
+  results.integrator = settings.stepper.scheme.name();
   return results;
 }
 
@@ -73,6 +74,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
                                const Stopwatch& since_start, const InterruptedRun* earlier) {
   const Model& model = task.model;
   const RunOptions& options = task.options;
+  const EffectiveSettings& settings = task.settings;
   Outcome outcome{task.heading, {}};
   Results& results = outcome.results;
   if (!without.summary.structures.empty()) {
@@ -86,21 +88,20 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   const auto [u, v] = initial_state(model, with_links);
   const std::vector<Reduction> asked = asked_reductions(model);
   const std::string kept_in = folder_of_kept_modes();
-  const TsSetup setup = set_up_ts(model, u, v, options.comm);
-  petsc::ReductionPlan plan = reduction_plan(model, asked, u, v, setup.stepper.tolerance);
+  const TsSetup setup = set_up_ts(settings, u, v, options.comm);
+  petsc::ReductionPlan plan = reduction_plan(model, asked, u, v, settings.stepper.tolerance);
   plan.deeper = results.deeper = deeper;
   plan.kept_in = kept_in;
-  if (plan.asked && setup.solver != petsc::SolverKind::automatic)
+  if (plan.asked && settings.solver != petsc::SolverKind::automatic)
     throw InputError("a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
-  results.integrator = setup.stepper.scheme.name();
   Archive at_the_start;
   if (plan.asked) archive_memory(system, at_the_start);
-  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, plan, options.comm);
-  Stepper stepper(system, *solver, setup.stepper);
+  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, settings.solver, plan, options.comm);
+  Stepper stepper(system, *solver, settings.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
   petsc::check(petsc::set_lazy_vectors(setup.ts, PETSC_TRUE));
   stepper.start(0, u, v);
-  stepper.prepare(stepper.step_towards(setup.first_step, model.analysis.duration));
+  stepper.prepare(stepper.step_towards(settings.first_step, settings.duration));
   refuse_unread_options(true);
 
   Recorder recorder(model, stepper, results);
@@ -113,7 +114,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   writer.save();
   writer.write("running");
 
-  RunMonitor monitor(options, model.analysis.duration, since_start, setup.ts, stepper, recorder, writer);
+  RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper, recorder, writer);
   std::string failure = monitor.solve();
   if (failure.empty() && recorder.reduction_check().is_asked()) {  // which may take long, and be stopped
     writer.save();
@@ -203,7 +204,8 @@ Outcome run(const Model& model, const RunOptions& options) {
     if (has_run(link)) throw std::logic_error("this model has been run; read it again");
   require_same_model(petsc::Ranks(options.comm), model);
   ReplacedFile file(options.output);
-  Task task{model, options, {}, heading(model, options)};
+  const EffectiveSettings settings = effective_settings(model);
+  Task task{model, options, settings, {}, heading(model, options, settings)};
   if (!options.output.empty()) {
     petsc::Ranks(options.comm).on_root([&] { file.require_free(); });
     task.write = [&](const Results& results) { file.replace(results_image(results)); };

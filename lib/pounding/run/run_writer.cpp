@@ -102,7 +102,7 @@ void RunWriter::conclude(const std::string& status) {
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : endless_bounces(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : reduction_warnings(plan_, summary.reduced)) summary.warnings.push_back(std::move(text));
-  if (std::string text = warning(summary, model_.analysis.tolerance); !text.empty())
+  if (std::string text = warning(summary, stepper_.options().tolerance); !text.empty())
     summary.warnings.push_back(std::move(text));
   results.summary_json = to_json(summary);
 }

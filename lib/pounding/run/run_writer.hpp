@@ -58,7 +58,8 @@ class RunWriter {
   const Stepper& stepper_;
   Recorder& recorder_;
   Outcome& outcome_;
-  const std::vector<std::string> doubts_ = options_.numbers_only ? std::vector<std::string>{} : implausible(model_);
+  const std::vector<std::string> doubts_ =
+      options_.numbers_only ? std::vector<std::string>{} : implausible(model_, stepper_.options().tolerance);
   Checkpoint origin_;  // without a state
   Stopwatch since_start_, since_write_ = since_start_;
   const petsc::ReductionPlan& plan_;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <pounding/model/storey_heights.hpp>
 #include <pounding/run/histories.hpp>
@@ -129,12 +128,11 @@ void SpringHistories::begin() {
 
 void SpringHistories::step() {
   if (assembled_.empty()) return;
-  const bool stays = stepper_.springs_stayed();
-  if (!stays)
-    visit_parts([&](int k, std::size_t i) { step_part(k, i); });
-  else if (!stepper_.springs_untouched())
+  if (stepper_.springs_stayed())
     stay();
-  stayed_ = stays;
+  else
+    visit_parts([&](int k, std::size_t i) { step_part(k, i); });
+  stayed_ = stepper_.springs_stayed();
   for (const StoreyDamping& damping : dampings_) step_damping(damping);
 }
 
@@ -225,68 +223,31 @@ void SpringHistories::step_damping(const StoreyDamping& damping) {
 }
 
 void SpringHistories::sample(double time, bool inside) {
-  if (assembled_.empty()) return;
-  const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
-  const double part = inside ? (time - begin.time) / (end.time - begin.time) : 1;
-  if (stepper_.springs_wait()) {
-    waiting_.resize(stepper_.base().size(), batch);
-    auto next = waiting_.col(waiting_count_++);
-    if (inside)
-      stepper_.displacements(part, next);
-    else
-      next = stepper_.instant().motion.col(Instant::u);
-    if (waiting_count_ == batch) append_waiting();
-    return;
-  }
-  append_waiting();
   const bool stayed = stepper_.springs_stayed();
-  if (inside && !stayed) return visit_parts([&](int k, std::size_t i) { sample_inside(time, k, i); });
-  if (inside)
-    stepper_.deformations(part, deformations_);
-  else
-    stepper_.deformations(deformations_);
+  if (inside && stayed) {
+    const double begin = stepper_.instant_begin().time, end = stepper_.instant_end_minus().time;
+    stepper_.deformations((time - begin) / (end - begin), deformations_);
+  }
   visit_parts([&](int k, std::size_t i) {
     SpringHistory& history = histories_[k].springs;
-    const double d = deformations_[static_cast<Eigen::Index>(place(k, i))];
-    history.deformation.push_back(d);
-    history.force.push_back(assembled(k, i) * d + stepper_.link_forces()[static_cast<int>(first_[k] + i)]);
-    history.hysteretic.push_back(stayed ? history.lost[i] : lost_by(*model_.structures[k].yielding[i].spring));
-  });
-}
-
-// Parts had no force of their own at these outputs, and had lost nothing.
-void SpringHistories::append_waiting() {
-  if (waiting_count_ == 0) return;
-  stepper_.deformations(waiting_.leftCols(std::exchange(waiting_count_, 0)), waited_);
-  for (Eigen::Index column = 0; column < waited_.cols(); ++column) {
-    const double* d = waited_.col(column).data();
-    const double* stiffness = assembled_.data();
-    for (StructureHistory& structure : histories_) {
-      SpringHistory& history = structure.springs;
-      history.deformation.insert(history.deformation.end(), d, d + history.size());
-      for (const double* const end = d + history.size(); d != end; ++d, ++stiffness)
-        history.force.push_back(*stiffness * *d);
-      history.hysteretic.resize(history.deformation.size());
+    const int link = static_cast<int>(first_[k] + i);
+    double on_top = stepper_.link_forces()[link],
+           lost = stayed ? history.lost[i] : lost_by(*model_.structures[k].yielding[i].spring), d = 0;
+    if (!inside) {
+      d = stepper_.link_motion(link).penetration;
+    } else if (stayed) {
+      d = deformations_[static_cast<Eigen::Index>(place(k, i))];
+    } else {
+      const LinkStep& step = stepper_.link_step(link);
+      const double s = (time - step.begin) / (step.end - step.begin);
+      d = interpolate(step, s).penetration;
+      const Spring::Instant instant = model_.structures[k].yielding[i].spring->inside(step, s, d);
+      on_top = instant.force;
+      lost = instant.lost;
     }
-  }
-}
-
-// Inside a step in which forces of parts changed.
-void SpringHistories::sample_inside(double time, int k, std::size_t i) {
-  SpringHistory& history = histories_[k].springs;
-  const LinkStep& step = stepper_.link_step(static_cast<int>(first_[k] + i));
-  const double s = (time - step.begin) / (step.end - step.begin), d = interpolate(step, s).penetration;
-  const Spring::Instant instant = model_.structures[k].yielding[i].spring->inside(step, s, d);
-  history.deformation.push_back(d);
-  history.force.push_back(assembled(k, i) * d + instant.force);
-  history.hysteretic.push_back(instant.lost);
-}
-
-void SpringHistories::show() {
-  append_waiting();
-  if (assembled_.empty() || !stepper_.springs_stayed()) return;
-  visit_parts([&](int k, std::size_t i) {
-    histories_[k].springs.last[i] = stepper_.spring_paths()(static_cast<Eigen::Index>(place(k, i)), 1);
+    history.deformation.push_back(d);
+    history.force.push_back(assembled(k, i) * d + on_top);
+    history.hysteretic.push_back(lost);
   });
 }
 
@@ -313,7 +274,6 @@ void SpringHistories::summarize(int k, StructureSummary& summary) const {
 }
 
 void SpringHistories::archive(Archive& archive) {
-  if (!archive.reading()) show();
   for (StructureHistory& structure : histories_) archive(structure.springs);
 }
 

@@ -14,8 +14,7 @@
 
 namespace pounding {
 
-/// Fills StructureHistory::springs of every structure of a model. Extremes of deformations and forces while no spring
-/// is touched (Stepper::springs_untouched) are left to ForceEnvelopes.
+/// Fills StructureHistory::springs of every structure of a model.
 class SpringHistories {
  public:
   /// One entry a structure stands in `histories` already. All arguments must outlive this.
@@ -28,8 +27,6 @@ class SpringHistories {
   void step();
   /// An output time before step() is told of that step: inside it, or else the present state.
   void sample(double time, bool inside);
-  /// Completes the histories up to the present.
-  void show();
   /// Fills the parts that yield, and what remains at the present state, of a structure that has any.
   void summarize(int structure, StructureSummary& summary) const;
   /// For a checkpoint, without the histories over time.
@@ -53,8 +50,6 @@ class SpringHistories {
   void step_part(int structure, std::size_t part);
   Quiet quiet(int structure, std::size_t part) const;
   void stay();
-  void sample_inside(double time, int structure, std::size_t part);
-  void append_waiting();
   void step_damping(const StoreyDamping& damping);
   template <class Visit>
   void visit_parts(Visit&& visit);
@@ -68,12 +63,7 @@ class SpringHistories {
   std::vector<StoreyDamping> dampings_;
   std::vector<Quiet> quiet_;      // by part as well; valid between steps in which no spring changed its force
   Eigen::VectorXd deformations_;  // of all springs, at an output
-  // Outputs whose deformations wait for others: displacements of the coordinates, a column each, and room for what
-  // follows from them.
-  static constexpr int batch = 8;
-  Eigen::MatrixXd waiting_, waited_;
-  int waiting_count_ = 0;
-  bool stayed_ = false;  // whether the last step was one of these
+  bool stayed_ = false;           // whether the last step was one of these
 };
 
 }  // namespace pounding

@@ -1,7 +1,9 @@
 #include <pounding/run/ts_setup.hpp>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,7 +19,7 @@ namespace {
 
 using petsc::check;
 
-// The first step that is wanted, as a part of the longest there.
+// First step as a fraction of the longest one at time 0.
 constexpr double first_share = 1.0 / 64;
 
 double first_step(const Model& model) {
@@ -42,6 +44,14 @@ void refuse_idle_options() {
     check(PetscOptionsHasName(nullptr, "pounding_", (std::string("-") + option.name).c_str(), &given));
     if (given) throw InputError(fmt::format("-pounding_{} would change nothing: {}", option.name, option.reason));
   }
+  const std::vector<std::string> given = petsc::Environment::given_options();
+  const auto starts_with = [](const char* start) {
+    return [start](const std::string& option) { return option.starts_with(start); };
+  };
+  if (std::ranges::any_of(given, starts_with("-pounding_ts_adapt_type "))) return;
+  if (const auto idle_adapt = std::ranges::find_if(given, starts_with("-pounding_ts_adapt_"));
+      idle_adapt != given.end())
+    throw InputError(fmt::format("{} would change nothing without -pounding_ts_adapt_type basic", *idle_adapt));
 }
 
 // A distributed vector with these entries.
@@ -50,21 +60,6 @@ petsc::Handle<Vec> make_vector(const Eigen::VectorXd& all, MPI_Comm comm) {
   check(VecCreateMPI(comm, PETSC_DECIDE, static_cast<PetscInt>(all.size()), made.out()));
   check(petsc::scatter(all, made));
   return made;
-}
-
-void set_defaults(TS ts, const Model& model) {
-  const AnalysisSettings& analysis = model.analysis;
-  check(TSSetOptionsPrefix(ts, "pounding_"));
-  check(TSSetType(ts, petsc::ts_type));
-  check(petsc::set_solver_options(ts, {analysis.scheme, petsc::SolverKind::automatic}));
-  check(TSSetMaxTime(ts, analysis.duration));
-  check(TSSetMaxSteps(ts, static_cast<PetscInt>(analysis.most_steps)));
-  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
-  check(TSSetTolerances(ts, 0, nullptr, analysis.tolerance, nullptr));
-  TSAdapt adapt = nullptr;
-  check(TSGetAdapt(ts, &adapt));
-  check(TSAdaptSetStepLimits(adapt, 1e-18, longest_step(model)));
-  check(TSSetTimeStep(ts, first_step(model)));
 }
 
 // PETSc quotes the value that it cannot read, and not always the option.
@@ -78,36 +73,63 @@ std::string options_named_in(const std::string& message) {
   return named;
 }
 
-void read_command_line(TS ts) {
+// Calls `read`; rethrows an error of PETSc as InputError with the options that it may be about.
+template <class Read>
+void read_options(const Read& read) {
   try {
-    check(TSSetFromOptions(ts));
+    read();
   } catch (const SolverError& error) {
     throw InputError(fmt::format("a -pounding_ option is wrong: {}{}", options_named_in(error.what()), error.what()));
   }
-  refuse_idle_options();
-  refuse_unread_options(false);
-  PetscBool ours = PETSC_FALSE;
-  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
-  if (!ours) throw InputError("-pounding_ts_type: only the type \"pounding\" lands on impacts; leave the option out");
 }
 
-void take_settings(TsSetup& setup, const Model& model) {
-  PetscReal tolerance = 0, first_step = 0;
-  petsc::SolverOptions chosen;
-  check(TSGetTolerances(setup.ts, nullptr, nullptr, &tolerance, nullptr));
-  check(TSGetTimeStep(setup.ts, &first_step));
-  check(petsc::get_solver_options(setup.ts, &chosen));
-  if (!(tolerance >= min_tolerance && tolerance <= max_tolerance))
-    throw InputError(fmt::format("-pounding_ts_rtol {:g}: the tolerance lies in [{:g}, {:g}]", tolerance, min_tolerance,
-                                 max_tolerance));
-  setup.stepper.tolerance = tolerance;
-  setup.stepper.scheme = chosen.scheme;
-  setup.stepper.max_step = longest_step(model);
-  setup.solver = chosen.solver;
-  setup.first_step = first_step;
+void read_real(const char* name, double& value) {
+  check(PetscOptionsGetReal(nullptr, "pounding_", name, &value, nullptr));
+}
+
+// Reads an option whose value is one of `names`; `value` is an enumerator with the index of its name.
+template <class Enum, std::size_t n>
+void read_name(const char* name, const std::array<const char*, n>& names, Enum& value) {
+  PetscInt index = static_cast<PetscInt>(value);
+  check(PetscOptionsGetEList(nullptr, "pounding_", name, names.data(), static_cast<PetscInt>(n), &index, nullptr));
+  value = static_cast<Enum>(index);
+}
+
+void read_scheme(Scheme& scheme) {
+  PetscBool radius_given = PETSC_FALSE;
+  read_name("-ts_pounding_scheme", std::array{Scheme::names[0].data(), Scheme::names[1].data()}, scheme.kind);
+  check(PetscOptionsGetReal(nullptr, "pounding_", "-ts_pounding_radius", &scheme.spectral_radius, &radius_given));
+  if (radius_given && scheme.kind != Scheme::Kind::generalized_alpha)
+    throw InputError("-pounding_ts_pounding_radius needs -pounding_ts_pounding_scheme generalized_alpha");
+  if (!(scheme.spectral_radius >= 0 && scheme.spectral_radius <= 1))
+    throw InputError(
+        fmt::format("-pounding_ts_pounding_radius {:g}: the spectral radius lies in [0, 1]", scheme.spectral_radius));
 }
 
 }  // namespace
+
+EffectiveSettings effective_settings(const Model& model) {
+  const AnalysisSettings& analysis = model.analysis;
+  EffectiveSettings settings{{analysis.tolerance, analysis.scheme, longest_step(model)},
+                             petsc::SolverKind::automatic,
+                             analysis.duration,
+                             first_step(model),
+                             analysis.most_steps};
+  double& tolerance = settings.stepper.tolerance;
+  read_options([&] {
+    PetscInt max_steps = static_cast<PetscInt>(settings.max_steps);
+    read_real("-ts_rtol", tolerance);
+    read_real("-ts_dt", settings.first_step);
+    check(PetscOptionsGetInt(nullptr, "pounding_", "-ts_max_steps", &max_steps, nullptr));
+    settings.max_steps = max_steps;
+    read_scheme(settings.stepper.scheme);
+    read_name("-ts_pounding_base", std::array{"automatic", "modal", "sparse"}, settings.solver);
+  });
+  if (!(tolerance >= min_tolerance && tolerance <= max_tolerance))
+    throw InputError(fmt::format("-pounding_ts_rtol {:g}: the tolerance lies in [{:g}, {:g}]", tolerance, min_tolerance,
+                                 max_tolerance));
+  return settings;
+}
 
 void refuse_unread_options(bool factors_too) {
   for (const std::string& option : petsc::Environment::unread_options()) {
@@ -118,16 +140,29 @@ void refuse_unread_options(bool factors_too) {
   }
 }
 
-TsSetup set_up_ts(const Model& model, const Eigen::VectorXd& u, const Eigen::VectorXd& v, MPI_Comm comm) {
-  TsSetup setup;
+TsSetup set_up_ts(const EffectiveSettings& settings, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
+                  MPI_Comm comm) {
+  TsSetup setup{{}, make_vector(u, comm), make_vector(v, comm)};
   check(petsc::register_ts_pounding());
   check(TSCreate(comm, setup.ts.out()));
-  set_defaults(setup.ts, model);
-  setup.u = make_vector(u, comm);
-  setup.v = make_vector(v, comm);
-  check(TS2SetSolution(setup.ts, setup.u, setup.v));
-  read_command_line(setup.ts);
-  take_settings(setup, model);
+  const TS ts = setup.ts;
+  check(TSSetOptionsPrefix(ts, "pounding_"));
+  check(TSSetType(ts, petsc::ts_type));
+  check(TSSetMaxTime(ts, settings.duration));
+  check(TSSetMaxSteps(ts, static_cast<PetscInt>(settings.max_steps)));
+  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
+  check(TSSetTolerances(ts, 0, nullptr, settings.stepper.tolerance, nullptr));
+  TSAdapt adapt = nullptr;
+  check(TSGetAdapt(ts, &adapt));
+  check(TSAdaptSetStepLimits(adapt, 1e-18, settings.stepper.max_step));
+  check(TSSetTimeStep(ts, settings.first_step));
+  check(TS2SetSolution(ts, setup.u, setup.v));
+  read_options([&] { check(TSSetFromOptions(ts)); });
+  refuse_idle_options();
+  refuse_unread_options(false);
+  PetscBool ours = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
+  if (!ours) throw InputError("-pounding_ts_type: only the type \"pounding\" lands on impacts; leave the option out");
   return setup;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The TS of a run, and the settings of the run after the command line.
+/// The settings of a run after the command line, and its TS.
 
 #include <petscts.h>
 
@@ -12,21 +12,29 @@
 
 namespace pounding {
 
+/// Settings of a run: those of the model, replaced by options with the prefix -pounding_.
+struct EffectiveSettings {
+  StepperOptions stepper;
+  petsc::SolverKind solver = petsc::SolverKind::automatic;
+  double duration = 0;    ///< of the run [s]
+  double first_step = 0;  ///< first step to try [s]
+  long max_steps = 0;
+};
+
+/// Reads the options -pounding_ts_rtol, -ts_dt, -ts_max_steps, -ts_pounding_scheme (generalized_alpha, esdirk4),
+/// -ts_pounding_radius (spectral radius at infinite frequency, 0 to 1) and -ts_pounding_base (automatic, modal,
+/// sparse), all with this prefix. Throws InputError if one is wrong.
+EffectiveSettings effective_settings(const Model& model);
+
 /// A TS of the type `pounding` without its stepper.
-///
-/// Settings flow one way: the model gives the defaults, PETSc parses the command line (-pounding_ts_...) into the TS,
-/// and what holds then is taken from the TS here, once. Nothing asks the TS for a setting later.
 struct TsSetup {
   petsc::Handle<TS> ts;
   petsc::Handle<Vec> u, v;  ///< solution of the TS: displacements and velocities of all unknowns
-  StepperOptions stepper;
-  petsc::SolverKind solver = petsc::SolverKind::automatic;
-  double first_step = 0;  ///< that is wanted [s]
 };
 
 /// Makes the TS for a run from displacements u [m] and velocities v [m/s] at time 0. Collective on `comm`.
 /// Throws InputError for PETSc options that are wrong, would change nothing, or that nothing reads.
-TsSetup set_up_ts(const Model& model, const Eigen::VectorXd& u, const Eigen::VectorXd& v, MPI_Comm comm);
+TsSetup set_up_ts(const EffectiveSettings& settings, const Eigen::VectorXd& u, const Eigen::VectorXd& v, MPI_Comm comm);
 
 /// Throws InputError for a -pounding_ option that nothing has read. Options of the first factor (-pounding_lev_...) are
 /// read when it is made; `factors_too` tells that this has happened.

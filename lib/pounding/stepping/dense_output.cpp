@@ -33,7 +33,7 @@ void DenseOutput::show(const Instant& instant, State& state) const {
   equations_.solver.physical(instant.motion.col(Instant::v), state.v);
   equations_.solver.physical(instant.motion.col(Instant::a), state.a);
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(state.u, state.v, state.a);
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.gives_way()) {
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
     relief.add_way(-1, springs_of(instant.force), state.u);
     relief.add_way(-1, instant.force_rates.col(0), state.v);
     relief.add_way(-1, instant.force_rates.col(1), state.a);
@@ -51,7 +51,7 @@ void DenseOutput::show(const Instant& instant, const State* shown, Eigen::Vector
   equations_.solver.physical(instant.motion.col(Instant::u), u);
   equations_.solver.physical(instant.motion.col(Instant::v), v);
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(u, v);
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.gives_way()) {
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
     relief.add_way(-1, springs_of(instant.force), u);
     relief.add_way(-1, instant.force_rates.col(0), v);
   }

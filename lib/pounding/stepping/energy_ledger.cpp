@@ -73,7 +73,6 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
     e.strain += equations.pseudo_forces.energy(whole);
   }
   for (const Spring* spring : equations.system.springs) {
-    if (equations.ranges.untouched()) break;
     e.hysteretic += spring->lost();
     e.devices += spring->damped();
     e.strain += spring->stored_correction();

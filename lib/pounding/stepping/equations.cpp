@@ -32,16 +32,15 @@ RigidContacts rigid_contacts(const System& system, const StructureSolver& solver
 Equations::Equations(const System& of_system, StructureSolver& of_solver, bool carries)
     : system(checked(of_system)),
       solver(of_solver),
-      width(carries ? 4 : 3),
       links(of_system, of_solver.relief()),
-      relative(links, of_solver, width),
       springs(links),
-      ranges(links, relative),
+      ranges(links),
       slips(links),
       supports(of_system, of_solver),
       short_motions(of_system, of_solver),
       pseudo_forces(of_system),
-      rigid(rigid_contacts(of_system, of_solver)) {
+      rigid(rigid_contacts(of_system, of_solver)),
+      width(carries ? 4 : 3) {
   for (const StructureSolver::Segment& segment : solver.segments()) own_groups_.push_back(segment.group);
 }
 

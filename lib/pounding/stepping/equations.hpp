@@ -9,7 +9,6 @@
 #include <pounding/stepping/elastic_ranges.hpp>
 #include <pounding/stepping/link_set.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
-#include <pounding/stepping/relative_motion.hpp>
 #include <pounding/stepping/rigid_impacts.hpp>
 #include <pounding/stepping/short_motions.hpp>
 #include <pounding/stepping/spring_forces.hpp>
@@ -29,9 +28,7 @@ struct Equations {
 
   const System& system;
   StructureSolver& solver;
-  const int width;  ///< columns of Instant::motion that have products: u v a, and carried where the scheme has it
   const LinkSet links;
-  const RelativeMotion relative;
   const SpringForces springs;
   ElasticRanges ranges;
   const SpringSlips slips;
@@ -39,6 +36,7 @@ struct Equations {
   const ShortMotions short_motions;
   const PseudoForces pseudo_forces;
   const RigidContacts rigid;
+  const int width;  ///< columns of Instant::motion that have products: u v a, and carried where the scheme has it
 
   /// An Instant and a Trial of the right sizes, all zero.
   Instant zero_instant() const;
@@ -48,16 +46,8 @@ struct Equations {
   void multiply(Instant& x, int first, int count) const;
   /// Relative motion of all links from the motion, and relief of the springs from their forces.
   void gather(Instant& x) const {
-    relative.gather(x);
+    solver.gather(x.motion.leftCols(width), x.relative);
     if (springs.any()) springs.relieve(x);
-  }
-  /// Whether unknowns without mass may give way to the force of a spring, at any instant of a kept step.
-  bool gives_way() const { return springs.any() && !ranges.untouched(); }
-  /// gather() at the end of a trial, where motions of springs may wait until `ranges` asks for them.
-  void gather_end(Instant& x) const {
-    if (!ranges.let_wait()) return gather(x);
-    relative.gather_others(x);
-    springs.relieve(x);
   }
   /// e at a displacement.
   void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const;

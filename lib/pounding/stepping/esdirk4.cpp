@@ -216,7 +216,7 @@ class Esdirk4Scheme final : public TimeScheme {
     if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
     eq_.multiply(t.end, u, 3);
-    eq_.gather_end(t.end);
+    eq_.gather(t.end);
     if (eq_.slips.any()) finish_slips(x, t, error);
     if (!eq_.balance_middle(x, t)) return false;
     if (eq_.slips.any()) eq_.slips.add_simpson_error(x, t, simpson_part, error);

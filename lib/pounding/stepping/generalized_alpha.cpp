@@ -132,7 +132,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       balance_end(t.end);
     else
       eq_.multiply(t.end, u, 3);
-    eq_.gather_end(t.end);
+    eq_.gather(t.end);
     if (eq_.slips.any()) finish_slips(stage, h, t);
     if (!eq_.balance_middle(x, t)) return false;
 

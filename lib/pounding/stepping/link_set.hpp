@@ -1,7 +1,6 @@
 #pragma once
 /// The links of a system by their column of B.
 
-#include <cassert>
 #include <vector>
 
 #include <pounding/linear/spring_relief.hpp>
@@ -47,8 +46,6 @@ class LinkSet {
   bool moved() const { return moved_; }
   /// Whether the ground moves the ends of any link apart by itself.
   bool driven() const { return driven_; }
-  /// Relative displacement by gravity alone [m].
-  double by_gravity(int link) const { return system_.gravity_offset.size() > 0 ? system_.gravity_offset[link] : 0; }
   /// One entry of Instant::by_ground, zero where it is empty.
   double ground_part(const Eigen::MatrixXd& by_ground, int link, Instant::Column column) const {
     return moved_ ? by_ground(link, column) : 0;
@@ -79,7 +76,6 @@ class LinkSet {
   }
   /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
   void without_relief(int link, const Instant& x, LinkMotion& motion) const {
-    assert(x.springs_known > Instant::v || !is_spring(link));
     double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
     if (moved_) {
       relative_displacement += x.by_ground(link, Instant::u);

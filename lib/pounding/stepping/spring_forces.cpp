@@ -10,18 +10,21 @@ namespace {
 constexpr double just_behind = 4e-3;
 constexpr int max_branches = 8;
 
-Eigen::MatrixXd dense(const SparseMatrix& s, const std::vector<int>& of) {
-  Eigen::MatrixXd part =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(of.size()), static_cast<Eigen::Index>(of.size()));
-  std::vector<int> place(static_cast<std::size_t>(s.rows()), -1);
-  for (std::size_t i = 0; i < of.size(); ++i) place[of[i]] = static_cast<int>(i);
-  for (std::size_t j = 0; j < of.size(); ++j)
-    for (SparseMatrix::InnerIterator it(s, of[j]); it; ++it)
-      if (place[it.row()] >= 0) part(place[it.row()], static_cast<Eigen::Index>(j)) = it.value();
+}  // namespace
+
+Eigen::MatrixXd relief_among(const SparseMatrix& s, std::span<const int> springs) {
+  const auto count = static_cast<Eigen::Index>(springs.size());
+  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(count, count);
+  std::vector<Eigen::Index> place(static_cast<std::size_t>(s.rows()), -1);
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (springs[i] >= 0) place[springs[i]] = i;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    if (springs[j] < 0) continue;
+    for (SparseMatrix::InnerIterator it(s, springs[j]); it; ++it)
+      if (place[it.row()] >= 0) part(place[it.row()], j) = it.value();
+  }
   return part;
 }
-
-}  // namespace
 
 bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
   const int first = links_.contacts(), count = links_.springs();
@@ -62,7 +65,7 @@ bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd
   const int first = links_.contacts(), count = static_cast<int>(active_.size());
   std::vector<int> springs;
   for (const int link : active_) springs.push_back(link - first);
-  flexibility_ = dense(links_.relief().flexibility(), springs);
+  flexibility_ = relief_among(links_.relief().flexibility(), springs);
   set_no_flexibility(count);
   Eigen::VectorXd own = force(active_);
   const Eigen::VectorXd by_own = flexibility_ * own;
@@ -97,7 +100,7 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
     if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft_.push_back(i);
   if (soft_.empty()) return;
   const auto count = static_cast<Eigen::Index>(soft_.size());
-  flexibility_ = dense(s, soft_);
+  flexibility_ = relief_among(s, soft_);
   right_.resize(count, of_springs.cols());
   for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
   const Eigen::VectorXd own = slopes(soft_);

@@ -4,12 +4,16 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <pounding/stepping/link_set.hpp>
 #include <pounding/stepping/link_solver.hpp>
 
 namespace pounding {
+
+/// S of these springs [position, position]; zero at positions of negative numbers.
+Eigen::MatrixXd relief_among(const SparseMatrix& flexibility, std::span<const int> springs);
 
 /// The deformation is d = B^T u - S F + c and the force that of the law, F = phi(d). With the slopes phi' of the laws
 /// the rate of d is (I + S phi')^-1 B^T v, the derivative of this. Slopes jump at the corners of a law, where steps

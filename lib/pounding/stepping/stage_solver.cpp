@@ -3,22 +3,6 @@
 #include <algorithm>
 
 namespace pounding {
-namespace {
-
-// S of the active links, zero for those that are no springs.
-Eigen::MatrixXd relief_of(const SparseMatrix& s, const std::vector<int>& active, const LinkSet& links) {
-  const int count = static_cast<int>(active.size());
-  Eigen::MatrixXd relief = Eigen::MatrixXd::Zero(count, count);
-  std::vector<int> place(static_cast<std::size_t>(links.springs()), -1);
-  for (int k = 0; k < count; ++k)
-    if (links.is_spring(active[k])) place[active[k] - links.contacts()] = k;
-  for (int j = 0; j < links.springs(); ++j)
-    for (SparseMatrix::InnerIterator it(s, j); place[j] >= 0 && it; ++it)
-      if (place[it.row()] >= 0) relief(place[it.row()], place[j]) = it.value();
-  return relief;
-}
-
-}  // namespace
 
 bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>& level) {
   failed_link_ = -1;
@@ -39,7 +23,9 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
     relief_.resize(0, 0);
     if (gives_way) {
       links_.relief().add_relief(1, springs_.held().segment(links_.contacts(), links_.springs()), held_relief_);
-      relief_ = relief_of(links_.relief().flexibility(), active_, links_);
+      std::vector<int> springs;
+      for (const int link : active_) springs.push_back(links_.is_spring(link) ? link - links_.contacts() : -1);
+      relief_ = relief_among(links_.relief().flexibility(), springs);
     }
   }
   free_.resize(active_.size());

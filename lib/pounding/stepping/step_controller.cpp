@@ -28,6 +28,7 @@ constexpr double behind_end = 1.01, max_aim = 0.9;
 
 constexpr double safety = 0.9, safety_after_rejection = 0.5;
 constexpr double max_shrink = 0.1, max_growth = 10;
+constexpr double max_last_growth = 1.01;
 
 }  // namespace
 
@@ -37,7 +38,10 @@ StepSizePolicy::Verdict ErrorControl::judge(const Stepper& stepper, double step)
   const double share = accepted ? safety : safety * safety_after_rejection;
   const double factor =
       error > 0 ? share * std::pow(error, -1.0 / stepper.error_order()) : std::numeric_limits<double>::infinity();
-  return {accepted, std::min(step * std::clamp(factor, max_shrink, max_growth), max_step_)};
+  const double next = std::min(step * std::clamp(factor, max_shrink, max_growth), max_step_);
+  const double left = end_ - (stepper.time() + step);
+  if (!accepted || left <= 0 || 2 * next <= left) return {accepted, next};
+  return {accepted, max_last_growth * next > left ? left : left / 2};
 }
 
 StepController::Aim StepController::aim(double wanted, double end, bool fixed) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// The driver of steps: what to try, what to reject, where to stop, what to keep.
 
+#include <limits>
 #include <string>
 
 #include <pounding/core/archive_eigen.hpp>
@@ -32,11 +33,13 @@ class FixedSteps final : public StepSizePolicy {
   Verdict judge(const Stepper&, double step) override { return {true, step}; }
 };
 
-/// The next step is 0.9 times the one whose error would be the allowed one, 0.45 times after a rejection; between a
-/// tenth of the last step and ten times it, and not above `max_step` [s]. This is what PETSc's TSADAPTBASIC does.
+/// The next step is 0.9 times the step with the allowed error, 0.45 times after a rejection. It lies between a tenth of
+/// the last step and ten times it, and is at most `max_step` [s]. The last step before `end` [s] may be 1 % longer;
+/// what remains of up to two steps is divided into two equal ones. PETSc's TSADAPTBASIC follows the same rule.
 class ErrorControl final : public StepSizePolicy {
  public:
-  explicit ErrorControl(double max_step) : max_step_(max_step) {}
+  explicit ErrorControl(double max_step, double end = std::numeric_limits<double>::infinity())
+      : max_step_(max_step), end_(end) {}
   Verdict judge(const Stepper& stepper, double step) override;
   /// Trials that were rejected so far.
   long rejected() const { return rejected_; }
@@ -46,7 +49,7 @@ class ErrorControl final : public StepSizePolicy {
   }
 
  private:
-  double max_step_;
+  double max_step_, end_;
   long rejected_ = 0;
 };
 
@@ -66,7 +69,7 @@ class ErrorControl final : public StepSizePolicy {
 /// first contact starts with a tenth of the step before it.
 ///
 ///     StepController controller(stepper);
-///     ErrorControl policy(max_step);
+///     ErrorControl policy(max_step, end);
 ///     double h = max_step / 64;
 ///     while (stepper.time() < end) h = controller.advance(h, end, policy);
 class StepController {

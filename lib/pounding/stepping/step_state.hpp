@@ -49,13 +49,11 @@ struct Instant {
   enum Column { u, v, a, carried, ku, kv, ka, k_carried, cv, ca, c_carried, columns };
 
   double time = 0;
-  Eigen::VectorXd ground;            ///< accelerations of the grounds [m/s^2]
-  Eigen::VectorXd ground_carried;    ///< those that `carried` answers to [m/s^2]
-  Eigen::MatrixXd motion;            ///< [coordinate, Column]
-  Eigen::VectorXd force;             ///< of every link [N]
-  mutable Eigen::MatrixXd relative;  ///< B^T of the motion, [link, u v a carried]
-  mutable int springs_known =
-      columns;                ///< columns of it whose rows of springs are there, all unless these wait (RelativeMotion)
+  Eigen::VectorXd ground;          ///< accelerations of the grounds [m/s^2]
+  Eigen::VectorXd ground_carried;  ///< those that `carried` answers to [m/s^2]
+  Eigen::MatrixXd motion;          ///< [coordinate, Column]
+  Eigen::VectorXd force;           ///< of every link [N]
+  Eigen::MatrixXd relative;        ///< B^T of the motion, [link, u v a carried]
   Eigen::MatrixXd by_ground;  ///< part of the relative motion due to ground and gravity, [link, u v a]; empty for none
   Eigen::VectorXd pseudo_force;  ///< see PseudoForces, [coordinate]; empty for none
   Eigen::VectorXd slip;          ///< LinkMotion::slip of every spring; empty where none slips
@@ -68,7 +66,7 @@ struct Instant {
   const double* at(Column column) const { return motion.col(column).data(); }
   double* at(Column column) { return motion.col(column).data(); }
 
-  /// Writes all members, or reads them back; no springs may wait.
+  /// Writes all members, or reads them back.
   void archive(Archive& archive) {
     archive(time);
     archive(ground);
@@ -76,7 +74,6 @@ struct Instant {
     archive(motion);
     archive(force);
     archive(relative);
-    if (archive.reading()) springs_known = columns;
     archive(by_ground);
     archive(pseudo_force);
     archive(slip);
@@ -107,10 +104,9 @@ struct Trial {
                                  ///< both at the end
   Eigen::MatrixXd force_rates_begin;  ///< as Instant::force_rates
   bool springs_stay = false;  ///< whether every spring stays in its range (ElasticRanges); then middle has none of them
-  mutable Eigen::MatrixXd spring_paths;  ///< deformation of every spring in such a trial: at its beginning, at its end,
-                                         ///< below all of it, above
-  mutable bool has_spring_paths = false;     ///< whether these are made, see ElasticRanges::make_paths()
-  double error = 0;                          ///< over the allowed one
+  Eigen::MatrixXd spring_paths;  ///< deformation of every spring in such a trial: at its beginning, at its end, below
+                                 ///< all of it, above
+  double error = 0;              ///< over the allowed one
   std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
   std::vector<double> squares_slow;  ///< as squares_v, without the velocity that short motions of the ground give
 

@@ -186,13 +186,9 @@ void Stepper::describe(int i, LinkStep& step) const {
   step.acceleration_end = rates[4];
 }
 
-void Stepper::deformations(Eigen::VectorXd& d) const { equations_.ranges.deformations_at(history_.now(), d); }
-
 void Stepper::deformations(double s, Eigen::VectorXd& d) const {
   const Trial& kept = history_.kept();
   const Instant &x = history_.begin(), &y = kept.end;
-  equations_.ranges.make_paths(x, kept);
-  for (const Instant* end : {&x, &y}) equations_.relative.gather_springs(*end);
   const int first = equations_.links.contacts(), count = equations_.links.springs();
   const double *const begin = kept.spring_paths.data(), *const end = begin + count, h = y.time - x.time;
   const auto column = [first](const Instant& at, Instant::Column which) {
@@ -206,17 +202,8 @@ void Stepper::deformations(double s, Eigen::VectorXd& d) const {
   for (int i = 0; i < count; ++i) at[i] = Quintic({begin[i], v0[i], a0[i]}, {end[i], v1[i], a1[i]}, h).at(s).x;
 }
 
-void Stepper::displacements(double s, Eigen::Ref<Eigen::VectorXd> u) const {
-  const Instant &x = history_.begin(), &y = history_.kept().end;
-  const double *const u0 = x.at(Instant::u), *const v0 = x.at(Instant::v), *const a0 = x.at(Instant::a);
-  const double *const u1 = y.at(Instant::u), *const v1 = y.at(Instant::v), *const a1 = y.at(Instant::a);
-  for (Eigen::Index i = 0; i < u.size(); ++i)
-    u[i] = Quintic({u0[i], v0[i], a0[i]}, {u1[i], v1[i], a1[i]}, y.time - x.time).at(s).x;
-}
-
 void Stepper::describe_springs() const {
   if (std::exchange(described_.with_springs, true)) return;
-  follow_springs();
   for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
     describe(i, described_.steps[i]);
 }
@@ -229,11 +216,12 @@ void Stepper::accept() {
   const Trial& kept = history_.kept();
   held_forces_.record_peaks(x, kept);
   described_.with_springs = !kept.springs_stay;
-  if (kept.springs_stay) equations_.ranges.keep(kept);
-  for (int i = 0, count = links.size(); i < count; ++i) {
-    if (i == links.contacts() && kept.springs_stay) i = links.frictions_from();
-    if (i == count) break;
+  for (int i = 0; i < links.size(); ++i) {
     LinkStep& step = described_.steps[i];
+    if (kept.springs_stay && links.is_spring(i)) {
+      links.spring(i).stay(kept.spring_paths(i - links.contacts(), 1));
+      continue;
+    }
     describe(i, step);
     if (i < links.contacts()) {
       troublesome_link_ = i;  // for a contact that refuses the step

@@ -117,39 +117,18 @@ class Stepper {
     return described_.steps;
   }
   const LinkStep& link_step(int link) const {
-    if (!described_.with_springs && equations_.links.is_spring(link)) {
-      follow_springs();
-      describe(link, described_.steps[link]);
-    }
+    if (!described_.with_springs && equations_.links.is_spring(link)) describe(link, described_.steps[link]);
     return described_.steps[link];
   }
   /// Deformations of all springs at a part s from 0 to 1 of the last kept step, where none changed its force.
   void deformations(double s, Eigen::VectorXd& d) const;
-  /// Deformations of all springs now.
-  void deformations(Eigen::VectorXd& d) const;
-  /// Whether no product with springs is made before it is asked for.
-  bool springs_wait() const { return equations_.ranges.let_wait(); }
-  /// Where they wait, deformations at many instants at once, from displacements of base() there [spring, column].
-  void deformations(const Eigen::Ref<const Eigen::MatrixXd>& u, Eigen::MatrixXd& d) const {
-    equations_.relative.deformations(u, d);
-  }
-  /// Such displacements at a part s from 0 to 1 of the last kept step, on the paths of deformations().
-  void displacements(double s, Eigen::Ref<Eigen::VectorXd> u) const;
   /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
   bool springs_stayed() const { return history_.kept().springs_stay; }
-  const Eigen::MatrixXd& spring_paths() const {
-    equations_.ranges.make_paths(history_.begin(), history_.kept());
-    return history_.kept().spring_paths;
-  }
-  /// Whether all springs are elastic up to the present, with no force of their own, and have been so since the start.
-  bool springs_untouched() const { return equations_.ranges.untouched(); }
+  const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
   /// Forces of all links at the present state [N].
   const Eigen::VectorXd& link_forces() const { return history_.now().force; }
   /// Motion of a link there.
-  LinkMotion link_motion(int link) const {
-    if (equations_.links.is_spring(link)) equations_.relative.gather_springs(history_.now());
-    return equations_.links.motion(link, history_.now());
-  }
+  LinkMotion link_motion(int link) const { return equations_.links.motion(link, history_.now()); }
   Energies energies() const { return ledger_.energies(equations_, history_.now()); }
   /// Work that each friction of the system has dissipated [J].
   const std::vector<double>& friction_work() const { return ledger_.friction(); }
@@ -198,12 +177,6 @@ class Stepper {
   bool solve_trial();
   void describe(int link, LinkStep& step) const;
   void describe_springs() const;
-  // Springs that were left behind by the last kept step follow it.
-  void follow_springs() const {
-    if (!history_.kept().springs_stay) return;
-    equations_.ranges.follow(history_.begin(), history_.kept());
-    for (const Instant* end : {&history_.begin(), &history_.kept().end}) equations_.relative.gather_springs(*end);
-  }
   void apply_located(bool in_place);
   void balance_now();
 

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -20,7 +21,6 @@ namespace {
 
 struct Data {
   std::optional<StepController> controller;
-  SolverOptions options;
   Archive snapshot;         // of the beginning of the step, in case somebody rolls it back
   bool keeps_step = false;  // takes the snapshot even if the TS has no event
   bool lazy = false;        // vectors are written only where PETSc looks at them
@@ -41,12 +41,20 @@ PetscErrorCode guarded(const Body& body) {
   }
 }
 
-// The TSAdapt of a TS as a policy.
-class AdaptPolicy final : public StepSizePolicy {
+// Type that selects ErrorControl; PETSc never calls it.
+PetscErrorCode create_adapt(TSAdapt) { return POUNDING_PETSC_SUCCESS; }
+
+// ErrorControl, or the TSAdapt of a TS if another type is selected.
+class TsPolicy final : public StepSizePolicy {
  public:
-  AdaptPolicy(TS ts, bool fixed) : ts_(ts), fixed_(fixed) {}
-  bool fixed() const override { return fixed_; }
-  Verdict judge(const Stepper&, double step) override {
+  TsPolicy(TS ts, const Stepper& stepper)
+      : ts_(ts),
+        control_(stepper.options().max_step, ts->exact_final_time == TS_EXACTFINALTIME_MATCHSTEP
+                                                 ? ts->max_time
+                                                 : std::numeric_limits<double>::infinity()) {}
+  bool fixed() const override { return adapts_by(TSADAPTNONE); }
+  Verdict judge(const Stepper& stepper, double step) override {
+    if (adapts_by(ts_type)) return control_.judge(stepper, step);
     PetscBool accepted = PETSC_FALSE;
     PetscReal next = step;
     ts_->time_step = step;
@@ -61,8 +69,12 @@ class AdaptPolicy final : public StepSizePolicy {
   }
 
  private:
+  bool adapts_by(const char* type) const {
+    return std::strcmp(reinterpret_cast<PetscObject>(ts_->adapt)->type_name, type) == 0;
+  }
+
   TS ts_;
-  bool fixed_;
+  ErrorControl control_;
   PetscInt rejected_ = 0;  // since the last kept step
 };
 
@@ -78,9 +90,7 @@ PetscErrorCode write_vectors(TS ts) {
 PetscErrorCode advance(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
-  TSAdaptType type = nullptr;
-  PetscCall(TSAdaptGetType(ts->adapt, &type));
-  AdaptPolicy policy(ts, type && std::strcmp(type, TSADAPTNONE) == 0);
+  TsPolicy policy(ts, *data.stepper());
   ts->time_step = data.controller->advance(ts->time_step, ts->max_time, policy);
   ts->ptime = data.stepper()->time();
   const bool last = ts->ptime >= ts->max_time || ts->steps + 1 >= ts->max_steps;
@@ -148,46 +158,21 @@ PetscErrorCode set_up(TS ts) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-PetscErrorCode set_from_options(TS ts, OptionItems PetscOptionsObject) {
-  static const char* const schemes[] = {Scheme::names[0].data(), Scheme::names[1].data()};
-  static const char* const bases[] = {"automatic", "modal", "sparse"};
-  PetscFunctionBegin;
-  PetscOptionsHeadBegin(PetscOptionsObject, "Steps with condensed links");
-  SolverOptions options = data_of(ts).options;
-  PetscInt scheme = static_cast<PetscInt>(options.scheme.kind), base = static_cast<PetscInt>(options.solver);
-  PetscReal radius = options.scheme.spectral_radius;
-  PetscBool radius_given = PETSC_FALSE;
-  PetscCall(PetscOptionsEList("-ts_pounding_scheme", "Time-stepping scheme", "set_solver_options", schemes, 2,
-                              schemes[scheme], &scheme, nullptr));
-  PetscCall(PetscOptionsReal("-ts_pounding_radius", "Spectral radius at infinite frequency", "set_solver_options",
-                             radius, &radius, &radius_given));
-  PetscCall(PetscOptionsEList("-ts_pounding_base", "How structures are solved", "set_solver_options", bases, 3,
-                              bases[base], &base, nullptr));
-  options.scheme.kind = static_cast<Scheme::Kind>(scheme);
-  options.scheme.spectral_radius = radius;
-  options.solver = static_cast<SolverKind>(base);
-  PetscCheck(!radius_given || options.scheme.kind == Scheme::Kind::generalized_alpha, comm_of(ts), PETSC_ERR_ARG_INCOMP,
-             "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha");
-  PetscCall(set_solver_options(ts, options));
-  PetscOptionsHeadEnd();
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-}
-
 PetscErrorCode view(TS ts, PetscViewer viewer) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
   PetscBool ascii = PETSC_FALSE;
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(viewer), PETSCVIEWERASCII, &ascii));
   if (!ascii) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-  PetscCall(PetscViewerASCIIPrintf(viewer, "  scheme %s", std::string(data.options.scheme.name()).c_str()));
-  if (data.options.scheme.kind == Scheme::Kind::generalized_alpha)
-    PetscCall(PetscViewerASCIIPrintf(viewer, ", spectral radius %g", data.options.scheme.spectral_radius));
-  PetscCall(PetscViewerASCIIPrintf(viewer, "\n"));
-  if (data.controller)
-    PetscCall(PetscViewerASCIIPrintf(viewer, "  %s\n  %d links, longest step %g s, tolerance %g, %ld events\n",
-                                     data.stepper()->base().description().c_str(), data.stepper()->system().links(),
-                                     data.stepper()->options().max_step, data.stepper()->options().tolerance,
-                                     data.stepper()->events()));
+  if (!data.controller) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+  const Stepper& stepper = *data.stepper();
+  const StepperOptions& options = stepper.options();
+  PetscCall(PetscViewerASCIIPrintf(viewer, "  scheme %s", std::string(options.scheme.name()).c_str()));
+  if (options.scheme.kind == Scheme::Kind::generalized_alpha)
+    PetscCall(PetscViewerASCIIPrintf(viewer, ", spectral radius %g", options.scheme.spectral_radius));
+  PetscCall(PetscViewerASCIIPrintf(viewer, "\n  %s\n  %d links, longest step %g s, tolerance %g, %ld events\n",
+                                   stepper.base().description().c_str(), stepper.system().links(), options.max_step,
+                                   options.tolerance, stepper.events()));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -205,10 +190,9 @@ PetscErrorCode create(TS ts) {
   ts->ops->evaluatewlte = evaluate_error;
   ts->ops->interpolate = interpolate;
   ts->ops->rollback = roll_back;
-  ts->ops->setfromoptions = set_from_options;
   ts->ops->view = view;
   ts->ops->destroy = destroy;
-  ts->default_adapt_type = TSADAPTBASIC;
+  ts->default_adapt_type = ts_type;
   ts->usessnes = PETSC_FALSE;
   ts->max_reject = -1;
   ts->data = new Data;
@@ -220,21 +204,7 @@ PetscErrorCode create(TS ts) {
 PetscErrorCode register_ts_pounding() {
   PetscFunctionBegin;
   PetscCall(TSRegister(ts_type, create));
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-}
-
-PetscErrorCode set_solver_options(TS ts, const SolverOptions& options) {
-  PetscFunctionBegin;
-  PetscCheck(options.scheme.spectral_radius >= 0 && options.scheme.spectral_radius <= 1, comm_of(ts),
-             PETSC_ERR_ARG_OUTOFRANGE, "The spectral radius must lie in [0, 1], not %g",
-             options.scheme.spectral_radius);
-  data_of(ts).options = options;
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-}
-
-PetscErrorCode get_solver_options(TS ts, SolverOptions* options) {
-  PetscFunctionBegin;
-  *options = data_of(ts).options;
+  PetscCall(TSAdaptRegister(ts_type, create_adapt));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -261,10 +231,11 @@ PetscErrorCode set_lazy_vectors(TS ts, PetscBool lazy) {
 PetscErrorCode archive(TS ts, Archive& state) {
   PetscFunctionBegin;
   PetscBool plain = PETSC_FALSE;
-  PetscCall(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(ts->adapt), &plain, TSADAPTBASIC, TSADAPTNONE, ""));
+  PetscCall(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(ts->adapt), &plain, ts_type, TSADAPTBASIC,
+                                      TSADAPTNONE, ""));
   if (!plain)
-    PetscFunctionReturn(
-        fail(std::make_exception_ptr(SolverError("only the adapt types basic and none can go on from a saved state"))));
+    PetscFunctionReturn(fail(std::make_exception_ptr(
+        SolverError("only the TSAdapt types pounding, basic and none can resume from a saved state"))));
   PetscFunctionReturn(guarded([&] {
     state(ts->ptime);
     state(ts->time_step);
