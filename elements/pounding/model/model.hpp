@@ -230,7 +230,7 @@ class Model {
   bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
   /// Multiplies the stiffness of every contact that is linked from now on, to see how the answer depends on it.
   double stiffness_factor = 1;
-  std::vector<std::string> accept;  ///< names of the doubts, see plausible.hpp, that are meant as they are
+  std::vector<std::string> accept;  ///< names of the doubts, see doubt_names.hpp, that are meant as they are
   std::vector<Doubt> read_doubts;   ///< those of the reader, about how numbers were written
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;

@@ -3,7 +3,7 @@
 #include <pounding/input/words/shared.hpp>
 
 #include <pounding/model/model.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/model/doubt_names.hpp>
 
 namespace pounding::words {
 namespace {
