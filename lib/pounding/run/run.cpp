@@ -14,7 +14,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/linear/make_solver.hpp>
+#include <pounding/linear/reduced_solver.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/results/replaced_file.hpp>
