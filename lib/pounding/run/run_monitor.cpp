@@ -30,13 +30,14 @@ std::string text_of(const std::exception_ptr& failure) {
 }  // namespace
 
 RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts,
-                       const Stepper& stepper, Recorder& recorder, RunWriter& writer)
+                       const Stepper& stepper, Recorder& recorder, ReductionReport& reduction, RunWriter& writer)
     : ranks_(options.comm),
       options_(options),
       duration_(duration),
       ts_(ts),
       stepper_(stepper),
       recorder_(recorder),
+      reduction_(reduction),
       writer_(writer),
       since_report_(since_start) {}
 
@@ -58,8 +59,8 @@ std::string RunMonitor::solve() {
 
 std::string RunMonitor::check_reduction() {
   try {
-    for (bool more = recorder_.reduction_check().is_asked(); more;) {
-      ranks_.on_each([&] { more = recorder_.reduction_check().next(); });
+    for (bool more = reduction_.check.is_asked(); more;) {
+      ranks_.on_each([&] { more = reduction_.check.next(); });
       if (!more || !ranks_.any(options_.stop && options_.stop())) continue;
       resumable_ = true;
       return "stopped by the user while all unknowns were stepped through the hardest impacts";
@@ -75,7 +76,7 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
   PetscFunctionBegin;
   PetscCall(TSGetApplicationContext(ts, &monitor));
   try {
-    monitor->recorder_.step();
+    monitor->reduction_.step(monitor->recorder_.step());
     monitor->end_at_collapse();
     if (--monitor->steps_to_look_ == 0) monitor->look();
   } catch (const std::bad_alloc&) {
