@@ -327,8 +327,4 @@ std::string describe(const Model& model, const Device& device);
 /// The parts of a device in words: "bar 50 MN/m, damper 200 kN s/m".
 std::string describe(const DeviceParts& parts);
 
-/// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links
-/// with their laws, gaps and masses, devices.
-std::string describe(const Model& model);
-
 }  // namespace pounding
