@@ -14,6 +14,7 @@
 #include <pounding/input/resolved.hpp>
 #include <pounding/links.hpp>
 #include <pounding/model/contact_law.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>

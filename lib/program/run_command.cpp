@@ -16,6 +16,7 @@
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/yielding_report.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>

@@ -28,6 +28,7 @@
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/plausible.hpp>

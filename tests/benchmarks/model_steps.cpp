@@ -22,7 +22,7 @@
 
 #include <pounding/input/read_model.hpp>
 #include <pounding/linear/lowest_modes.hpp>
-#include <pounding/linear/make_solver.hpp>
+#include <pounding/linear/reduced_solver.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/handle.hpp>

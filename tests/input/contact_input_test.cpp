@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/describe.hpp>
 #include "support/models.hpp"
 #include "support/refusals.hpp"
 

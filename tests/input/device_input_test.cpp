@@ -5,6 +5,7 @@
 #include <string>
 
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/describe.hpp>
 #include "support/models.hpp"
 
 namespace pounding {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/elements.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/plausible.hpp>
 #include "support/refusals.hpp"
 

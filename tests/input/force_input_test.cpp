@@ -8,6 +8,7 @@
 
 #include <pounding/input/input.hpp>
 #include <pounding/input/read_model.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include "support/refusals.hpp"
 

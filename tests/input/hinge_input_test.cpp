@@ -13,6 +13,7 @@
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/plausible.hpp>
 #include "support/models.hpp"
 

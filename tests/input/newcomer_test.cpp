@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <pounding/model/plausible.hpp>
+#include <pounding/model/doubt_names.hpp>
 
 #include "support/refusals.hpp"
 

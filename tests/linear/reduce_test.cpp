@@ -15,9 +15,9 @@
 #include <pounding/core/error.hpp>
 #include <pounding/linear/damping_matrix.hpp>
 #include <pounding/linear/equal_groups.hpp>
-#include <pounding/linear/make_solver.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/reduce.hpp>
+#include <pounding/linear/reduced_solver.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/stepping/step_controller.hpp>
 #include "support/models.hpp"

@@ -9,6 +9,7 @@
 
 #include <pounding/elements.hpp>
 #include <pounding/ground/record.hpp>
+#include <pounding/model/describe.hpp>
 #include <pounding/model/plausible.hpp>
 #include "support/refusal.hpp"
 

@@ -1,5 +1,4 @@
-#include <pounding/model/drawing.hpp>
-#include <pounding/model/model.hpp>
+#include <pounding/model/describe.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/model/drawing.hpp>
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {

@@ -13,11 +13,11 @@
 #include <pounding/core/units.hpp>
 #include <pounding/model/arrivals.hpp>
 #include <pounding/model/cost.hpp>
+#include <pounding/model/doubt_names.hpp>
 #include <pounding/model/first_yield.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/initial_shape.hpp>
 #include <pounding/model/place_ends.hpp>
-#include <pounding/model/plausible.hpp>
 #include <pounding/model/preload.hpp>
 #include <pounding/model/reducible.hpp>
 #include <pounding/model/storey_heights.hpp>

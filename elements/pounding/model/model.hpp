@@ -230,7 +230,7 @@ class Model {
   bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
   /// Multiplies the stiffness of every contact that is linked from now on, to see how the answer depends on it.
   double stiffness_factor = 1;
-  std::vector<std::string> accept;  ///< names of the doubts, see plausible.hpp, that are meant as they are
+  std::vector<std::string> accept;  ///< names of the doubts, see doubt_names.hpp, that are meant as they are
   std::vector<Doubt> read_doubts;   ///< those of the reader, about how numbers were written
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;
@@ -326,9 +326,5 @@ std::string describe_joined(const Model& model);
 std::string describe(const Model& model, const Device& device);
 /// The parts of a device in words: "bar 50 MN/m, damper 200 kN s/m".
 std::string describe(const DeviceParts& parts);
-
-/// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links
-/// with their laws, gaps and masses, devices.
-std::string describe(const Model& model);
 
 }  // namespace pounding

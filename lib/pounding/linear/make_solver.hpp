@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include <pounding/linear/reduce.hpp>
 #include <pounding/linear/structure_solver.hpp>
 
 namespace pounding::petsc {
@@ -20,9 +19,5 @@ enum class SolverKind {
 /// Collective on `comm` when it is sparse. `system` must outlive the solver; throws as the constructors of the two
 /// solvers do.
 std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm);
-/// With a plan for reduced structures, which an automatic kind follows; throws as reduced_groups() too, and InputError
-/// where structures are left to factors and the modal damping of one would fill too large a matrix.
-std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, const ReductionPlan& plan,
-                                             MPI_Comm comm);
 
 }  // namespace pounding::petsc

@@ -22,9 +22,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       floors_(model, response_, results.structures),
       collapse_(model, floors_, results.structures),
       storeys_(model, stepper, results),
-      forces_(model, plan_, stepper, results),
-      reduction_(model, response_, stepper),
-      check_(model, response_, stepper) {
+      forces_(model, plan_, stepper, results) {
   results_.shakes_y = plan_.supports.front().at_first(1) >= 0;
   results_.shakes_z = plan_.supports.front().at_first(2) >= 0;
 }
@@ -77,7 +75,7 @@ void Recorder::sample_outputs_until(double end) {
   }
 }
 
-void Recorder::step() {
+bool Recorder::step() {
   const long before = outputs_;
   sample_outputs_until(stepper_.outputs_end_minus().time);
   const bool output_due = outputs_ > before;
@@ -88,9 +86,8 @@ void Recorder::step() {
   links_.step(output_due);
   devices_.step();
   springs_.step();
-  reduction_.step(output_due);
-  check_.step();
   if (output_due) sample_energy();
+  return output_due;
 }
 
 void Recorder::sample_energy() {
@@ -114,7 +111,6 @@ void Recorder::end() {
   links_.end();
   storeys_.show();
   forces_.end();
-  reduction_.end();
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
   results_.impacts = impacts_in_order();
 }
@@ -138,8 +134,6 @@ void Recorder::archive(Archive& archive) {
   links_.archive(archive);
   devices_.archive(archive);
   springs_.archive(archive);
-  reduction_.archive(archive);
-  check_.archive(archive);
   archive(max_input_);
   archive(max_imbalance_);
   archive_length(archive, results_.energy);
@@ -178,8 +172,6 @@ void Recorder::summarize(Summary& summary) const {
   }
   summary.devices = devices_.summary();
   summary.impacts = impacts_in_order();
-  summary.reduced = reduction_.errors(summary);
-  check_.tell(summary, summary.reduced);
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
   summary.energy = {

@@ -15,8 +15,6 @@
 #include <pounding/run/floor_response.hpp>
 #include <pounding/run/force_envelopes.hpp>
 #include <pounding/run/link_samples.hpp>
-#include <pounding/run/reduction_check.hpp>
-#include <pounding/run/reduction_errors.hpp>
 #include <pounding/run/spring_histories.hpp>
 #include <pounding/run/step_motion.hpp>
 #include <pounding/run/storey_shears.hpp>
@@ -35,12 +33,10 @@ class Recorder {
 
   /// Records the initial state.
   void begin();
-  /// Records the step that the stepper has just kept.
-  void step();
+  /// Records the step that the stepper has just kept. Returns true if it contains an output time.
+  bool step();
   /// Completes the results at the end of the run: unfinished impacts, the last energies.
   void end();
-  /// All unknowns of reduced structures in the hardest impacts, where that is asked for.
-  ReductionCheck& reduction_check() { return check_; }
   /// Calls `write` while the results hold the present state as well: unfinished impacts stand in them for that time.
   void with_present_state(const std::function<void()>& write);
   /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these
@@ -49,9 +45,11 @@ class Recorder {
 
   /// Whether and how a structure has collapsed until now.
   const Collapse& collapse() const { return collapse_; }
+  /// Rows of the motion of the floors.
+  const FloorResponse& response() const { return response_; }
   /// Impacts of all links so far.
   int impacts() const;
-  /// Fills peaks, links, devices, energies and reduced structures of a summary from the run so far.
+  /// Fills peaks, links, devices and energies of a summary from the run so far.
   void summarize(Summary& summary) const;
 
  private:
@@ -76,8 +74,6 @@ class Recorder {
   Collapse collapse_;
   StoreyShears storeys_;
   ForceEnvelopes forces_;
-  ReductionErrors reduction_;
-  ReductionCheck check_;
   long outputs_ = 0;                          // output times so far
   double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
   Eigen::MatrixXd motion_;                    // of the floors at an output time

@@ -14,12 +14,13 @@
 #include <pounding/core/error.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/linear/make_solver.hpp>
+#include <pounding/linear/reduced_solver.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/results/replaced_file.hpp>
 #include <pounding/run/recorder.hpp>
 #include <pounding/run/reduction_plan.hpp>
+#include <pounding/run/reduction_report.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run_monitor.hpp>
 #include <pounding/run/run_writer.hpp>
@@ -105,7 +106,8 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   refuse_unread_options(true);
 
   Recorder recorder(model, stepper, results);
-  RunWriter writer(model, options, task.write, setup.ts, stepper, recorder, outcome, since_start, plan);
+  ReductionReport reduction(model, recorder.response(), stepper);
+  RunWriter writer(model, options, task.write, setup.ts, stepper, recorder, reduction, outcome, since_start, plan);
   if (earlier)
     writer.restart(*earlier);
   else
@@ -114,18 +116,20 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   writer.save();
   writer.write("running");
 
-  RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper, recorder, writer);
+  RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper, recorder, reduction, writer);
   std::string failure = monitor.solve();
-  if (failure.empty() && recorder.reduction_check().is_asked()) {  // which may take long, and be stopped
+  if (failure.empty() && reduction.check.is_asked()) {  // which may take long, and be stopped
     writer.save();
     writer.write("running");
   }
   recorder.end();
+  reduction.errors.end();
   fill_statistics(setup.ts, stepper, results.solver);
   results.solver.wall_seconds = writer.seconds();
   results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
   if (failure.empty()) {
     recorder.summarize(outcome.summary);
+    reduction.summarize(outcome.summary);
     if (must_be_deeper(plan, outcome.summary.reduced)) {
       Archive memory(at_the_start.bytes());
       archive_memory(system, memory);

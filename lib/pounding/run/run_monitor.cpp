@@ -21,13 +21,14 @@ constexpr double seconds_between_reports = 0.1;
 }  // namespace
 
 RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts,
-                       const Stepper& stepper, Recorder& recorder, RunWriter& writer)
+                       const Stepper& stepper, Recorder& recorder, ReductionReport& reduction, RunWriter& writer)
     : ranks_(options.comm),
       options_(options),
       duration_(duration),
       ts_(ts),
       stepper_(stepper),
       recorder_(recorder),
+      reduction_(reduction),
       writer_(writer),
       since_report_(since_start) {}
 
@@ -44,8 +45,8 @@ std::string RunMonitor::solve() {
 
 std::string RunMonitor::check_reduction() {
   try {
-    for (bool more = recorder_.reduction_check().is_asked(); more;) {
-      ranks_.on_each([&] { more = recorder_.reduction_check().next(); });
+    for (bool more = reduction_.check.is_asked(); more;) {
+      ranks_.on_each([&] { more = reduction_.check.next(); });
       if (!more || !ranks_.any(options_.stop && options_.stop())) continue;
       resumable_ = true;
       return "stopped by the user while all unknowns were stepped through the hardest impacts";
@@ -61,7 +62,7 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
   PetscFunctionBegin;
   PetscCall(TSGetApplicationContext(ts, &monitor));
   try {
-    monitor->recorder_.step();
+    monitor->reduction_.step(monitor->recorder_.step());
     monitor->end_at_collapse();
     if (--monitor->steps_to_look_ == 0) monitor->look();
   } catch (...) {

@@ -7,6 +7,7 @@
 
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/run/recorder.hpp>
+#include <pounding/run/reduction_report.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/run_writer.hpp>
 #include <pounding/run/stopwatch.hpp>
@@ -18,7 +19,7 @@ class RunMonitor {
  public:
   /// `duration` of the run [s]; `since_start` runs since its beginning. All other arguments must outlive this.
   RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const Stepper& stepper,
-             Recorder& recorder, RunWriter& writer);
+             Recorder& recorder, ReductionReport& reduction, RunWriter& writer);
 
   /// Runs TSSolve. Returns why the run ended before its duration; empty when it has not.
   std::string solve();
@@ -43,6 +44,7 @@ class RunMonitor {
   TS ts_;
   const Stepper& stepper_;
   Recorder& recorder_;
+  ReductionReport& reduction_;
   RunWriter& writer_;
   Stopwatch since_report_, since_look_;
   int steps_between_looks_ = 1, steps_to_look_ = 1;

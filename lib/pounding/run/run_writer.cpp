@@ -20,7 +20,7 @@ constexpr double seconds_between_writes = 1;
 }  // namespace
 
 RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
-                     Recorder& recorder, Outcome& outcome, const Stopwatch& since_start,
+                     Recorder& recorder, ReductionReport& reduction, Outcome& outcome, const Stopwatch& since_start,
                      const petsc::ReductionPlan& plan)
     : ranks_(options.comm),
       model_(model),
@@ -29,6 +29,7 @@ RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults
       ts_(ts),
       stepper_(stepper),
       recorder_(recorder),
+      reduction_(reduction),
       outcome_(outcome),
       origin_(checkpoint_of(model, petsc::Environment::given_options())),
       since_start_(since_start),
@@ -41,6 +42,7 @@ void RunWriter::archive(Archive& archive) {
   archive(outcome_.results.solver);
   petsc::check(petsc::archive(ts_, archive));
   recorder_.archive(archive);
+  reduction_.archive(archive);
   archive(outcome_.summary.without_pounding);
   archive(outcome_.summary.without_links_status);
   archive(outcome_.summary.separations);
@@ -92,6 +94,7 @@ void RunWriter::conclude(const std::string& status) {
   Summary& summary = outcome_.summary;
   results.status = summary.status = status;
   recorder_.summarize(summary);
+  reduction_.summarize(summary);
   summary.integrator = results.integrator;
   summary.solver = results.solver;
   results.reduced = summary.reduced;

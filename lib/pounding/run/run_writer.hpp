@@ -12,6 +12,7 @@
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/recorder.hpp>
+#include <pounding/run/reduction_report.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/stopwatch.hpp>
@@ -28,7 +29,8 @@ class RunWriter {
   /// `write` is empty for a run that leaves no file; `since_start` runs since the beginning of the run. All other
   /// arguments must outlive this.
   RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
-            Recorder& recorder, Outcome& outcome, const Stopwatch& since_start, const petsc::ReductionPlan& plan);
+            Recorder& recorder, ReductionReport& reduction, Outcome& outcome, const Stopwatch& since_start,
+            const petsc::ReductionPlan& plan);
 
   /// Takes up an interrupted run: its histories and its state. Throws InputError when they do not fit.
   void restart(const InterruptedRun& run);
@@ -57,6 +59,7 @@ class RunWriter {
   TS ts_;
   const Stepper& stepper_;
   Recorder& recorder_;
+  ReductionReport& reduction_;
   Outcome& outcome_;
   const std::vector<std::string> doubts_ =
       options_.numbers_only ? std::vector<std::string>{} : implausible(model_, stepper_.options().tolerance);

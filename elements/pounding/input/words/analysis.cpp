@@ -2,8 +2,8 @@
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
 
+#include <pounding/model/doubt_names.hpp>
 #include <pounding/model/model.hpp>
-#include <pounding/model/plausible.hpp>
 
 namespace pounding::words {
 namespace {
