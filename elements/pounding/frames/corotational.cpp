@@ -120,32 +120,6 @@ Eigen::SparseMatrix<double> CorotationalFrame::tangent(const Eigen::VectorXd& q)
   return sum;
 }
 
-double CorotationalFrame::excess_energy(const Eigen::VectorXd& q) const {
-  require_size(q, "q");
-  double sum = 0;
-  for (const Member& member : members_) {
-    const Vector12 u = displacements(member, q);
-    sum += member.beam.evaluate(u).energy - 0.5 * u.dot(member.linear * u);
-  }
-  return sum;
-}
-
-Eigen::VectorXd CorotationalFrame::excess_force(const Eigen::VectorXd& q) const {
-  require_size(q, "q");
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
-  for (const Member& member : members_) {
-    const Vector12 u = displacements(member, q), f = member.beam.evaluate(u).force - member.linear * u;
-    for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
-  }
-  return sum;
-}
-
-Eigen::SparseMatrix<double> CorotationalFrame::excess_tangent(const Eigen::VectorXd& q) const {
-  Eigen::SparseMatrix<double> sum = 0 * linear_;
-  add_excess_tangent(q, sum);
-  return sum;
-}
-
 void CorotationalFrame::add_excess_tangent(const Eigen::VectorXd& q, Eigen::SparseMatrix<double>& sum) const {
   require_size(q, "q");
   for (const Member& member : members_) {
