@@ -185,8 +185,7 @@ void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forc
   if (corner || (is_smooth && std::abs(at) > yield))
     refuse(
         fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it "
-                    "a yield moment above "
-                    "that, or lighten what it carries",
+                    "a yield moment above that, or lighten what it carries",
                     part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
 }
 

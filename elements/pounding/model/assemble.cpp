@@ -83,20 +83,12 @@ std::vector<Eigen::Vector3d> tangents(const Eigen::Vector3d& normal, int dimensi
 // Motion of all floors: structure by structure, floor by floor, in their directions.
 SparseMatrix floor_motions(const Model& model) {
   const std::vector<int> first = offsets(model);
-  std::vector<Eigen::Triplet<double>> entries;
-  int column = 0, n = 0;
-  for (std::size_t k = 0; k < model.structures.size(); ++k) {
-    n += model.structures[k].size();
+  Triplets entries;
+  int column = 0;
+  for (std::size_t k = 0; k < model.structures.size(); ++k)
     for (const Floor& floor : model.structures[k].floors)
-      for (const Row& row : floor.motion) {
-        for (Row::InnerIterator it(row); it; ++it)
-          entries.emplace_back(first[k] + static_cast<int>(it.index()), column, it.value());
-        ++column;
-      }
-  }
-  SparseMatrix matrix(n, column);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+      for (const Row& row : floor.motion) add_row(entries, row, 1, first[k], column++);
+  return sparse(entries, total_size(model), column);
 }
 
 }  // namespace
