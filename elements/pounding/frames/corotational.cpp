@@ -9,6 +9,7 @@
 #include <string>
 
 #include <pounding/core/refuse.hpp>
+#include <pounding/structures/massless.hpp>
 
 namespace pounding {
 
@@ -63,8 +64,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
       for (const auto& b : member.rows)
         entries.emplace_back(a.col(), b.col(), a.value() * member.linear(a.row(), b.row()) * b.value());
   }
-  Eigen::SparseMatrix<double> turning(size(), size());
-  turning.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix turning = sparse_matrix(size(), size(), entries);
   rest_ -= turning;
   linear_ = (linear_ + 0 * turning).eval();  // with places for what is zero at rest
   for (Member& member : members_)
