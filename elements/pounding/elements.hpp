@@ -21,5 +21,4 @@
 #include <pounding/model/neighbours.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/model/pushover.hpp>
-#include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/oscillators.hpp>

@@ -13,16 +13,6 @@
 namespace pounding::program {
 namespace {
 
-std::string_view need_text(hysteresis::Need need) {
-  switch (need) {
-    case hysteresis::Need::required: return "required";
-    case hysteresis::Need::optional: return "optional";
-    case hysteresis::Need::instead: return "or others instead";
-    case hysteresis::Need::extra: return "may be left out";
-  }
-  return "";
-}
-
 /// A point of a loop: deformation, force, work since the beginning, then the numbers of the state.
 using Point = std::vector<double>;
 
@@ -48,24 +38,22 @@ std::vector<Point> loop(const L& law, const std::vector<double>& path, int betwe
 
 }  // namespace
 
+std::string_view need_text(laws::Need need) {
+  switch (need) {
+    case laws::Need::required: return "required";
+    case laws::Need::optional: return "optional";
+    case laws::Need::damping: return "instead of a restitution";
+    case laws::Need::together: return "together, instead of all others";
+    case laws::Need::instead: return "or others instead";
+    case laws::Need::extra: return "may be left out";
+  }
+  return "";
+}
+
 nlohmann::json law_json(const hysteresis::Entry& entry) {
-  nlohmann::json law{{"name", entry.name},
-                     {"force", entry.shape},
-                     {"summary", entry.summary},
-                     {"source", entry.source},
-                     {"symbols", entry.symbols},
-                     {"range", entry.range},
-                     {"beware", entry.beware},
-                     {"has_corners", entry.has_corners},
-                     {"parameters", nlohmann::json::array()},
-                     {"choices", nlohmann::json::array()},
-                     {"state", nlohmann::json::array()}};
-  for (const hysteresis::ParameterInfo& p : entry.parameters)
-    law["parameters"].push_back({{"name", p.name},
-                                 {"unit", p.unit},
-                                 {"meaning", p.meaning},
-                                 {"typical", p.typical},
-                                 {"need", need_text(p.need)}});
+  nlohmann::json law = table_json(entry);
+  law["has_corners"] = entry.has_corners;
+  law["choices"] = law["state"] = nlohmann::json::array();
   for (const hysteresis::ChoiceInfo& c : entry.choices)
     law["choices"].push_back({{"name", c.name},
                               {"meaning", c.meaning},

@@ -2,6 +2,7 @@
 /// Laws of yielding as text and JSON, and their loops, for `pounding laws`.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,24 @@
 #include <pounding/hysteresis/entry.hpp>
 
 namespace pounding::program {
+
+std::string_view need_text(laws::Need need);
+
+/// Texts and parameters of a contact law or a law of yielding.
+template <class Entry>
+nlohmann::json table_json(const Entry& entry) {
+  nlohmann::json law{{"name", entry.name},       {"force", entry.shape},
+                     {"summary", entry.summary}, {"source", entry.source},
+                     {"symbols", entry.symbols}, {"range", entry.range},
+                     {"beware", entry.beware},   {"parameters", nlohmann::json::array()}};
+  for (const laws::ParameterInfo& p : entry.parameters)
+    law["parameters"].push_back({{"name", p.name},
+                                 {"unit", p.unit},
+                                 {"meaning", p.meaning},
+                                 {"typical", p.typical},
+                                 {"need", need_text(p.need)}});
+  return law;
+}
 
 /// The law in JSON, as `pounding laws NAME --json` prints it.
 nlohmann::json law_json(const hysteresis::Entry& entry);

@@ -32,38 +32,15 @@ std::optional<double> obtained(const laws::Entry& entry, std::string_view formul
   }
 }
 
-std::string_view need_text(laws::Need need) {
-  switch (need) {
-    case laws::Need::required: return "required";
-    case laws::Need::optional: return "optional";
-    case laws::Need::damping: return "instead of a restitution";
-    case laws::Need::together: return "together, instead of all others";
-  }
-  return "";
-}
-
 nlohmann::json law_json(const laws::Entry& entry) {
-  nlohmann::json law{{"name", entry.name},
-                     {"force", entry.shape},
-                     {"summary", entry.summary},
-                     {"source", entry.source},
-                     {"symbols", entry.symbols},
-                     {"range", entry.range},
-                     {"beware", entry.beware},
-                     {"restitution", entry.takes_restitution},
-                     {"impact_velocity", entry.takes_impact_velocity},
-                     {"reduced_mass", entry.takes_reduced_mass},
-                     {"may_pull", entry.may_pull},
-                     {"leaves_indentation", entry.leaves_indentation},
-                     {"instantaneous", entry.instantaneous},
-                     {"sticks_at_zero", entry.sticks_at_zero}};
-  law["parameters"] = nlohmann::json::array();
-  for (const laws::ParameterInfo& p : entry.parameters)
-    law["parameters"].push_back({{"name", p.name},
-                                 {"unit", p.unit},
-                                 {"meaning", p.meaning},
-                                 {"typical", p.typical},
-                                 {"need", need_text(p.need)}});
+  nlohmann::json law = table_json(entry);
+  law.update({{"restitution", entry.takes_restitution},
+              {"impact_velocity", entry.takes_impact_velocity},
+              {"reduced_mass", entry.takes_reduced_mass},
+              {"may_pull", entry.may_pull},
+              {"leaves_indentation", entry.leaves_indentation},
+              {"instantaneous", entry.instantaneous},
+              {"sticks_at_zero", entry.sticks_at_zero}});
   law["formulas"] = nlohmann::json::array();
   for (const laws::Formula& f : entry.formulas)
     law["formulas"].push_back({{"name", f.name}, {"equation", f.equation}, {"source", f.source}, {"note", f.note}});
@@ -135,8 +112,8 @@ void print_law(const laws::Entry& entry) {
 
 /// Whether a name that is no law is near that of a law of yielding, and near no contact law.
 bool is_meant_to_yield(std::string_view name) {
-  return laws::nearest_name(name, laws::by_name::names(laws::catalogue())).empty() &&
-         !laws::nearest_name(name, hysteresis::by_name::names(hysteresis::catalogue())).empty();
+  return laws::nearest_name(name, laws::names(laws::catalogue())).empty() &&
+         !laws::nearest_name(name, laws::names(hysteresis::catalogue())).empty();
 }
 
 }  // namespace

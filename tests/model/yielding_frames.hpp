@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/structure.hpp>
+
+#include "support/bilinear_spring.hpp"
 
 namespace pounding::test {
 

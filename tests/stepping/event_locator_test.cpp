@@ -13,7 +13,8 @@
 #include <pounding/laws/stereomechanical.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/stepping/event_locator.hpp>
-#include <pounding/structures/bilinear_spring.hpp>
+
+#include "support/bilinear_spring.hpp"
 
 namespace pounding {
 namespace event_locator_test {

@@ -14,8 +14,9 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/link_solver.hpp>
-#include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/hysteretic_spring.hpp>
+
+#include "support/bilinear_spring.hpp"
 
 namespace pounding {
 namespace link_solver_test {

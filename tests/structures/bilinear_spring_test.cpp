@@ -12,8 +12,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/input/resolved.hpp>
-#include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/oscillators.hpp>
+#include "support/bilinear_spring.hpp"
 #include "support/refusals.hpp"
 
 namespace pounding {

@@ -13,9 +13,10 @@
 #include <vector>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/structure.hpp>
+
+#include "support/bilinear_spring.hpp"
 
 namespace pounding {
 namespace hysteretic_spring_test {

@@ -14,7 +14,7 @@
 #include <pounding/links/contact.hpp>
 #include <pounding/model/system.hpp>
 #include <pounding/stepping/step_controller.hpp>
-#include <pounding/structures/bilinear_spring.hpp>
+#include "support/bilinear_spring.hpp"
 #include "support/dense.hpp"
 
 namespace pounding::test {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <pounding/core/refuse.hpp>
+#include <pounding/structures/massless.hpp>
 
 namespace pounding {
 
@@ -63,8 +64,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
       for (const auto& b : member.rows)
         entries.emplace_back(a.col(), b.col(), a.value() * member.linear(a.row(), b.row()) * b.value());
   }
-  Eigen::SparseMatrix<double> turning(size(), size());
-  turning.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix turning = sparse_matrix(size(), size(), entries);
   rest_ -= turning;
   linear_ = (linear_ + 0 * turning).eval();  // with places for what is zero at rest
   for (Member& member : members_)
@@ -116,32 +116,6 @@ Eigen::VectorXd CorotationalFrame::force(const Eigen::VectorXd& q) const {
 
 Eigen::SparseMatrix<double> CorotationalFrame::tangent(const Eigen::VectorXd& q) const {
   Eigen::SparseMatrix<double> sum = linear_;
-  add_excess_tangent(q, sum);
-  return sum;
-}
-
-double CorotationalFrame::excess_energy(const Eigen::VectorXd& q) const {
-  require_size(q, "q");
-  double sum = 0;
-  for (const Member& member : members_) {
-    const Vector12 u = displacements(member, q);
-    sum += member.beam.evaluate(u).energy - 0.5 * u.dot(member.linear * u);
-  }
-  return sum;
-}
-
-Eigen::VectorXd CorotationalFrame::excess_force(const Eigen::VectorXd& q) const {
-  require_size(q, "q");
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
-  for (const Member& member : members_) {
-    const Vector12 u = displacements(member, q), f = member.beam.evaluate(u).force - member.linear * u;
-    for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
-  }
-  return sum;
-}
-
-Eigen::SparseMatrix<double> CorotationalFrame::excess_tangent(const Eigen::VectorXd& q) const {
-  Eigen::SparseMatrix<double> sum = 0 * linear_;
   add_excess_tangent(q, sum);
   return sum;
 }

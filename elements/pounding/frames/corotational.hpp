@@ -103,14 +103,6 @@ class CorotationalFrame {
     double factor = 0;  ///< of the load
     Eigen::VectorXd q;
   };
-  /// When an equilibrium counts as found, and when to give up.
-  struct StaticOptions {
-    /// Norm of the residual against the load, each row over the root of its stiffness so that forces and moments
-    /// compare.
-    double tolerance = 1e-9;
-    int iterations = 30;     ///< of Newton's method, before a step is called failed
-    int most_points = 2000;  ///< on a path by arc length
-  };
 
   /// `assembled` with the same members in it, and without axial forces in them. Throws std::invalid_argument: a node
   /// that is not there, a member that cannot be or that the assembled stiffness does not contain.
@@ -125,11 +117,6 @@ class CorotationalFrame {
   /// Symmetric, its entries always at the same places; at q = 0 the linear stiffness K.
   Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;
 
-  /// Energy, forces and tangent beyond those of the linear frame; exactly zero at q = 0.
-  double excess_energy(const Eigen::VectorXd& q) const;                        ///< energy(q) - q.K q/2
-  Eigen::VectorXd excess_force(const Eigen::VectorXd& q) const;                ///< force(q) - K q
-  Eigen::SparseMatrix<double> excess_tangent(const Eigen::VectorXd& q) const;  ///< tangent(q) - K
-
   /// See CorotationalBeam::end_forces; members are numbered as they were given.
   Vector12 end_forces(int member, const Eigen::VectorXd& q) const;
   /// See CorotationalBeam::axes.
@@ -141,15 +128,10 @@ class CorotationalFrame {
   /// the path is followed by arc length until it reaches the whole load. First the undeformed state, last factor 1. A
   /// branch that splits off is not looked for: a perfect column stays straight beyond its buckling load. Throws
   /// SolverError with the load factor reached.
-  std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps, const StaticOptions& options) const;
-  std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps) const { return solve(load, steps, {}); }
+  std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps) const;
   /// The path by arc length (Riks; Keller 1977) from the undeformed state on, through limit points and snap-backs: this
   /// many points, of which the first is at about `first_factor`; distances along the path stay below that one.
-  std::vector<Equilibrium> follow(const Eigen::VectorXd& load, double first_factor, int points,
-                                  const StaticOptions& options) const;
-  std::vector<Equilibrium> follow(const Eigen::VectorXd& load, double first_factor, int points) const {
-    return follow(load, first_factor, points, {});
-  }
+  std::vector<Equilibrium> follow(const Eigen::VectorXd& load, double first_factor, int points) const;
 
  private:
   struct Member {

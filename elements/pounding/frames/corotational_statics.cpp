@@ -22,6 +22,10 @@ namespace {
 // If this stalls, the path cannot be followed with steps that still differ from rounding.
 constexpr double shortest_arc = 1e-6;  // of the first
 constexpr int few_iterations = 4;      // after which the next step is longer
+// Norm of the residual against the load, each row over the root of its stiffness so that forces and moments compare.
+constexpr double tolerance = 1e-9;
+constexpr int max_iterations = 30;  // of Newton's method, before a step is called failed
+constexpr int max_points = 2000;    // on a path by arc length
 
 }  // namespace
 
@@ -29,12 +33,10 @@ constexpr int few_iterations = 4;      // after which the next step is longer
 /// at rest and w that of the linear response to the first factor, so that all terms have one unit.
 class CorotationalFrame::Path {
  public:
-  Path(const CorotationalFrame& frame, const VectorXd& load, double first, const StaticOptions& options)
-      : frame_(frame), load_(load), first_(first), options_(options), weight_(frame.linear_.diagonal()) {
+  Path(const CorotationalFrame& frame, const VectorXd& load, double first)
+      : frame_(frame), load_(load), first_(first), weight_(frame.linear_.diagonal()) {
     frame.require_size(load, "load");
     if (!load.allFinite() || load.isZero(0)) refuse("the load must be finite and not zero");
-    if (!(options.tolerance > 0) || options.iterations < 1 || options.most_points < 1)
-      refuse("tolerance, iterations and most_points must be positive");
     points_.push_back({0, VectorXd::Zero(frame.size())});
     factor(points_.back().q);
     const VectorXd q = first * solve(load);
@@ -72,7 +74,7 @@ class CorotationalFrame::Path {
       direction_ = {points_.back().factor - points_.end()[-2].factor, points_.back().q - points_.end()[-2].q};
       arc_ = std::min(longest_arc_, std::sqrt(product(direction_, direction_)));
     }
-    for (int count = 0; count < options_.most_points; ++count) {
+    for (int count = 0; count < max_points; ++count) {
       arc_step();
       const Equilibrium &before = points_.end()[-2], &after = points_.back();
       if ((before.factor - target) * (after.factor - target) > 0) continue;
@@ -82,7 +84,7 @@ class CorotationalFrame::Path {
       points_.back() = *there;
       return;
     }
-    throw SolverError("the load was not reached in " + std::to_string(options_.most_points) +
+    throw SolverError("the load was not reached in " + std::to_string(max_points) +
                       " points by arc length; the last is at the load factor " + std::to_string(points_.back().factor));
   }
 
@@ -98,7 +100,7 @@ class CorotationalFrame::Path {
   bool small(const VectorXd& residual, double at) const {
     const VectorXd root = weight_.cwiseSqrt();
     return residual.cwiseQuotient(root).norm() <=
-           options_.tolerance * load_.cwiseQuotient(root).norm() * std::max(std::abs(at), std::abs(first_));
+           tolerance * load_.cwiseQuotient(root).norm() * std::max(std::abs(at), std::abs(first_));
   }
   bool keep(const std::optional<Equilibrium>& found) {
     if (found) points_.push_back(*found);
@@ -106,7 +108,7 @@ class CorotationalFrame::Path {
   }
 
   std::optional<Equilibrium> at_factor(double at, VectorXd q) {
-    for (int i = 0; i <= options_.iterations; ++i) {
+    for (int i = 0; i <= max_iterations; ++i) {
       const VectorXd residual = frame_.force(q) - at * load_;
       if (!residual.allFinite()) return {};
       if (small(residual, at)) return Equilibrium{at, q};
@@ -125,7 +127,7 @@ class CorotationalFrame::Path {
     ahead = {sign / size * ahead.factor, sign / size * ahead.q};
 
     Equilibrium at{from.factor + arc * ahead.factor, from.q + arc * ahead.q};
-    for (iterations = 0; iterations <= options_.iterations; ++iterations) {
+    for (iterations = 0; iterations <= max_iterations; ++iterations) {
       const VectorXd residual = frame_.force(at.q) - at.factor * load_;
       if (!residual.allFinite()) return {};
       // A point far from where the step aimed belongs to another part of the path.
@@ -143,17 +145,15 @@ class CorotationalFrame::Path {
   const CorotationalFrame& frame_;
   const VectorXd& load_;
   double first_, scale_ = 1, arc_ = 0, longest_arc_ = 0;
-  StaticOptions options_;
   VectorXd weight_;
   Equilibrium direction_;
   std::vector<Equilibrium> points_;
   std::optional<Eigen::SparseLU<Eigen::SparseMatrix<double>>> lu_;
 };
 
-std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const VectorXd& load, int steps,
-                                                                     const StaticOptions& options) const {
+std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const VectorXd& load, int steps) const {
   if (steps < 1) throw std::invalid_argument("a load is applied in one step at least");
-  Path path(*this, load, 1.0 / steps, options);
+  Path path(*this, load, 1.0 / steps);
   for (int k = 1; k <= steps; ++k)
     if (!path.load_step(static_cast<double>(k) / steps)) {
       path.follow_to(1);
@@ -163,10 +163,10 @@ std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const Vecto
 }
 
 std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::follow(const VectorXd& load, double first_factor,
-                                                                      int points, const StaticOptions& options) const {
+                                                                      int points) const {
   if (!(first_factor != 0) || !std::isfinite(first_factor))
     throw std::invalid_argument("the first factor must be finite and not zero");
-  Path path(*this, load, first_factor, options);
+  Path path(*this, load, first_factor);
   for (int k = 0; k < points; ++k) path.arc_step();
   return path.points();
 }

@@ -30,8 +30,7 @@ void require_regular(const SparseMatrix& mass, const AssembledFrame& frame) {
     if (frame.massless[j]) entries.emplace_back(j, j, 1.0);
     for (SparseMatrix::InnerIterator it(mass, j); it; ++it) entries.emplace_back(it.row(), j, it.value());
   }
-  SparseMatrix padded(mass.rows(), mass.cols());
-  padded.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix padded = sparse_matrix(mass.rows(), mass.cols(), entries);
   const Eigen::SimplicialLDLT<SparseMatrix> factor(padded);
   const Eigen::VectorXd pivots = factor.permutationPinv() * factor.vectorD();
   for (int j = 0; j < mass.rows(); ++j)
@@ -109,9 +108,7 @@ SparseMatrix Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)()
       for (const auto& [column, j] : rows)
         if (matrix(i, j) != 0) entries.emplace_back(row, column, matrix(i, j));
   }
-  SparseMatrix sum(nodes() * dofs(), nodes() * dofs());
-  sum.setFromTriplets(entries.begin(), entries.end());
-  return sum;
+  return sparse_matrix(nodes() * dofs(), nodes() * dofs(), entries);
 }
 
 // On all displacements, of the loads at nodes and on members.
@@ -144,8 +141,7 @@ AssembledFrame Frame::assemble(bool gravity) const {
   const SparseMatrix t = out.transform;
   const SparseMatrix mass = gathered(masses_, &Beam::mass);
   const int n = static_cast<int>(t.cols()), all = static_cast<int>(t.rows());
-  SparseMatrix dashpots(all, all);
-  dashpots.setFromTriplets(dashpots_.begin(), dashpots_.end());
+  const SparseMatrix dashpots = sparse_matrix(all, all, dashpots_);
   out.stiffness = symmetric_part(t.transpose() * gathered(springs_, &Beam::stiffness) * t);
   out.damping = symmetric_part(t.transpose() * dashpots * t);
   out.mass = symmetric_part(t.transpose() * mass * t);

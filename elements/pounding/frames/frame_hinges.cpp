@@ -185,8 +185,7 @@ void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forc
   if (corner || (is_smooth && std::abs(at) > yield))
     refuse(
         fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it "
-                    "a yield moment above "
-                    "that, or lighten what it carries",
+                    "a yield moment above that, or lighten what it carries",
                     part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
 }
 
@@ -215,9 +214,7 @@ SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& for
       const double value = (i == j ? 1 / forces[i].k : 0) - coupling;
       if (value != 0) entries.emplace_back(i, j, value);
     }
-  SparseMatrix relief(count, count);
-  relief.setFromTriplets(entries.begin(), entries.end());
-  return relief;
+  return sparse_matrix(count, count, entries);
 }
 
 // Storey shears by the hinges, as the members pass them on.
@@ -256,8 +253,7 @@ void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& rea
       nodal.emplace_back(end * per_node + j, i, forces[i].on_nodes[6 + static_cast<int>(dofs[j])]);
     }
   }
-  SparseMatrix on_nodes(model.frame.nodes() * per_node, count);
-  on_nodes.setFromTriplets(nodal.begin(), nodal.end());
+  const SparseMatrix on_nodes = sparse_matrix(model.frame.nodes() * per_node, count, nodal);
   const SparseMatrix on_ground = SparseMatrix(reactions.by_forces) * on_nodes;
   for (int i = 0; i < count; ++i)
     for (SparseMatrix::InnerIterator it(on_ground, i); it; ++it)

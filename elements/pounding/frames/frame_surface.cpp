@@ -56,8 +56,7 @@ std::string beside_hinge(const Frame& frame, int member, double along) {
   while (more < 100 && hits_an_end()) ++more;
   return fmt::format(
       "member {} has a hinge and is not hit between its ends; type members: {{{}: {{parts: {}}}}}, so that a part "
-      "without a hinge is "
-      "hit",
+      "without a hinge is hit",
       part, whole, more);
 }
 
@@ -359,8 +358,7 @@ ContactPoint FrameSurface::pushed(ContactPoint point, int axis) const {
     const std::string name = assembled_->node_names[node];
     refuse(
         fmt::format("a push there acts on {0} of node {1}, which has no mass; type masses: {{{1}: {{{0}: {2}}}}}, or "
-                    "mass: consistent "
-                    "with a density",
+                    "mass: consistent with a density",
                     pounding::name(dof), name, dof < Dof::rx ? "1 t" : "100 kg m^2"));
   }
   return point;

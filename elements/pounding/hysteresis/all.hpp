@@ -3,8 +3,6 @@
 /// needs its header, two lines here and its page.
 
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <variant>
 
@@ -23,20 +21,17 @@ namespace pounding::hysteresis {
 using AnyLaw =
     std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill>;
 
+using Laws = laws::Catalogue<Settings, Entry, AnyLaw>;
+
 /// Every law with its tables, in the order of AnyLaw.
-inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
+inline std::span<const Entry> catalogue() noexcept { return Laws::entries; }
 
 /// The entry of a law; throws std::invalid_argument with the nearest known name.
-inline const Entry& find_law(std::string_view name) {
-  for (const Entry& entry : catalogue())
-    if (entry.name == name) return entry;
-  throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(name) + "\"." +
-                              laws::suggestion(name, by_name::names(catalogue())));
-}
+inline const Entry& find_law(std::string_view name) { return Laws::find(name); }
 
 /// A checked law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing
 /// required one, and a wrong value.
-inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
+inline AnyLaw make_law(const Settings& settings) { return Laws::make(settings); }
 
 /// The entry of a made law.
 inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }

@@ -26,13 +26,11 @@ struct Backfill {
   static constexpr std::string_view source = "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248";
   static constexpr std::string_view symbols =
       "x = d - gap [m], K [N/m] initial stiffness, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate "
-      "passive force, Rf [-] "
-      "failure ratio, r [m] what stays pressed in";
+      "passive force, Rf [-] failure ratio, r [m] what stays pressed in";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1, gap >= 0; d > 0 presses";
   static constexpr std::string_view beware =
       "it acts on one side only and has no dashpot; for small gaps the soil is met at once and what is pressed in "
-      "stays a gap for the rest of "
-      "the run";
+      "stays a gap for the rest of the run";
   static constexpr bool is_symmetric = false;
 
   double initial_stiffness = 0;  ///< K > 0 [N/m]
@@ -42,12 +40,12 @@ struct Backfill {
   double gap = 0;                ///< >= 0 [m]
 
   static constexpr std::array parameters{
-      Parameter<Backfill>{{"stiffness", "N/m", "initial stiffness K", 2.5e8}, &Backfill::initial_stiffness},
-      Parameter<Backfill>{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
-                          &Backfill::failure_ratio},
-      Parameter<Backfill>{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength},
-      Parameter<Backfill>{{"gap", "m", "gap before the wall meets the soil", 0, Need::optional}, &Backfill::gap}};
+      Parameter{{"stiffness", "N/m", "initial stiffness K", 2.5e8}, &Backfill::initial_stiffness},
+      Parameter{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
+      Parameter{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
+                &Backfill::failure_ratio},
+      Parameter{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength},
+      Parameter{{"gap", "m", "gap before the wall meets the soil", 0, Need::optional}, &Backfill::gap}};
 
   /// Its memory [m].
   struct State {
@@ -91,15 +89,14 @@ struct Backfill {
   std::optional<double> corner(const State& kept, double d) const noexcept {
     const double touch = gap + pressed_in(kept), deepest = gap + kept.deepest;
     const bool deeper = d > kept.deformation;
+    // A soil that was never pressed has one corner where both are.
     for (const double x : {deeper ? touch : deepest, deeper ? deepest : touch})
-      if (is_strictly_between(x, kept.deformation, d) && slope_jumps(x, kept, deeper)) return x;
+      if (is_strictly_between(x, kept.deformation, d) && (kept.deepest > 0 || x == gap)) return x;
     return {};
   }
 
  private:
   double stored_at(const State& kept, double x) const noexcept { return soil().stored(kept.deepest, x); }
-  // A soil that was never pressed has one corner where both are.
-  bool slope_jumps(double x, const State& kept, bool) const noexcept { return kept.deepest > 0 || x == gap; }
 };
 
 }  // namespace pounding::hysteresis

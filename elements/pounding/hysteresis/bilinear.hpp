@@ -36,14 +36,12 @@ struct Bilinear {
   std::optional<double> negative_yield_force{};  ///< Fy' > 0, as Fy unless given [N]
 
   static constexpr std::array parameters{
-      Parameter<Bilinear>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
-      Parameter<Bilinear>{{"yield_force", "N", "force at the first yield Fy", 1.5e5}, &Bilinear::yield_force},
-      Parameter<Bilinear>{{"hardening", "", "stiffness after the yield over k, a", 0.05, Need::optional},
-                          &Bilinear::hardening},
-      Parameter<Bilinear>{{"negative_yield_force", "N",
-                           "size of the yield force in the other direction Fy', as Fy unless given", 1e5, Need::extra},
-                          nullptr,
-                          &Bilinear::negative_yield_force}};
+      Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
+      Parameter{{"yield_force", "N", "force at the first yield Fy", 1.5e5}, &Bilinear::yield_force},
+      Parameter{{"hardening", "", "stiffness after the yield over k, a", 0.05, Need::optional}, &Bilinear::hardening},
+      Parameter{{"negative_yield_force", "N", "size of the yield force in the other direction Fy', as Fy unless given",
+                 1e5, Need::extra},
+                &Bilinear::negative_yield_force}};
 
   /// Its memory [m].
   struct State {

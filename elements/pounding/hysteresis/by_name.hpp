@@ -2,35 +2,18 @@
 /// Laws of yielding by name, for any variant of them: the catalogue, making a law from settings, describing a made law.
 /// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
 
-#include <array>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include <pounding/hysteresis/entry.hpp>
-#include <pounding/laws/entry.hpp>
-#include <pounding/laws/excerpt.hpp>
-#include <pounding/laws/nearest_name.hpp>
 
-namespace pounding::hysteresis::by_name {
-
-using laws::by_name::names;
-
-/// The `info` of each line of a table.
-template <auto& table>
-inline constexpr auto infos = [] {
-  std::array<decltype(table[0].info), table.size()> result{};
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = table[i].info;
-  return result;
-}();
+namespace pounding::hysteresis {
 
 /// The catalogue entry of a law, from its members.
 template <Law L>
-constexpr Entry entry() {
+constexpr Entry Entry::of() {
   Entry e{.name = L::name,
           .shape = L::shape,
           .summary = L::summary,
@@ -41,33 +24,10 @@ constexpr Entry entry() {
           .parameters = infos<L::parameters>,
           .choices = {},
           .state = infos<L::state>,
-          .has_corners = has_corners<L>};
+          .has_corners = hysteresis::has_corners<L>};
   if constexpr (requires { L::choices; }) e.choices = infos<L::choices>;
   if constexpr (requires { L::is_symmetric; }) e.is_symmetric = L::is_symmetric;
   return e;
-}
-
-/// The entries of all laws of a variant.
-template <class Any>
-struct List;
-template <class... L>
-struct List<std::variant<L...>> {
-  static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
-};
-
-/// Sets a number by its name, value in SI. Throws std::invalid_argument for a name that the law does not have.
-template <Law L>
-void set(L& law, std::string_view name, double value) {
-  for (const Parameter<L>& p : L::parameters) {
-    if (p.info.name != name) continue;
-    if (p.value)
-      law.*p.value = value;
-    else
-      law.*p.choice = value;
-    return;
-  }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) + "\"." +
-                              laws::suggestion(name, names(infos<L::parameters>)));
 }
 
 /// Sets a choice by its name and word. Throws std::invalid_argument for what the law does not have.
@@ -90,9 +50,9 @@ void choose(L& law, std::string_view name, std::string_view word) {
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
 /// of range.
 template <Law L>
-L make(const Settings& s) {
+L law_from(const Settings& s) {
   L law;
-  for (const auto& [name, value] : s.values) set(law, name, value);
+  for (const auto& [name, value] : s.values) laws::set(law, name, value);
   for (const auto& [name, word] : s.words) choose(law, name, word);
   for (const ParameterInfo& p : infos<L::parameters>)
     if (p.need == Need::required && !s.values.contains(p.name))
@@ -102,17 +62,4 @@ L make(const Settings& s) {
   return law;
 }
 
-/// The law of the variant Any that the settings name, checked. Throws as make does, and for an unknown name.
-template <class Any, std::size_t I = 0>
-Any make_any(const Settings& s) {
-  if constexpr (I == std::variant_size_v<Any>) {
-    throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(s.law) + "\"." +
-                                laws::suggestion(s.law, names(List<Any>::entries)));
-  } else {
-    using L = std::variant_alternative_t<I, Any>;
-    if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));
-    return make_any<Any, I + 1>(s);
-  }
-}
-
-}  // namespace pounding::hysteresis::by_name
+}  // namespace pounding::hysteresis

@@ -10,6 +10,7 @@
 
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/hysteresis/table.hpp>
+#include <pounding/laws/catalogue.hpp>
 
 namespace pounding::hysteresis {
 
@@ -31,7 +32,16 @@ struct Entry {
   std::span<const StateInfo> state;  ///< what it remembers beside the deformation
   bool has_corners = true;           ///< whether the slope jumps elsewhere than at turning points
   bool is_symmetric = true;          ///< whether f(-d) = -f(d) on the mirrored path, with typical parameters
+
+  /// The entry of a law, from its members.
+  template <Law L>
+  static constexpr Entry of();
 };
+
+/// The message about a law that is not in the catalogue.
+inline std::string unknown_law(std::string_view name, std::span<const Entry> catalogue) {
+  return "unknown law of yielding \"" + laws::excerpt(name) + "\"." + laws::suggestion(name, laws::names(catalogue));
+}
 
 /// Settings of a law from the typical values of its table.
 inline Settings typical_settings(const Entry& entry) {

@@ -63,10 +63,7 @@ concept Law = requires(const L& law, const typename L::State& kept, double d) {
 
 /// False for a law whose slope jumps at turning points alone.
 template <Law L>
-inline constexpr bool has_corners = [] {
-  if constexpr (requires { L::has_corners; }) return L::has_corners;
-  return true;
-}();
+inline constexpr bool has_corners = !requires { requires !L::has_corners; };
 
 /// Energy that a path may give back beyond what stored() says, over the yield force times the yield deformation: 0 but
 /// for published laws that cannot be cured of it.

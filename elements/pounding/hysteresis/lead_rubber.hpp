@@ -11,24 +11,27 @@
 
 namespace pounding::hysteresis {
 
-/// Stiffness of rubber in shear, given by itself or as G A/t_r.
-struct RubberStiffness {
-  std::optional<double> given, shear_modulus, area, thickness;  ///< k2 [N/m]; G [Pa], A [m^2], t_r [m]
+/// Stiffness k2 of the rubber of a law in shear [N/m], given directly or as G A/t_r.
+template <class L>
+double rubber_stiffness(const L& law) noexcept {
+  return law.post_yield_stiffness ? *law.post_yield_stiffness : *law.shear_modulus * *law.area / *law.rubber_thickness;
+}
 
-  /// k2 [N/m].
-  double value() const noexcept { return given ? *given : *shear_modulus * *area / *thickness; }
-  /// Throws std::invalid_argument unless one of the two is given, whole and positive.
-  void check(std::string_view law) const {
-    const bool any = shear_modulus || area || thickness, all = shear_modulus && area && thickness;
-    if (given ? any : !all)
-      throw std::invalid_argument(std::string(law) +
-                                  " needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead");
-    laws::require_positive("post_yield_stiffness", given);
-    laws::require_positive("shear_modulus", shear_modulus);
-    laws::require_positive("area", area);
-    laws::require_positive("rubber_thickness", thickness);
-  }
-};
+/// Throws std::invalid_argument for a wrong strength, yield deformation or stiffness of rubber.
+template <class L>
+void check_rubber(const L& law) {
+  laws::require_positive("strength", law.strength);
+  laws::require_positive("yield_displacement", law.displacement_at_yield);
+  const bool any = law.shear_modulus || law.area || law.rubber_thickness;
+  const bool all = law.shear_modulus && law.area && law.rubber_thickness;
+  if (law.post_yield_stiffness ? any : !all)
+    throw std::invalid_argument(std::string(L::name) +
+                                " needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead");
+  laws::require_positive("post_yield_stiffness", law.post_yield_stiffness);
+  laws::require_positive("shear_modulus", law.shear_modulus);
+  laws::require_positive("area", law.area);
+  laws::require_positive("rubber_thickness", law.rubber_thickness);
+}
 
 /// f = k2 d + q, |q| <= Q behind a spring Q/u_y: rubber with a core of lead that yields, in one direction.
 ///
@@ -40,9 +43,8 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   static constexpr std::string_view summary = "isolator of rubber with a lead core: bilinear by Q, k2 and u_y";
   static constexpr std::string_view source = "Kelly 1997, Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G [Pa] "
-      "shear modulus, A [m^2] "
-      "area, t_r [m] thickness of the rubber";
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G "
+      "[Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
   static constexpr std::string_view range = "one direction; shear strains below some 200 %";
   static constexpr std::string_view beware =
       "the lead neither heats up nor loses strength; the axial force changes nothing";
@@ -53,33 +55,22 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   std::optional<double> shear_modulus{}, area{}, rubber_thickness{};  ///< G [Pa], A [m^2], t_r [m]
 
   static constexpr std::array parameters{
-      Parameter<LeadRubber>{{"strength", "N", "characteristic strength Q", 3.75e5}, &LeadRubber::strength},
-      Parameter<LeadRubber>{{"yield_displacement", "m", "yield deformation u_y", 0.012},
-                            &LeadRubber::displacement_at_yield},
-      Parameter<LeadRubber>{
-          {"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
-          nullptr,
-          &LeadRubber::post_yield_stiffness},
-      Parameter<LeadRubber>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
-                            nullptr,
-                            &LeadRubber::shear_modulus},
-      Parameter<LeadRubber>{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, nullptr, &LeadRubber::area},
-      Parameter<LeadRubber>{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
-                            nullptr,
-                            &LeadRubber::rubber_thickness}};
+      Parameter{{"strength", "N", "characteristic strength Q", 3.75e5}, &LeadRubber::strength},
+      Parameter{{"yield_displacement", "m", "yield deformation u_y", 0.012}, &LeadRubber::displacement_at_yield},
+      Parameter{{"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+                &LeadRubber::post_yield_stiffness},
+      Parameter{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
+                &LeadRubber::shear_modulus},
+      Parameter{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, &LeadRubber::area},
+      Parameter{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
+                &LeadRubber::rubber_thickness}};
   static constexpr std::array state{StateValue<LeadRubber>{{"slip", "m", "plastic deformation of the lead"},
                                                            [](const Bilinear::State& kept) { return kept.slip; }}};
 
-  void check() const {
-    laws::require_positive("strength", strength);
-    laws::require_positive("yield_displacement", displacement_at_yield);
-    rubber().check(name);
-  }
-  /// Its stiffness after the yield, as given.
-  RubberStiffness rubber() const noexcept { return {post_yield_stiffness, shear_modulus, area, rubber_thickness}; }
+  void check() const { check_rubber(*this); }
   /// The law that it is.
   Bilinear made() const noexcept {
-    const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
+    const double k2 = rubber_stiffness(*this), k = k2 + strength / displacement_at_yield;
     return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k};
   }
 };
@@ -98,8 +89,7 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
       "Kelly 1997, Earthquake-Resistant Design with Rubber; Park, Wen & Ang 1986, EESD 14:543";
   static constexpr std::string_view symbols =
       "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, n [-] "
-      "sharpness of the knee, G "
-      "[Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
+      "sharpness of the knee, G [Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
   static constexpr std::string_view range =
       "one direction; shear strains below some 150 %, where rubber begins to stiffen";
   static constexpr std::string_view beware =
@@ -112,35 +102,26 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   double exponent = 2;                                                ///< n >= 1 [-]
 
   static constexpr std::array parameters{
-      Parameter<Elastomeric>{{"strength", "N", "characteristic strength Q", 3.75e5}, &Elastomeric::strength},
-      Parameter<Elastomeric>{{"yield_displacement", "m", "yield deformation u_y", 0.012},
-                             &Elastomeric::displacement_at_yield},
-      Parameter<Elastomeric>{
-          {"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
-          nullptr,
-          &Elastomeric::post_yield_stiffness},
-      Parameter<Elastomeric>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
-                             nullptr,
-                             &Elastomeric::shear_modulus},
-      Parameter<Elastomeric>{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, nullptr, &Elastomeric::area},
-      Parameter<Elastomeric>{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
-                             nullptr,
-                             &Elastomeric::rubber_thickness},
-      Parameter<Elastomeric>{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &Elastomeric::exponent}};
+      Parameter{{"strength", "N", "characteristic strength Q", 3.75e5}, &Elastomeric::strength},
+      Parameter{{"yield_displacement", "m", "yield deformation u_y", 0.012}, &Elastomeric::displacement_at_yield},
+      Parameter{{"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+                &Elastomeric::post_yield_stiffness},
+      Parameter{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
+                &Elastomeric::shear_modulus},
+      Parameter{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, &Elastomeric::area},
+      Parameter{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
+                &Elastomeric::rubber_thickness},
+      Parameter{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &Elastomeric::exponent}};
   static constexpr std::array state{StateValue<Elastomeric>{{"elastic", "m", "elastic part of the deformation z"},
                                                             [](const BoucWen::State& kept) { return kept.elastic; }}};
 
   void check() const {
-    laws::require_positive("strength", strength);
-    laws::require_positive("yield_displacement", displacement_at_yield);
-    rubber().check(name);
+    check_rubber(*this);
     laws::require_exponent(exponent);
   }
-  /// Its stiffness after the yield, as given.
-  RubberStiffness rubber() const noexcept { return {post_yield_stiffness, shear_modulus, area, rubber_thickness}; }
   /// The law that it is.
   BoucWen made() const noexcept {
-    const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
+    const double k2 = rubber_stiffness(*this), k = k2 + strength / displacement_at_yield;
     return {
         .initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k, .exponent = exponent};
   }

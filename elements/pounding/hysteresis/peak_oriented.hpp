@@ -33,15 +33,13 @@ struct PeakOriented {
   static constexpr std::string_view source =
       "Clough & Johnston 1966; Takeda, Sozen & Nielsen 1970, J. Struct. Div. 96:2557; Otani 1974";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] largest deformation on the side, "
-      "e [-] unloading "
-      "exponent, b [-] hardening, Fc [N] cracking force";
+      "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] largest deformation on the "
+      "side, e [-] unloading exponent, b [-] hardening, Fc [N] cracking force";
   static constexpr std::string_view range =
       "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the one before";
   static constexpr std::string_view beware =
-      "corners at every zero of the force and every old peak; no pinching and no loss of strength; small inner cycles "
-      "reload towards the "
-      "largest peak, not the last one";
+      "corners at every zero of the force and every old peak; no pinching and no loss of strength; small inner "
+      "cycles reload towards the largest peak, not the last one";
 
   double initial_stiffness = 0;                  ///< k > 0 [N/m]
   double yield_force = 0;                        ///< Fy > 0 [N]
@@ -51,20 +49,17 @@ struct PeakOriented {
   std::optional<double> deformation_at_yield{};  ///< dy > Fy/k [m]
 
   static constexpr std::array parameters{
-      Parameter<PeakOriented>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &PeakOriented::initial_stiffness},
-      Parameter<PeakOriented>{{"yield_force", "N", "yield force Fy", 1.5e5}, &PeakOriented::yield_force},
-      Parameter<PeakOriented>{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional},
-                              &PeakOriented::hardening},
-      Parameter<PeakOriented>{{"unloading", "", "exponent e of the unloading stiffness", 0.5, Need::optional},
-                              &PeakOriented::unloading},
-      Parameter<PeakOriented>{
+      Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &PeakOriented::initial_stiffness},
+      Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &PeakOriented::yield_force},
+      Parameter{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional},
+                &PeakOriented::hardening},
+      Parameter{{"unloading", "", "exponent e of the unloading stiffness", 0.5, Need::optional},
+                &PeakOriented::unloading},
+      Parameter{
           {"cracking_force", "N", "force at which the first line ends Fc, beside yield_deformation", 5e4, Need::extra},
-          nullptr,
           &PeakOriented::cracking_force},
-      Parameter<PeakOriented>{
-          {"yield_deformation", "m", "deformation at the yield force, beside cracking_force", 0.03, Need::extra},
-          nullptr,
-          &PeakOriented::deformation_at_yield}};
+      Parameter{{"yield_deformation", "m", "deformation at the yield force, beside cracking_force", 0.03, Need::extra},
+                &PeakOriented::deformation_at_yield}};
 
   /// Rule that is followed: the first line, the backbone beyond it, back from a turning point, towards the largest
   /// deformation.
@@ -155,11 +150,6 @@ struct PeakOriented {
     const double dy = yield_deformation();
     if (a >= dy) return yield_force + hardening * initial_stiffness * (a - dy);
     return a <= first_break() ? initial_stiffness * a : first_force() + second_slope() * (a - first_break());
-  }
-  double backbone_slope(double a) const noexcept {
-    return a >= yield_deformation() ? hardening * initial_stiffness
-           : a >= first_break()     ? second_slope()
-                                    : initial_stiffness;
   }
   static int index(int side) noexcept { return side > 0 ? 0 : 1; }
   double largest(const State& s, int side) const noexcept { return std::max(s.most[index(side)], first_break()); }

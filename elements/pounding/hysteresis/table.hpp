@@ -2,34 +2,18 @@
 /// The tables in which a law of yielding describes itself, for parser, reports, tests and documentation.
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string_view>
 
+#include <pounding/laws/table.hpp>
+
 namespace pounding::hysteresis {
 
-/// Necessity of a parameter.
-enum class Need : unsigned char {
-  required,  ///< no default: it must be given
-  optional,  ///< has a default
-  instead,   ///< has no default, but may be left out where others are given instead
-  extra      ///< may be left out, and has no default
-};
-
-/// One parameter of a law. Units are those of a spring along a line; at a hinge m is rad and N is N m.
-struct ParameterInfo {
-  std::string_view name, unit, meaning;
-  double typical = 0;  ///< SI
-  Need need = Need::required;
-};
-
-/// A parameter and the member of the law that holds it: exactly one of the two pointers is set.
-template <class L>
-struct Parameter {
-  ParameterInfo info;
-  double L::* value = nullptr;
-  std::optional<double> L::* choice = nullptr;
-};
+using laws::infos;
+using laws::Need;
+/// Units are those of a spring along a line; at a hinge m is rad and N is N m.
+using laws::Parameter;
+using laws::ParameterInfo;
 
 /// A parameter that is one of some words, the first of them by default.
 struct ChoiceInfo {

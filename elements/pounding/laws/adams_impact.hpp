@@ -47,23 +47,14 @@ struct AdamsImpact {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<AdamsImpact>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &AdamsImpact::stiffness},
-      Parameter<AdamsImpact>{{"exponent", "", "exponent n", 1.5, Need::optional}, &AdamsImpact::exponent},
-      Parameter<AdamsImpact>{{"depth", "m", "penetration of full damping", 0.001}, &AdamsImpact::depth},
-      Parameter<AdamsImpact>{{"damping_coefficient", "N s/m", "damping c", 6e5, Need::damping},
-                             nullptr,
-                             &AdamsImpact::damping_coefficient}};
+      Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &AdamsImpact::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &AdamsImpact::exponent},
+      Parameter{{"depth", "m", "penetration of full damping", 0.001}, &AdamsImpact::depth},
+      Parameter{{"damping_coefficient", "N s/m", "damping c", 6e5, Need::damping}, &AdamsImpact::damping_coefficient}};
 
   void check() const {
-    require_positive("stiffness", stiffness);
-    require_exponent(exponent);
+    check_dashpot(*this);
     require_positive("depth", depth);
-    require_restitution(restitution);
-    require_not_negative("damping_coefficient", damping_coefficient);
-    require_positive("impact_velocity", impact_velocity);
-    require_one_damping(name, restitution, {{"damping_coefficient", &damping_coefficient}});
-    require_velocity_used(impact_velocity, damping_coefficient);
-    require_positive("reduced_mass", reduced_mass);
   }
 
   /// c D/(m v) [-] of an impact at this closing speed [m/s].
@@ -88,9 +79,7 @@ struct AdamsImpact {
   }
   /// Changes sign where the damping reaches its full value [m].
   double corner(double penetration, double, const Impact&) const noexcept { return penetration - depth; }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 
  private:
   // STEP and its slope by d [1/m]; beyond the depth there is nothing to divide.

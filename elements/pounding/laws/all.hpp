@@ -3,8 +3,6 @@
 /// needs its header and two lines here. Sources that are linked with Pounding::links include compiled.hpp instead.
 
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <variant>
 
@@ -34,19 +32,17 @@ using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Kom
                             ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono,
                             AdamsImpact, LimitedDamper, Stereomechanical, Elastoplastic, Backfill>;
 
+using Laws = Catalogue<Settings, Entry, AnyLaw>;
+
 /// Every law with its tables, in the order of AnyLaw.
-inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
+inline std::span<const Entry> catalogue() noexcept { return Laws::entries; }
 
 /// The entry of a law; throws std::invalid_argument with the nearest known name.
-inline const Entry& find_law(std::string_view name) {
-  for (const Entry& entry : catalogue())
-    if (entry.name == name) return entry;
-  throw std::invalid_argument("unknown law \"" + excerpt(name) + "\"." + law_suggestion(name, catalogue()));
-}
+inline const Entry& find_law(std::string_view name) { return Laws::find(name); }
 
 /// A checked law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest known name),
 /// a missing required one, a wrong value, damping given twice or not at all, and a formula without a restitution.
-inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
+inline AnyLaw make_law(const Settings& settings) { return Laws::make(settings); }
 
 /// The entry of a made law.
 inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }

@@ -26,16 +26,14 @@ struct Backfill {
   static constexpr std::string_view source =
       "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial";
   static constexpr std::string_view symbols =
-      "K [N/m] initial stiffness of the soil, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate passive "
-      "force, Rf [-] failure "
-      "ratio, d counted from the soil that nothing has pressed, d_m [m] the deepest one so far, r [m] what stays "
-      "pressed in";
+      "K [N/m] initial stiffness of the soil, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate "
+      "passive force, Rf [-] failure ratio, d counted from the soil that nothing has pressed, d_m [m] the deepest "
+      "one so far, r [m] what stays pressed in";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1";
   static constexpr std::string_view beware =
       "the numbers are those of the whole width of the wall; what is pressed in is added to the gap, which is wider "
-      "for the following impacts of "
-      "the run, and these lose nothing unless they press deeper; the wall has no mass, and nothing depends on the "
-      "speed";
+      "for the following impacts of the run, and these lose nothing unless they press deeper; the wall has no mass, "
+      "and nothing depends on the speed";
   static constexpr bool leaves_indentation = true, presses_soil = true;
 
   double stiffness = 0;      ///< K > 0 [N/m]
@@ -44,11 +42,11 @@ struct Backfill {
   double strength = 0;       ///< Fu > 0 [N]
 
   static constexpr std::array parameters{
-      Parameter<Backfill>{{"stiffness", "N/m", "initial stiffness of the soil K", 2.5e8}, &Backfill::stiffness},
-      Parameter<Backfill>{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
-                          &Backfill::failure_ratio},
-      Parameter<Backfill>{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength}};
+      Parameter{{"stiffness", "N/m", "initial stiffness of the soil K", 2.5e8}, &Backfill::stiffness},
+      Parameter{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
+      Parameter{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
+                &Backfill::failure_ratio},
+      Parameter{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength}};
 
   void check() const { soil().check(); }
   /// Its curves.
@@ -77,9 +75,7 @@ struct Backfill {
   double corner(double penetration, double, const Impact& impact) const noexcept {
     return depth(penetration, impact) - crushed(impact);
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 
  private:
   // The penetration counts from what earlier impacts have left.

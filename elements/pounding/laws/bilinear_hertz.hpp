@@ -75,9 +75,8 @@ struct BilinearHertz {
       "published loss";
   static constexpr std::string_view beware =
       "the springs are made for the closing speed of each impact, so a contact that closes nearly at rest and is "
-      "pressed "
-      "further is refused; a fixed impact_velocity or given K1, K2 and d_y serve it; the slopes jump where it yields "
-      "and unloads; it never pulls";
+      "pressed further is refused; a fixed impact_velocity or given K1, K2 and d_y serve it; the slopes jump where "
+      "it yields and unloads; it never pulls";
   static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
 
   static constexpr std::array formulas{
@@ -99,19 +98,16 @@ struct BilinearHertz {
   std::optional<double> yield_penetration{};    ///< d_y [m]
 
   static constexpr std::array parameters{
-      Parameter<BilinearHertz>{{"stiffness", "N/m^n", "Hertz stiffness k", 2.75e9}, &BilinearHertz::stiffness},
-      Parameter<BilinearHertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &BilinearHertz::exponent},
-      Parameter<BilinearHertz>{{"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional},
-                               &BilinearHertz::yield_ratio},
-      Parameter<BilinearHertz>{{"initial_stiffness", "N/m", "stiffness K1 up to the yield", 1.2e9, Need::together},
-                               nullptr,
-                               &BilinearHertz::initial_stiffness},
-      Parameter<BilinearHertz>{{"secondary_stiffness", "N/m", "stiffness K2 beyond the yield", 1.5e8, Need::together},
-                               nullptr,
-                               &BilinearHertz::secondary_stiffness},
-      Parameter<BilinearHertz>{{"yield_penetration", "m", "penetration d_y at the yield", 8.6e-4, Need::together},
-                               nullptr,
-                               &BilinearHertz::yield_penetration}};
+      Parameter{{"stiffness", "N/m^n", "Hertz stiffness k", 2.75e9}, &BilinearHertz::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &BilinearHertz::exponent},
+      Parameter{{"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional},
+                &BilinearHertz::yield_ratio},
+      Parameter{{"initial_stiffness", "N/m", "stiffness K1 up to the yield", 1.2e9, Need::together},
+                &BilinearHertz::initial_stiffness},
+      Parameter{{"secondary_stiffness", "N/m", "stiffness K2 beyond the yield", 1.5e8, Need::together},
+                &BilinearHertz::secondary_stiffness},
+      Parameter{{"yield_penetration", "m", "penetration d_y at the yield", 8.6e-4, Need::together},
+                &BilinearHertz::yield_penetration}};
 
   /// Whether K1, K2 and d_y are given, and not made for a restitution.
   bool is_given() const noexcept { return initial_stiffness.has_value(); }
@@ -122,7 +118,7 @@ struct BilinearHertz {
     require_exponent(exponent);
     if (!(yield_ratio > 0 && yield_ratio < 1)) refuse("yield_ratio", yield_ratio, "in (0, 1)");
     require_restitution(restitution);
-    require_one_damping(name, restitution, {});
+    require_one_damping(*this);
     require_positive("impact_velocity", impact_velocity);
     require_positive("reduced_mass", reduced_mass);
     if (damping_number(1) > largest_bilinear_loss(exponent, yield_ratio))
@@ -172,13 +168,11 @@ struct BilinearHertz {
     const double stretch = penetration - impact.slip;
     return std::min(stretch, curve(impact).yield - stretch);
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
   /// The slip follows a penetration that has left [s, s + d_y].
   void keep(double penetration, double, Impact& impact) const noexcept {
     impact.slip = std::clamp(impact.slip, penetration - curve(impact).yield, std::max(penetration, 0.0));
   }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 
  private:
   /// d_m: penetration of a Hertz spring at this closing speed [m].

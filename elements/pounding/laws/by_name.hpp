@@ -3,28 +3,20 @@
 /// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/entry.hpp>
-#include <pounding/laws/excerpt.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/nearest_name.hpp>
 #include <pounding/laws/needs.hpp>
 #include <pounding/laws/resolved_value.hpp>
-#include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
 
@@ -52,21 +44,9 @@ double damping_coefficient(const std::variant<L...>& law, double closing_speed) 
       law);
 }
 
-namespace by_name {
-
-template <class L>
-inline constexpr auto parameter_infos = [] {
-  std::array<ParameterInfo, L::parameters.size()> infos{};
-  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = L::parameters[i].info;
-  return infos;
-}();
-
-template <class L>
-inline constexpr bool has_formulas = requires { L::formulas; };
-
 /// The catalogue entry of a law, from its members.
 template <class L>
-constexpr Entry entry() {
+constexpr Entry Entry::of() {
   Entry e{.name = L::name,
           .shape = L::shape,
           .summary = L::summary,
@@ -74,19 +54,19 @@ constexpr Entry entry() {
           .symbols = L::symbols,
           .range = L::range,
           .beware = L::beware,
-          .parameters = parameter_infos<L>,
+          .parameters = infos<L::parameters>,
           .formulas = {},
           .takes_restitution = requires(L law) { law.restitution; },
           .takes_impact_velocity = requires(L law) { law.impact_velocity; },
           .takes_reduced_mass = requires(L law) { law.reduced_mass; },
-          .may_pull = may_pull<L>,
-          .leaves_indentation = leaves_indentation<L>,
-          .instantaneous = instantaneous<L>,
-          .sticks_at_zero = sticks_at_zero<L>,
-          .presses_soil = presses_soil<L>,
+          .may_pull = laws::may_pull<L>,
+          .leaves_indentation = laws::leaves_indentation<L>,
+          .instantaneous = laws::instantaneous<L>,
+          .sticks_at_zero = laws::sticks_at_zero<L>,
+          .presses_soil = laws::presses_soil<L>,
           .number = {},
           .coefficient = {}};
-  if constexpr (has_formulas<L>) {
+  if constexpr (requires { L::formulas; }) {
     e.formulas = L::formulas;
     e.number = L::number;
     e.coefficient = L::coefficient;
@@ -94,43 +74,19 @@ constexpr Entry entry() {
   return e;
 }
 
-/// The entries of all laws of a variant.
-template <class Any>
-struct List;
-template <class... L>
-struct List<std::variant<L...>> {
-  static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
-};
-
-/// Sets a parameter by its name, value in SI. Throws std::invalid_argument for a name that the law does not have.
-template <class L>
-void set(L& law, std::string_view name, double value) {
-  std::vector<std::string_view> known;
-  for (const Parameter<L>& p : L::parameters) {
-    known.push_back(p.info.name);
-    if (p.info.name != name) continue;
-    if (p.value)
-      law.*p.value = value;
-    else
-      law.*p.choice = value;
-    return;
-  }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + excerpt(name) + "\"." +
-                              suggestion(name, known));
-}
-
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
 /// of range.
 template <class L>
-L make(const Settings& s) {
+L law_from(const Settings& s) {
   const std::string law_name(L::name);
+  constexpr std::span<const ParameterInfo> parameters = infos<L::parameters>;
   L law;
   for (const auto& [name, value] : s.values) set(law, name, value);
   const auto given = [&s](std::string_view name) { return s.values.contains(name); };
-  for (const ParameterInfo& p : parameter_infos<L>)
-    if (must_be_given(parameter_infos<L>, p, given) && !given(p.name))
+  for (const ParameterInfo& p : parameters)
+    if (must_be_given(parameters, p, given) && !given(p.name))
       throw std::invalid_argument(law_name + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
-  refuse_beside_together(parameter_infos<L>, given);
+  refuse_beside_together(parameters, given);
 
   if constexpr (requires { law.restitution; }) {
     if constexpr (std::is_same_v<decltype(law.restitution), double>) {
@@ -146,7 +102,7 @@ L make(const Settings& s) {
   }
 
   if (!s.formula.empty()) {
-    if constexpr (has_formulas<L>) {
+    if constexpr (requires { L::formulas; }) {
       const auto found = std::ranges::find(L::formulas, s.formula, &Formula::name);
       if (found == L::formulas.end())
         throw std::invalid_argument(law_name + " has no formula \"" + excerpt(s.formula) + "\"." +
@@ -170,17 +126,7 @@ L make(const Settings& s) {
   return law;
 }
 
-/// The law of the variant Any that the settings name, checked. Throws as make does, and for an unknown name.
-template <class Any, std::size_t I = 0>
-Any make_any(const Settings& s) {
-  if constexpr (I == std::variant_size_v<Any>) {
-    throw std::invalid_argument("unknown law \"" + excerpt(s.law) + "\"." + law_suggestion(s.law, List<Any>::entries));
-  } else {
-    using L = std::variant_alternative_t<I, Any>;
-    if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));
-    return make_any<Any, I + 1>(s);
-  }
-}
+namespace by_name {
 
 /// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s]; of a law that is given
 /// by parameters that go together, these. Without a reduced mass there may be no number.
@@ -196,8 +142,8 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   const bool together = std::ranges::any_of(
       L::parameters, [&](const Parameter<L>& p) { return p.info.need == Need::together && law.*p.choice; });
   for (const Parameter<L>& p : L::parameters) {
-    if (p.value && !together) add(p.info.name, law.*p.value, p.info.unit);
-    if (p.choice && law.*p.choice) add(p.info.name, *(law.*p.choice), p.info.unit);
+    const std::optional<double> value = p.get(law);
+    if (value && !(p.value && together)) add(p.info.name, *value, p.info.unit);
   }
   if (together) return result;
   if constexpr (requires { law.restitution.has_value(); }) {

@@ -4,13 +4,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace pounding::laws {
 
@@ -62,31 +60,6 @@ inline void require_restitution(const std::optional<double>& value, bool sticks_
 /// Throws std::invalid_argument for an exponent below 1, with which the stiffness at the touch would be infinite.
 inline void require_exponent(double value) {
   if (!(std::isfinite(value) && value >= 1)) refuse("exponent", value, "finite and at least 1");
-}
-
-/// Throws std::invalid_argument unless damping is given exactly once: by a restitution or by one direct value.
-inline void require_one_damping(
-    std::string_view law, const std::optional<double>& restitution,
-    std::initializer_list<std::pair<std::string_view, const std::optional<double>*>> direct) {
-  std::string names = "restitution", given;
-  int count = 0;
-  const auto note = [&](std::string_view name) { given += (count++ ? " and " : "") + std::string(name); };
-  if (restitution) note("restitution");
-  for (const auto& [name, value] : direct) {
-    names += " or " + std::string(name);
-    if (*value) note(name);
-  }
-  if (count == 0) throw std::invalid_argument(std::string(law) + " needs its damping: give " + names);
-  if (count > 1)
-    throw std::invalid_argument(std::string(law) + " takes its damping once, but " + given +
-                                " are given; keep one of them");
-}
-
-/// Throws std::invalid_argument for a design velocity beside a direct coefficient, where it would have no effect.
-inline void require_velocity_used(const std::optional<double>& impact_velocity,
-                                  const std::optional<double>& coefficient) {
-  if (impact_velocity && coefficient)
-    throw std::invalid_argument("impact_velocity has no effect beside damping_coefficient; leave one of them out");
 }
 
 }  // namespace pounding::laws

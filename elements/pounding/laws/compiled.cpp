@@ -2,8 +2,7 @@
 
 namespace pounding::laws {
 
-template struct by_name::List<AnyLaw>;
-template AnyLaw by_name::make_any<AnyLaw>(const Settings&);
+template struct Catalogue<Settings, Entry, AnyLaw>;
 template std::vector<ResolvedValue> describe(const AnyLaw&, double);
 template std::string_view formula_name(const AnyLaw&) noexcept;
 template double damping_number(const AnyLaw&, double);

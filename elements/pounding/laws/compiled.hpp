@@ -7,8 +7,7 @@
 
 namespace pounding::laws {
 
-extern template struct by_name::List<AnyLaw>;
-extern template AnyLaw by_name::make_any<AnyLaw>(const Settings&);
+extern template struct Catalogue<Settings, Entry, AnyLaw>;
 extern template std::vector<ResolvedValue> describe(const AnyLaw&, double);
 extern template std::string_view formula_name(const AnyLaw&) noexcept;
 extern template double damping_number(const AnyLaw&, double);

@@ -33,18 +33,15 @@ struct Elastoplastic {
   static constexpr std::string_view summary = "power spring that crushes: steeper unloading, the indentation stays";
   static constexpr std::string_view source =
       "Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193; n = 1: Walton & Braun 1986, J. Rheol. 30:949; for concrete: "
-      "van Mier et al. "
-      "1991, J. Struct. Eng. 117:354";
+      "van Mier et al. 1991, J. Struct. Eng. 117:354";
   static constexpr std::string_view symbols =
-      "k [N/m^n] contact stiffness, n [-] exponent, d counted from the sound surface, d_m [m] the deepest penetration "
-      "of all "
-      "impacts so far, d_p [m] indentation, r [-] indentation ratio";
+      "k [N/m^n] contact stiffness, n [-] exponent, d counted from the sound surface, d_m [m] the deepest "
+      "penetration of all impacts so far, d_p [m] indentation, r [-] indentation ratio";
   static constexpr std::string_view range = "n >= 1, 0 <= r < 1";
   static constexpr std::string_view beware =
-      "the indentation is added to the gap, which is wider for the following impacts of the run; the restitution asked "
-      "for is that "
-      "of an impact on sound surfaces, and later impacts that crush no deeper lose nothing; no damping, no dependence "
-      "on the speed";
+      "the indentation is added to the gap, which is wider for the following impacts of the run; the restitution "
+      "asked for is that of an impact on sound surfaces, and later impacts that crush no deeper lose nothing; no "
+      "damping, no dependence on the speed";
   static constexpr Quantity number{"indentation_ratio", ""}, coefficient{"indentation_ratio", ""};
   static constexpr bool leaves_indentation = true;
 
@@ -59,11 +56,10 @@ struct Elastoplastic {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<Elastoplastic>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &Elastoplastic::stiffness},
-      Parameter<Elastoplastic>{{"exponent", "", "exponent n", 1.5, Need::optional}, &Elastoplastic::exponent},
-      Parameter<Elastoplastic>{{"indentation_ratio", "", "indentation over deepest penetration r", 0.58, Need::damping},
-                               nullptr,
-                               &Elastoplastic::indentation_ratio}};
+      Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &Elastoplastic::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &Elastoplastic::exponent},
+      Parameter{{"indentation_ratio", "", "indentation over deepest penetration r", 0.58, Need::damping},
+                &Elastoplastic::indentation_ratio}};
 
   void check() const {
     require_positive("stiffness", stiffness);
@@ -71,7 +67,7 @@ struct Elastoplastic {
     require_restitution(restitution);
     if (indentation_ratio && !(*indentation_ratio >= 0 && *indentation_ratio < 1))
       refuse("indentation_ratio", *indentation_ratio, "in [0, 1)");
-    require_one_damping(name, restitution, {{"indentation_ratio", &indentation_ratio}});
+    require_one_damping(*this);
   }
 
   /// r [-], the same at every closing speed.
@@ -111,9 +107,7 @@ struct Elastoplastic {
   double corner(double penetration, double, const Impact& impact) const noexcept {
     return penetration + impact.damping * impact.crushed - crushed(impact);
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <pounding/laws/nearest_name.hpp>
+#include <pounding/laws/catalogue.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
@@ -41,6 +41,10 @@ struct Entry {
   Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
   Quantity coefficient;  ///< what damping_for returns
 
+  /// The entry of a law, from its members.
+  template <class L>
+  static constexpr Entry of();
+
   /// The first parameter that gives the damping instead of a restitution; empty when there is none.
   std::string_view direct_damping() const noexcept {
     const auto found = std::ranges::find(parameters, Need::damping, &ParameterInfo::need);
@@ -61,23 +65,12 @@ inline Settings typical_settings(const Entry& entry) {
   return s;
 }
 
-namespace by_name {
-
-/// The `name` of each of these.
-template <class Range>
-std::vector<std::string_view> names(const Range& range) {
-  std::vector<std::string_view> result;
-  for (const auto& item : range) result.push_back(item.name);
-  return result;
-}
-
-}  // namespace by_name
-
 /// The end of the message about a law that is not in the catalogue: the one that was probably meant, how to type a
 /// damping formula that stands in its place, or all laws. A formula is known by its name or by its first author's.
-inline std::string law_suggestion(std::string_view read, std::span<const Entry> catalogue) {
-  const std::vector<std::string_view> laws = by_name::names(catalogue);
-  if (!nearest_name(read, laws).empty()) return suggestion(read, laws);
+inline std::string unknown_law(std::string_view read, std::span<const Entry> catalogue) {
+  const std::string unknown = "unknown law \"" + excerpt(read) + "\".";
+  const std::vector<std::string_view> laws = names(catalogue);
+  if (!nearest_name(read, laws).empty()) return unknown + suggestion(read, laws);
   std::vector<std::string_view> formulas;
   for (const Entry& entry : catalogue)
     for (const Formula& formula : entry.formulas)
@@ -88,12 +81,12 @@ inline std::string law_suggestion(std::string_view read, std::span<const Entry> 
       if (formula.size() > read.size() && formula[read.size()] == '_' &&
           edit_distance(read, formula.substr(0, read.size())) == 0 && (meant.empty() || formula.size() < meant.size()))
         meant = formula;
-  if (meant.empty()) return suggestion(read, laws);
+  if (meant.empty()) return unknown + suggestion(read, laws);
   std::string with;
   for (const Entry& entry : catalogue)
     if (std::ranges::find(entry.formulas, meant, &Formula::name) != entry.formulas.end())
       with += (with.empty() ? "" : " or ") + std::string(entry.name);
-  return " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with +
+  return unknown + " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with +
          ", formula: " + std::string(meant) + ".";
 }
 

@@ -25,8 +25,8 @@ struct Hertz {
   double exponent = 1.5;  ///< n [-]
 
   static constexpr std::array parameters{
-      Parameter<Hertz>{{"stiffness", "N/m^n", "contact stiffness k", 2.06e9}, &Hertz::stiffness},
-      Parameter<Hertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &Hertz::exponent}};
+      Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.06e9}, &Hertz::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &Hertz::exponent}};
 
   void check() const {
     require_positive("stiffness", stiffness);
@@ -37,9 +37,7 @@ struct Hertz {
     const Power p = power(penetration, exponent);
     return {stiffness * p.value, stiffness * p.slope, 0};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

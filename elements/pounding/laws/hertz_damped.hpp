@@ -62,24 +62,14 @@ struct HertzDamped {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<HertzDamped>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &HertzDamped::stiffness},
-      Parameter<HertzDamped>{{"exponent", "", "exponent n", 1.5, Need::optional}, &HertzDamped::exponent},
-      Parameter<HertzDamped>{
-          {"damping_factor", "", "damping factor a", 0.79, Need::damping}, nullptr, &HertzDamped::damping_factor},
-      Parameter<HertzDamped>{{"damping_coefficient", "N s/m^(n+1)", "damping zeta", 2.2e9, Need::damping},
-                             nullptr,
-                             &HertzDamped::damping_coefficient}};
+      Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &HertzDamped::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &HertzDamped::exponent},
+      Parameter{{"damping_factor", "", "damping factor a", 0.79, Need::damping}, &HertzDamped::damping_factor},
+      Parameter{{"damping_coefficient", "N s/m^(n+1)", "damping zeta", 2.2e9, Need::damping},
+                &HertzDamped::damping_coefficient}};
 
   void check() const {
-    require_positive("stiffness", stiffness);
-    require_exponent(exponent);
-    require_restitution(restitution);
-    require_not_negative("damping_factor", damping_factor);
-    require_not_negative("damping_coefficient", damping_coefficient);
-    require_positive("impact_velocity", impact_velocity);
-    require_one_damping(name, restitution,
-                        {{"damping_factor", &damping_factor}, {"damping_coefficient", &damping_coefficient}});
-    require_velocity_used(impact_velocity, damping_coefficient);
+    check_dashpot(*this);
     if (restitution) damping_number(1);
   }
 
@@ -101,9 +91,7 @@ struct HertzDamped {
     const double factor = stiffness + impact.damping * rate;
     return {p.value * factor, p.slope * factor, p.value * impact.damping};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/damping_formulas.hpp>
 #include <pounding/laws/exact_damping.hpp>
 #include <pounding/laws/law.hpp>
@@ -52,17 +51,10 @@ struct Jankowski {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<Jankowski>{{"stiffness", "N/m^1.5", "contact stiffness k", 2.75e9}, &Jankowski::stiffness},
-      Parameter<Jankowski>{
-          {"damping_ratio", "", "damping ratio xi", 0.35, Need::damping}, nullptr, &Jankowski::damping_ratio}};
+      Parameter{{"stiffness", "N/m^1.5", "contact stiffness k", 2.75e9}, &Jankowski::stiffness},
+      Parameter{{"damping_ratio", "", "damping ratio xi", 0.35, Need::damping}, &Jankowski::damping_ratio}};
 
-  void check() const {
-    require_positive("stiffness", stiffness);
-    require_restitution(restitution);
-    require_not_negative("damping_ratio", damping_ratio);
-    require_one_damping(name, restitution, {{"damping_ratio", &damping_ratio}});
-    require_positive("reduced_mass", reduced_mass);
-  }
+  void check() const { check_dashpot(*this); }
 
   /// xi [-].
   double damping_number(double) const { return restitution ? formula({.restitution = *restitution}) : *damping_ratio; }
@@ -78,9 +70,7 @@ struct Jankowski {
     return {stiffness * spring.value + impact.damping * dashpot.value * rate,
             stiffness * spring.slope + impact.damping * dashpot.slope * rate, impact.damping * dashpot.value};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

@@ -1,10 +1,8 @@
 #pragma once
 #include <array>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/integrated_impact.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/laws/power.hpp>
@@ -45,21 +43,11 @@ struct KuwabaraKono {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<KuwabaraKono>{{"stiffness", "N/m^1.5", "contact stiffness k", 2.75e9}, &KuwabaraKono::stiffness},
-      Parameter<KuwabaraKono>{{"dissipation_time", "s", "dissipation time A", 0.003, Need::damping},
-                              nullptr,
-                              &KuwabaraKono::dissipation_time}};
+      Parameter{{"stiffness", "N/m^1.5", "contact stiffness k", 2.75e9}, &KuwabaraKono::stiffness},
+      Parameter{{"dissipation_time", "s", "dissipation time A", 0.003, Need::damping},
+                &KuwabaraKono::dissipation_time}};
 
-  void check() const {
-    require_positive("stiffness", stiffness);
-    require_restitution(restitution);
-    require_not_negative("dissipation_time", dissipation_time);
-    require_positive("impact_velocity", impact_velocity);
-    require_one_damping(name, restitution, {{"dissipation_time", &dissipation_time}});
-    if (impact_velocity && dissipation_time)
-      throw std::invalid_argument("impact_velocity has no effect beside dissipation_time; leave one of them out");
-    require_positive("reduced_mass", reduced_mass);
-  }
+  void check() const { check_dashpot(*this); }
 
   /// A v/D [-] of an impact at this closing speed [m/s].
   double damping_number(double closing_speed) const {
@@ -77,9 +65,7 @@ struct KuwabaraKono {
     return {stiffness * spring.value + c * dashpot.value * rate, stiffness * spring.slope + c * dashpot.slope * rate,
             c * dashpot.value};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 
  private:
   double time_scale(double closing_speed) const {

@@ -31,6 +31,7 @@
 
 #include <pounding/laws/checks.hpp>
 #include <pounding/laws/gauss.hpp>
+#include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
 
@@ -77,46 +78,28 @@ constexpr double calibration_speed(const std::optional<double>& impact_velocity,
 
 /// True for a law that pulls at the end of an impact, as published: it is exempt from the no-tension rule.
 template <class L>
-inline constexpr bool may_pull = [] {
-  if constexpr (requires { L::may_pull; }) return L::may_pull;
-  return false;
-}();
+inline constexpr bool may_pull = requires { requires L::may_pull; };
 
 /// True for a law with F = k d + c d', whose k and c change with the phase of an impact only.
 template <class L>
-inline constexpr bool is_linear = [] {
-  if constexpr (requires { L::is_linear; }) return L::is_linear;
-  return false;
-}();
+inline constexpr bool is_linear = requires { requires L::is_linear; };
 
 /// True where the contact ends as the force reaches zero, and the penetration left then is added to the gap.
 template <class L>
-inline constexpr bool leaves_indentation = [] {
-  if constexpr (requires { L::leaves_indentation; }) return L::leaves_indentation;
-  return false;
-}();
+inline constexpr bool leaves_indentation = requires { requires L::leaves_indentation; };
 
 /// True for a law of soil, whose stiffness follows from no pair of bodies.
 template <class L>
-inline constexpr bool presses_soil = [] {
-  if constexpr (requires { L::presses_soil; }) return L::presses_soil;
-  return false;
-}();
+inline constexpr bool presses_soil = requires { requires L::presses_soil; };
 
 /// True for a law that is a jump of the velocity at the touch; it has no force history.
 template <class L>
-inline constexpr bool instantaneous = [] {
-  if constexpr (requires { L::instantaneous; }) return L::instantaneous;
-  return false;
-}();
+inline constexpr bool instantaneous = requires { requires L::instantaneous; };
 
 /// True for a law that takes a restitution of 0: the bodies stay together after the touch until something pulls them
 /// apart.
 template <class L>
-inline constexpr bool sticks_at_zero = [] {
-  if constexpr (requires { L::sticks_at_zero; }) return L::sticks_at_zero;
-  return false;
-}();
+inline constexpr bool sticks_at_zero = requires { requires L::sticks_at_zero; };
 
 /// True for a law that remembers how deep the bodies were crushed: `crushed` is the deepest penetration so far, this
 /// impact included, from the sound surface [m], and `indentation` what this impact has added to the gap [m].
@@ -206,6 +189,49 @@ template <class L>
 Response pressed(const L& law, double penetration, double rate, const Impact& impact) noexcept {
   const Response r = law.contact(penetration, rate, impact);
   return only_if(penetration > 0, may_pull<L> ? r : no_tension(r));
+}
+
+/// Throws std::invalid_argument unless damping is given exactly once: by a restitution or by one direct value.
+template <class L>
+void require_one_damping(const L& law) {
+  std::string names, given;
+  int count = 0;
+  const auto note = [&](std::string_view name, const std::optional<double>& value) {
+    names += (names.empty() ? "" : " or ") + std::string(name);
+    if (value) given += (count++ ? " and " : "") + std::string(name);
+  };
+  note("restitution", law.restitution);
+  for (const auto& p : L::parameters)
+    if (p.info.need == Need::damping) note(p.info.name, law.*p.choice);
+  const std::string name(L::name);
+  if (count == 0) throw std::invalid_argument(name + " needs its damping: give " + names);
+  if (count > 1)
+    throw std::invalid_argument(name + " takes its damping once, but " + given + " are given; keep one of them");
+}
+
+/// Throws std::invalid_argument for a wrong stiffness, exponent, damping, design velocity or reduced mass of a law with
+/// a dashpot.
+template <class L>
+void check_dashpot(const L& law) {
+  require_positive("stiffness", law.stiffness);
+  if constexpr (requires { law.exponent; }) require_exponent(law.exponent);
+  require_restitution(law.restitution, sticks_at_zero<L>);
+  bool has_coefficient = false;
+  for (const auto& p : L::parameters) {
+    if (p.info.need != Need::damping) continue;
+    require_not_negative(p.info.name, law.*p.choice);
+    has_coefficient = has_coefficient || (p.info.name == L::coefficient.name && law.*p.choice);
+  }
+  if constexpr (requires { law.impact_velocity; }) require_positive("impact_velocity", law.impact_velocity);
+  require_one_damping(law);
+  if constexpr (requires { law.impact_velocity; })
+    if (law.impact_velocity && has_coefficient)
+      throw std::invalid_argument("impact_velocity has no effect beside " + std::string(L::coefficient.name) +
+                                  "; leave one of them out");
+  if constexpr (requires { law.reduced_mass; }) {
+    if (is_linear<L> && has_coefficient) return require_not_negative("reduced_mass", law.reduced_mass);
+    require_positive("reduced_mass", law.reduced_mass);
+  }
 }
 
 }  // namespace pounding::laws

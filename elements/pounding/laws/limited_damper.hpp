@@ -4,7 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/integrated_impact.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/laws/power.hpp>
@@ -44,22 +43,12 @@ struct LimitedDamper {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<LimitedDamper>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &LimitedDamper::stiffness},
-      Parameter<LimitedDamper>{{"exponent", "", "exponent n", 1.5, Need::optional}, &LimitedDamper::exponent},
-      Parameter<LimitedDamper>{{"damping_coefficient", "N s/m", "damping c", 8e5, Need::damping},
-                               nullptr,
-                               &LimitedDamper::damping_coefficient}};
+      Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &LimitedDamper::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &LimitedDamper::exponent},
+      Parameter{{"damping_coefficient", "N s/m", "damping c", 8e5, Need::damping},
+                &LimitedDamper::damping_coefficient}};
 
-  void check() const {
-    require_positive("stiffness", stiffness);
-    require_exponent(exponent);
-    require_restitution(restitution);
-    require_not_negative("damping_coefficient", damping_coefficient);
-    require_positive("impact_velocity", impact_velocity);
-    require_one_damping(name, restitution, {{"damping_coefficient", &damping_coefficient}});
-    require_velocity_used(impact_velocity, damping_coefficient);
-    require_positive("reduced_mass", reduced_mass);
-  }
+  void check() const { check_dashpot(*this); }
 
   /// c D/(m v) [-] of an impact at this closing speed [m/s].
   double damping_number(double closing_speed) const {
@@ -82,9 +71,7 @@ struct LimitedDamper {
   double corner(double penetration, double rate, const Impact& impact) const noexcept {
     return stiffness * power(penetration, exponent).value - impact.damping * rate;
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 
  private:
   double coefficient_scale(double closing_speed) const {

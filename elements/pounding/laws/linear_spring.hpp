@@ -24,16 +24,14 @@ struct LinearSpring {
   double stiffness = 0;  ///< k [N/m]
 
   static constexpr std::array parameters{
-      Parameter<LinearSpring>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &LinearSpring::stiffness}};
+      Parameter{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &LinearSpring::stiffness}};
 
   void check() const { require_positive("stiffness", stiffness); }
 
   Response contact(double penetration, double, const Impact&) const noexcept {
     return {stiffness * penetration, stiffness, 0};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

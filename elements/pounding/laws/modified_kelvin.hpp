@@ -3,7 +3,6 @@
 #include <optional>
 #include <string_view>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/damping_formulas.hpp>
 #include <pounding/laws/exact_damping.hpp>
 #include <pounding/laws/law.hpp>
@@ -41,23 +40,12 @@ struct ModifiedKelvin {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<ModifiedKelvin>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &ModifiedKelvin::stiffness},
-      Parameter<ModifiedKelvin>{
-          {"damping_factor", "", "damping factor a", 0.79, Need::damping}, nullptr, &ModifiedKelvin::damping_factor},
-      Parameter<ModifiedKelvin>{{"damping_coefficient", "N s/m^2", "damping zeta", 7.4e7, Need::damping},
-                                nullptr,
-                                &ModifiedKelvin::damping_coefficient}};
+      Parameter{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &ModifiedKelvin::stiffness},
+      Parameter{{"damping_factor", "", "damping factor a", 0.79, Need::damping}, &ModifiedKelvin::damping_factor},
+      Parameter{{"damping_coefficient", "N s/m^2", "damping zeta", 7.4e7, Need::damping},
+                &ModifiedKelvin::damping_coefficient}};
 
-  void check() const {
-    require_positive("stiffness", stiffness);
-    require_restitution(restitution);
-    require_not_negative("damping_factor", damping_factor);
-    require_not_negative("damping_coefficient", damping_coefficient);
-    require_positive("impact_velocity", impact_velocity);
-    require_one_damping(name, restitution,
-                        {{"damping_factor", &damping_factor}, {"damping_coefficient", &damping_coefficient}});
-    require_velocity_used(impact_velocity, damping_coefficient);
-  }
+  void check() const { check_dashpot(*this); }
 
   /// a [-] of an impact at this closing speed [m/s].
   double damping_number(double closing_speed) const {
@@ -75,9 +63,7 @@ struct ModifiedKelvin {
     const double factor = stiffness + impact.damping * rate;
     return {penetration * factor, factor, penetration * impact.damping};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

@@ -30,7 +30,7 @@ struct Stereomechanical {
   void check() const { require_restitution(restitution, sticks_at_zero); }
 
   Response contact(double, double, const Impact&) const noexcept { return {}; }
-  Response respond(double, double, const Impact&) const noexcept { return {}; }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

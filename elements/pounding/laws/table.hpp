@@ -1,6 +1,8 @@
 #pragma once
 /// The tables in which a law describes itself, for parser, reports, tests and documentation.
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -11,7 +13,9 @@ enum class Need : unsigned char {
   required,  ///< no default: it must be given
   optional,  ///< has a default
   damping,   ///< gives the damping directly, instead of a restitution
-  together   ///< with the others marked so it is all that the law needs: nothing else is given beside them
+  together,  ///< with the others marked so it is all that the law needs: nothing else is given beside them
+  instead,   ///< has no default, but may be left out where others are given instead
+  extra      ///< may be left out, and has no default
 };
 
 /// One parameter of a law. In a unit, `n` is the law's exponent.
@@ -24,10 +28,30 @@ struct ParameterInfo {
 /// A parameter and the member of the law that holds it: exactly one of the two pointers is set.
 template <class L>
 struct Parameter {
+  constexpr Parameter(const ParameterInfo& of, double L::* member) : info(of), value(member) {}
+  constexpr Parameter(const ParameterInfo& of, std::optional<double> L::* member) : info(of), choice(member) {}
+
+  void set(L& law, double number) const {
+    if (value)
+      law.*value = number;
+    else
+      law.*choice = number;
+  }
+  /// Empty if it is not given.
+  std::optional<double> get(const L& law) const { return value ? law.*value : law.*choice; }
+
   ParameterInfo info;
   double L::* value = nullptr;
   std::optional<double> L::* choice = nullptr;
 };
+
+/// The `info` of each line of a table.
+template <auto& table>
+inline constexpr auto infos = [] {
+  std::array<decltype(table[0].info), table.size()> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = table[i].info;
+  return result;
+}();
 
 /// Arguments of a damping formula; most formulas use the restitution only.
 struct CalibrationTarget {

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/damping_formulas.hpp>
 #include <pounding/laws/exact_damping.hpp>
 #include <pounding/laws/law.hpp>
@@ -51,20 +50,12 @@ struct ViscousHertz {
   DampingFormula formula = formulas[0].function;
 
   static constexpr std::array parameters{
-      Parameter<ViscousHertz>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &ViscousHertz::stiffness},
-      Parameter<ViscousHertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &ViscousHertz::exponent},
-      Parameter<ViscousHertz>{{"damping_ratio", "", "alpha of the law, not a ratio to critical", 0.33, Need::damping},
-                              nullptr,
-                              &ViscousHertz::damping_ratio}};
+      Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &ViscousHertz::stiffness},
+      Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &ViscousHertz::exponent},
+      Parameter{{"damping_ratio", "", "alpha of the law, not a ratio to critical", 0.33, Need::damping},
+                &ViscousHertz::damping_ratio}};
 
-  void check() const {
-    require_positive("stiffness", stiffness);
-    require_exponent(exponent);
-    require_restitution(restitution);
-    require_not_negative("damping_ratio", damping_ratio);
-    require_one_damping(name, restitution, {{"damping_ratio", &damping_ratio}});
-    require_positive("reduced_mass", reduced_mass);
-  }
+  void check() const { check_dashpot(*this); }
 
   /// alpha [-].
   double damping_number(double) const {
@@ -82,9 +73,7 @@ struct ViscousHertz {
     return {stiffness * spring.value + impact.damping * dashpot.value * rate,
             stiffness * spring.slope + impact.damping * dashpot.slope * rate, impact.damping * dashpot.value};
   }
-  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
-    return pressed(*this, penetration, rate, impact);
-  }
+  Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 };
 
 }  // namespace pounding::laws

@@ -2,9 +2,12 @@
 /// History of one contact, all that must be kept between two states: the same for a gap link and for the C interface.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 
 #include <pounding/laws/law.hpp>
+#include <pounding/links/force_sign.hpp>
 
 namespace pounding {
 
@@ -16,6 +19,22 @@ enum class ContactPhase : std::uint8_t {
   slack,        ///< overlapping, while the law's force would pull and is cut at zero
   resting       ///< held at zero rate by whatever force that needs (rigid contact after its last bounce)
 };
+
+/// What ends a phase. At a corner the law's slopes jump, and the phase goes on.
+enum class ContactEvent : std::uint8_t { none, touch, turn, corner, release, engage, separation };
+
+/// The events that end a phase with a force; `none` fills the rest.
+constexpr std::array<ContactEvent, 3> ends_of(ContactPhase phase) noexcept {
+  using enum ContactEvent;
+  switch (phase) {
+    case ContactPhase::open: return {touch, none, none};
+    case ContactPhase::approach: return {turn, separation, none};
+    case ContactPhase::restitution: return {separation, release, turn};
+    case ContactPhase::slack: return {separation, engage, none};
+    case ContactPhase::resting: break;
+  }
+  return {none, none, none};
+}
 
 /// Pressed together, with a force or held.
 constexpr bool presses(ContactPhase phase) noexcept {
@@ -53,6 +72,44 @@ struct ContactState {
   void keep(const Law& law, double penetration, double rate) {
     laws::require_design(law, penetration, impact);
     laws::keep(law, penetration, rate, impact);
+  }
+
+  /// Positive while the present phase lasts, zero where this event ends it; infinite for an event that cannot.
+  template <class Law>
+  double margin(ContactEvent event, const Law& law, double penetration, double rate) const noexcept {
+    switch (event) {
+      case ContactEvent::touch: return -penetration;
+      case ContactEvent::separation: return penetration;
+      case ContactEvent::turn: return phase == ContactPhase::approach ? rate : -rate;
+      case ContactEvent::engage: return -signed_force(law, penetration, rate, impact);
+      case ContactEvent::release:
+        if constexpr (!laws::may_pull<Law>) return signed_force(law, penetration, rate, impact);
+        break;
+      case ContactEvent::corner:
+      case ContactEvent::none: break;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// An event at a kept state with this penetration [m] and rate [m/s]: enters the next phase.
+  template <class Law>
+  void apply(ContactEvent event, const Law& law, double penetration, double rate) {
+    switch (event) {
+      case ContactEvent::touch: return begin(law, rate);
+      case ContactEvent::turn:
+        phase = phase == ContactPhase::approach ? ContactPhase::restitution : ContactPhase::approach;
+        return;
+      case ContactEvent::release:
+        if constexpr (laws::leaves_indentation<Law>)
+          end(law, penetration);
+        else
+          phase = ContactPhase::slack;
+        return;
+      case ContactEvent::engage: phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution; return;
+      case ContactEvent::separation: return end(law, 0);
+      case ContactEvent::corner:
+      case ContactEvent::none: return;
+    }
   }
 
   /// The impact is over. `left` >= 0 is the penetration at which the force ended [m]; a law with permanent indentation

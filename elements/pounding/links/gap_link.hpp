@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -14,7 +13,6 @@
 #include <pounding/laws/root.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/links/contact_state.hpp>
-#include <pounding/links/force_sign.hpp>
 #include <pounding/links/impact_log.hpp>
 
 namespace pounding {
@@ -73,15 +71,10 @@ class GapLink final : public Contact {
   }
 
   EventFunctions event_functions(const LinkMotion& motion, double /*force*/) const noexcept override {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    switch (state_.phase) {
-      case ContactPhase::open: return {-motion.penetration, never, never};
-      case ContactPhase::approach: return {motion.rate, motion.penetration, never};
-      case ContactPhase::restitution: return {motion.penetration, signed_force(motion), -motion.rate};
-      case ContactPhase::slack: return {motion.penetration, -signed_force(motion), never};
-      case ContactPhase::resting: break;
-    }
-    return {never, never, never};
+    EventFunctions functions{};
+    for (std::size_t i = 0; i < functions.size(); ++i)
+      functions[i] = state_.margin(ends_of(state_.phase)[i], law_, motion.penetration, motion.rate);
+    return functions;
   }
 
   double force_event_noise(const LinkMotion& motion, const LinkMotion& rounding) const noexcept override {
@@ -101,33 +94,15 @@ class GapLink final : public Contact {
     log_.store(presses(state_.phase) ? laws::stored_energy(law_, step.motion_end.penetration, state_.impact) : 0);
   }
 
-  void on_event(int event, double time, const LinkMotion& motion) override {
-    switch (state_.phase) {
-      case ContactPhase::open:
-        state_.begin(law_, motion.rate);
-        log_.begin(time, std::max(0.0, motion.rate));
-        return;
-      case ContactPhase::approach:
-        if (event == 1) return separate(time, motion);
-        state_.phase = ContactPhase::restitution;
-        return;
-      case ContactPhase::restitution:
-        if (event == 0) return separate(time, motion);
-        if (event == 2) {
-          state_.phase = ContactPhase::approach;
-          return;
-        }
-        log_.release(time);
-        if constexpr (laws::leaves_indentation<Law>) return separate(time, motion, motion.penetration);
-        state_.phase = ContactPhase::slack;
-        return;
-      case ContactPhase::slack:
-        if (event == 0) return separate(time, motion);
-        log_.engage();
-        state_.phase = motion.rate > 0 ? ContactPhase::approach : ContactPhase::restitution;
-        return;
-      case ContactPhase::resting: return;
-    }
+  void on_event(int index, double time, const LinkMotion& motion) override {
+    const ContactEvent event = ends_of(state_.phase)[static_cast<std::size_t>(index)];
+    if (event == ContactEvent::release) log_.release(time);
+    if (event == ContactEvent::engage) log_.engage();
+    state_.apply(event, law_, motion.penetration, motion.rate);
+    if (event == ContactEvent::touch)
+      log_.begin(time, std::max(0.0, motion.rate));
+    else if (state_.phase == ContactPhase::open)
+      log_.end(time, motion.rate);
   }
 
   double work() const noexcept override { return log_.work(); }
@@ -140,12 +115,6 @@ class GapLink final : public Contact {
   }
 
  private:
-  // Infinite for a law that may pull.
-  double signed_force(const LinkMotion& motion) const noexcept {
-    if constexpr (laws::may_pull<Law>) return std::numeric_limits<double>::infinity();
-    return pounding::signed_force(law_, motion.penetration, motion.rate, state_.impact);
-  }
-
   // A force that rises at the beginning of a step and falls at its end has its peak inside, where its slope on the
   // polynomial of degree five through the motion at both ends is zero.
   void record_peak(const LinkStep& step) {
@@ -164,11 +133,6 @@ class GapLink final : public Contact {
     const double top = laws::find_root(slope_at, 0, begin, 1, end);
     const Jet at = path.at(top);
     log_.record_peak(step.begin + top * (step.end - step.begin), evaluate({at.x, at.v}).force);
-  }
-
-  void separate(double time, const LinkMotion& motion, double left = 0) {
-    state_.end(law_, left);
-    log_.end(time, motion.rate);
   }
 
   Law law_;

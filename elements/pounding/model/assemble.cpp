@@ -26,12 +26,6 @@ void add_row(Triplets& entries, const Row& row, double factor, int first, int co
     if (it.value() != 0) entries.emplace_back(first + static_cast<int>(it.index()), column, factor * it.value());
 }
 
-SparseMatrix sparse(const Triplets& entries, int rows, int columns) {
-  SparseMatrix matrix(rows, columns);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
 // By structure, see rest_by_yielding().
 std::vector<Eigen::VectorXd> rests_by_yielding(const Model& model) {
   std::vector<Eigen::VectorXd> rests;
@@ -83,20 +77,12 @@ std::vector<Eigen::Vector3d> tangents(const Eigen::Vector3d& normal, int dimensi
 // Motion of all floors: structure by structure, floor by floor, in their directions.
 SparseMatrix floor_motions(const Model& model) {
   const std::vector<int> first = offsets(model);
-  std::vector<Eigen::Triplet<double>> entries;
-  int column = 0, n = 0;
-  for (std::size_t k = 0; k < model.structures.size(); ++k) {
-    n += model.structures[k].size();
+  Triplets entries;
+  int column = 0;
+  for (std::size_t k = 0; k < model.structures.size(); ++k)
     for (const Floor& floor : model.structures[k].floors)
-      for (const Row& row : floor.motion) {
-        for (Row::InnerIterator it(row); it; ++it)
-          entries.emplace_back(first[k] + static_cast<int>(it.index()), column, it.value());
-        ++column;
-      }
-  }
-  SparseMatrix matrix(n, column);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+      for (const Row& row : floor.motion) add_row(entries, row, 1, first[k], column++);
+  return sparse_matrix(total_size(model), column, entries);
 }
 
 }  // namespace
@@ -168,10 +154,10 @@ System assemble(const Model& model, bool with_links) {
   for (std::size_t i = 0; i < model.structures.size(); ++i)
     for (const AppliedForce& force : model.structures[i].applied_forces)
       system.load.col((of_plan++)->motion).segment(first[i], model.structures[i].size()) -= force.direction;
-  system.mass = sparse(mass, n, n);
-  system.damping = sparse(damping, n, n);
-  if (!modal.empty()) system.modal_damping = sparse(modal, n, n);
-  system.stiffness = sparse(stiffness, n, n);
+  system.mass = sparse_matrix(n, n, mass);
+  system.damping = sparse_matrix(n, n, damping);
+  if (!modal.empty()) system.modal_damping = sparse_matrix(n, n, modal);
+  system.stiffness = sparse_matrix(n, n, stiffness);
 
   // Which way a column closes, for what the ground does to it.
   struct Column {
@@ -236,9 +222,9 @@ System assemble(const Model& model, bool with_links) {
     for (const Eigen::Vector3d& direction : sliding) add_column(link, direction);
   }
   const int links = static_cast<int>(columns.size());
-  system.gap_jacobian = sparse(closing, n, links);
+  system.gap_jacobian = sparse_matrix(n, links, closing);
   const int springs = static_cast<int>(system.springs.size());
-  if (!relief.empty()) system.spring_flexibility = sparse(relief, springs, springs);
+  if (!relief.empty()) system.spring_flexibility = sparse_matrix(springs, springs, relief);
 
   Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(links, system.load.cols());
   Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(links);

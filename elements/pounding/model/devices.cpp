@@ -171,9 +171,7 @@ JoinedByBars joined_by_bars(const Model& model) {
       for (Row::InnerIterator j(elongation); j; ++j)
         stiffness.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), k * i.value() * j.value());
   }
-  SparseMatrix m(n, n), k(n, n);
-  m.setFromTriplets(mass.begin(), mass.end());
-  k.setFromTriplets(stiffness.begin(), stiffness.end());
+  const SparseMatrix m = sparse_matrix(n, n, mass), k = sparse_matrix(n, n, stiffness);
   joined.frequencies = model.mode_solver(m, k, std::min(modes, max_joined_modes)).frequencies;
   return joined;
 }

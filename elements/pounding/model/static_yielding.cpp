@@ -14,9 +14,7 @@ SparseMatrix deformation_columns(const Structure& s) {
   for (std::size_t j = 0; j < s.yielding.size(); ++j)
     for (Row::InnerIterator it(s.yielding[j].deformation); it; ++it)
       entries.emplace_back(static_cast<int>(it.index()), static_cast<int>(j), it.value());
-  SparseMatrix columns(s.size(), static_cast<int>(s.yielding.size()));
-  columns.setFromTriplets(entries.begin(), entries.end());
-  return columns;
+  return sparse_matrix(s.size(), static_cast<int>(s.yielding.size()), entries);
 }
 
 }  // namespace

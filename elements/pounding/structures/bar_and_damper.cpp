@@ -74,9 +74,8 @@ void Damper::check() const {
   if (has_stiffness() && exponent * coefficient / stiffness < shortest_relaxation)
     throw std::invalid_argument(
         fmt::format("the spring in series with the damper is far too stiff: with {:.3g} N/m its force follows the "
-                    "damper within {:.2g} s at "
-                    "1 m/s, and no step resolves less than {:g} s; leave stiffness out, which means a rigid one, or "
-                    "type at most {:.3g} N/m",
+                    "damper within {:.2g} s at 1 m/s, and no step resolves less than {:g} s; leave stiffness out, "
+                    "which means a rigid one, or type at most {:.3g} N/m",
                     stiffness, exponent * coefficient / stiffness, shortest_relaxation,
                     exponent * coefficient / shortest_relaxation));
 }

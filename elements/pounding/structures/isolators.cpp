@@ -87,9 +87,7 @@ SparseMatrix stiffness_of_isolators(const Structure& s) {
         entries.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()),
                              part.spring->stiffness() * i.value() * j.value());
   }
-  SparseMatrix all(s.size(), s.size());
-  all.setFromTriplets(entries.begin(), entries.end());
-  return all;
+  return sparse_matrix(s.size(), s.size(), entries);
 }
 
 SparseMatrix motions_on_fixed_base(const Structure& s) {
@@ -122,9 +120,7 @@ SparseMatrix motions_on_fixed_base(const Structure& s) {
   for (const auto& [unknown, by] : given)
     for (const auto& [other, factor] : by)
       if (factor != 0) entries.emplace_back(unknown, column[other], factor);
-  SparseMatrix motions(s.size(), count);
-  motions.setFromTriplets(entries.begin(), entries.end());
-  return motions;
+  return sparse_matrix(s.size(), count, entries);
 }
 
 double isolated_period(const Structure& s) {

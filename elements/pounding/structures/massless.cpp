@@ -38,9 +38,7 @@ SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows,
   std::vector<Eigen::Triplet<double>> entries;
   for_each_entry(matrix, rows, columns, first,
                  [&](int row, int column, double value) { entries.emplace_back(row, column, value); });
-  SparseMatrix part(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
-  part.setFromTriplets(entries.begin(), entries.end());
-  return part;
+  return sparse_matrix(static_cast<int>(rows.size()), static_cast<int>(columns.size()), entries);
 }
 
 Eigen::MatrixXd dense_submatrix(const SparseMatrix& matrix, const std::vector<int>& rows,

@@ -12,6 +12,14 @@ namespace pounding {
 /// The matrices of structures, column by column.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// The matrix of these entries; entries at the same place are added.
+template <class Matrix = SparseMatrix>
+Matrix sparse_matrix(Eigen::Index rows, Eigen::Index columns, const std::vector<Eigen::Triplet<double>>& entries) {
+  Matrix matrix(rows, columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 /// Degrees of freedom by their mass, both lists increasing.
 struct MassSplit {
   std::vector<int> dynamic;   ///< with mass

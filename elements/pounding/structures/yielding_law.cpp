@@ -25,10 +25,7 @@ std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& s
         for (const auto& parameter : L::parameters) {
           const std::string name(parameter.info.name);
           if (name == "stiffness") continue;
-          if (parameter.value)
-            all.push_back({name, law.*parameter.value});
-          else if (law.*parameter.choice)
-            all.push_back({name, *(law.*parameter.choice)});
+          if (const std::optional<double> value = parameter.get(law)) all.push_back({name, *value});
         }
         if constexpr (requires { L::choices; })
           for (const auto& choice : L::choices)

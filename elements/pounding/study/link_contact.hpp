@@ -8,14 +8,12 @@
 
 #include <pounding/laws/law.hpp>
 #include <pounding/links/contact_state.hpp>
-#include <pounding/links/force_sign.hpp>
 #include <pounding/study/calibration.hpp>
 #include <pounding/study/kernel.hpp>
 
 namespace pounding::study {
 
-/// An event that ends the present phase of a link.
-enum class LinkEvent { none, touch, turn, corner, release, engage, separation };
+using LinkEvent = ContactEvent;
 
 /// The p for which a law's force is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and of its
 /// dashpot at the touch, which are measured on the law itself. 4 serves exponents that are no multiples of a quarter as
@@ -89,9 +87,6 @@ class LinkContact {
   }
   /// Force between bodies that have come slowly to this penetration [N].
   double slow_force(double penetration) const noexcept { return law().contact(penetration, 0, state_.impact).force; }
-  double signed_force(double penetration, double rate) const noexcept {
-    return pounding::signed_force(law(), penetration, rate, state_.impact);
-  }
 
   /// Positive as long as the bodies stay on their side of the law's corner.
   double before_corner(double penetration, double rate) const noexcept {
@@ -101,19 +96,12 @@ class LinkContact {
   /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot
   /// end it. A touch is looked for elsewhere.
   double margin(LinkEvent event, double penetration, double rate) const noexcept {
-    constexpr double never = std::numeric_limits<double>::infinity();
     const bool slack = state_.phase == ContactPhase::slack;
-    switch (event) {
-      case LinkEvent::separation: return penetration;
-      case LinkEvent::turn:
-        return !located_turn_ || slack ? never : state_.phase == ContactPhase::approach ? rate : -rate;
-      case LinkEvent::release: return laws::may_pull<Law> || slack ? never : signed_force(penetration, rate);
-      case LinkEvent::engage: return slack ? -signed_force(penetration, rate) : never;
-      case LinkEvent::corner: return slack ? never : before_corner(penetration, rate);
-      case LinkEvent::touch:
-      case LinkEvent::none: break;
-    }
-    return never;
+    if (event == LinkEvent::corner && !slack) return before_corner(penetration, rate);
+    const bool can_end =
+        event == LinkEvent::separation || (event != LinkEvent::touch && slack == (event == LinkEvent::engage));
+    if (!can_end || (event == LinkEvent::turn && !located_turn_)) return std::numeric_limits<double>::infinity();
+    return state_.margin(event, law(), penetration, rate);
   }
 
   /// True where no margin is negative, asked first: most steps end so. `force` is that of the state [N].
@@ -162,30 +150,13 @@ class LinkContact {
   }
 
   void change(LinkEvent event, double penetration, double rate) {
-    switch (event) {
-      case LinkEvent::touch:
-        state_.begin(law_, rate);
-        if constexpr (has_curve<Law>) curve_ = with_curve(law_, state_.impact);
-        ++peaks_.impacts;
-        if (root_ == 0) {
-          root_ = clock_root(law(), state_.impact);
-          located_turn_ = turn_matters(law(), state_.impact);
-        }
-        return;
-      case LinkEvent::turn:
-        state_.phase = state_.phase == ContactPhase::approach ? ContactPhase::restitution : ContactPhase::approach;
-        return;
-      case LinkEvent::release:
-        if constexpr (laws::leaves_indentation<Law>)
-          state_.end(law(), std::max(0.0, penetration));
-        else
-          state_.phase = ContactPhase::slack;
-        return;
-      case LinkEvent::engage: state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution; return;
-      case LinkEvent::separation: state_.end(law(), 0); return;
-      case LinkEvent::corner:
-      case LinkEvent::none: return;
-    }
+    if (event != LinkEvent::touch) return state_.apply(event, law(), std::max(0.0, penetration), rate);
+    state_.begin(law_, rate);
+    if constexpr (has_curve<Law>) curve_ = with_curve(law_, state_.impact);
+    ++peaks_.impacts;
+    if (root_ != 0) return;
+    root_ = clock_root(law(), state_.impact);
+    located_turn_ = turn_matters(law(), state_.impact);
   }
 
   // A way far above rounding, and far below all that matters [m].

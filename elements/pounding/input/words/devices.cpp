@@ -113,7 +113,7 @@ const OfDevices& devices() {
       // A device has a stiffness and yields both ways.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
-      if (has_stiffness && hysteresis::by_name::entry<L>().is_symmetric) made.add(law);
+      if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);
     });
     made.between.push_back(damper_word);
     made.within.push_back(damper_word);

@@ -88,7 +88,7 @@ const OfIsolators& isolators() {
   static const OfIsolators all = [] {
     OfIsolators made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      if (hysteresis::by_name::entry<L>().is_symmetric) made.add(law);
+      if (hysteresis::Entry::of<L>().is_symmetric) made.add(law);
     });
     return made;
   }();

@@ -11,7 +11,7 @@ constexpr std::string_view neighbours[] = {"neighbours"};
 constexpr std::string_view choices_of_floors[] = {"all", "level", "any"};
 
 constexpr auto law_names = [] {
-  constexpr auto& laws = laws::by_name::List<laws::AnyLaw>::entries;
+  constexpr auto& laws = laws::Laws::entries;
   std::array<std::string_view, laws.size()> names{};
   for (std::size_t i = 0; i < laws.size(); ++i) names[i] = laws[i].name;
   return names;

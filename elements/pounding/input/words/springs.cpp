@@ -50,7 +50,7 @@ const OfLaws& laws() {
       // A storey has a stiffness and yields both ways.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
-      if (has_stiffness && hysteresis::by_name::entry<L>().is_symmetric) made.add(law);
+      if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);
     });
     return made;
   }();
