@@ -1,6 +1,6 @@
 #pragma once
-/// The one list of laws of yielding. Parser, reports, bindings, documentation and the contract test read it: a new law
-/// needs its header, two lines here and its page.
+/// Registry of hysteretic laws, read by parser, reports, bindings, documentation and contract test. To add a law, write
+/// its header, add two lines here and generate its page.
 
 #include <span>
 #include <stdexcept>
@@ -19,26 +19,26 @@
 
 namespace pounding::hysteresis {
 
-/// One of the laws of this library.
+/// Any law of this library.
 using AnyLaw =
     std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill>;
 
-/// Every law with its tables, in the order of AnyLaw.
+/// Entries of all laws, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
 
-/// The entry of a law; throws std::invalid_argument with the nearest known name.
+/// Entry of a law by name. Throws std::invalid_argument, with the nearest known name, if there is none.
 inline const Entry& find_law(std::string_view name) {
   for (const Entry& entry : catalogue())
     if (entry.name == name) return entry;
-  throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(name) + "\"." +
+  throw std::invalid_argument("unknown hysteretic law \"" + laws::excerpt(name) + "\"." +
                               laws::suggestion(name, by_name::names(catalogue())));
 }
 
-/// A checked law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing
-/// required one, and a wrong value.
+/// Creates a validated law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name),
+/// a missing parameter and an invalid value.
 inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
 
-/// The entry of a made law.
+/// Entry of a law object.
 inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }
 
 }  // namespace pounding::hysteresis

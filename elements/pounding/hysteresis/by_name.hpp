@@ -1,6 +1,6 @@
 #pragma once
-/// Laws of yielding by name, for any variant of them: the catalogue, making a law from settings, describing a made law.
-/// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
+/// Hysteretic laws by name, for any variant of them: the catalogue, and creation of a law from settings. All data are
+/// read from the tables of the laws. all.hpp applies it to the laws of this library.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace pounding::hysteresis::by_name {
 
 using laws::by_name::names;
 
-/// The `info` of each line of a table.
+/// The `info` of each row of a table.
 template <auto& table>
 inline constexpr auto infos = [] {
   std::array<decltype(table[0].info), table.size()> result{};
@@ -28,7 +28,7 @@ inline constexpr auto infos = [] {
   return result;
 }();
 
-/// The catalogue entry of a law, from its members.
+/// Catalogue entry of a law, from its members.
 template <Law L>
 constexpr Entry entry() {
   Entry e{.name = L::name,
@@ -47,7 +47,7 @@ constexpr Entry entry() {
   return e;
 }
 
-/// The entries of all laws of a variant.
+/// Entries of all laws of a variant.
 template <class Any>
 struct List;
 template <class... L>
@@ -55,7 +55,7 @@ struct List<std::variant<L...>> {
   static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
 };
 
-/// Sets a number by its name, value in SI. Throws std::invalid_argument for a name that the law does not have.
+/// Sets a number by name, value in SI units. Throws std::invalid_argument if the law has no such parameter.
 template <Law L>
 void set(L& law, std::string_view name, double value) {
   for (const Parameter<L>& p : L::parameters) {
@@ -70,7 +70,7 @@ void set(L& law, std::string_view name, double value) {
                               laws::suggestion(name, names(infos<L::parameters>)));
 }
 
-/// Sets a choice by its name and word. Throws std::invalid_argument for what the law does not have.
+/// Sets a choice to a keyword. Throws std::invalid_argument for an unknown name or keyword.
 template <Law L>
 void choose(L& law, std::string_view name, std::string_view word) {
   std::vector<std::string_view> known;
@@ -84,11 +84,10 @@ void choose(L& law, std::string_view name, std::string_view word) {
                                   laws::excerpt(word) + "\"." + laws::suggestion(word, choice.info.words));
     }
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) +
-                              "\" that takes a word." + laws::suggestion(name, known));
+                              "\" that takes a keyword." + laws::suggestion(name, known));
 }
 
-/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
-/// of range.
+/// Creates a validated law L. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <Law L>
 L make(const Settings& s) {
   L law;
@@ -102,7 +101,8 @@ L make(const Settings& s) {
   return law;
 }
 
-/// The law of the variant Any that the settings name, checked. Throws as make does, and for an unknown name.
+/// Creates the validated law of the variant Any with the name in the settings. Throws like make, and for an unknown
+/// name.
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {

@@ -11,18 +11,18 @@
 
 namespace pounding::hysteresis {
 
-/// Stiffness of rubber in shear, given by itself or as G A/t_r.
+/// Shear stiffness of rubber, given directly or as G A/t_r.
 struct RubberStiffness {
   std::optional<double> given, shear_modulus, area, thickness;  ///< k2 [N/m]; G [Pa], A [m^2], t_r [m]
 
   /// k2 [N/m].
   double value() const noexcept { return given ? *given : *shear_modulus * *area / *thickness; }
-  /// Throws std::invalid_argument unless one of the two is given, whole and positive.
+  /// Throws std::invalid_argument unless exactly one of the two forms is given, complete and positive.
   void check(std::string_view law) const {
     const bool any = shear_modulus || area || thickness, all = shear_modulus && area && thickness;
     if (given ? any : !all)
       throw std::invalid_argument(std::string(law) +
-                                  " needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead");
+                                  " needs either post_yield_stiffness, or shear_modulus, area and rubber_thickness");
     laws::require_positive("post_yield_stiffness", given);
     laws::require_positive("shear_modulus", shear_modulus);
     laws::require_positive("area", area);
@@ -30,22 +30,22 @@ struct RubberStiffness {
   }
 };
 
-/// f = k2 d + q, |q| <= Q behind a spring Q/u_y: rubber with a core of lead that yields, in one direction.
+/// f = k2 d + q, |q| <= Q in series with a spring Q/u_y: rubber with a yielding lead core, in one direction.
 ///
 /// Q [N] characteristic strength, the force of the loop at d = 0; k2 = G A/t_r [N/m] stiffness of the rubber, G [Pa]
-/// shear modulus, A [m^2] area, t_r [m] thickness of all layers; u_y [m] yield deformation. Kelly 1997,
+/// shear modulus, A [m^2] area, t_r [m] total rubber thickness; u_y [m] yield deformation. Kelly 1997,
 /// Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999. A bilinear law with k = k2 + Q/u_y and Fy = Q + k2 u_y.
 struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
-  static constexpr std::string_view name = "lead_rubber", shape = "f = k2 d + q, |q| <= Q behind a spring Q/u_y";
-  static constexpr std::string_view summary = "isolator of rubber with a lead core: bilinear by Q, k2 and u_y";
+  static constexpr std::string_view name = "lead_rubber",
+                                    shape = "f = k2 d + q, |q| <= Q in series with a spring Q/u_y";
+  static constexpr std::string_view summary = "lead-rubber isolator: bilinear, defined by Q, k2 and u_y";
   static constexpr std::string_view source = "Kelly 1997, Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G [Pa] "
-      "shear modulus, A [m^2] "
-      "area, t_r [m] thickness of the rubber";
-  static constexpr std::string_view range = "one direction; shear strains below some 200 %";
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] post-yield stiffness, u_y [m] yield deformation, G [Pa] shear "
+      "modulus, A [m^2] area, t_r [m] total rubber thickness";
+  static constexpr std::string_view range = "one direction; shear strains below about 200 %";
   static constexpr std::string_view beware =
-      "the lead neither heats up nor loses strength; the axial force changes nothing";
+      "heating and strength loss of the lead, and the effect of the axial force, are not modelled";
 
   double strength = 0;                                                ///< Q > 0 [N]
   double displacement_at_yield = 0;                                   ///< u_y > 0 [m]
@@ -57,14 +57,14 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
       Parameter<LeadRubber>{{"yield_displacement", "m", "yield deformation u_y", 0.012},
                             &LeadRubber::displacement_at_yield},
       Parameter<LeadRubber>{
-          {"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+          {"post_yield_stiffness", "N/m", "post-yield stiffness k2, or G, A and t_r", 3.5e6, Need::instead},
           nullptr,
           &LeadRubber::post_yield_stiffness},
       Parameter<LeadRubber>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
                             nullptr,
                             &LeadRubber::shear_modulus},
-      Parameter<LeadRubber>{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, nullptr, &LeadRubber::area},
-      Parameter<LeadRubber>{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
+      Parameter<LeadRubber>{{"area", "m^2", "area A, together with G", 1.75, Need::extra}, nullptr, &LeadRubber::area},
+      Parameter<LeadRubber>{{"rubber_thickness", "m", "total rubber thickness t_r, together with G", 0.2, Need::extra},
                             nullptr,
                             &LeadRubber::rubber_thickness}};
   static constexpr std::array state{StateValue<LeadRubber>{{"slip", "m", "plastic deformation of the lead"},
@@ -75,35 +75,34 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
     laws::require_positive("yield_displacement", displacement_at_yield);
     rubber().check(name);
   }
-  /// Its stiffness after the yield, as given.
+  /// Stiffness of the rubber, as given.
   RubberStiffness rubber() const noexcept { return {post_yield_stiffness, shear_modulus, area, rubber_thickness}; }
-  /// The law that it is.
+  /// The equivalent bilinear law.
   Bilinear made() const noexcept {
     const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
     return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k};
   }
 };
 
-/// f = k2 d + Q z/u_y: rubber that dissipates, with the smooth knee of Bouc and Wen, n = 2, straight unloading; in one
+/// f = k2 d + Q z/u_y: high-damping rubber, with the smooth Bouc-Wen transition, n = 2 and linear unloading, in one
 /// direction.
 ///
-/// Letters as in LeadRubber. As OpenSees' elastomericBearingBoucWen with eta = 2 and beta = gamma = 1/2, one direction
-/// of it.
+/// Symbols as in LeadRubber. Equivalent to one direction of elastomericBearingBoucWen of OpenSees with eta = 2 and beta
+/// = gamma = 1/2.
 struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   static constexpr std::string_view name = "elastomeric",
                                     shape = "f = k2 d + Q z/u_y, dz/dd = 1 - |z/u_y|^n [1 + sign(z dd)]/2";
   static constexpr std::string_view summary =
-      "isolator of damping rubber: Bouc-Wen by Q, k2 and u_y (elastomericBearingBoucWen)";
+      "high-damping rubber isolator: Bouc-Wen, defined by Q, k2 and u_y (elastomericBearingBoucWen)";
   static constexpr std::string_view source =
       "Kelly 1997, Earthquake-Resistant Design with Rubber; Park, Wen & Ang 1986, EESD 14:543";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, n [-] "
-      "sharpness of the knee, G "
-      "[Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] post-yield stiffness, u_y [m] yield deformation, n [-] "
+      "sharpness of the transition, G [Pa] shear modulus, A [m^2] area, t_r [m] total rubber thickness";
   static constexpr std::string_view range =
-      "one direction; shear strains below some 150 %, where rubber begins to stiffen";
+      "one direction; shear strains below about 150 %, where rubber begins to stiffen";
   static constexpr std::string_view beware =
-      "small cycles about a steady force creep, see bouc_wen; the axial force changes nothing";
+      "small cycles about a constant force ratchet, see bouc_wen; the effect of the axial force is not modelled";
 
   double strength = 0;                                                ///< Q > 0 [N]
   double displacement_at_yield = 0;                                   ///< u_y > 0 [m]
@@ -116,17 +115,19 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
       Parameter<Elastomeric>{{"yield_displacement", "m", "yield deformation u_y", 0.012},
                              &Elastomeric::displacement_at_yield},
       Parameter<Elastomeric>{
-          {"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+          {"post_yield_stiffness", "N/m", "post-yield stiffness k2, or G, A and t_r", 3.5e6, Need::instead},
           nullptr,
           &Elastomeric::post_yield_stiffness},
       Parameter<Elastomeric>{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
                              nullptr,
                              &Elastomeric::shear_modulus},
-      Parameter<Elastomeric>{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, nullptr, &Elastomeric::area},
-      Parameter<Elastomeric>{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
+      Parameter<Elastomeric>{
+          {"area", "m^2", "area A, together with G", 1.75, Need::extra}, nullptr, &Elastomeric::area},
+      Parameter<Elastomeric>{{"rubber_thickness", "m", "total rubber thickness t_r, together with G", 0.2, Need::extra},
                              nullptr,
                              &Elastomeric::rubber_thickness},
-      Parameter<Elastomeric>{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &Elastomeric::exponent}};
+      Parameter<Elastomeric>{{"exponent", "", "sharpness n of the transition", 2, Need::optional},
+                             &Elastomeric::exponent}};
   static constexpr std::array state{StateValue<Elastomeric>{{"elastic", "m", "elastic part of the deformation z"},
                                                             [](const BoucWen::State& kept) { return kept.elastic; }}};
 
@@ -136,9 +137,9 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
     rubber().check(name);
     laws::require_exponent(exponent);
   }
-  /// Its stiffness after the yield, as given.
+  /// Stiffness of the rubber, as given.
   RubberStiffness rubber() const noexcept { return {post_yield_stiffness, shear_modulus, area, rubber_thickness}; }
-  /// The law that it is.
+  /// The equivalent Bouc-Wen law.
   BoucWen made() const noexcept {
     const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
     return {

@@ -1,5 +1,5 @@
 #pragma once
-/// The tables in which a law of yielding describes itself, for parser, reports, tests and documentation.
+/// Tables that describe a hysteretic law, for parser, reports, tests and documentation.
 
 #include <cstddef>
 #include <optional>
@@ -10,20 +10,20 @@ namespace pounding::hysteresis {
 
 /// Necessity of a parameter.
 enum class Need : unsigned char {
-  required,  ///< no default: it must be given
+  required,  ///< no default
   optional,  ///< has a default
-  instead,   ///< has no default, but may be left out where others are given instead
-  extra      ///< may be left out, and has no default
+  instead,   ///< no default; may be omitted if the alternative parameters are given
+  extra      ///< may be omitted, no default
 };
 
-/// One parameter of a law. Units are those of a spring along a line; at a hinge m is rad and N is N m.
+/// A parameter of a law. Units are those of a translational spring; at a hinge m is rad and N is N m.
 struct ParameterInfo {
   std::string_view name, unit, meaning;
   double typical = 0;  ///< SI
   Need need = Need::required;
 };
 
-/// A parameter and the member of the law that holds it: exactly one of the two pointers is set.
+/// A parameter and the corresponding member of the law: exactly one of the two pointers is set.
 template <class L>
 struct Parameter {
   ParameterInfo info;
@@ -31,13 +31,13 @@ struct Parameter {
   std::optional<double> L::* choice = nullptr;
 };
 
-/// A parameter that is one of some words, the first of them by default.
+/// A parameter that takes one of several keywords; the first is the default.
 struct ChoiceInfo {
   std::string_view name, meaning;
   std::span<const std::string_view> words;
 };
 
-/// Such a parameter of the law L; `set` takes the place of the word.
+/// Such a parameter of the law L; `set` takes the index of the keyword.
 template <class L>
 struct Choice {
   ChoiceInfo info;
@@ -45,12 +45,12 @@ struct Choice {
   std::size_t (*get)(const L&) = nullptr;
 };
 
-/// A number of the state of a law, beside its deformation.
+/// A state variable of a law, other than its deformation.
 struct StateInfo {
   std::string_view name, unit, meaning;
 };
 
-/// Such a number, and how to read it.
+/// Such a variable and its accessor.
 template <class L>
 struct StateValue {
   StateInfo info;

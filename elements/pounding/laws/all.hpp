@@ -1,6 +1,6 @@
 #pragma once
-/// The one list of contact laws. Parser, reports, bindings, documentation and the contract test read it: a new law
-/// needs its header and two lines here. Sources that are linked with Pounding::links include compiled.hpp instead.
+/// Registry of contact laws, read by parser, reports, bindings, documentation and contract test. To add a law, write
+/// its header and add two lines here. Sources that link Pounding::links include compiled.hpp instead.
 
 #include <span>
 #include <stdexcept>
@@ -29,26 +29,27 @@
 
 namespace pounding::laws {
 
-/// One of the laws of this library.
+/// Any law of this library.
 using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Komodromos, ModifiedLinearViscoelastic,
                             ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono,
                             AdamsImpact, LimitedDamper, Stereomechanical, Elastoplastic, Backfill>;
 
-/// Every law with its tables, in the order of AnyLaw.
+/// Entries of all laws, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
 
-/// The entry of a law; throws std::invalid_argument with the nearest known name.
+/// Entry of a law by name. Throws std::invalid_argument, with the nearest known name, if there is none.
 inline const Entry& find_law(std::string_view name) {
   for (const Entry& entry : catalogue())
     if (entry.name == name) return entry;
   throw std::invalid_argument("unknown law \"" + excerpt(name) + "\"." + law_suggestion(name, catalogue()));
 }
 
-/// A checked law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest known name),
-/// a missing required one, a wrong value, damping given twice or not at all, and a formula without a restitution.
+/// Creates a validated law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest
+/// known name), a missing parameter, an invalid value, damping given twice or not at all, and a formula without a
+/// restitution.
 inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
 
-/// The entry of a made law.
+/// Entry of a law object.
 inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }
 
 }  // namespace pounding::laws

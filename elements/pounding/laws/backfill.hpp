@@ -9,33 +9,30 @@
 
 namespace pounding::laws {
 
-/// F = d/(1/K + Rf d/Fu) while the soil is pressed further than ever, K_ur (d - r) while it is not; what is pressed in
-/// opens the gap.
+/// F = d/(1/K + Rf d/Fu) in first loading, K_ur (d - r) in unloading and reloading; the residual depth opens the gap.
 ///
-/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf
-/// [-] failure ratio, Fu [N] ultimate passive force; the hyperbola ends at Fu/Rf. d [m] is counted from the soil that
-/// nothing has pressed, d_m the deepest one so far, r = d_m - F(d_m)/K_ur what stays pressed in. Duncan & Mokwa 2001,
-/// J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, which has the signs turned round. The wall and
-/// the soil have no mass; there is no dashpot.
+/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] unloading and reloading stiffness, Rf [-]
+/// failure ratio, Fu [N] ultimate passive force; the hyperbola tends to Fu/Rf. d [m] is measured from the undisturbed
+/// soil, d_m is the running maximum of d, and r = d_m - F(d_m)/K_ur is the residual depth. Duncan & Mokwa 2001, J.
+/// Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, with opposite signs. Wall and soil are massless
+/// and without a dashpot.
 struct Backfill {
   static constexpr std::string_view
       name = "backfill",
       shape = "F = d/(1/K + Rf d/Fu) for d = d_m, K_ur (d - r) for d < d_m; r = d_m - F(d_m)/K_ur";
   static constexpr std::string_view summary =
-      "wall with backfill: a hyperbola, steeper unloading, what is pressed in stays (HyperbolicGapMaterial)";
+      "wall with backfill: hyperbolic loading, steeper unloading, residual depth (HyperbolicGapMaterial)";
   static constexpr std::string_view source =
       "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial";
   static constexpr std::string_view symbols =
-      "K [N/m] initial stiffness of the soil, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate passive "
-      "force, Rf [-] failure "
-      "ratio, d counted from the soil that nothing has pressed, d_m [m] the deepest one so far, r [m] what stays "
-      "pressed in";
+      "K [N/m] initial stiffness of the soil, K_ur [N/m] unloading and reloading stiffness, Fu [N] ultimate passive "
+      "force, Rf [-] failure ratio, d measured from the undisturbed soil, d_m [m] its running maximum, r [m] residual "
+      "depth";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1";
   static constexpr std::string_view beware =
-      "the numbers are those of the whole width of the wall; what is pressed in is added to the gap, which is wider "
-      "for the following impacts of "
-      "the run, and these lose nothing unless they press deeper; the wall has no mass, and nothing depends on the "
-      "speed";
+      "values are for the whole width of the wall; the residual depth is added to the gap for the rest of the run, and "
+      "later impacts dissipate energy only if they reach deeper; the wall is massless, and the force does not depend "
+      "on the speed";
   static constexpr bool leaves_indentation = true, presses_soil = true;
 
   double stiffness = 0;      ///< K > 0 [N/m]
@@ -45,13 +42,14 @@ struct Backfill {
 
   static constexpr std::array parameters{
       Parameter<Backfill>{{"stiffness", "N/m", "initial stiffness of the soil K", 2.5e8}, &Backfill::stiffness},
-      Parameter<Backfill>{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter<Backfill>{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
-                          &Backfill::failure_ratio},
+      Parameter<Backfill>{{"unloading", "N/m", "unloading and reloading stiffness K_ur", 5e8}, &Backfill::unloading},
+      Parameter<Backfill>{
+          {"failure_ratio", "", "ratio Rf of the ultimate force to the asymptote of the hyperbola", 0.75},
+          &Backfill::failure_ratio},
       Parameter<Backfill>{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength}};
 
   void check() const { soil().check(); }
-  /// Its curves.
+  /// Loading and unloading curves.
   Hyperbola soil() const noexcept { return {stiffness, unloading, failure_ratio, strength}; }
 
   /// d_m [m].
@@ -68,12 +66,12 @@ struct Backfill {
     if (!(d < deepest)) return {soil().force(d), soil().slope(d), 0};
     return {unloading * (d - soil().left(deepest)), unloading, 0};
   }
-  /// Area below the line of unloading [J].
+  /// Area under the unloading line [J].
   double stored_energy(double penetration, const Impact& impact) const noexcept {
     const double d = depth(penetration, impact);
     return soil().stored(std::max(d, crushed(impact)), d);
   }
-  /// Changes sign where the slope jumps, at the deepest d so far [m].
+  /// Changes sign at the maximum d reached, where the slope jumps [m].
   double corner(double penetration, double, const Impact& impact) const noexcept {
     return depth(penetration, impact) - crushed(impact);
   }
@@ -82,7 +80,7 @@ struct Backfill {
   }
 
  private:
-  // The penetration counts from what earlier impacts have left.
+  // Penetration from the undisturbed soil, including the residual depth of earlier impacts.
   double depth(double penetration, const Impact& impact) const noexcept {
     return penetration + soil().left(impact.crushed);
   }

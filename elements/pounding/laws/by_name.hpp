@@ -1,6 +1,6 @@
 #pragma once
-/// Laws by name, for any variant of laws: the catalogue, making a law from settings, and describing a made law.
-/// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
+/// Laws by name, for any variant of laws: the catalogue, creation of a law from settings, and description of a law. All
+/// data are read from the tables of the laws. all.hpp applies it to the laws of this library.
 
 #include <algorithm>
 #include <array>
@@ -28,8 +28,8 @@
 
 namespace pounding::laws {
 
-/// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law
-/// without damping. Throws std::invalid_argument where the formula has no value for the law's restitution.
+/// Dimensionless damping number of a law at this closing speed [m/s], named by Entry::number; 0 if the law has no
+/// damping. Throws std::invalid_argument if the formula is undefined for the restitution of the law.
 template <class... L>
 double damping_number(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -40,8 +40,8 @@ double damping_number(const std::variant<L...>& law, double closing_speed) {
       law);
 }
 
-/// Damping coefficient of a made law at this closing speed [m/s], in the unit of Entry::coefficient; 0 for a law
-/// without damping. Throws as damping_number does.
+/// Damping coefficient of a law at this closing speed [m/s], in the unit of Entry::coefficient; 0 if the law has no
+/// damping. Throws like damping_number.
 template <class... L>
 double damping_coefficient(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -64,7 +64,7 @@ inline constexpr auto parameter_infos = [] {
 template <class L>
 inline constexpr bool has_formulas = requires { L::formulas; };
 
-/// The catalogue entry of a law, from its members.
+/// Catalogue entry of a law, from its members.
 template <class L>
 constexpr Entry entry() {
   Entry e{.name = L::name,
@@ -94,7 +94,7 @@ constexpr Entry entry() {
   return e;
 }
 
-/// The entries of all laws of a variant.
+/// Entries of all laws of a variant.
 template <class Any>
 struct List;
 template <class... L>
@@ -102,7 +102,7 @@ struct List<std::variant<L...>> {
   static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
 };
 
-/// Sets a parameter by its name, value in SI. Throws std::invalid_argument for a name that the law does not have.
+/// Sets a parameter by name, value in SI units. Throws std::invalid_argument if the law has no such parameter.
 template <class L>
 void set(L& law, std::string_view name, double value) {
   std::vector<std::string_view> known;
@@ -119,8 +119,7 @@ void set(L& law, std::string_view name, double value) {
                               suggestion(name, known));
 }
 
-/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
-/// of range.
+/// Creates a validated law L. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
   const std::string law_name(L::name);
@@ -142,7 +141,7 @@ L make(const Settings& s) {
   } else if (s.restitution) {
     throw std::invalid_argument(
         law_name + " takes no restitution: " +
-        (leaves_indentation<L> ? "what it loses follows from its curves" : "it loses no energy"));
+        (leaves_indentation<L> ? "its dissipation follows from its curves" : "it dissipates no energy"));
   }
 
   if (!s.formula.empty()) {
@@ -153,7 +152,7 @@ L make(const Settings& s) {
                                     suggestion(s.formula, names(L::formulas)));
       if (!s.restitution)
         throw std::invalid_argument("formula \"" + excerpt(s.formula) +
-                                    "\" needs a restitution to find the damping of " + law_name);
+                                    "\" needs a restitution to compute the damping of " + law_name);
       law.formula = found->function;
     } else {
       throw std::invalid_argument(law_name + " takes no formula: it has no damping to calibrate");
@@ -163,14 +162,15 @@ L make(const Settings& s) {
   if constexpr (requires { law.impact_velocity; })
     law.impact_velocity = s.impact_velocity;
   else if (s.impact_velocity)
-    throw std::invalid_argument(law_name + " takes no impact_velocity: nothing in it depends on one");
-  require_not_negative("reduced_mass", s.reduced_mass);  // 0 is none, for laws that need none
+    throw std::invalid_argument(law_name + " takes no impact_velocity: it does not depend on the closing speed");
+  require_not_negative("reduced_mass", s.reduced_mass);  // 0: not given, for laws that need no mass
   if constexpr (requires { law.reduced_mass; }) law.reduced_mass = s.reduced_mass;
   law.check();
   return law;
 }
 
-/// The law of the variant Any that the settings name, checked. Throws as make does, and for an unknown name.
+/// Creates the validated law of the variant Any with the name in the settings. Throws like make, and for an unknown
+/// name.
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
@@ -182,8 +182,8 @@ Any make_any(const Settings& s) {
   }
 }
 
-/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s]; of a law that is given
-/// by parameters that go together, these. Without a reduced mass there may be no number.
+/// Parameters of a law, its damping number and its coefficient at this closing speed [m/s]; only the parameters of kind
+/// `together` if these are given. The number may be missing without a reduced mass.
 template <class L>
 std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   double exponent = 1;
@@ -221,14 +221,14 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
 
 }  // namespace by_name
 
-/// The parameters of a made law, its damping number and its coefficient, for reports. Where the coefficient depends on
-/// the closing speed, it holds for `closing_speed` [m/s], which is then listed too.
+/// Parameters of a law, its damping number and its coefficient, for reports. A coefficient that depends on the closing
+/// speed is evaluated at `closing_speed` [m/s], which is then listed as well.
 template <class... L>
 std::vector<ResolvedValue> describe(const std::variant<L...>& law, double closing_speed = 1) {
   return std::visit([&](const auto& chosen) { return by_name::describe(chosen, closing_speed); }, law);
 }
 
-/// The formula that calibrates a made law; empty when its damping was given directly or it has none.
+/// Name of the calibration formula of a law; empty if its damping was given directly or it has none.
 template <class... L>
 std::string_view formula_name(const std::variant<L...>& law) noexcept {
   return std::visit(

@@ -11,11 +11,12 @@
 
 namespace pounding::laws {
 
-/// F = k d + c d' while positive, c = 2 zeta sqrt(k m); at F = 0 the contact ends and the penetration left is added to
-/// the gap.
+/// F = k d + c d' while positive, c = 2 zeta sqrt(k m); the contact ends at F = 0, and the remaining penetration is
+/// added to the gap.
 ///
 /// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Komodromos, Polycarpou, Papaloizou & Phocas
-/// 2007, EESD 36:1917. In one free impact it is kelvin_voigt_no_tension; the indentation shows in the following ones.
+/// 2007, EESD 36:1917. A single free impact is the same as with kelvin_voigt_no_tension; the indentation affects later
+/// impacts.
 struct Komodromos {
   static constexpr std::string_view name = "komodromos",
                                     shape = "F = k d + c d' until F = 0, then the contact ends; c = 2 zeta sqrt(k m)";
@@ -25,16 +26,15 @@ struct Komodromos {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any zeta >= 0";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch; the penetration that is left at F = 0 is added to the gap, which is "
-      "wider for the following impacts of the run";
+      "the force jumps to c v at the touch; the penetration left at F = 0 is added to the gap for the rest of the run";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool leaves_indentation = true, is_linear = true;
 
   static constexpr std::array formulas{
       Formula{"exact", "root of e = exp(-2 zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form, contact until F = 0",
-              "gives what is asked", &exact_cut_ratio},
+              "reaches the target restitution", &exact_cut_ratio},
       Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
-              "assumes contact until d = 0; 0.50 asked gives 0.55 here", &anagnostopoulos}};
+              "assumes contact until d = 0; yields 0.55 for a target of 0.50", &anagnostopoulos}};
 
   double stiffness = 0;                         ///< k [N/m]
   std::optional<double> restitution{};          ///< e in (0, 1], or

@@ -1,7 +1,7 @@
 #pragma once
-/// The dashpot beside a linear spring: given by a restitution, by its damping ratio, or by its coefficient. Shared by
-/// the laws with the members stiffness k [N/m], restitution, damping_ratio zeta [-], damping_coefficient c [N s/m],
-/// reduced_mass m [kg] and formula; c = 2 zeta sqrt(k m).
+/// Dashpot parallel to a linear spring, given by a restitution, a damping ratio or a coefficient. For laws with the
+/// members stiffness k [N/m], restitution, damping_ratio zeta [-], damping_coefficient c [N s/m], reduced_mass m [kg]
+/// and formula; c = 2 zeta sqrt(k m).
 
 #include <cmath>
 
@@ -25,8 +25,8 @@ double coefficient_of_dashpot(const L& law) {
   return 2 * ratio_of_dashpot(law) * std::sqrt(law.stiffness * law.reduced_mass);
 }
 
-/// Throws std::invalid_argument for members out of range, and unless the dashpot is given exactly once. A given
-/// coefficient needs no mass, which then may be 0.
+/// Throws std::invalid_argument for members out of range, and unless the dashpot is given exactly once. With a given
+/// coefficient, the mass may be 0.
 template <class L>
 void check_dashpot(const L& law) {
   require_positive("stiffness", law.stiffness);

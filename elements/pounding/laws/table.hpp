@@ -1,5 +1,5 @@
 #pragma once
-/// The tables in which a law describes itself, for parser, reports, tests and documentation.
+/// Tables that describe a law, for parser, reports, tests and documentation.
 
 #include <optional>
 #include <string_view>
@@ -8,20 +8,20 @@ namespace pounding::laws {
 
 /// Necessity of a parameter.
 enum class Need : unsigned char {
-  required,  ///< no default: it must be given
+  required,  ///< no default
   optional,  ///< has a default
   damping,   ///< gives the damping directly, instead of a restitution
-  together   ///< with the others marked so it is all that the law needs: nothing else is given beside them
+  together   ///< all parameters of this kind together replace all other parameters
 };
 
-/// One parameter of a law. In a unit, `n` is the law's exponent.
+/// A parameter of a law. In a unit, `n` is the exponent of the law.
 struct ParameterInfo {
   std::string_view name, unit, meaning;
   double typical = 0;  ///< SI
   Need need = Need::required;
 };
 
-/// A parameter and the member of the law that holds it: exactly one of the two pointers is set.
+/// A parameter and the corresponding member of the law: exactly one of the two pointers is set.
 template <class L>
 struct Parameter {
   ParameterInfo info;
@@ -29,21 +29,21 @@ struct Parameter {
   std::optional<double> L::* choice = nullptr;
 };
 
-/// Arguments of a damping formula; most formulas use the restitution only.
+/// Arguments of a damping formula; many formulas use only the restitution.
 struct CalibrationTarget {
   double restitution = 1;    ///< e in (0, 1]
   double closing_speed = 1;  ///< v [m/s]
   double stiffness = 1;      ///< k [N/m^n]
   double exponent = 1.5;     ///< n
   double reduced_mass = 1;   ///< m [kg]
-  double depth = 1;          ///< penetration of full damping (adams_impact) [m]
-  double yield_ratio = 0.1;  ///< yield over design penetration (bilinear_hertz)
+  double depth = 1;          ///< penetration at which damping is full (adams_impact) [m]
+  double yield_ratio = 0.1;  ///< ratio of yield penetration to design penetration (bilinear_hertz)
 };
 
-/// The dimensionless damping number of a law (its `number`: a, zeta, xi ...) for a restitution.
+/// Dimensionless damping number of a law (its `number`: a, zeta, xi ...) for a restitution.
 using DampingFormula = double (*)(const CalibrationTarget&);
 
-/// A published damping formula, or the exact calibration: the number that gives the restitution e.
+/// A published damping formula, or the exact calibration: damping number for a restitution e.
 struct Formula {
   std::string_view name, equation, source, note;
   DampingFormula function = nullptr;
