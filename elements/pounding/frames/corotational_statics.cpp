@@ -1,4 +1,4 @@
-// Equilibrium paths of a corotational frame: Newton's method at given loads, and by arc length.
+// Equilibrium paths of a corotational frame: Newton's method at given loads, and arc length.
 
 #include <pounding/frames/corotational.hpp>
 
@@ -19,14 +19,14 @@ using Eigen::VectorXd;
 
 namespace {
 
-// If this stalls, the path cannot be followed with steps that still differ from rounding.
-constexpr double shortest_arc = 1e-6;  // of the first
-constexpr int few_iterations = 4;      // after which the next step is longer
+// Minimum arc length, above the level of round-off.
+constexpr double shortest_arc = 1e-6;  // relative to the first
+constexpr int few_iterations = 4;      // maximum number after which the next step is longer
 
 }  // namespace
 
-/// A path under one load. Lengths along it: ds^2 = dq.W dq / w + (dfactor / first)^2, W the diagonal of the stiffness
-/// at rest and w that of the linear response to the first factor, so that all terms have one unit.
+/// A path under one load. Arc length: ds^2 = dq.W dq / w + (dfactor / first)^2, where W is the diagonal of the
+/// stiffness at rest and w is dq.W dq of the linear response to the first factor, so that all terms are dimensionless.
 class CorotationalFrame::Path {
  public:
   Path(const CorotationalFrame& frame, const VectorXd& load, double first, const StaticOptions& options)
@@ -38,7 +38,7 @@ class CorotationalFrame::Path {
     points_.push_back({0, VectorXd::Zero(frame.size())});
     factor(points_.back().q);
     const VectorXd q = first * solve(load);
-    if ((weight_.array() <= 0).any() || !q.allFinite()) refuse("the frame is not held: its stiffness is singular");
+    if ((weight_.array() <= 0).any() || !q.allFinite()) refuse("the frame is not supported: its stiffness is singular");
     scale_ = q.dot(weight_.cwiseProduct(q));
     direction_ = {first, q};
     arc_ = std::sqrt(product(direction_, direction_));
@@ -47,10 +47,10 @@ class CorotationalFrame::Path {
 
   const std::vector<Equilibrium>& points() const { return points_; }
 
-  /// Newton's method at this factor from the last point; nothing is kept when it fails.
+  /// Newton's method at this factor from the last point; stores no point if it fails.
   bool load_step(double at) { return keep(at_factor(at, points_.back().q)); }
 
-  /// One more point by arc length.
+  /// Adds a point by arc length.
   void arc_step() {
     const Equilibrium from = points_.back();
     for (; arc_ > shortest_arc * longest_arc_; arc_ /= 2) {
@@ -62,11 +62,11 @@ class CorotationalFrame::Path {
       if (iterations <= few_iterations) arc_ = std::min(1.5 * arc_, longest_arc_);
       return;
     }
-    throw SolverError("no equilibrium was found beyond the load factor " + std::to_string(from.factor) +
-                      "; use more members, or see whether the path ends in a mechanism");
+    throw SolverError("no equilibrium found beyond the load factor " + std::to_string(from.factor) +
+                      "; use more members, or check whether the path ends in a mechanism");
   }
 
-  /// By arc length until the factor is reached, and there.
+  /// Advances by arc length past the factor, then solves at the factor.
   void follow_to(double target) {
     if (points_.size() > 1) {
       direction_ = {points_.back().factor - points_.end()[-2].factor, points_.back().q - points_.end()[-2].q};
@@ -83,14 +83,14 @@ class CorotationalFrame::Path {
       return;
     }
     throw SolverError("the load was not reached in " + std::to_string(options_.most_points) +
-                      " points by arc length; the last is at the load factor " + std::to_string(points_.back().factor));
+                      " points by arc length; last load factor: " + std::to_string(points_.back().factor));
   }
 
  private:
   double product(const Equilibrium& a, const Equilibrium& b) const {
     return a.q.dot(weight_.cwiseProduct(b.q)) / scale_ + a.factor * b.factor / (first_ * first_);
   }
-  // A new one each time: Eigen 3.4 frees parts of an old one twice where there is no memory (core/renew.hpp).
+  // A new object each time: reusing one frees memory twice in Eigen 3.4 after a failed allocation (core/renew.hpp).
   void factor(const VectorXd& q) { lu_.emplace().compute(frame_.tangent(q)); }
   VectorXd solve(const VectorXd& right) {
     if (lu_->info() != Eigen::Success) return VectorXd::Constant(right.size(), NAN);
@@ -120,7 +120,7 @@ class CorotationalFrame::Path {
   std::optional<Equilibrium> beyond(const Equilibrium& from, double arc, int& iterations) {
     factor(from.q);
     Equilibrium ahead{1, solve(load_)};
-    if (!ahead.q.allFinite()) ahead = direction_;  // exactly on a limit point
+    if (!ahead.q.allFinite()) ahead = direction_;  // exactly at a limit point
     const double size = std::sqrt(product(ahead, ahead));
     const double sign = product(ahead, direction_) < 0 ? -1 : 1;
     ahead = {sign / size * ahead.factor, sign / size * ahead.q};
@@ -129,7 +129,7 @@ class CorotationalFrame::Path {
     for (iterations = 0; iterations <= options_.iterations; ++iterations) {
       const VectorXd residual = frame_.force(at.q) - at.factor * load_;
       if (!residual.allFinite()) return {};
-      // A point far from where the step aimed belongs to another part of the path.
+      // A point far from the predicted one belongs to another part of the path.
       const Equilibrium moved{at.factor - from.factor, at.q - from.q};
       if (product(moved, moved) > 4 * arc * arc) return {};
       if (small(residual, at.factor)) return at;
@@ -153,7 +153,7 @@ class CorotationalFrame::Path {
 
 std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const VectorXd& load, int steps,
                                                                      const StaticOptions& options) const {
-  if (steps < 1) throw std::invalid_argument("a load is applied in one step at least");
+  if (steps < 1) throw std::invalid_argument("the number of load steps must be at least 1");
   Path path(*this, load, 1.0 / steps, options);
   for (int k = 1; k <= steps; ++k)
     if (!path.load_step(static_cast<double>(k) / steps)) {
