@@ -21,8 +21,7 @@ namespace {
 // One positive value for all, or one per item.
 std::vector<double> spread(const std::vector<double>& given, int count, const char* what, bool may_be_zero = false) {
   std::vector<double> all = given.size() == 1 ? std::vector<double>(count, given.front()) : given;
-  if (static_cast<int>(all.size()) != count)
-    refuse(std::string(what) + ": give one value or  " + std::to_string(count));
+  if (static_cast<int>(all.size()) != count) refuse(std::string(what) + ": give one value or " + std::to_string(count));
   for (const double value : all)
     if (!(may_be_zero ? value >= 0 : value > 0) || std::isinf(value))
       refuse(std::string(what) + (may_be_zero ? " must be finite and not negative" : " must be positive and finite"));

@@ -98,7 +98,7 @@ CountRows find_count_rows(const NumberTable& table, double step) {
   }
   if (table.columns(0) == 2) {
     const double second = table.at(0, 1);
-    // A time and its value, unless this column is constant.
+    // If the first column increases, the row is a time and its value.
     const bool ascends = step == 0 && table.columns(1) == 2 && table.at(1, 0) > first;
     if (states_count(first, 1) && is_step(second)) return found(1, first, second);
     if (states_count(second, 1) && is_step(first) && !ascends) return found(1, second, first);

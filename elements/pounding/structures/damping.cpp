@@ -126,7 +126,7 @@ SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& 
   const int count = static_cast<int>(split_by_mass(mass).dynamic.size());
   if (count > max_for_modal_damping)
     throw std::invalid_argument(
-        fmt::format("modal damping would fill a dense matrix for {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 "
+        fmt::format("modal damping would fill a dense {0} x {0} matrix; type damping: {{rayleigh: {{ratio: 5 "
                     "%, modes: [1, 2]}}}}",
                     count));
   return SparseMatrix(modal_damping(Eigen::MatrixXd(mass), dense_modes(mass, stiffness, count), ratio).sparseView());

@@ -1,4 +1,5 @@
 /// COSMOS V1 and V2 (COSMOS Strong Motion Data Format, version 1.20, 2001).
+///
 /// One or more series, each with a text header (13 lines unless its first line states another number), integers, reals,
 /// comments and samples. Each of these parts starts with a line that states the number of values and their columns.
 /// Fields read: real 62, the spacing [ms]; real 63, the length [s], which must agree; from the line above the samples
