@@ -28,7 +28,7 @@ struct Backfill {
       "passive force, Rf [-] failure ratio, r [m] residual depth";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1, gap >= 0; d > 0 is compression";
   static constexpr std::string_view beware =
-      "acts on one side only, without a dashpot; with a small gap the wall touches the soil immediately, and the "
+      "acts on one side only, without a dashpot. With a small gap the wall touches the soil immediately, and the "
       "residual depth remains a gap for the rest of the run";
   static constexpr bool is_symmetric = false;
 

@@ -27,8 +27,8 @@ struct Bilinear {
       "ratio, s [m] slip";
   static constexpr std::string_view range = "0 <= a < 1";
   static constexpr std::string_view beware =
-      "two corners per reversal with yielding; without degradation of strength or stiffness, so loops are fuller than "
-      "those of concrete";
+      "two corners per reversal with yielding. Strength and stiffness do not degrade, so loops are fuller than those "
+      "of concrete";
 
   double initial_stiffness = 0;                  ///< k > 0 [N/m]
   double yield_force = 0;                        ///< Fy > 0 [N]

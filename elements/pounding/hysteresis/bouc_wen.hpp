@@ -38,8 +38,7 @@ struct BoucWen {
   static constexpr std::string_view range = "0 <= a < 1, n >= 1, 0 <= g <= 1/2";
   static constexpr std::string_view beware =
       "small cycles about a constant force ratchet: between 0.2 and 0.8 Fy by 0.79, 0.30, 0.05 dy per cycle for n = 1, "
-      "2, 5; z is computed in closed form, while codes that integrate it numerically have an error of the order of the "
-      "step";
+      "2, 5. In contrast to codes that integrate z numerically, results do not depend on the step";
   static constexpr bool has_corners = false;
 
   double initial_stiffness = 0;  ///< k > 0 [N/m]

@@ -23,7 +23,7 @@ struct FrictionPendulum : MadeOf<FrictionPendulum, Bilinear> {
       "at the start of sliding";
   static constexpr std::string_view range = "any d; the rim of the surface is not modelled";
   static constexpr std::string_view beware =
-      "the weight is the static one and the friction does not depend on the velocity; uplift and the rim are not "
+      "the weight is the static one and the friction does not depend on the velocity. Uplift and the rim are not "
       "modelled";
 
   double weight = 0;                    ///< W > 0 [N]

@@ -102,7 +102,7 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   static constexpr std::string_view range =
       "one direction; shear strains below about 150 %, where rubber begins to stiffen";
   static constexpr std::string_view beware =
-      "small cycles about a constant force ratchet, see bouc_wen; the effect of the axial force is not modelled";
+      "small cycles about a constant force ratchet, see bouc_wen. The effect of the axial force is not modelled";
 
   double strength = 0;                                                ///< Q > 0 [N]
   double displacement_at_yield = 0;                                   ///< u_y > 0 [m]

@@ -38,10 +38,10 @@ struct MenegottoPinto {
   static constexpr std::string_view range = "0 <= b < 1, R0 (1 - c1) >= 1";
   static constexpr std::string_view beware =
       "with memory last, which is Steel02, any small reversal raises the force by up to 0.25 Fy, and impacts cause "
-      "many of them: an error tolerance is met only if the steps resolve every reversal (two pounding buildings: error "
-      "1.2e-3 at tolerances 1e-3 to 1e-5, 2.5e-4 at 1e-7, converged at 1e-8); with nested, the default, small "
+      "many of them. An error tolerance is then met only if the steps resolve every reversal (two pounding buildings: "
+      "error 1.2e-3 at tolerances 1e-3 to 1e-5, 2.5e-4 at 1e-7, converged at 1e-8). With nested, the default, small "
       "reversals do not raise the force. Ascending and descending branches differ in R, so a path can recover up to "
-      "0.15 Fy dy more energy than direct unloading; repeated cycles recover none";
+      "0.15 Fy dy more energy than direct unloading. Repeated cycles recover none";
   /// Upper bound on the energy that a path can recover beyond stored(), divided by Fy dy.
   static constexpr double gives_back = 0.15;
 

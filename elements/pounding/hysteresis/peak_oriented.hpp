@@ -39,8 +39,8 @@ struct PeakOriented {
   static constexpr std::string_view range =
       "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the previous one";
   static constexpr std::string_view beware =
-      "corners at every zero of the force and every earlier peak; without pinching or strength degradation; small "
-      "inner cycles reload towards the maximum peak, not the last one";
+      "corners at every zero of the force and every earlier peak. Pinching and strength degradation are not modelled. "
+      "Small inner cycles reload towards the maximum peak, not the last one";
 
   double initial_stiffness = 0;                  ///< k > 0 [N/m]
   double yield_force = 0;                        ///< Fy > 0 [N]

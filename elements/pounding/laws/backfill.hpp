@@ -30,8 +30,8 @@ struct Backfill {
       "depth";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1";
   static constexpr std::string_view beware =
-      "values are for the whole width of the wall; the residual depth is added to the gap for the rest of the run, and "
-      "later impacts dissipate energy only if they reach deeper; the wall is massless, and the force does not depend "
+      "values are for the whole width of the wall. The residual depth is added to the gap for the rest of the run, and "
+      "later impacts dissipate energy only if they reach deeper. The wall is massless, and the force does not depend "
       "on the speed";
   static constexpr bool leaves_indentation = true, presses_soil = true;
 

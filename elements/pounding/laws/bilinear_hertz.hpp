@@ -77,8 +77,8 @@ struct BilinearHertz {
       "published loss";
   static constexpr std::string_view beware =
       "the stiffnesses are designed for the closing speed of each impact, so a contact that closes almost at rest and "
-      "is then pressed deeper is rejected: give a fixed impact_velocity, or K1, K2 and d_y; the slopes jump at yield "
-      "and at the start of unloading; the force never pulls";
+      "is then pressed deeper is rejected: give a fixed impact_velocity, or K1, K2 and d_y. The slopes jump at yield "
+      "and at the start of unloading. The force never pulls";
   static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
 
   static constexpr std::array formulas{

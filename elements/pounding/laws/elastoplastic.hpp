@@ -42,8 +42,8 @@ struct Elastoplastic {
       "over all impacts, d_p [m] indentation, r [-] indentation ratio";
   static constexpr std::string_view range = "n >= 1, 0 <= r < 1";
   static constexpr std::string_view beware =
-      "the indentation is added to the gap for the rest of the run; the given restitution applies to an impact on "
-      "undamaged surfaces, and later impacts that crush no deeper dissipate nothing; no damping, no dependence on the "
+      "the indentation is added to the gap for the rest of the run. The given restitution applies to an impact on "
+      "undamaged surfaces; later impacts that crush no deeper dissipate nothing. The force does not depend on the "
       "speed";
   static constexpr Quantity number{"indentation_ratio", ""}, coefficient{"indentation_ratio", ""};
   static constexpr bool leaves_indentation = true;

@@ -29,7 +29,7 @@ struct HertzDamped {
       "free impacts, n >= 1, a < 1/e; the force is cut off at zero for bodies torn apart faster than v/a";
   static constexpr std::string_view beware =
       "the restitution depends only on a, not on k, m, n and v, but published formulas for a can miss their target "
-      "widely; the damping is calibrated to the closing speed v of each impact, or to a fixed impact_velocity";
+      "widely. The damping is calibrated to the closing speed v of each impact, or to a fixed impact_velocity";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m^(n+1)"};
 
   static constexpr std::array formulas{

@@ -31,8 +31,8 @@ struct Jankowski {
   static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, xi [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any xi >= 0";
   static constexpr std::string_view beware =
-      "the slope by d' jumps at the reversal; the slope by d is infinite at the touch and is bounded there, while the "
-      "force is exact; the force never pulls";
+      "the slope by d' jumps at the reversal. The slope by d is infinite at the touch and is bounded there, while the "
+      "force is exact. The force never pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^1.25"};
 
   static constexpr std::array formulas{

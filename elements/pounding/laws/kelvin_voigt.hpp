@@ -24,8 +24,8 @@ struct KelvinVoigt {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "zeta < 1; for zeta >= 1, which is e = 0, free bodies never separate";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch, and pulls near separation, as published: contact lasts until d = 0; "
-      "kelvin_voigt_no_tension cuts off the tension";
+      "the force jumps to c v at the touch, and pulls near separation, as published: contact lasts until d = 0. The "
+      "law kelvin_voigt_no_tension cuts off the tension";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool may_pull = true, sticks_at_zero = true, is_linear = true;
 

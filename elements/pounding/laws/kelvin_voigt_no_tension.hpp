@@ -25,7 +25,7 @@ struct KelvinVoigtNoTension {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any zeta >= 0";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch; it is released at d > 0, so the published ratio, which assumes contact "
+      "the force jumps to c v at the touch. It is released at d > 0, so the published ratio, which assumes contact "
       "until d = 0, yields a higher restitution than its target";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool is_linear = true;

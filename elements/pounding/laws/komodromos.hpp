@@ -26,7 +26,7 @@ struct Komodromos {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any zeta >= 0";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch; the penetration left at F = 0 is added to the gap for the rest of the run";
+      "the force jumps to c v at the touch. The penetration left at F = 0 is added to the gap for the rest of the run";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool leaves_indentation = true, is_linear = true;
 

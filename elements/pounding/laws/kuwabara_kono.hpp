@@ -30,8 +30,8 @@ struct KuwabaraKono {
   static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, A [s] dissipation time";
   static constexpr std::string_view range = "spheres, any A >= 0";
   static constexpr std::string_view beware =
-      "with a given dissipation_time, or a fixed impact_velocity, the restitution decreases with the closing speed; "
-      "with only a restitution, A is computed at each impact; tension near separation is cut off; the slope by d is "
+      "with a given dissipation_time, or a fixed impact_velocity, the restitution decreases with the closing speed. "
+      "With only a restitution, A is computed at each impact. Tension near separation is cut off. The slope by d is "
       "infinite at the touch and is bounded there";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
 

@@ -28,7 +28,7 @@ struct LimitedDamper {
   static constexpr std::string_view range = "n >= 1, any c >= 0";
   static constexpr std::string_view beware =
       "where the dashpot force is limited, the force is 2 k d^n in the approach and zero in the restitution phase, and "
-      "the slopes jump; with a given c the restitution depends on the closing speed";
+      "the slopes jump. With a given c, the restitution depends on the closing speed";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
   static constexpr std::array formulas{

@@ -25,7 +25,7 @@ struct ModifiedKelvin {
   static constexpr std::string_view range =
       "free impacts, a < 1/e; the force is cut off at zero for bodies torn apart faster than v/a";
   static constexpr std::string_view beware =
-      "the damping is calibrated to the closing speed v of each impact, or to a fixed impact_velocity; the force "
+      "the damping is calibrated to the closing speed v of each impact, or to a fixed impact_velocity. The force "
       "starts from zero and does not pull in a free impact";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m^2"};
 

@@ -24,7 +24,7 @@ struct ModifiedLinearViscoelastic {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any zeta >= 0";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch and is continuous at the reversal, where its slope by d' jumps; the force "
+      "the force jumps to c v at the touch and is continuous at the reversal, where its slope by d' jumps. The force "
       "never pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool is_linear = true;

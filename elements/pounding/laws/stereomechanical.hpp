@@ -20,8 +20,8 @@ struct Stereomechanical {
   static constexpr std::string_view symbols = "e [-] restitution, v- and v+ [m/s] relative velocity before and after";
   static constexpr std::string_view range = "impacts that are short compared with the periods of the structures";
   static constexpr std::string_view beware =
-      "no force, duration or penetration: peak forces are not available, and accelerations at the touch are infinite; "
-      "for e = 0 the bodies move together after the touch until a force pulls them apart";
+      "no force, duration or penetration: peak forces are not available, and accelerations at the touch are infinite. "
+      "For e = 0 the bodies move together after the touch until a force pulls them apart";
   static constexpr bool instantaneous = true, sticks_at_zero = true;
 
   double restitution = 0;  ///< e in [0, 1]

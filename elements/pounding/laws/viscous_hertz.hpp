@@ -32,7 +32,7 @@ struct ViscousHertz {
   static constexpr std::string_view range = "n >= 1, any alpha >= 0";
   static constexpr std::string_view beware =
       "tension near separation is cut off, so the published alpha, which assumes contact until d = 0, yields a higher "
-      "restitution than its target; for n < 3 the slope by d is infinite at the touch and is bounded there, while the "
+      "restitution than its target. For n < 3 the slope by d is infinite at the touch and is bounded there, while the "
       "force is exact";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^((n+1)/2)"};
 
