@@ -118,7 +118,7 @@ SparseMatrix Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)()
 Eigen::VectorXd Frame::loads() const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(nodes() * dofs());
   for (const auto& [at, force] : loads_) {
-    if (is_loose(at)) refuse(label(at) + ": trusses carry no moment; remove it");
+    if (is_loose(at)) refuse(label(at) + ": trusses carry no moment; remove the load");
     sum[at] += force;
   }
   for (const Member& member : members_) {

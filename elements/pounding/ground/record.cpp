@@ -37,7 +37,7 @@ void require_step(const Record& record, double said) {
   const std::string stated =
       record.samples.uniform ? fmt::format("a step of {:g} s", record.step()) : "times without a fixed step";
   throw InputError(
-      fmt::format("{}: the file states {}, but \"step\" says {:g} s; remove \"step\"", record.file, stated, said));
+      fmt::format("{}: the file states {}, but \"step\" is {:g} s; remove \"step\"", record.file, stated, said));
 }
 
 // Converts displacements, as read, to accelerations.

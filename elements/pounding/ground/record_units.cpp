@@ -159,7 +159,7 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
                                       is_length ? "; for displacements type displacement: {record: FILE}" : ""));
   }
   if (said && std::abs(*said - *factor) > 1e-9 * *factor)
-    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", excerpt(stated),
+    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" is {}; remove \"units\"", excerpt(stated),
                                       excerpt(options.units)));
   unit = stated;
   return *factor;

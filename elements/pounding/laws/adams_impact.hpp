@@ -94,7 +94,7 @@ struct AdamsImpact {
   }
 
  private:
-  // STEP and its derivative by d [1/m]; no division by a depth of zero.
+  // STEP and its derivative with respect to d [1/m]; no division by a depth of zero.
   Power step(double penetration) const noexcept {
     if (penetration >= depth) return {1, 0};
     const double s = std::max(penetration, 0.0) / depth;

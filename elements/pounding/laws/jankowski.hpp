@@ -19,8 +19,8 @@ namespace pounding::laws {
 /// 2005, EESD 34:595; paper Eqs. 8-10. Stored as a prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25]. For a
 /// target of 0.50, the formula of 2005 yields 0.558 and that of 2006 yields 0.495.
 ///
-/// The derivative by d is infinite at d = 0 (d^0.25); it is bounded there by its value at shallowest_slope, while the
-/// force is exact. The derivative by d' jumps at the reversal; at d' = 0 it is that of the restitution phase. Never
+/// dF/dd is infinite at d = 0 (d^0.25); it is bounded there by its value at shallowest_slope, while the
+/// force is exact. dF/dd' jumps at the reversal; at d' = 0 it is that of the restitution phase. Never
 /// pulls.
 struct Jankowski {
   static constexpr std::string_view
@@ -31,7 +31,7 @@ struct Jankowski {
   static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, xi [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any xi >= 0";
   static constexpr std::string_view beware =
-      "the slope by d' jumps at the reversal. The slope by d is infinite at the touch and is bounded there, while the "
+      "dF/dd' jumps at the reversal. dF/dd is infinite at the touch and is bounded there, while the "
       "force is exact. The force never pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^1.25"};
 

@@ -21,7 +21,7 @@ double exact_kuwabara_kono(const CalibrationTarget& asked);
 /// Tension near separation is cut off. A given restitution is reached at each impact with its own A = A* D/v, D = (m
 /// v^2/k)^(2/5); with a fixed impact_velocity or a given dissipation_time, the restitution depends on the speed.
 ///
-/// The derivative by d is infinite at d = 0; it is bounded there by its value at shallowest_slope, while the force is
+/// dF/dd is infinite at d = 0; it is bounded there by its value at shallowest_slope, while the force is
 /// exact.
 struct KuwabaraKono {
   static constexpr std::string_view name = "kuwabara_kono", shape = "F = max(0, k d^1.5 + (3/2) A k d^0.5 d')";
@@ -31,8 +31,8 @@ struct KuwabaraKono {
   static constexpr std::string_view range = "spheres, any A >= 0";
   static constexpr std::string_view beware =
       "with a given dissipation_time, or a fixed impact_velocity, the restitution decreases with the closing speed. "
-      "With only a restitution, A is computed at each impact. Tension near separation is cut off. The slope by d is "
-      "infinite at the touch and is bounded there";
+      "With only a restitution, A is computed at each impact. Tension near separation is cut off. dF/dd is infinite at "
+      "the touch and is bounded there";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
 
   static constexpr std::array formulas{Formula{"exact", "A = A* D/v, D = (m v^2/k)^(2/5), A* the root of e(A*) = e",

@@ -14,7 +14,7 @@ namespace pounding::laws {
 /// F = k d + c d' in approach (d' > 0), k d in restitution; c = 2 zeta sqrt(k m).
 ///
 /// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Mahmoud & Jankowski 2011, Iran. J. Sci. Tech.
-/// 35(C1):51. The force jumps to c v at the touch and is continuous at the reversal. The derivative by d' jumps at the
+/// 35(C1):51. The force jumps to c v at the touch and is continuous at the reversal. dF/dd' jumps at the
 /// reversal; at d' = 0 it is that of the restitution phase. Never pulls.
 struct ModifiedLinearViscoelastic {
   static constexpr std::string_view name = "modified_linear_viscoelastic",
@@ -24,7 +24,7 @@ struct ModifiedLinearViscoelastic {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any zeta >= 0";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch and is continuous at the reversal, where its slope by d' jumps. The force "
+      "the force jumps to c v at the touch and is continuous at the reversal, where dF/dd' jumps. The force "
       "never pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool is_linear = true;

@@ -21,7 +21,7 @@ namespace pounding::laws {
 /// contact until d = 0, where the force pulls; this law cuts off the tension, so it yields 0.55 for a target of 0.50.
 /// `exact` accounts for the cut-off.
 ///
-/// The parameter damping_ratio is alpha. For n < 3 the derivative by d is infinite at d = 0; it is bounded there by its
+/// The parameter damping_ratio is alpha. For n < 3, dF/dd is infinite at d = 0; it is bounded there by its
 /// value at shallowest_slope, while the force is exact.
 struct ViscousHertz {
   static constexpr std::string_view name = "viscous_hertz",
@@ -32,7 +32,7 @@ struct ViscousHertz {
   static constexpr std::string_view range = "n >= 1, any alpha >= 0";
   static constexpr std::string_view beware =
       "tension near separation is cut off, so the published alpha, which assumes contact until d = 0, yields a higher "
-      "restitution than its target. For n < 3 the slope by d is infinite at the touch and is bounded there, while the "
+      "restitution than its target. For n < 3, dF/dd is infinite at the touch and is bounded there, while the "
       "force is exact";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^((n+1)/2)"};
 

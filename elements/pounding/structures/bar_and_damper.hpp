@@ -48,7 +48,7 @@ struct Damper {
   double slip_rate(double stretch) const noexcept;
   /// Stretch s [m] that satisfies s + lag slip_rate(s) = length; 0 for an infinite lag [s].
   double stretch(double length, double lag) const noexcept;
-  /// Derivative of stretch() by the length, in [0, 1].
+  /// Derivative of stretch() with respect to the length, in [0, 1].
   double stretch_slope(double stretch, double lag) const noexcept;
   /// Throws std::invalid_argument for a value out of range.
   void check() const;
