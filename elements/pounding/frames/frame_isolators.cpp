@@ -64,22 +64,22 @@ std::vector<double> carried(FrameModel model) {
 void find_weights(FrameModel& model) {
   constexpr int most = 100;
   constexpr double enough = 1e-13;
-  std::vector<bool> is_asked;
+  std::vector<bool> is_computed;
   for (FrameIsolator& isolator : model.isolators) {
-    is_asked.push_back(needs_weight(isolator.options));
-    if (!is_asked.back()) continue;
+    is_computed.push_back(needs_weight(isolator.options));
+    if (!is_computed.back()) continue;
     if (!model.has_gravity())
       refuse_isolator(model, isolator,
                       "its weight is the load at rest, which requires gravity; type gravity: true, "
                       "or weight: 500 kN in its law");
     isolator.options.law.values["weight"] = 1e6;
   }
-  if (std::ranges::find(is_asked, true) == is_asked.end()) return;
+  if (std::ranges::find(is_computed, true) == is_computed.end()) return;
   for (int round = 0; round < most; ++round) {
     const std::vector<double> weights = carried(model);
     double change = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (!is_asked[i]) continue;
+      if (!is_computed[i]) continue;
       if (!(weights[i] > 0))
         refuse_isolator(model, model.isolators[i],
                         fmt::format("the load at rest is {}, but a slider needs compression; type fix: [uz, ...] if it "

@@ -13,7 +13,7 @@
 namespace pounding::laws {
 
 /// c D/(m v) for a restitution at one closing speed, from integrated impacts. D = (m v^2/k)^(1/(n+1)).
-double exact_adams_impact(const CalibrationTarget& asked);
+double exact_adams_impact(const CalibrationTarget& target);
 
 /// F = max(0, k d^n + c STEP(d) d'), STEP = s^2 (3 - 2 s) with s = d/depth, 1 beyond depth: the IMPACT function.
 ///
@@ -106,14 +106,14 @@ struct AdamsImpact {
   }
 };
 
-inline double exact_adams_impact(const CalibrationTarget& asked) {
-  const double length = impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent);
-  const double depth = asked.depth / length;
+inline double exact_adams_impact(const CalibrationTarget& target) {
+  const double length = impact_length(target.reduced_mass, target.closing_speed, target.stiffness, target.exponent);
+  const double depth = target.depth / length;
   // In an impact much shallower than the depth of full damping, the damping is 3 (d/depth)^2 of its full value.
   const double scale = std::max(1.0, depth * depth / 3);
-  return scale * number_of_restitution(asked.restitution, [&](double number) {
+  return scale * number_of_restitution(target.restitution, [&](double number) {
            return AdamsImpact{.stiffness = 1,
-                              .exponent = asked.exponent,
+                              .exponent = target.exponent,
                               .depth = depth,
                               .damping_coefficient = scale * number,
                               .reduced_mass = 1};

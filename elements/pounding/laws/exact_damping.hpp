@@ -85,13 +85,13 @@ inline double restitution_of_approach(double z) noexcept { return std::exp(-z * 
 
 /// z such that restitution_of_approach(z) = e.
 inline double exact_approach_ratio(const CalibrationTarget& q) {
-  const double asked = -std::log(q.restitution);
-  if (!(asked > 0)) return 0;
+  const double target = -std::log(q.restitution);
+  if (!(target > 0)) return 0;
   // z arccos(z)/sqrt(1-z^2) increases from 0 without bound.
-  const auto f = [asked](double z) { return z * angle_ratio(z) - asked; };
+  const auto f = [target](double z) { return z * angle_ratio(z) - target; };
   double high = 1;
   while (f(high) < 0) high *= 4;
-  return find_root(f, 0, -asked, high, f(high));
+  return find_root(f, 0, -target, high, f(high));
 }
 
 /// z such that restitution_to_zero_force(z) = e.

@@ -13,7 +13,7 @@
 namespace pounding::laws {
 
 /// A v/D for a restitution: one universal curve, from integrated impacts. D = (m v^2/k)^(2/5).
-double exact_kuwabara_kono(const CalibrationTarget& asked);
+double exact_kuwabara_kono(const CalibrationTarget& target);
 
 /// F = max(0, k d^1.5 + (3/2) A k d^0.5 d'): viscoelastic spheres; the restitution decreases with the closing speed.
 ///
@@ -90,8 +90,8 @@ struct KuwabaraKono {
   }
 };
 
-inline double exact_kuwabara_kono(const CalibrationTarget& asked) {
-  return number_of_restitution(asked.restitution, [](double number) {
+inline double exact_kuwabara_kono(const CalibrationTarget& target) {
+  return number_of_restitution(target.restitution, [](double number) {
     return KuwabaraKono{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
   });
 }

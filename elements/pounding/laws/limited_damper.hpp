@@ -13,7 +13,7 @@
 namespace pounding::laws {
 
 /// c D/(m v) for a restitution: one curve per exponent, from integrated impacts. D = (m v^2/k)^(1/(n+1)).
-double exact_limited_damper(const CalibrationTarget& asked);
+double exact_limited_damper(const CalibrationTarget& target);
 
 /// F = k d^n + clamp(c d', -k d^n, k d^n): the dashpot force is limited to the spring force.
 ///
@@ -94,9 +94,9 @@ struct LimitedDamper {
   }
 };
 
-inline double exact_limited_damper(const CalibrationTarget& asked) {
-  return number_of_restitution(asked.restitution, [&](double number) {
-    return LimitedDamper{.stiffness = 1, .exponent = asked.exponent, .damping_coefficient = number, .reduced_mass = 1};
+inline double exact_limited_damper(const CalibrationTarget& target) {
+  return number_of_restitution(target.restitution, [&](double number) {
+    return LimitedDamper{.stiffness = 1, .exponent = target.exponent, .damping_coefficient = number, .reduced_mass = 1};
   });
 }
 

@@ -244,16 +244,16 @@ Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOp
   const auto fail = [&](const std::string& what) {
     throw InputError(fmt::format("{}: {}: {}", lines.name(), what, fmt::join(texts, "; ")));
   };
-  const std::string asked = upper(single_spaced(options.channel));
-  if (asked.empty()) {
+  const std::string requested = upper(single_spaced(options.channel));
+  if (requested.empty()) {
     if (channels.size() > 1)
       fail(fmt::format("{} channels; add \"channel:\" with the number or component of one", channels.size()));
     return channels.front();
   }
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (upper(channels[i].number) == asked) return channels[i];
-    if (upper(channels[i].component) == asked) found.push_back(i);
+    if (upper(channels[i].number) == requested) return channels[i];
+    if (upper(channels[i].component) == requested) found.push_back(i);
   }
   if (found.empty())
     fail(fmt::format("no channel with number or component \"{}\"; channels in the file", excerpt(options.channel)));
