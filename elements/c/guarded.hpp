@@ -1,5 +1,5 @@
 #pragma once
-/// How functions of the C interface fail: a status, and a text of the calling thread.
+/// Error handling of the C interface: a status code, and an error text per thread.
 
 #include <cmath>
 #include <exception>
@@ -12,10 +12,10 @@
 
 namespace pounding::c {
 
-/// Keeps the text for pnd_error_text() and returns the status.
+/// Stores the error text of the calling thread for pnd_error_text() and returns the status.
 pnd_status fail(pnd_status status, std::string_view text) noexcept;
 
-/// No exception crosses into C.
+/// Calls a function and converts its exceptions to a status: none propagates into C.
 template <class Call>
 int guarded(Call&& call) noexcept {
   try {

@@ -33,7 +33,7 @@ namespace pounding::c {
 
 pnd_status fail(pnd_status status, std::string_view text) noexcept {
   std::size_t length = std::min(text.size(), last_error.size() - 1);
-  // A letter of several bytes is not cut.
+  // Does not truncate within a multi-byte UTF-8 character.
   while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
   std::copy_n(text.data(), length, last_error.data());
   last_error[length] = '\0';
@@ -76,7 +76,7 @@ laws::Settings settings(const char* law, const char* formula, const pnd_value* v
   return s;
 }
 
-// The gap of the host is no concern of the interface: a state counts its indentation only.
+// The gap of the host is not part of the interface: the state contains only the indentation.
 pounding::ContactState state_of(const pnd_contact& c) noexcept {
   return {.phase = c.touching != 0 ? ContactPhase::approach : ContactPhase::open,
           .impact = {.closing_speed = c.closing_speed,
@@ -87,7 +87,7 @@ pounding::ContactState state_of(const pnd_contact& c) noexcept {
           .gap = c.indentation};
 }
 
-// Between impacts a pnd_contact holds nothing but its indentation, and how deep the bodies were crushed.
+// Between impacts a pnd_contact contains only its indentation and the crushed depth.
 void put(const pounding::ContactState& state, pnd_contact& c) noexcept {
   const bool touching = presses(state.phase);
   const laws::Impact impact = touching ? state.impact : laws::Impact{.crushed = state.impact.crushed};
@@ -113,7 +113,7 @@ void accept(const L& law, double penetration, double rate, pounding::ContactStat
   state.keep(law, d, rate);
 }
 
-// Moves the history by `change(law, state)`; on an exception the contact stays as it was.
+// Updates the history with `change(law, state)`; the contact is unchanged if it throws.
 template <class Change>
 void update(const pnd_law* law, pnd_contact& contact, Change&& change) {
   pounding::ContactState state = state_of(contact);
@@ -123,12 +123,12 @@ void update(const pnd_law* law, pnd_contact& contact, Change&& change) {
 
 const laws::Entry& entry_at(size_t law) {
   if (law >= laws::catalogue().size())
-    throw std::invalid_argument("there is no law " + std::to_string(law) + "; there are " +
-                                std::to_string(laws::catalogue().size()));
+    throw std::invalid_argument("law " + std::to_string(law) +
+                                " is out of range; number of laws: " + std::to_string(laws::catalogue().size()));
   return laws::catalogue()[law];
 }
 
-// The texts of the tables are literals, which end with a zero.
+// The texts are string literals, so data() is null-terminated.
 pnd_parameter_info info_of(const laws::ParameterInfo& p) noexcept {
   const int needs[] = {PND_REQUIRED, PND_OPTIONAL, PND_DAMPING, PND_TOGETHER};
   return {p.name.data(), p.unit.data(), p.meaning.data(), p.typical, needs[static_cast<int>(p.need)]};
@@ -143,7 +143,7 @@ std::vector<pnd_parameter_info> parameters_of(const laws::Entry& entry) {
          entry.sticks_at_zero ? "coefficient of restitution, in [0, 1]" : "coefficient of restitution, in (0, 1]",
          laws::typical_restitution, entry.direct_damping().empty() ? PND_REQUIRED : PND_DAMPING});
   if (entry.takes_impact_velocity)
-    list.push_back({"impact_velocity", "m/s", "fixed design velocity; without it each impact takes its own",
+    list.push_back({"impact_velocity", "m/s", "fixed design velocity; default: the closing speed of each impact",
                     laws::typical_closing_speed, PND_OPTIONAL});
   if (entry.takes_reduced_mass)
     list.push_back(
@@ -174,7 +174,7 @@ int pnd_touch(const pnd_law* law, double closing_speed, pnd_contact* contact) {
     require(law, "law");
     require(contact, "contact");
     laws::require_not_negative("closing_speed", closing_speed);
-    if (contact->touching != 0) throw std::invalid_argument("the impact before has not ended: pnd_separate ends it");
+    if (contact->touching != 0) throw std::invalid_argument("an impact is in progress; call pnd_separate to end it");
     update(law, *contact, [&](const auto& chosen, auto& state) { state.begin(chosen, closing_speed); });
   });
 }
@@ -213,7 +213,7 @@ int pnd_separate(const pnd_law* law, double penetration, pnd_contact* contact) {
     require(contact, "contact");
     require_finite("penetration", penetration);
     if (contact->touching == 0)
-      throw std::invalid_argument("there is no impact to end: pnd_touch or pnd_accept begins one");
+      throw std::invalid_argument("no impact is in progress; call pnd_touch or pnd_accept to begin one");
     update(law, *contact,
            [&](const auto& chosen, auto& state) { state.end(chosen, std::max(state.penetration(penetration), 0.0)); });
   });
@@ -252,8 +252,8 @@ int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info* inf
     require(info, "info");
     const std::vector<pnd_parameter_info> list = parameters_of(entry_at(law));
     if (parameter >= list.size())
-      throw std::invalid_argument(std::string(entry_at(law).name) + " has no parameter " + std::to_string(parameter) +
-                                  "; it has " + std::to_string(list.size()));
+      throw std::invalid_argument(std::string(entry_at(law).name) + " has no parameter with index " +
+                                  std::to_string(parameter) + "; number of parameters: " + std::to_string(list.size()));
     *info = list[parameter];
   });
 }
@@ -263,8 +263,8 @@ int pnd_describe_formula(size_t law, size_t formula, pnd_formula_info* info) {
     require(info, "info");
     const laws::Entry& e = entry_at(law);
     if (formula >= e.formulas.size())
-      throw std::invalid_argument(std::string(e.name) + " has no formula " + std::to_string(formula) + "; it has " +
-                                  std::to_string(e.formulas.size()));
+      throw std::invalid_argument(std::string(e.name) + " has no formula with index " + std::to_string(formula) +
+                                  "; number of formulas: " + std::to_string(e.formulas.size()));
     const laws::Formula& f = e.formulas[formula];
     *info = {f.name.data(), f.source.data(), f.note.data()};
   });

@@ -1,4 +1,4 @@
-/// Laws of yielding for C.
+/// Hysteretic laws for C.
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,8 @@ hysteresis::Settings settings(const char* law, const pnd_value* values, size_t c
     require_new(s.values.emplace(values[i].name, values[i].value).second, values[i].name);
   }
   for (size_t i = 0; i < word_count; ++i) {
-    require(words[i].name, "name of a word");
-    require(words[i].word, "word");
+    require(words[i].name, "name of a keyword");
+    require(words[i].word, "keyword");
     require_new(s.words.emplace(words[i].name, words[i].word).second, words[i].name);
   }
   return s;
@@ -46,12 +46,12 @@ hysteresis::Settings settings(const char* law, const pnd_value* values, size_t c
 const hysteresis::Entry& yielding_at(size_t law) {
   const auto all = hysteresis::catalogue();
   if (law >= all.size())
-    throw std::invalid_argument("there is no law of yielding " + std::to_string(law) + "; there are " +
-                                std::to_string(all.size()));
+    throw std::invalid_argument("hysteretic law " + std::to_string(law) +
+                                " is out of range; number of laws: " + std::to_string(all.size()));
   return all[law];
 }
 
-// Answers that nobody asked for are left out.
+// Stores a value unless the caller passed a null pointer for the array.
 void put(double* list, size_t i, double value) {
   if (list) list[i] = value;
 }
@@ -112,7 +112,7 @@ int pnd_yielding_start(const pnd_yielding* law, double* stiffness, double* yield
 
 size_t pnd_yielding_count(void) { return hysteresis::catalogue().size(); }
 
-// The texts of the tables are literals, which end with a zero.
+// The texts are string literals, so data() is null-terminated.
 int pnd_describe_yielding(size_t law, pnd_yielding_info* info) {
   return guarded([&] {
     require(info, "info");
@@ -126,8 +126,8 @@ int pnd_describe_yielding_parameter(size_t law, size_t parameter, pnd_parameter_
     require(info, "info");
     const hysteresis::Entry& e = yielding_at(law);
     if (parameter >= e.parameters.size())
-      throw std::invalid_argument(std::string(e.name) + " has no parameter " + std::to_string(parameter) + "; it has " +
-                                  std::to_string(e.parameters.size()));
+      throw std::invalid_argument(std::string(e.name) + " has no parameter with index " + std::to_string(parameter) +
+                                  "; number of parameters: " + std::to_string(e.parameters.size()));
     const hysteresis::ParameterInfo& p = e.parameters[parameter];
     *info = {p.name.data(), p.unit.data(), p.meaning.data(), p.typical,
              p.need == hysteresis::Need::required ? PND_REQUIRED : PND_OPTIONAL};
@@ -139,7 +139,7 @@ int pnd_describe_yielding_choice(size_t law, size_t choice, size_t word, pnd_cho
     require(info, "info");
     const hysteresis::Entry& e = yielding_at(law);
     if (choice >= e.choices.size() || word >= e.choices[choice].words.size())
-      throw std::invalid_argument(std::string(e.name) + " has no such choice or no such word");
+      throw std::invalid_argument(std::string(e.name) + " has no choice or keyword with these indices");
     const hysteresis::ChoiceInfo& c = e.choices[choice];
     *info = {c.name.data(), c.meaning.data(), c.words[word].data(), c.words.size()};
   });

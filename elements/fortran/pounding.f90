@@ -1,15 +1,15 @@
-!> Contact laws and laws of yielding for Fortran: the functions of pounding.h, where units, signs and errors are stated.
+!> Contact laws and hysteretic laws for Fortran: the functions of pounding.h, which documents units, signs and errors.
 !>
 !>     type(c_ptr) :: law
-!>     type(pnd_contact) :: contact        ! two bodies that never touched
+!>     type(pnd_contact) :: contact        ! two bodies that have never touched
 !>     type(pnd_response) :: answer
 !>     if (pnd_create('jankowski', 'exact', [pnd_value('stiffness', 2.75d9), pnd_value('restitution', 0.65d0), &
 !>                    pnd_value('reduced_mass', 6d4)], law) /= PND_OK) print *, pnd_error_text()
-!>     status = pnd_respond(law, contact, penetration, rate, answer)   ! as often as the solver asks: nothing is changed
-!>     status = pnd_accept(law, penetration, rate, contact)            ! once for each step that is kept
+!>     status = pnd_respond(law, contact, penetration, rate, answer)   ! any number of times: modifies nothing
+!>     status = pnd_accept(law, penetration, rate, contact)            ! once per accepted step
 !>     call pnd_destroy(law)
 !>
-!> Laws are counted from 1 here. A law of yielding takes whole arrays:
+!> Indices of laws start at 1 here. A hysteretic law is evaluated for whole arrays:
 !>
 !>     status = pnd_create_yielding('bouc_wen', [pnd_value('stiffness', 2d7), pnd_value('yield_force', 1.5d5)], storey)
 !>     status = pnd_follow(storey, drift, force, tangent, lost)
@@ -27,7 +27,8 @@ module pounding
   public :: pnd_error_text, pnd_version, pnd_interface, pnd_law_count, pnd_law_name
 
   integer(c_int), parameter, public :: PND_OK = 0, PND_BAD_ARGUMENT = 1, PND_OUT_OF_MEMORY = 2, PND_FAILED = 3
-  !> A pnd_contact among other state variables: transfer(contact, state) and transfer(state, contact).
+  !> Number of doubles in a pnd_contact, to store it among other state variables: transfer(contact, state) and
+  !> transfer(state, contact).
   integer, parameter, public :: PND_CONTACT_DOUBLES = 8
 
   type :: pnd_value
@@ -35,7 +36,7 @@ module pounding
     real(c_double) :: value
   end type
 
-  !> A parameter that takes a word, as in pnd_word('memory', 'last').
+  !> A parameter that takes a keyword, as in pnd_word('memory', 'last').
   type :: pnd_word
     character(32) :: name, word
   end type
@@ -133,7 +134,7 @@ module pounding
       type(c_ptr), value :: law
     end subroutine
 
-    !> Stiffness [N/m] and deformation of the first yield [m].
+    !> Initial stiffness [N/m] and yield deformation [m].
     integer(c_int) function pnd_yielding_start(law, stiffness, yield_deformation) bind(C)
       import :: c_ptr, c_int, c_double
       type(c_ptr), value :: law
@@ -193,7 +194,7 @@ module pounding
 
 contains
 
-  !> Makes a law, which pnd_destroy must end. Trailing blanks of names do not count; an empty formula is 'exact'.
+  !> Creates a law; release it with pnd_destroy. Trailing blanks of names are ignored; an empty formula is 'exact'.
   integer(c_int) function pnd_create(law, formula, values, made) result(status)
     character(*), intent(in) :: law, formula
     type(pnd_value), intent(in) :: values(:)
@@ -209,7 +210,7 @@ contains
     status = create_in_c(trim(law) // c_null_char, trim(formula) // c_null_char, pairs, size(pairs, kind=c_size_t), made)
   end function
 
-  !> Makes a law of yielding, which pnd_destroy_yielding must end.
+  !> Creates a hysteretic law; release it with pnd_destroy_yielding.
   integer(c_int) function pnd_create_yielding(law, values, made, words) result(status)
     character(*), intent(in) :: law
     type(pnd_value), intent(in) :: values(:)
@@ -236,7 +237,8 @@ contains
     status = create_yielding_in_c(trim(law) // c_null_char, pairs, size(pairs, kind=c_size_t), chosen, int(count, c_size_t), made)
   end function
 
-  !> The law along the deformations, from the undeformed state: force, tangent and energy lost, arrays of the same size.
+  !> Evaluates the law along the deformations, from the undeformed state: force, tangent and dissipated energy, arrays
+  !> of the same size.
   integer(c_int) function pnd_follow(law, deformation, force, tangent, lost) result(status)
     type(c_ptr), intent(in) :: law
     real(c_double), intent(in) :: deformation(:)
@@ -248,7 +250,7 @@ contains
     count = int(yielding_count_in_c())
   end function
 
-  !> Name of law of yielding 1 ... pnd_yielding_count(); empty outside.
+  !> Name of hysteretic law 1 ... pnd_yielding_count(); empty if out of range.
   function pnd_yielding_name(law) result(text)
     integer, intent(in) :: law
     character(:), allocatable :: text
@@ -273,7 +275,7 @@ contains
     count = int(law_count_in_c())
   end function
 
-  !> Name of law 1 ... pnd_law_count(); empty outside.
+  !> Name of law 1 ... pnd_law_count(); empty if out of range.
   function pnd_law_name(law) result(text)
     integer, intent(in) :: law
     character(:), allocatable :: text

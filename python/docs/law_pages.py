@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Makes the page of each contact law, elements/pounding/laws/pages, from what the program knows of it.
+"""Generates the page of each contact law, elements/pounding/laws/pages, from the output of the program.
 
     python3 python/docs/law_pages.py build/pounding --write    # pages and pictures
-    python3 python/docs/law_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or numbers
-    are others
+    python3 python/docs/law_pages.py build/pounding --check    # exit code 1 if the text of a page differs
 
-Equations, sources, parameters and numbers come from `pounding laws` and `pounding calibrate`, the loops from runs, and
-the sections that verify a law from tests/verification/README.md. Pictures are not compared.
+Equations, sources, parameters and numbers are from `pounding laws` and `pounding calibrate`, loops from runs, and
+verification sections from tests/verification/README.md. Pictures are not compared.
 """
 
 import io
@@ -24,10 +23,10 @@ from verification_book import PAGE as BOOK
 from verification_book import anchor
 
 PAGES = ROOT / "elements/pounding/laws/pages"
-HALF = 4  # place of 0.50 among the restitutions asked
+HALF = 4  # index of 0.50 among the target restitutions
 MASSES, SPEED, RESTITUTION = ("100 t", "150 t"), 0.5, 0.65
 COMMON = (
-    "F [N] contact force, positive where it pushes apart; d [m] penetration; d' [m/s] its rate, positive in approach; v [m/s] "
+    "F [N] contact force, positive if it pushes the bodies apart; d [m] penetration; d' [m/s] its rate, positive in approach; v [m/s] "
     "closing speed of the impact; m [kg] reduced mass m1 m2/(m1+m2) of the two floors"
 )
 
@@ -46,7 +45,7 @@ class Program:
         return self.json("calibrate", "--law", law["name"], *asked, "--m1", MASSES[0], "--m2", MASSES[1])["formulas"]
 
     def loop(self, law, formula):
-        """Penetrations [m] and forces [N] of one impact of two free floors, as recorded."""
+        """Recorded penetrations [m] and forces [N] of one impact of two free floors."""
         import h5py
 
         asked = f", restitution: {RESTITUTION}" if law["restitution"] else ""
@@ -76,7 +75,7 @@ def sections():
 
 
 def verified(law):
-    """Links to the sections that name this law, or go by every law."""
+    """Links to the sections that name this law or apply to every law."""
     named = re.compile(rf"(?<![\w/]){law['name']}(?!\w)|by (every|any) law\b")
     found = [title for title, text in sections() if named.search(text)]
     where = os.path.relpath(BOOK, PAGES)
@@ -110,13 +109,7 @@ def parameters(law):
         )
     if law["impact_velocity"]:
         rows.append(
-            (
-                "`impact_velocity`",
-                "m/s",
-                "",
-                "fixed design velocity; without it each impact takes its own closing speed",
-                "optional",
-            )
+            ("`impact_velocity`", "m/s", "", "fixed design velocity; default: closing speed of each impact", "optional")
         )
     if law["reduced_mass"]:
         rows.append(("`reduced_mass`", "kg", "", "m of the linked floors", "found by the link"))
@@ -124,20 +117,15 @@ def parameters(law):
 
 
 def formulas(law):
-    lines = [
-        "## Damping formulas",
-        "",
-        "What turns the restitution that is asked into damping. e is the one asked.",
-        "",
-    ]
+    lines = ["## Damping formulas", "", "Each formula computes the damping from a target restitution e.", ""]
     lines += table(
-        ("formula", "equation", "source", "what it gives"),
+        ("formula", "equation", "source", "note"),
         [(f"`{f['name']}`", f"`{f['equation']}`", f["source"], f["note"]) for f in law["formulas"]],
     )
     asked = [row["asked"] for row in law["formulas"][0]["obtained"]]
-    lines += [f"Restitution really obtained in a free impact at {SPEED:g} m/s:", ""]
+    lines += [f"Restitution obtained in a free impact at {SPEED:g} m/s:", ""]
     lines += table(
-        ("asked", *(f"{e:.1f}" for e in asked)),
+        ("target", *(f"{e:.1f}" for e in asked)),
         [
             (f"`{f['name']}`", *("-" if row["obtained"] is None else f"{row['obtained']:.4f}" for row in f["obtained"]))
             for f in law["formulas"]
@@ -148,11 +136,11 @@ def formulas(law):
 
 
 def one_impact(law, rows):
-    asked = f", restitution {RESTITUTION} asked" if law["restitution"] else ""
+    asked = f", target restitution {RESTITUTION}" if law["restitution"] else ""
     lines = [
         "## One impact",
         "",
-        f"A floor of {MASSES[0]} meets one of {MASSES[1]} at {SPEED:g} m/s{asked}, typical parameters:",
+        f"A floor of {MASSES[0]} hits a floor of {MASSES[1]} at {SPEED:g} m/s{asked}, typical parameters:",
         "",
     ]
     shown = [
@@ -186,8 +174,8 @@ def page(law, rows):
         f"With {symbols}.",
         "",
     ]
-    for word in ("source", "range", "beware"):
-        lines += [f"**{word.capitalize()}:** {law[word]}.", ""]
+    for key, title in (("source", "Source"), ("range", "Range"), ("beware", "Limitations")):
+        lines += [f"**{title}:** {law[key]}.", ""]
     lines += [
         f"In a model: `law: {name}`"
         + "".join(f", `{p['name']}: {p['typical']:g}`" for p in law["parameters"] if p["need"] == "required")
@@ -196,7 +184,7 @@ def page(law, rows):
         "",
     ]
     if not law["instantaneous"]:
-        lines += [f"![Force over penetration, and the restitution that is obtained]({name}.png)", ""]
+        lines += [f"![Force over penetration, and the restitution obtained]({name}.png)", ""]
     lines += ["## Parameters", "", *parameters(law)] if law["parameters"] else []
     lines += formulas(law) if law["formulas"] else []
     lines += one_impact(law, rows) if not law["instantaneous"] else []
@@ -231,20 +219,20 @@ def index(all_laws):
         "",
         f"{COMMON}.",
         "",
-        "A page for each law: symbols, source, range, parameters, every damping formula with its equation and the",
-        "restitution that it really gives, the loop of one impact, what to beware of, and the tests that verify it. Made by",
+        "The page of each law lists symbols, source, range, limitations, parameters, damping formulas with the restitution",
+        "that they yield, the loop of one impact, and verification tests. The pages are generated by",
         "",
         "    .venv-test/bin/python3 python/docs/law_pages.py build/pounding --write",
         "",
-        "from what `pounding laws NAME` says.",
+        "from the output of `pounding laws NAME`.",
         "",
     ]
-    lines += table(("law", "force", "what it is", "formulas", "0.50 asked gives"), rows, {3})
+    lines += table(("law", "force", "summary", "formulas", "restitution for a target of 0.50"), rows, {3})
     return "\n".join(lines).rstrip("\n") + "\n"
 
 
 def draw(program, law, path):
-    """Left the loop of one impact, right what each formula gives over what is asked."""
+    """Left: loop of one impact. Right: obtained over target restitution of each formula."""
     sys.path.insert(0, str(ROOT / "python"))
     import matplotlib
 
@@ -271,7 +259,7 @@ def draw(program, law, path):
         loops.set(
             xlabel="penetration d (mm)",
             ylabel="force F (MN)",
-            title=f"One impact at {SPEED:g} m/s" + (f", e = {RESTITUTION} asked" if law["restitution"] else ""),
+            title=f"One impact at {SPEED:g} m/s" + (f", target e = {RESTITUTION}" if law["restitution"] else ""),
         )
         loops.axhline(0, color="0.5", linewidth=0.6)
         if law["formulas"]:
@@ -288,11 +276,11 @@ def draw(program, law, path):
                     label=formula["name"],
                 )
             curves.set(
-                xlabel="restitution asked",
-                ylabel="restitution obtained",
+                xlabel="target restitution",
+                ylabel="obtained restitution",
                 xlim=(0, 1),
                 ylim=(0, 1),
-                title="Obtained in a free impact",
+                title="Free impact",
             )
             curves.legend(loc="upper left", bbox_to_anchor=(1, 1))
         drawn = io.BytesIO()

@@ -1,17 +1,17 @@
 #pragma once
-/// A bilinear spring with kinematic hardening: a storey that yields.
+/// A bilinear spring with kinematic hardening: a yielding storey.
 
 #include <pounding/hysteresis/bilinear.hpp>
 #include <pounding/structures/hysteretic_spring.hpp>
 
 namespace pounding {
 
-/// F = a k u + (1 - a) k clamp(u - s, -Fy/k, Fy/k): a spring a k beside an elastic, perfectly plastic one with the slip
-/// s, see hysteresis::Bilinear. It answers F - k u, which is -(1 - a) k s while it is elastic; its slope is -(1 - a) k
-/// while it yields, else zero, and at the yield point that of the elastic side.
+/// F = a k u + (1 - a) k clamp(u - s, -Fy/k, Fy/k): a spring a k in parallel with an elastic-perfectly plastic spring
+/// with slip s, see hysteresis::Bilinear. evaluate() returns F - k u, which is -(1 - a) k s in the elastic range. Its
+/// slope is -(1 - a) k during yielding and zero otherwise; at the yield point it is that of the elastic side.
 class BilinearSpring final : public HystereticSpring<hysteresis::Bilinear> {
  public:
-  /// Its force over deformation: slope k up to Fy, then a k.
+  /// Force-deformation curve: slope k up to Fy, then a k.
   struct Parameters {
     double stiffness = 0;    ///< k > 0 [N/m]
     double yield_force = 0;  ///< Fy > 0 [N]

@@ -40,7 +40,7 @@ double phi_z(const Section& s, const Material& m, double l) {
   return shear_factor(m.young, s.inertia_z, m.shear, s.shear_area_y, l);
 }
 
-// The three matrices of bending for (w, t, w, t), where t = dw/dx when there is no shear.
+// The three bending matrices for (w, t, w, t), where t = dw/dx without shear deformation.
 
 Matrix4d bending_stiffness(double rigidity, double phi, double l) {
   const double near = (4 + phi) * l * l, far = (2 - phi) * l * l;
@@ -67,7 +67,7 @@ Matrix4d bending_geometric(double phi, double l) {
   return g / ((1 + phi) * (1 + phi) * l);
 }
 
-// The deflection at x = along l of a beam without load between its ends.
+// Deflection at x = along l of a beam without load between its ends.
 Eigen::RowVector4d bending_shape(double along, double phi, double l) {
   const double s = along, s2 = s * s, s3 = s2 * s;
   return Eigen::RowVector4d(1 - 3 * s2 + 2 * s3 + phi * (1 - s), l * (s - 2 * s2 + s3 + phi / 2 * (s - s2)),
@@ -75,10 +75,10 @@ Eigen::RowVector4d bending_shape(double along, double phi, double l) {
          (1 + phi);
 }
 
-// About y a positive rotation lowers the far end: t = -ry.
+// About y, a positive rotation lowers the far end: t = -ry.
 Eigen::RowVector4d turned() { return {1, -1, 1, -1}; }
 
-// A bar's two by two, and both bendings, at their places.
+// Assembles the 2 x 2 bar matrices and the bending matrices of both planes.
 Matrix12 placed(const Matrix2d& along, const Matrix2d& around, Matrix4d about_y, const Matrix4d& about_z) {
   about_y = turned().asDiagonal() * about_y * turned().asDiagonal();
   Matrix12 all = Matrix12::Zero();
@@ -89,7 +89,7 @@ Matrix12 placed(const Matrix2d& along, const Matrix2d& around, Matrix4d about_y,
   return all;
 }
 
-// Along, and across by the axial force alone.
+// Along the axis, and transverse stiffness due to the axial force.
 Matrix12 truss_stiffness(double along, double across) {
   Matrix12 all = Matrix12::Zero();
   for (const auto& [at, stiffness] : {std::pair(0, along), {1, across}, {2, across}}) {
@@ -101,7 +101,7 @@ Matrix12 truss_stiffness(double along, double across) {
 
 Matrix12 symmetric(const Matrix12& m) { return 0.5 * (m + m.transpose()); }
 
-// All displacements of the ends from those that are not released: no force acts along the released ones.
+// Maps the displacements of unreleased ends to all end displacements: no force acts along the released ones.
 Matrix12 release(const Matrix12& stiffness, const BeamOptions& options) {
   std::array<bool, 12> is_released{};
   for (const Dof d : options.start_releases) is_released[static_cast<int>(d)] = true;
@@ -111,23 +111,24 @@ Matrix12 release(const Matrix12& stiffness, const BeamOptions& options) {
   Matrix12 follow = Matrix12::Identity();
   if (released.empty()) return follow;
 
-  const char* mechanism = "the releases leave a mechanism";
+  const char* mechanism = "the releases create a mechanism";
   const Eigen::VectorXd diagonal = stiffness.diagonal()(released);
   require((diagonal.array() != 0).all(), mechanism);
-  // Scaled, since rotations and translations have different units.
+  // Scaled, because rotations and translations have different units.
   const Eigen::VectorXd scale = diagonal.cwiseAbs().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd block = scale.asDiagonal() * stiffness(released, released) * scale.asDiagonal();
   Eigen::FullPivLU<Eigen::MatrixXd> lu(block);
   lu.setThreshold(1e-12);
   require(lu.isInvertible(), mechanism);
-  // Only an axial force can do this.
-  require(block.llt().info() == Eigen::Success, "it buckles between its released ends under its axial force");
+  // Only an axial force can cause this.
+  require(block.llt().info() == Eigen::Success, "the member buckles between its released ends under its axial force");
   follow(released, released).setZero();
   follow(released, kept) = -(scale.asDiagonal() * lu.solve(scale.asDiagonal() * stiffness(released, kept)));
   return follow;
 }
 
-// Displacements of the member's ends from those of what its springs stand on: they turn by what their moments ask for.
+// Maps the displacements at the far side of the end springs to those of the member ends, which rotate in proportion to
+// their moments.
 Matrix12 through_springs(const Matrix12& stiffness, const std::vector<std::pair<int, double>>& springs) {
   Matrix12 follow = Matrix12::Identity();
   if (springs.empty()) return follow;
@@ -136,7 +137,7 @@ Matrix12 through_springs(const Matrix12& stiffness, const std::vector<std::pair<
   Eigen::MatrixXd block = stiffness(sprung, sprung);
   for (std::size_t i = 0; i < springs.size(); ++i) block(i, i) += springs[i].second;
   const Eigen::LLT<Eigen::MatrixXd> factor(block);
-  require(factor.info() == Eigen::Success, "it buckles between the springs at its ends under its axial force");
+  require(factor.info() == Eigen::Success, "the member buckles between its end springs under its axial force");
   follow(sprung, Eigen::all) -= factor.solve(stiffness(sprung, Eigen::all));
   return follow;
 }
@@ -147,7 +148,8 @@ void check(const Section& s, const Material& m) {
   for (const double value : {s.inertia_z, s.torsion, m.shear, m.density})
     require(value >= 0 && std::isfinite(value),
             "inertia_z, torsion, shear and density must be finite and not negative");
-  require(s.shear_area_y > 0 && s.shear_area_z > 0, "shear areas must be positive, infinite without shear deformation");
+  require(s.shear_area_y > 0 && s.shear_area_z > 0,
+          "shear areas must be positive; infinite means no shear deformation");
   const bool shears = std::isfinite(s.shear_area_y) || std::isfinite(s.shear_area_z);
   require(m.shear > 0 || !shears, "a finite shear area needs a shear modulus");
 }
@@ -191,7 +193,7 @@ Matrix3d beam_axes(const Vector3d& direction, const std::optional<Vector3d>& ref
   const bool vertical = std::hypot(x.x(), x.y()) < 1e-6;
   const Vector3d leaning = reference.value_or(vertical ? Vector3d(-1, 0, 0) : Vector3d(0, 0, 1));
   const Vector3d across = leaning.cross(x);
-  require(across.norm() > 1e-6 * leaning.norm(), "the reference vector lies along the member");
+  require(across.norm() > 1e-6 * leaning.norm(), "the reference vector is parallel to the member");
   const Vector3d y = across.normalized();
   Matrix3d axes;
   axes << x.transpose(), y.transpose(), x.cross(y).transpose();
@@ -212,9 +214,9 @@ Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& 
   is_truss ? check_truss(section.area, material) : check(section, material);
   const Vector3d along = end_node + options.end_offset - start_node - options.start_offset;
   length_ = along.norm();
-  require(std::isfinite(length_), "its ends must have finite coordinates");
-  // Below this the ends differ by the rounding of their coordinates.
-  require(length_ > 1e-9 * (1 + start_node.norm() + end_node.norm()), "its two ends are at one point");
+  require(std::isfinite(length_), "the ends must have finite coordinates");
+  // For smaller lengths, the ends differ only by the round-off of their coordinates.
+  require(length_ > 1e-9 * (1 + start_node.norm() + end_node.norm()), "both ends are at the same point");
   axes_ = beam_axes(along, options.reference);
   to_local_.setZero();
   for (const int node : {0, 6}) {
@@ -233,11 +235,9 @@ void Beam::set_axial_force(double force) {
 
 void Beam::set_end_spring(int place, double stiffness) {
   require(!is_truss_, "a truss carries no moment");
-  require(place == 4 || place == 5 || place == 10 || place == 11,
-          "a spring at its end stands on a rotation in bending");
-  require(stiffness > 0 && std::isfinite(stiffness),
-          "the stiffness of a spring at its end must be positive and finite");
-  require(!is_released(place), "the end transmits no moment to a spring");
+  require(place == 4 || place == 5 || place == 10 || place == 11, "an end spring must act on a bending rotation");
+  require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of an end spring must be positive and finite");
+  require(!is_released(place), "the end is released, so it transmits no moment to a spring");
   std::erase_if(end_springs_, [&](const auto& spring) { return spring.first == place; });
   end_springs_.emplace_back(place, stiffness);
   condense(options_.axial_force);
@@ -257,7 +257,7 @@ void Beam::condense(double force) {
   follow_ = released;
   if (end_springs_.empty()) return;
   const Matrix12 through = through_springs(local_stiffness_, end_springs_);
-  // K times the turned ends is what the springs pass on, too.
+  // The springs transmit the same forces, K times the rotated ends.
   local_stiffness_ = symmetric(local_stiffness_ * through);
   follow_ = released * through;
 }
@@ -284,7 +284,7 @@ Vector12 Beam::fixed_end_forces(const Vector3d& per_length) const {
   Vector12 held = Vector12::Zero();
   held.segment<3>(0) = held.segment<3>(6) = -0.5 * length_ * local;
   if (is_truss_) return held;
-  // Both halves of a uniform load shear the beam alike, so its end moments do not know of the shear deformation.
+  // A uniform load shears both halves of the beam equally, so shear deformation does not affect its end moments.
   const double arm = length_ * length_ / 12;
   held[4] = arm * local.z();
   held[5] = -arm * local.y();
@@ -299,7 +299,7 @@ Vector12 Beam::fixed_end_forces_of_weight() const {
 }
 
 Eigen::Matrix<double, 3, 12> Beam::shape_at(double along) const {
-  require(along >= 0 && along <= 1, "a point on a member lies at 0 to 1 of its length");
+  require(along >= 0 && along <= 1, "the position of a point on a member must be in [0, 1]");
   Eigen::Matrix<double, 3, 12> shape = Eigen::Matrix<double, 3, 12>::Zero();
   shape(0, 0) = 1 - along;
   shape(0, 6) = along;
@@ -317,7 +317,7 @@ Eigen::Matrix<double, 3, 12> Beam::motion_at(double along) const {
   return axes_.transpose() * shape_at(along) * to_local_;
 }
 
-// Betti: what a force does to the held ends is what the ends' displacements do to its point.
+// Betti's theorem: the forces on the fixed ends follow from the displacement of the point due to those of the ends.
 Eigen::Matrix<double, 12, 3> Beam::fixed_end_forces_at(double along) const {
   return -shape_at(along).transpose() * axes_;
 }

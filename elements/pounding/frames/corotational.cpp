@@ -1,4 +1,4 @@
-// A frame of members that turn: its forces, energy and tangent.
+// A frame of corotational members: its forces, energy and tangent.
 
 #include <pounding/frames/corotational.hpp>
 
@@ -39,7 +39,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
                               " and " + std::to_string(m.end) + "): ";
     for (const int node : {m.start, m.end})
       if (node < 0 || node >= nodes)
-        refuse(where + "there is no node " + std::to_string(node) + " among " + std::to_string(nodes));
+        refuse(where + "unknown node " + std::to_string(node) + "; number of nodes: " + std::to_string(nodes));
     try {
       const Vector3d &from = assembled.positions[m.start], &to = assembled.positions[m.end];
       members_.push_back({m.is_truss
@@ -66,7 +66,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
   }
   const SparseMatrix turning = sparse_matrix(size(), size(), entries);
   rest_ -= turning;
-  linear_ = (linear_ + 0 * turning).eval();  // with places for what is zero at rest
+  linear_ = (linear_ + 0 * turning).eval();  // keeps entries that are zero at rest in the sparsity pattern
   for (Member& member : members_)
     for (const auto& b : member.rows)
       for (const auto& a : member.rows) {
@@ -74,21 +74,20 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
         const int* const end = linear_.innerIndexPtr() + linear_.outerIndexPtr()[b.col() + 1];
         member.places.push_back(static_cast<int>(std::lower_bound(column, end, a.col()) - linear_.innerIndexPtr()));
       }
-  // The stiffness that the members leave, without its rounding.
+  // The stiffness other than that of the members, without its round-off.
   rest_.prune([&](int i, int j, double value) {
     return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j));
   });
   for (int j = 0; j < size(); ++j)
     if (rest_.coeff(j, j) < -1e-9 * turning.coeff(j, j))
       refuse("node " + std::to_string(assembled.unknowns[j].first) +
-             ": the corotational members are stiffer than the assembled frame; give those that were added to it, once "
-             "each");
+             ": the corotational members are stiffer than the assembled frame; pass each of its members once");
 }
 
 void CorotationalFrame::require_size(const Eigen::VectorXd& q, const char* what) const {
   if (q.size() != size())
-    refuse(std::string(what) + " has " + std::to_string(q.size()) + " entries; the frame has " +
-           std::to_string(size()) + " unknowns");
+    refuse(std::string(what) + " has " + std::to_string(q.size()) + " entries, but must have " +
+           std::to_string(size()) + ", one per unknown of the frame");
 }
 
 Vector12 CorotationalFrame::displacements(const Member& member, const Eigen::VectorXd& q) {
@@ -134,7 +133,7 @@ void CorotationalFrame::add_excess_tangent(const Eigen::VectorXd& q, Eigen::Spar
 
 const CorotationalFrame::Member& CorotationalFrame::of(int member, const Eigen::VectorXd& q) const {
   if (member < 0 || member >= members())
-    refuse("there is no member " + std::to_string(member) + " among " + std::to_string(members()));
+    refuse("unknown member " + std::to_string(member) + "; number of members: " + std::to_string(members()));
   require_size(q, "q");
   return members_[member];
 }

@@ -1,6 +1,5 @@
 #pragma once
-/// Frames that turn by large angles while their members strain little: corotational beams, their frame, its
-/// equilibrium. SI units.
+/// Large rotations and small strains: corotational beams, frames of them, and their equilibrium. SI units.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -11,57 +10,57 @@
 
 namespace pounding {
 
-/// A member whose forces follow from the displacements of its nodes without any memory: an axis system turns with the
-/// chord between the ends, and what the ends are displaced by within it goes into `beam_stiffness`. Force is the
-/// gradient and tangent the (symmetric) Hessian of the strain energy. The local part is linear, so that a member under
-/// a large axial force or bent strongly within itself is to be divided; the error falls with the square of its length.
+/// A path-independent member with large rotations: a local frame rotates with the chord between the ends, and
+/// displacements relative to it are multiplied by `beam_stiffness`. The force is the gradient and the tangent the
+/// (symmetric) Hessian of the strain energy. The local part is linear, so members with a large axial force or strong
+/// bending must be subdivided; the error is proportional to the square of the length.
 ///
-/// Displacements are the twelve of Beam. In space the rotations of a node are its rotation vector (Euler axis times
-/// angle) from the undeformed state, whose angle must stay below 2 pi, and moments are the conjugates of its
-/// components: moments about fixed axes only while the vector stays parallel to itself. A plane member turns by any
-/// angle. The rotation of an end against the chord must stay below pi. Rigid offsets turn with their node.
+/// Displacements are the twelve of Beam. In space, the rotations of a node are its rotation vector (Euler axis times
+/// angle) from the undeformed state, whose angle must be below 2 pi. Moments are conjugate to its components, so they
+/// are moments about fixed axes only if the vector keeps its direction. A plane member can rotate by any angle. The
+/// rotation of an end relative to the chord must be below pi. Rigid offsets rotate with their node.
 ///
 /// Plane: closed form, Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 7. In space:
-/// axes from the chord and the mean of the ends' local y, Battini & Pacoste, CMAME 191 (2002) 1755-1789, with the
+/// axes from the chord and the mean local y of the ends, Battini & Pacoste, CMAME 191 (2002) 1755-1789, with the
 /// tangent of the exact logarithm.
 class CorotationalBeam {
  public:
-  /// Energy of the member and its derivatives by the displacements.
+  /// Energy of the member and its derivatives with respect to the displacements.
   struct Response {
     double energy = 0;                  ///< [J]
     Vector12 force = Vector12::Zero();  ///< on the nodes, global axes [N], [N m]
   };
 
-  /// dimension 2: only ux, uz and ry of the nodes act. Throws std::invalid_argument as Beam does, and for an axial
-  /// force: this member finds its own.
+  /// dimension 2: only ux, uz and ry of the nodes are used. Throws std::invalid_argument like Beam, and for a given
+  /// axial force, which this member computes itself.
   CorotationalBeam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section,
                    const Material& material, const BeamOptions& options, int dimension);
-  /// A bar that carries axial force only, see Beam::truss.
+  /// A bar with axial force only, see Beam::truss.
   static CorotationalBeam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                                 const Material& material, int dimension);
 
-  /// At displacements of its nodes.
+  /// Response at displacements of its nodes.
   Response evaluate(const Vector12& displacements) const { return respond(displacements, nullptr); }
-  /// With the tangent, the second derivatives of the energy; it costs several times as much.
+  /// Also computes the tangent, the second derivatives of the energy, at several times the cost.
   Response evaluate(const Vector12& displacements, Matrix12& tangent) const { return respond(displacements, &tangent); }
-  /// On its two ends in local axes that turned with the chord; as Beam::end_forces for small displacements.
+  /// Forces on both ends in local axes rotated with the chord; equal to Beam::end_forces for small displacements.
   Vector12 end_forces(const Vector12& displacements) const;
-  /// Rows: the local axes that have turned with the chord. Those of Beam for no displacements.
+  /// Local axes rotated with the chord, as rows; for zero displacements those of Beam.
   Eigen::Matrix3d axes(const Vector12& displacements) const;
 
  private:
   CorotationalBeam(const Beam& beam, const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, int dimension);
-  // In the turned axes: rotations of the start, elongation, rotations of the end.
+  // In the rotated axes: rotations of the start, elongation, rotations of the end.
   using Vector7 = Eigen::Matrix<double, 7, 1>;
   using Matrix7 = Eigen::Matrix<double, 7, 7>;
   struct Chord {
-    Eigen::Vector3d arm_start, arm_end, direction;  // turned offsets; of unit length
+    Eigen::Vector3d arm_start, arm_end, direction;  // rotated offsets; unit vector
     double length, elongation;
   };
 
   /// A plane member: x and z in global axes, moments about global y.
   struct Plane {
-    double start_x, start_z, end_x, end_z;          // turned offsets
+    double start_x, start_z, end_x, end_z;          // rotated offsets
     double x, z, length;                            // from end to end
     double start_moment, normal_force, end_moment;  // on the ends
     double force_x, force_z;                        // on the start
@@ -76,57 +75,57 @@ class CorotationalBeam {
 
   bool is_plane_;
   double length_;
-  Eigen::Vector3d start_offset_, end_offset_, undeformed_;  // the last from end to end
+  Eigen::Vector3d start_offset_, end_offset_, undeformed_;  // the last between the ends
   Eigen::Matrix3d axes_;                                    // columns, undeformed
   Matrix7 stiffness_;
 };
 
-/// A member of a frame that is to follow large rotations: what Frame::add_member was given, or Frame::add_truss.
+/// A corotational member of a frame: the arguments of Frame::add_member or Frame::add_truss.
 struct CorotationalMember {
   int start = 0, end = 0;
   Section section;
   Material material;
   BeamOptions options{};
-  bool is_truss = false;  ///< of the section the area counts only
+  bool is_truss = false;  ///< only the area of the section is used
 };
 
-/// All members of a frame.
+/// All members of a frame as corotational members.
 std::vector<CorotationalMember> corotational_members(const Frame& frame);
 
-/// A linear frame with some or all of its members corotational; everything else (springs, other members) stays linear,
-/// and constraints stay linear in the displacements: those with an arm hold for small turns of their master, with an
-/// error of the square of the turn. Unknowns are those of the assembled frame. Every function is pure.
+/// A linear frame with some or all members corotational. Springs, other members and constraints remain linear in the
+/// displacements: constraints with an arm are valid for small rotations of their master, with an error of second order.
+/// The unknowns are those of the assembled frame. All functions are pure.
 class CorotationalFrame {
  public:
-  /// One point of a path: what balances this part of the load.
+  /// A point of an equilibrium path, for this multiple of the load.
   struct Equilibrium {
-    double factor = 0;  ///< of the load
+    double factor = 0;  ///< load factor
     Eigen::VectorXd q;
   };
 
-  /// `assembled` with the same members in it, and without axial forces in them. Throws std::invalid_argument: a node
-  /// that is not there, a member that cannot be or that the assembled stiffness does not contain.
+  /// `assembled` must contain the same members, without axial forces. Throws std::invalid_argument for an unknown node,
+  /// an invalid member, and a member that the assembled stiffness does not contain.
   CorotationalFrame(const AssembledFrame& assembled, const std::vector<CorotationalMember>& members);
 
-  /// Unknowns, and corotational members.
+  /// Number of unknowns, and of corotational members.
   int size() const { return static_cast<int>(linear_.rows()); }
   int members() const { return static_cast<int>(members_.size()); }
 
   double energy(const Eigen::VectorXd& q) const;          ///< strain energy [J]
   Eigen::VectorXd force(const Eigen::VectorXd& q) const;  ///< gradient of the energy [N], [N m]
-  /// Symmetric, its entries always at the same places; at q = 0 the linear stiffness K.
+  /// Symmetric, with a constant sparsity pattern; at q = 0 the linear stiffness K.
   Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;
 
   /// See CorotationalBeam::end_forces; members are numbered as they were given.
   Vector12 end_forces(int member, const Eigen::VectorXd& q) const;
   /// See CorotationalBeam::axes.
   Eigen::Matrix3d axes(int member, const Eigen::VectorXd& q) const;
-  /// On the nodes of the member, global axes.
+  /// Forces on the nodes of the member, global axes.
   Vector12 nodal_forces(int member, const Eigen::VectorXd& q) const;
 
-  /// Equilibrium under `load` (n) applied in equal steps by Newton's method; where a step fails, at a limit point say,
-  /// the path is followed by arc length until it reaches the whole load. First the undeformed state, last factor 1. A
-  /// branch that splits off is not looked for: a perfect column stays straight beyond its buckling load. Throws
+  /// Equilibrium under `load` (n), applied in equal steps with Newton's method. If a step fails, for example at a limit
+  /// point, the path is followed by arc length up to the whole load. The first point is the undeformed state, the last
+  /// has factor 1. Bifurcations are not detected: a perfect column remains straight beyond its buckling load. Throws
   /// SolverError with the load factor reached.
   std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps) const;
   /// The path by arc length (Riks; Keller 1977) from the undeformed state on, through limit points and snap-backs: this
@@ -137,8 +136,8 @@ class CorotationalFrame {
   struct Member {
     CorotationalBeam beam;
     std::vector<Eigen::Triplet<double>> rows;  // displacement of the member, unknown, factor
-    std::vector<int> places;  // of each pair of rows among the values of the tangent, the first going faster
-    Matrix12 linear;          // tangent at rest
+    std::vector<int> places;                   // of each pair of rows in the values of the tangent, first index fastest
+    Matrix12 linear;                           // tangent at rest
   };
   class Path;
 

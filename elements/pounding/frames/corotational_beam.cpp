@@ -1,4 +1,4 @@
-// One member that turns: forces and tangent in the axes that turn with it.
+// A corotational member: forces and tangent in the rotating axes.
 
 #include <pounding/frames/corotational.hpp>
 
@@ -39,10 +39,10 @@ CorotationalBeam::CorotationalBeam(const Beam& beam, const Vector3d& start_node,
       start_offset_(beam.options().start_offset),
       end_offset_(beam.options().end_offset),
       undeformed_(end_node + end_offset_ - start_node - start_offset_) {
-  if (beam.axial_force() != 0) refuse("a corotational member finds its own axial force; leave it out");
+  if (beam.axial_force() != 0) refuse("a corotational member computes its axial force; remove axial_force");
   length_ = beam.length();
   axes_ = beam.axes().transpose();
-  // Beam has the releases condensed; displacements of the nodes that deform it locally, one by one.
+  // Beam has condensed the releases. Applies the nodal displacements that deform it locally, one at a time.
   constexpr std::array deformations{3, 4, 5, 6, 9, 10, 11};
   for (int j = 0; j < 7; ++j) {
     Vector12 local = Vector12::Unit(deformations[j]), global;
@@ -64,12 +64,12 @@ CorotationalBeam::Chord CorotationalBeam::chord(const Vector12& u) const {
   const Vector3d change = u.segment<3>(6) + at_end - u.segment<3>(0) - at_start, now = undeformed_ + change;
   c.length = now.norm();
   c.direction = now / c.length;
-  // Not as a difference of two lengths, which would lose the digits of a small one.
+  // Avoids the difference of two lengths, which cancels for a small elongation.
   c.elongation = change.dot(undeformed_ + now) / (c.length + length_);
   return c;
 }
 
-// In numbers instead of matrices: motions in time ask for nothing else.
+// Scalars instead of matrices: the hot path of time integration.
 CorotationalBeam::Plane CorotationalBeam::plane(const Vector12& u) const {
   Plane p{};
   const auto turn_arm = [](const Vector3d& offset, double turn, double& x, double& z) {
@@ -88,12 +88,12 @@ CorotationalBeam::Plane CorotationalBeam::plane(const Vector12& u) const {
   p.x = undeformed_.x() + change_x;
   p.z = undeformed_.z() + change_z;
   p.length = std::sqrt(p.x * p.x + p.z * p.z);
-  // Not as a difference of two lengths, which would lose the digits of a small one.
+  // Avoids the difference of two lengths, which cancels for a small elongation.
   const double elongation =
       (change_x * (undeformed_.x() + p.x) + change_z * (undeformed_.z() + p.z)) / (p.length + length_);
   const double turn =
       std::atan2(undeformed_.z() * p.x - undeformed_.x() * p.z, undeformed_.x() * p.x + undeformed_.z() * p.z);
-  const double sense = axes_(1, 1);  // local y is global y or against it
+  const double sense = axes_(1, 1);  // local y is parallel or antiparallel to global y
   const auto bend = [&](double rotation) {
     const double angle = rotation - turn;
     return sense * (std::abs(angle) < std::numbers::pi ? angle : std::remainder(angle, 2 * std::numbers::pi));
@@ -120,9 +120,9 @@ CorotationalBeam::Response CorotationalBeam::plane_response(const Plane& p, Matr
   out.force << p.force_x, 0, p.force_z, 0, p.start_moment + p.start_z * p.force_x - p.start_x * p.force_z, 0,
       -p.force_x, 0, -p.force_z, 0, p.end_moment - p.end_z * p.force_x + p.end_x * p.force_z, 0;
   if (!tangent) return out;
-  // By x and z from end to end and the rotations of both ends, whose deformations are rows of b.
+  // In terms of x and z between the ends and the rotations of both ends; the rows of b are the deformations.
   const double sense = axes_(1, 1), l = p.length;
-  const Eigen::Vector2d e(p.x / l, p.z / l), n(e[1], -e[0]);  // n: where a positive ry moves the tip of e
+  const Eigen::Vector2d e(p.x / l, p.z / l), n(e[1], -e[0]);  // n: direction in which a positive ry moves the tip of e
   Eigen::Matrix<double, 3, 4> b;
   b.col(0) << -sense * n[0] / l, e[0], -sense * n[0] / l;
   b.col(1) << -sense * n[1] / l, e[1], -sense * n[1] / l;
@@ -143,13 +143,13 @@ CorotationalBeam::Response CorotationalBeam::plane_response(const Plane& p, Matr
   k(2, 2) -= p.force_x * p.start_x + p.force_z * p.start_z;
   k(5, 5) += p.force_x * p.end_x + p.force_z * p.end_z;
   tangent->setZero();
-  // A Hessian: what is not symmetric is rounding.
+  // A Hessian: any asymmetry is round-off.
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) (*tangent)(2 * i, 2 * j) = 0.5 * (k(i, j) + k(j, i));
   return out;
 }
 
-// Everything in the turned axes; d and s are rotations of the start, elongation, rotations of the end.
+// All quantities in the rotated axes; d and s are rotations of the start, elongation, rotations of the end.
 CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const Chord& chord,
                                                         Matrix12* tangent) const {
   const double l = chord.length;
@@ -172,7 +172,7 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
   const std::array bend{Vector3d(s.head<3>()), Vector3d(s.tail<3>())};
   const std::array inverse{inverse_spin_transposed(turn[0]), inverse_spin_transposed(turn[1])};
 
-  // Spin of the axes by the motion of the ends: e stays on the chord, and mean_y in the plane of x and y.
+  // Spin of the axes due to the motion of the ends: e stays on the chord, and mean_y in the x-y plane.
   const double q1 = 0.5 * (y[0][0] + y[1][0]), q2 = 0.5 * (y[0][1] + y[1][1]), slant = q1 / q2;
   Matrix3x12 axes_spin = Matrix3x12::Zero();
   for (int i : {0, 1}) {
@@ -186,7 +186,7 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
   Row12 lengthening = Row12::Zero();
   lengthening[0] = -1;
   lengthening[6] = 1;
-  std::array<Matrix3x12, 2> spin;  // of the ends against the axes
+  std::array<Matrix3x12, 2> spin;  // of the ends relative to the axes
   std::array<Vector3d, 2> moment;
   Eigen::Matrix<double, 7, 12> b;
   b.row(3) = lengthening;
@@ -213,7 +213,7 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
     const Vector12 by_moments = out.force - lengthening.transpose() * normal_force;
     for (int i : {0, 3, 6, 9}) k.middleRows<3>(i) -= cross(by_moments.segment<3>(i)) * axes_spin;
 
-    // Change of axes_spin^T sum, sum held.
+    // Derivative of axes_spin^T sum at constant sum.
     std::array<Matrix3x12, 2> of_y;
     for (int i : {0, 1}) of_y[i] = -cross(y[i]) * spin[i];
     const Row12 of_q2 = 0.5 * (of_y[0].row(1) + of_y[1].row(1));
@@ -237,7 +237,7 @@ CorotationalBeam::Response CorotationalBeam::respond(const Vector12& u, Matrix12
   const Chord c = chord(u);
   Response out = space_ends(u, c, tangent);
 
-  // From the ends to the nodes, and from spins to rotation vectors.
+  // Transforms from the ends to the nodes, and from spins to rotation vectors.
   Matrix12 to_ends = Matrix12::Identity();
   std::array<Matrix3d, 2> curved;
   for (int i : {0, 1}) {
@@ -253,11 +253,11 @@ CorotationalBeam::Response CorotationalBeam::respond(const Vector12& u, Matrix12
     to_ends.block<3, 3>(6 * i + 3, 6 * i + 3) = to_moment.transpose();
   }
   if (!tangent) return out;
-  // Matrices this small cost less without the blocks that large ones are multiplied in.
+  // For such small matrices, a lazy product is faster than a blocked one.
   const Matrix12 by_ends = tangent->lazyProduct(to_ends);
   (*tangent) = to_ends.transpose().lazyProduct(by_ends);
   for (int i : {0, 1}) tangent->block<3, 3>(6 * i + 3, 6 * i + 3) += curved[i];
-  // A Hessian: what is not symmetric is rounding.
+  // A Hessian: any asymmetry is round-off.
   (*tangent) = (0.5 * ((*tangent) + tangent->transpose())).eval();
   return out;
 }

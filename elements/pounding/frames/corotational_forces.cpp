@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 constexpr int load_steps = 4;
 
-// The state under this part of the load when all before it on the path are stable too.
+// State under this fraction of the load, if it and all earlier points of the path are stable.
 std::optional<VectorXd> stable_rest(const CorotationalFrame& frame, const VectorXd& load, double part) {
   try {
     const auto path = frame.solve(part * load, load_steps);
@@ -35,7 +35,8 @@ VectorXd rest_of(const CorotationalFrame& frame, const VectorXd& load) {
     const double middle = 0.5 * (carried + too_much);
     (stable_rest(frame, load, middle) ? carried : too_much) = middle;
   }
-  throw std::invalid_argument(fmt::format("the frame buckles under its own loads; it carries {:.3f} of them", carried));
+  throw std::invalid_argument(
+      fmt::format("the frame buckles under its own loads, at {:.3f} times their value", carried));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// A corotational frame about its state at rest.
+/// Elastic forces of a corotational frame relative to its state at rest.
 
 #include <memory>
 
@@ -8,11 +8,11 @@
 
 namespace pounding {
 
-/// Displacements u are beside those at rest; what acts at rest is constant and in the energy.
+/// Displacements u are relative to those at rest; loads at rest are constant and included in the energy.
 class CorotationalForces final : public ElasticForces {
  public:
-  /// At rest under `load` (n), which may be zero. Throws std::invalid_argument with the part of the load that the frame
-  /// carries where it has no stable equilibrium under the whole, and as StaticSolver where nothing holds it.
+  /// State at rest under `load` (n), which may be zero. Throws std::invalid_argument with the critical load fraction if
+  /// the whole load has no stable equilibrium, and if the frame is unsupported, like StaticSolver.
   CorotationalForces(std::shared_ptr<const CorotationalFrame> frame, const Eigen::VectorXd& load);
 
   /// Displacements from the undeformed state.

@@ -1,4 +1,4 @@
-// Equilibrium paths of a corotational frame: Newton's method at given loads, and by arc length.
+// Equilibrium paths of a corotational frame: Newton's method at given loads, and arc length.
 
 #include <pounding/frames/corotational.hpp>
 
@@ -29,8 +29,8 @@ constexpr int max_points = 2000;    // on a path by arc length
 
 }  // namespace
 
-/// A path under one load. Lengths along it: ds^2 = dq.W dq / w + (dfactor / first)^2, W the diagonal of the stiffness
-/// at rest and w that of the linear response to the first factor, so that all terms have one unit.
+/// A path under one load. Arc length: ds^2 = dq.W dq / w + (dfactor / first)^2, where W is the diagonal of the
+/// stiffness at rest and w is dq.W dq of the linear response to the first factor, so that all terms are dimensionless.
 class CorotationalFrame::Path {
  public:
   Path(const CorotationalFrame& frame, const VectorXd& load, double first)
@@ -40,7 +40,7 @@ class CorotationalFrame::Path {
     points_.push_back({0, VectorXd::Zero(frame.size())});
     factor(points_.back().q);
     const VectorXd q = first * solve(load);
-    if ((weight_.array() <= 0).any() || !q.allFinite()) refuse("the frame is not held: its stiffness is singular");
+    if ((weight_.array() <= 0).any() || !q.allFinite()) refuse("the frame is not supported: its stiffness is singular");
     scale_ = q.dot(weight_.cwiseProduct(q));
     direction_ = {first, q};
     arc_ = std::sqrt(product(direction_, direction_));
@@ -49,10 +49,10 @@ class CorotationalFrame::Path {
 
   const std::vector<Equilibrium>& points() const { return points_; }
 
-  /// Newton's method at this factor from the last point; nothing is kept when it fails.
+  /// Newton's method at this factor from the last point; stores no point if it fails.
   bool load_step(double at) { return keep(at_factor(at, points_.back().q)); }
 
-  /// One more point by arc length.
+  /// Adds a point by arc length.
   void arc_step() {
     const Equilibrium from = points_.back();
     for (; arc_ > shortest_arc * longest_arc_; arc_ /= 2) {
@@ -64,11 +64,11 @@ class CorotationalFrame::Path {
       if (iterations <= few_iterations) arc_ = std::min(1.5 * arc_, longest_arc_);
       return;
     }
-    throw SolverError("no equilibrium was found beyond the load factor " + std::to_string(from.factor) +
-                      "; use more members, or see whether the path ends in a mechanism");
+    throw SolverError("no equilibrium found beyond the load factor " + std::to_string(from.factor) +
+                      "; use more members, or check whether the path ends in a mechanism");
   }
 
-  /// By arc length until the factor is reached, and there.
+  /// Advances by arc length past the factor, then solves at the factor.
   void follow_to(double target) {
     if (points_.size() > 1) {
       direction_ = {points_.back().factor - points_.end()[-2].factor, points_.back().q - points_.end()[-2].q};
@@ -121,7 +121,7 @@ class CorotationalFrame::Path {
   std::optional<Equilibrium> beyond(const Equilibrium& from, double arc, int& iterations) {
     factor(from.q);
     Equilibrium ahead{1, solve(load_)};
-    if (!ahead.q.allFinite()) ahead = direction_;  // exactly on a limit point
+    if (!ahead.q.allFinite()) ahead = direction_;  // exactly at a limit point
     const double size = std::sqrt(product(ahead, ahead));
     const double sign = product(ahead, direction_) < 0 ? -1 : 1;
     ahead = {sign / size * ahead.factor, sign / size * ahead.q};
@@ -130,7 +130,7 @@ class CorotationalFrame::Path {
     for (iterations = 0; iterations <= max_iterations; ++iterations) {
       const VectorXd residual = frame_.force(at.q) - at.factor * load_;
       if (!residual.allFinite()) return {};
-      // A point far from where the step aimed belongs to another part of the path.
+      // A point far from the predicted one belongs to another part of the path.
       const Equilibrium moved{at.factor - from.factor, at.q - from.q};
       if (product(moved, moved) > 4 * arc * arc) return {};
       if (small(residual, at.factor)) return at;

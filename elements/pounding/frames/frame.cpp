@@ -46,7 +46,8 @@ std::vector<std::pair<Dof, double>> on_rigid_body(Dof dof, const Vector3d& arm) 
 }
 
 void require_node(int node, int nodes) {
-  if (node < 0 || node >= nodes) refuse("there is no node " + std::to_string(node) + " among " + std::to_string(nodes));
+  if (node < 0 || node >= nodes)
+    refuse("unknown node " + std::to_string(node) + "; number of nodes: " + std::to_string(nodes));
 }
 
 void refuse_out_of_plane(const std::string& node_name, Dof dof) {
@@ -56,7 +57,7 @@ void refuse_out_of_plane(const std::string& node_name, Dof dof) {
 }  // namespace frame_dofs
 
 Frame::Frame(int dimension) : dimension_(dimension) {
-  if (dimension != 2 && dimension != 3) refuse("a frame has 2 or 3 dimensions");
+  if (dimension != 2 && dimension != 3) refuse("the dimension of a frame must be 2 or 3");
 }
 
 int Frame::checked(int node) const {
@@ -72,7 +73,7 @@ int Frame::index(int node, Dof dof) const {
 
 const Frame::Member& Frame::of(int member) const {
   if (member < 0 || member >= members())
-    refuse("there is no member " + std::to_string(member) + " among " + std::to_string(members()));
+    refuse("unknown member " + std::to_string(member) + "; number of members: " + std::to_string(members()));
   return members_[member];
 }
 
@@ -101,14 +102,14 @@ void Frame::require_not_negative(double value, int node, const char* what) const
 }
 
 void Frame::move_by(const Vector3d& shift) {
-  if (!shift.allFinite()) refuse("a frame is moved by finite lengths");
+  if (!shift.allFinite()) refuse("the shift of a frame must be finite");
   if (dimension_ == 2 && shift.y() != 0) refuse("y must be 0 in a plane frame");
   shift_ += shift;
 }
 
 int Frame::add_node(const Vector3d& position, const std::string& name) {
   const std::string where = "node " + (name.empty() ? std::to_string(nodes()) : name) + ": ";
-  if (!position.allFinite()) refuse(where + "its coordinates must be finite");
+  if (!position.allFinite()) refuse(where + "coordinates must be finite");
   if (dimension_ == 2 && position.y() != 0) refuse(where + "y must be 0 in a plane frame");
   positions_.push_back(position - shift_);
   names_.push_back(name);
@@ -128,10 +129,10 @@ int Frame::add_member(int start, int end, const Section& section, const Material
   const Vector3d &from = positions_[checked(start)], &to = positions_[checked(end)];
   const std::string where = "member " + std::to_string(members()) + nodes_text(start, end) + ": ";
   if (dimension_ == 3 && !(section.torsion > 0 && section.inertia_z > 0 && material.shear > 0))
-    refuse(where + "in space torsion, inertia_z and shear must be positive");
+    refuse(where + "in space, torsion, inertia_z and shear must be positive");
   if (dimension_ == 2) {
     if (options.reference) refuse(where + "a plane frame takes no reference vector");
-    if (options.start_offset.y() != 0 || options.end_offset.y() != 0) refuse(where + "offsets leave the plane");
+    if (options.start_offset.y() != 0 || options.end_offset.y() != 0) refuse(where + "offsets must be in the plane");
     for (const auto* releases : {&options.start_releases, &options.end_releases})
       for (const Dof dof : *releases)
         if (place(2, dof) < 0) refuse(where + "a plane frame has no " + name(dof) + " to release");
@@ -199,7 +200,7 @@ void Frame::add_spring(int node, Dof dof, double stiffness) {
 
 void Frame::add_spring(int node_a, int node_b, Dof dof, double stiffness) {
   require_not_negative(stiffness, node_a, "stiffness");
-  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a spring from the node to itself");
+  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a spring must connect two different nodes");
   add_between(springs_, node_a, node_b, dof, stiffness);
   between_.push_back({node_a, node_b, dof, stiffness});
 }
@@ -214,7 +215,7 @@ void Frame::add_dashpot(int node, Dof dof, double coefficient) {
 
 void Frame::add_dashpot(int node_a, int node_b, Dof dof, double coefficient) {
   require_not_negative(coefficient, node_a, "the dashpot's coefficient");
-  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a dashpot from the node to itself");
+  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a dashpot must connect two different nodes");
   add_between(dashpots_, node_a, node_b, dof, coefficient);
 }
 
@@ -227,8 +228,9 @@ void Frame::add_load(int node, Dof dof, double force) {
 
 void Frame::add_member_load(int member, const Vector3d& per_length) {
   Member& m = of(member);
-  if (!per_length.allFinite()) refuse("member " + member_name(member) + ": its load must be finite");
-  if (dimension_ == 2 && per_length.y() != 0) refuse("member " + member_name(member) + ": its load leaves the plane");
+  if (!per_length.allFinite()) refuse("member " + member_name(member) + ": the load must be finite");
+  if (dimension_ == 2 && per_length.y() != 0)
+    refuse("member " + member_name(member) + ": the load must be in the plane");
   m.load += per_length;
   is_loaded_ = true;
 }
@@ -255,11 +257,12 @@ std::vector<int> Frame::grounded_nodes() const {
 
 void Frame::follow(int node, Dof dof, int master, Row row) {
   const int at = index(node, dof);
-  if (checked(master) == node) refuse(node_text(node) + "tied to itself");
+  if (checked(master) == node) refuse(node_text(node) + "a node cannot be tied to itself");
   std::erase_if(row, [](const auto& term) { return term.second == 0; });
   engaged_.insert(at);
   for (const auto& [of_master, factor] : row) engaged_.insert(of_master);
-  if (!follows_.emplace(at, std::move(row)).second) refuse(node_text(node) + name(dof) + " is tied twice");
+  if (!follows_.emplace(at, std::move(row)).second)
+    refuse(node_text(node) + name(dof) + " is tied to more than one master");
   connected_.insert({master, node});
 }
 

@@ -22,8 +22,8 @@ namespace {
 
 SparseMatrix symmetric_part(const SparseMatrix& m) { return 0.5 * (m + SparseMatrix(m.transpose())); }
 
-// A motion without inertia that is no single unknown, such as the turning of a rigid floor with its mass at one node
-// other than the master, would leave the accelerations undetermined.
+// A motion without inertia that involves several unknowns, such as the rotation of a rigid floor with its mass at one
+// node other than the master, would leave the accelerations undetermined.
 void require_regular(const SparseMatrix& mass, const AssembledFrame& frame) {
   std::vector<Triplet<double>> entries;
   for (int j = 0; j < mass.outerSize(); ++j) {
@@ -35,10 +35,10 @@ void require_regular(const SparseMatrix& mass, const AssembledFrame& frame) {
   const Eigen::VectorXd pivots = factor.permutationPinv() * factor.vectorD();
   for (int j = 0; j < mass.rows(); ++j)
     if (!(pivots[j] > 1e-12 * padded.coeff(j, j)))
-      refuse("node " + frame.node_names[frame.unknowns[j].first] + ": the masses leave a motion with " +
+      refuse("node " + frame.node_names[frame.unknowns[j].first] + ": a motion that involves " +
              name(frame.unknowns[j].second) +
-             " without inertia; put the mass of a rigid part at its master, spread it, " +
-             "or give the master a rotational one");
+             " has no inertia; put the mass of a rigid part at its master, distribute it, " +
+             "or give the master a rotational mass");
 }
 
 }  // namespace
@@ -56,18 +56,18 @@ Eigen::SparseVector<double> AssembledFrame::motion(int node, Dof dof, const Vect
   return sum;
 }
 
-// A rotation where only trusses meet.
+// True for a rotation at a node connected only to trusses.
 bool Frame::is_loose(int at) const {
   return is_rotation(dofs_of(dimension_)[at % dofs()]) && trussed_.contains(at / dofs()) && !engaged_.contains(at);
 }
 
-// The unknowns, and all displacements by them and by those of the supports.
+// Determines the unknowns, and all displacements as functions of the unknowns and of the supports.
 void Frame::trace(AssembledFrame& frame) const {
   const int all = nodes() * dofs();
   std::vector<int> column(all, -1);
   for (int at = 0; at < all; ++at) {
     const bool is_fixed = fixed_.contains(at), follows = follows_.contains(at);
-    if (is_fixed && follows) refuse(label(at) + " is both fixed and tied to another node");
+    if (is_fixed && follows) refuse(label(at) + " is both fixed and tied to another node; remove one of them");
     if (is_fixed || follows || is_loose(at)) continue;
     column[at] = static_cast<int>(frame.unknowns.size());
     frame.unknowns.emplace_back(at / dofs(), dofs_of(dimension_)[at % dofs()]);
@@ -75,7 +75,7 @@ void Frame::trace(AssembledFrame& frame) const {
 
   Entries by_unknowns, by_supports;
   for (int row = 0; row < all; ++row) {
-    // Terms still to be traced back to unknowns; a chain longer than all displacements is a circle.
+    // Terms still to be traced back to unknowns; a chain longer than the number of displacements is a cycle.
     Entries open{{row, 0, 1.0}};
     while (!open.empty()) {
       const auto [at, depth, factor] = std::tuple(open.back().row(), open.back().col(), open.back().value());
@@ -84,7 +84,7 @@ void Frame::trace(AssembledFrame& frame) const {
       if (fixed_.contains(at)) by_supports.emplace_back(row, at, factor);
       const auto master = follows_.find(at);
       if (master == follows_.end()) continue;
-      if (depth > static_cast<int>(follows_.size())) refuse(label(row) + " is tied to itself through others");
+      if (depth > static_cast<int>(follows_.size())) refuse(label(row) + " is tied to itself through other nodes");
       for (const auto& [next, share] : master->second) open.emplace_back(next, depth + 1, factor * share);
     }
   }
@@ -94,7 +94,7 @@ void Frame::trace(AssembledFrame& frame) const {
   frame.supported.setFromTriplets(by_supports.begin(), by_supports.end());
 }
 
-// A matrix over all displacements, from the entries at the nodes and the members' matrices.
+// Assembles a matrix over all displacements from nodal entries and member matrices.
 SparseMatrix Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)() const) const {
   Entries entries = nodal;
   for (const Member& member : members_) {
@@ -111,11 +111,11 @@ SparseMatrix Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)()
   return sparse_matrix(nodes() * dofs(), nodes() * dofs(), entries);
 }
 
-// On all displacements, of the loads at nodes and on members.
+// Loads at nodes and on members, for all displacements.
 Eigen::VectorXd Frame::loads() const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(nodes() * dofs());
   for (const auto& [at, force] : loads_) {
-    if (is_loose(at)) refuse(label(at) + ": trusses carry no moment");
+    if (is_loose(at)) refuse(label(at) + ": trusses carry no moment; remove the load");
     sum[at] += force;
   }
   for (const Member& member : members_) {
@@ -131,7 +131,7 @@ Eigen::VectorXd Frame::loads() const {
 
 AssembledFrame Frame::assemble(bool gravity) const {
   for (int node = 0; node < nodes(); ++node)
-    if (!connected_.contains(node)) refuse(node_text(node) + "no member, spring or constraint is connected to it");
+    if (!connected_.contains(node)) refuse(node_text(node) + "not connected to any member, spring or constraint");
 
   AssembledFrame out;
   out.dimension = dimension_;
@@ -145,7 +145,7 @@ AssembledFrame Frame::assemble(bool gravity) const {
   out.stiffness = symmetric_part(t.transpose() * gathered(springs_, &Beam::stiffness) * t);
   out.damping = symmetric_part(t.transpose() * dashpots * t);
   out.mass = symmetric_part(t.transpose() * mass * t);
-  // At the centre of a floor's mass the products m x arm add up to zero but for rounding.
+  // At the centre of mass of a floor, the sum of m x arm is zero up to round-off.
   const Eigen::VectorXd diagonal = out.mass.diagonal();
   out.mass.prune(
       [&](int i, int j, double value) { return std::abs(value) > 1e-14 * std::sqrt(diagonal[i] * diagonal[j]); });
@@ -173,7 +173,7 @@ void Frame::check(const AssembledFrame& frame) const {
   for (int j = 0; j < frame.size(); ++j) {
     if (!frame.massless[j]) continue;
     if (frame.stiffness.coeff(j, j) == 0) refuse(text(j) + " has neither stiffness nor mass; fix it or connect it");
-    if (dashpots[j] != 0) refuse(text(j) + ": a dashpot acts here where there is no mass; give it one with add_mass");
+    if (dashpots[j] != 0) refuse(text(j) + ": a dashpot acts on a massless degree of freedom; add mass with add_mass");
   }
   require_regular(frame.mass, frame);
 }

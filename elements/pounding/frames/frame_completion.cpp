@@ -10,7 +10,7 @@
 namespace pounding {
 namespace {
 
-// Up to here all nodes are reported when nothing else is asked for.
+// Up to this number, all nodes are reported by default.
 constexpr int max_reported = 100;
 
 void report_all_nodes(FrameModel& model) {
@@ -19,16 +19,14 @@ void report_all_nodes(FrameModel& model) {
   std::iota(model.reported_nodes->begin(), model.reported_nodes->end(), 0);
 }
 
-// Nothing acts on it at rest: it would fall. `held`: nodes with a displacement that is fixed or on a spring to the
+// A frame without supports cannot carry loads at rest. `held`: nodes with a fixed displacement or a spring to the
 // ground.
 void complete_free(FrameModel& model, const std::vector<int>& held) {
   if (!held.empty() || !model.supports.empty())
-    refuse(
-        fmt::format("the frame has no supports, and node {} is held; leave out supports: none, or what holds the node",
-                    model.frame.node_name(held.empty() ? model.supports.front().nodes.front() : held.front())));
-  if (model.geometry != FrameGeometry::linear)
-    refuse("without supports the geometry is linear; leave the geometry out");
-  if (model.is_loaded()) refuse("without supports nothing bears loads or weights; leave out loads and gravity");
+    refuse(fmt::format("supports: none, but node {} is supported; remove supports: none or the support of the node",
+                       model.frame.node_name(held.empty() ? model.supports.front().nodes.front() : held.front())));
+  if (model.geometry != FrameGeometry::linear) refuse("without supports, the geometry must be linear; remove geometry");
+  if (model.is_loaded()) refuse("without supports, loads and weights cannot be carried; remove loads and gravity");
   model.supports.emplace_back();
 }
 
@@ -51,12 +49,10 @@ void complete(FrameModel& model) {
     common.insert(common.end(), others.begin(), others.end());
   }
   if (model.supports.empty())
-    refuse(
-        "nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in "
-        "space");
+    refuse("the frame has no supports; type supports: {a: fixed}, or supports: none for a frame that floats freely");
   for (const FrameSupport& support : model.supports)
     if (model.frame.dimension() == 2 && support.motion && !(*support.motion)[1].is_still())
-      refuse(fmt::format("support {}: the frame is plane; leave the motion along y out", support.name));
+      refuse(fmt::format("support {}: a plane frame has no motion along y; remove it", support.name));
 }
 
 }  // namespace pounding

@@ -1,13 +1,13 @@
 #pragma once
-/// Completion of a frame by all that a caller may leave out.
+/// Completion of a frame with defaults.
 
 #include <pounding/frames/frame_model.hpp>
 
 namespace pounding {
 
-/// Fills in the supports that move together, and the nodes that are reported where nothing is said. Throws
-/// std::invalid_argument for a frame that nothing holds, for what a frame without supports cannot take, and for a
-/// motion of a support out of the plane.
+/// Adds the supports that move together, and the default list of reported nodes. Throws std::invalid_argument for a
+/// frame without supports, for properties that require supports in a free frame, and for a support motion out of the
+/// plane.
 void complete(FrameModel& model);
 
 }  // namespace pounding

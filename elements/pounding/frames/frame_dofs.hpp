@@ -1,5 +1,5 @@
 #pragma once
-/// Shared by the sources of Frame: where a displacement stands, and how a rigid body carries it.
+/// Helpers of Frame: index of a displacement, and kinematics of rigid bodies.
 
 #include <Eigen/Core>
 #include <string>
@@ -10,16 +10,17 @@
 
 namespace pounding::frame_dofs {
 
-/// Place of a displacement among those of a node, -1 if the node has it not.
+/// Index of a displacement among those of a node; -1 if the node does not have it.
 int place(int dimension, Dof dof);
 
-/// Whether it is a rotation [rad] rather than a translation [m].
+/// True for a rotation [rad], false for a translation [m].
 inline bool is_rotation(Dof dof) { return dof >= Dof::rx; }
 
-/// The displacement of a point by those of a rigid body's node, u + r x arm, as (displacement of the node, factor).
+/// Displacement of a point as a function of those of the node of a rigid body, u + r x arm: (displacement of the node,
+/// factor).
 std::vector<std::pair<Dof, double>> on_rigid_body(Dof dof, const Eigen::Vector3d& arm);
 
-/// Refuses a node that is not among so many.
+/// Throws for a node number out of range.
 void require_node(int node, int nodes);
 [[noreturn]] void refuse_out_of_plane(const std::string& node_name, Dof dof);
 

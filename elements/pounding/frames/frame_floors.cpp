@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The turn about z that fits the motions of the nodes best: sum m r x u / sum m r^2 about their centre. Nodes at one
-// point turn with the first.
+// Best-fit rotation about z of the nodes: sum m r x u / sum m r^2 about their centre. Nodes at one point rotate with
+// the first.
 Row mean_turn(const FrameModel& model, const AssembledFrame& frame, const std::vector<int>& nodes,
               const std::vector<double>& weights, const Vector3d& centre) {
   Row turn(frame.size());
@@ -49,7 +49,7 @@ std::vector<Row> floor_motion(const FrameModel& model, const AssembledFrame& fra
   return {x, y, mean_turn(model, frame, floor.nodes, weights, centre)};
 }
 
-// nullopt for a floor that is not rigid, and in the plane, where no floor turns about z.
+// nullopt for a floor that is not rigid, and in the plane.
 std::optional<std::array<double, 4>> plan_of(const FrameModel& model, const AssembledFrame& frame,
                                              const FrameFloor& floor) {
   if (frame.dimension == 2 || floor.master < 0) return {};
@@ -76,8 +76,8 @@ double lowest_support(const FrameModel& model) {
   return lowest;
 }
 
-// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below; not of
-// members that turn.
+// Forces along x, and y in space, on the upper ends of the members and springs that cross the cut; without members with
+// large rotations.
 std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& frame, const std::vector<bool>& above) {
   const int directions = frame.dimension - 1;
   std::vector<Eigen::VectorXd> sums(directions, Eigen::VectorXd::Zero(frame.size()));
@@ -107,7 +107,7 @@ std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& fr
   return rows;
 }
 
-// A storey without height, as on bearings, has its floor above and all other nodes at this height below.
+// A storey of zero height, as with bearings, has its floor above the cut and all other nodes at this height below.
 std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, double cut) {
   constexpr double level = 1e-6;  // [m]
   std::vector<bool> above;
@@ -120,10 +120,10 @@ std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, doubl
   return above;
 }
 
-// Deeper beams idealise rigid floors: their depth says nothing about the height in which floors meet [m].
+// Deeper beams idealise rigid floors: their depth is not that of a contact surface [m].
 constexpr double deepest_beam = 1.2;
 
-// Depth of the deepest beam that meets the nodes of each floor [m]; 0 for a floor without beams.
+// Maximum depth of the beams connected to each floor [m]; 0 without beams.
 std::vector<double> beam_depths(const FrameModel& model) {
   std::vector<int> floor_of_node(model.frame.nodes(), -1);
   for (std::size_t f = 0; f < model.floors.size(); ++f)
@@ -182,7 +182,7 @@ Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& 
 }
 
 std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
-  // Without supports no storey stands on the ground.
+  // A frame without supports has no storey above the ground.
   const std::vector<std::vector<bool>> above = model.is_free ? std::vector<std::vector<bool>>() : storey_cuts(model);
   const std::vector<double> depths = beam_depths(model);
   std::vector<Floor> floors;

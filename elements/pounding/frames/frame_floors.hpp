@@ -1,5 +1,5 @@
 #pragma once
-/// The floors of a frame: how they move, and the shear forces of the storeys below them.
+/// Floors of a frame: their motion, and the shear forces of the storeys below.
 
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace pounding {
 
-/// For each floor, whether each node lies above the middle height of the storey below it.
+/// For each floor and node, true if the node is above the mid-height of the storey below the floor.
 std::vector<std::vector<bool>> storey_cuts(const FrameModel& model);
 
-/// The floors as a structure reports them, see make_structure.
+/// Floors as reported by a structure, see make_structure.
 std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame);
 
-/// Storey shears by the displacements of all nodes that supports enforce (Frame::SupportMotion), floor by floor, along
-/// x, and y in space [N/m].
+/// Storey shears due to enforced support displacements of all nodes (Frame::SupportMotion), floor by floor, along x,
+/// and y in space [N/m].
 Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame,
                                  const Eigen::MatrixX3d& enforced);
 

@@ -25,8 +25,8 @@ std::string moment(double size) { return fmt::format("{:.4g} kN m", size / 1e3);
 
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
-// Forces that a unit force of a hinge on top of k d adds to the ends of its member, in local axes, and to its nodes, in
-// global axes.
+// Forces on the ends of the member, in local axes, and on its nodes, in global axes, per unit force of a hinge in
+// addition to k d.
 struct HingeForces {
   double k;
   Vector12 on_ends, on_nodes;
@@ -41,14 +41,14 @@ HingeForces forces_of(const Frame& frame, int number) {
   if (!hinge.is_rigid_plastic())
     k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * frame.bending_stiffness(hinge);
   if (!(k > 0))
-    refuse(
-        fmt::format("hinge {}: the end of its member resists no turn under the axial force at rest; the member buckles",
-                    frame.hinge_name(number)));
+    refuse(fmt::format(
+        "hinge {}: the end of its member has no rotational stiffness under the axial force at rest; the member buckles",
+        frame.hinge_name(number)));
   const Vector12 on_ends = stiffness.col(at) / k;
   return {k, on_ends, beam.at_nodes(on_ends)};
 }
 
-// Number of a hinge, of its law if it has one; nullopt if it is not given.
+// Parameter of a hinge, or of its law if it has one; nullopt if not given.
 std::optional<double> number_of(const Hinge& hinge, std::string_view name, const std::optional<double>& without_law) {
   if (!hinge.law) return without_law;
   const auto found = hinge.law->values.find(name);
@@ -61,7 +61,7 @@ std::optional<double> spring_hardening(const Hinge& hinge) {
   return number_of(hinge, "spring_hardening", hinge.spring_hardening);
 }
 
-// Fraction of k that is left after yielding.
+// Ratio of the post-yield stiffness to k.
 double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
   const double a = member_hardening(hinge), of_member = frame.bending_stiffness(hinge);
   if (!hinge.is_rigid_plastic()) return spring_hardening(hinge).value_or(a / (1 + k / of_member * (1 - a)));
@@ -69,7 +69,7 @@ double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
   return h / (k + h);
 }
 
-// The law of the end moment. Two yield moments are those of sagging and hogging.
+// Law of the end moment. Of two yield moments, the first is for sagging and the second for hogging.
 hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   hysteresis::Settings law{.law = "bilinear"};
   if (hinge.law) {
@@ -86,7 +86,7 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   return law;
 }
 
-// Springs of all hinges, such that each joint stays where it is when all that it holds has yielded.
+// Springs of all hinges; joints whose hinges all yield retain a small stiffness.
 std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const AssembledFrame& assembled,
                                                 const std::vector<HingeForces>& forces) {
   const std::vector<Hinge>& hinges = model.frame.hinges();
@@ -106,8 +106,7 @@ std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const A
   return springs;
 }
 
-// Stiffness of the end of the whole member against rotation without its hinges: 4EI/L, or 3EI/L if the other end is
-// released.
+// Rotational stiffness at the end of the whole member without its hinges: 4EI/L, or 3EI/L if the other end is released.
 double end_stiffness(const Frame& frame, const Hinge& hinge) {
   const Beam& part = frame.beam(hinge.member);
   const BeamOptions options{.start_releases = part.options().start_releases,
@@ -118,7 +117,7 @@ double end_stiffness(const Frame& frame, const Hinge& hinge) {
       .local_stiffness()(hinge.place(), hinge.place());
 }
 
-// The elastic part of the deformation is that of the spring in series, or of the own part of the member.
+// The elastic deformation is that of the spring in series, or of the subdivided member between its nodes.
 YieldLimits limits_of(const Frame& frame, const Hinge& hinge, double k, const Spring& spring) {
   YieldLimits limits(spring);
   const bool is_cut = hinge.member_length > 0 && hinge.member_length != frame.beam(hinge.member).length();
@@ -136,7 +135,7 @@ std::string word_of(const Hinge& hinge) {
   return hinge.law ? hinge.law->law : "bilinear";
 }
 
-// Stiffness of the end of a member that bends in double curvature, before it yields at both ends and after [N m/rad].
+// Stiffness at the end of a member in double curvature, before and after yield at both ends [N m/rad].
 struct EndTangents {
   double elastic, yielded;
 };
@@ -168,7 +167,7 @@ std::vector<YieldingPart::Parameter> parameters_of(const Frame& frame, const Hin
   return all;
 }
 
-// The end moment at rest over k. Weights of consistent masses bend the member between its ends as loads do.
+// End moment at rest divided by k. Weights of consistent masses bend the member between its ends like loads.
 double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Row& deformation, double k,
                            const Structure& s) {
   if (!model.is_loaded()) return 0;
@@ -176,7 +175,8 @@ double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Ro
          model.frame.fixed_end_forces(hinge.member, model.has_gravity())[hinge.place()] / k;
 }
 
-// Laws with corners are straight up to the first one; others give way before they yield, and the run begins there.
+// Laws with corners are linear up to the first one. Smooth laws deform inelastically before yield, and the run starts
+// from there.
 void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forces) {
   const Spring& spring = *part.spring;
   const double at = part.at_rest, yield = spring.yield_deformation();
@@ -196,12 +196,12 @@ Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const H
   for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
     for (const Dof dof : dofs_of(frame.dimension()))
       sum += forces.on_nodes[first + static_cast<int>(dof)] * assembled.motion(node, dof);
-  // Entries of 1e-16 of the largest are sums that should vanish.
+  // Entries of 1e-16 relative to the largest are sums that should vanish.
   const double least = 1e-15 * (sum.size() > 0 ? sum.cwiseAbs().maxCoeff() : 0);
   return sum.unaryExpr([&](double value) { return std::abs(value) > least ? value : 0.0; }).eval().sparseView();
 }
 
-// R: hinges of one member meet in it.
+// R: couples the hinges of one member.
 SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& forces) {
   const int count = static_cast<int>(forces.size());
   std::vector<Eigen::Triplet<double>> entries;
@@ -217,7 +217,7 @@ SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& for
   return sparse_matrix(count, count, entries);
 }
 
-// Storey shears by the hinges, as the members pass them on.
+// Storey shears due to the hinges, transmitted by the members.
 void add_to_shears(const FrameModel& model, const std::vector<HingeForces>& forces,
                    const std::vector<std::vector<bool>>& above, Structure& s) {
   const int directions = model.frame.dimension() - 1, count = static_cast<int>(forces.size());
@@ -265,12 +265,14 @@ void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& rea
 void require_sound_hardening(const Hinge& hinge, const std::string& where) {
   const std::optional<double> of_member = number_of(hinge, "hardening", hinge.hardening),
                               of_spring = spring_hardening(hinge);
-  if (!(of_member.value_or(0) >= 0 && of_member.value_or(0) < 1)) refuse(where + "hardening must lie in [0, 1)");
-  if (!(of_spring.value_or(0) >= 0 && of_spring.value_or(0) < 1)) refuse(where + "spring_hardening must lie in [0, 1)");
+  if (!(of_member.value_or(0) >= 0 && of_member.value_or(0) < 1)) refuse(where + "hardening must be in [0, 1)");
+  if (!(of_spring.value_or(0) >= 0 && of_spring.value_or(0) < 1)) refuse(where + "spring_hardening must be in [0, 1)");
   if (of_spring && hinge.is_rigid_plastic())
-    refuse(where + "spring_hardening belongs to a spring; give hardening, or its stiffness or stiffness_factor");
+    refuse(where +
+           "spring_hardening applies only to springs in series; give hardening instead, or add stiffness or "
+           "stiffness_factor");
   if (of_spring && of_member.value_or(0) != 0)
-    refuse(where + "give hardening, the ratio of the member end, or spring_hardening, not both");
+    refuse(where + "give either hardening (of the member end) or spring_hardening, not both");
 }
 
 void require_sound(const Hinge& hinge, const std::string& where) {
@@ -278,7 +280,7 @@ void require_sound(const Hinge& hinge, const std::string& where) {
     if (!is_positive(hinge.yield_moment) || !is_positive(hinge.hogging_moment.value_or(1)))
       refuse(where + "the yield moments must be positive and finite");
   } else if (hinge.law->values.contains("stiffness")) {
-    refuse(where + "the stiffness of its law is that of the hinge; leave it out of the law");
+    refuse(where + "the stiffness of its law is that of the hinge; remove stiffness from the law");
   }
   require_sound_hardening(hinge, where);
   if (!is_positive(hinge.ultimate_rotation.value_or(1)))
@@ -286,9 +288,10 @@ void require_sound(const Hinge& hinge, const std::string& where) {
   for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})
     if (!(value >= 0 && std::isfinite(value)))
       refuse(where + "stiffness, stiffness_factor and member_length must be finite and not negative");
-  if (hinge.stiffness > 0 && hinge.stiffness_factor > 0) refuse(where + "give stiffness or stiffness_factor, not both");
+  if (hinge.stiffness > 0 && hinge.stiffness_factor > 0)
+    refuse(where + "give either stiffness or stiffness_factor, not both");
   if (hinge.law && hinge.is_rigid_plastic())
-    refuse(where + "a law acts in a spring; give its stiffness or stiffness_factor");
+    refuse(where + "laws apply only to springs in series; give stiffness or stiffness_factor");
 }
 
 }  // namespace
@@ -297,13 +300,14 @@ int Frame::add_hinge(const Hinge& hinge) {
   Member& member = of(hinge.member);
   const char* const end = hinge.at == MemberEnd::start ? "start" : "end";
   const std::string where = fmt::format("member {}: the hinge at its {}: ", member_name(hinge.member), end);
-  if (member.beam.is_truss()) refuse(where + "a truss carries no moment that could yield");
-  if (dimension_ == 2 && hinge.about != BendingAxis::y) refuse(where + "a plane frame bends about y only");
+  if (member.beam.is_truss()) refuse(where + "a truss carries no moment and cannot have a hinge");
+  if (dimension_ == 2 && hinge.about != BendingAxis::y) refuse(where + "a plane frame bends only about y");
   if (member.beam.is_released(hinge.place()))
-    refuse(fmt::format("{}{} is released there, so no moment reaches it; leave out the release or the hinge", where,
+    refuse(fmt::format("{}{} is released there, so the hinge carries no moment; remove the release or the hinge", where,
                        name(static_cast<Dof>(hinge.place() % 6))));
   for (const Hinge& other : hinges_)
-    if (other.member == hinge.member && other.place() == hinge.place()) refuse(where + "there is one already");
+    if (other.member == hinge.member && other.place() == hinge.place())
+      refuse(where + "a hinge is already defined there");
   require_sound(hinge, where);
   try {
     const double k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge);
@@ -333,13 +337,12 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
   const std::vector<Hinge>& hinges = model.frame.hinges();
   if (hinges.empty()) return;
   if (model.geometry == FrameGeometry::corotational)
-    refuse(
-        fmt::format("hinge {}: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave "
-                    "the hinges out",
-                    model.frame.hinge_name(0)));
+    refuse(fmt::format(
+        "hinge {}: hinges are not available with geometry: corotational; type geometry: p_delta, or remove the hinges",
+        model.frame.hinge_name(0)));
   if (s.supports.size() > 1)
     refuse(
-        fmt::format("hinge {}: in a frame with hinges all supports move alike; leave out their delay and "
+        fmt::format("hinge {}: a frame with hinges needs the same motion at all supports; remove their delay and "
                     "ground_motion, or the hinges",
                     model.frame.hinge_name(0)));
   std::vector<HingeForces> forces;

@@ -30,7 +30,7 @@ std::string name_of(const FrameModel& model, const FrameIsolator& isolator) {
 
 double stiffness_of(const FrameModel& model, const FrameIsolator& isolator) {
   try {
-    // The weight stands in the law.
+    // The law contains the weight.
     return make_isolator("", Row(1), isolator.options, 0).spring->stiffness();
   } catch (const std::invalid_argument& error) {
     refuse_isolator(model, isolator, error.what());
@@ -42,7 +42,7 @@ void add_springs(FrameModel& model) {
     model.frame.add_spring(isolator.node, isolator.along, stiffness_of(model, isolator));
 }
 
-// Upward forces of the ground at the feet of the isolators [N], with their laws as they are.
+// Upward forces of the ground on the isolators [N], for their present laws.
 std::vector<double> carried(FrameModel model) {
   add_springs(model);
   const AssembledFrame frame = model.frame.assemble(true);
@@ -59,33 +59,32 @@ std::vector<double> carried(FrameModel model) {
   return weights;
 }
 
-// The load at rest depends a little on how stiff the isolators are, and so on itself.
+// Fixed-point iteration: the load at rest depends slightly on the stiffness of the isolators, which depends on the
+// load.
 void find_weights(FrameModel& model) {
   constexpr int most = 100;
   constexpr double enough = 1e-13;
-  std::vector<bool> is_asked;
+  std::vector<bool> is_computed;
   for (FrameIsolator& isolator : model.isolators) {
-    is_asked.push_back(needs_weight(isolator.options));
-    if (!is_asked.back()) continue;
+    is_computed.push_back(needs_weight(isolator.options));
+    if (!is_computed.back()) continue;
     if (!model.has_gravity())
       refuse_isolator(model, isolator,
-                      "the weight on it is the load at rest, and no gravity acts; type gravity: true, or weight: 500 "
-                      "kN in its law");
+                      "its weight is the load at rest, which requires gravity; type gravity: true, "
+                      "or weight: 500 kN in its law");
     isolator.options.law.values["weight"] = 1e6;
   }
-  if (std::ranges::find(is_asked, true) == is_asked.end()) return;
+  if (std::ranges::find(is_computed, true) == is_computed.end()) return;
   for (int round = 0; round < most; ++round) {
     const std::vector<double> weights = carried(model);
     double change = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (!is_asked[i]) continue;
+      if (!is_computed[i]) continue;
       if (!(weights[i] > 0))
-        refuse_isolator(
-            model, model.isolators[i],
-            fmt::format(
-                "at rest its foot carries {}, and a slider must be pressed; type fix: [uz, ...] where nothing holds it "
-                "up, or put more weight on it",
-                kilonewtons(weights[i])));
+        refuse_isolator(model, model.isolators[i],
+                        fmt::format("the load at rest is {}, but a slider needs compression; type fix: [uz, ...] if it "
+                                    "is not supported vertically, or increase its load",
+                                    kilonewtons(weights[i])));
       double& weight = model.isolators[i].options.law.values["weight"];
       change = std::max(change, std::abs(weights[i] / weight - 1));
       weight = weights[i];
@@ -97,30 +96,27 @@ void find_weights(FrameModel& model) {
 void require_mass(const FrameModel& model, const FrameIsolator& isolator, const AssembledFrame& frame,
                   const Row& deformation) {
   if (deformation.nonZeros() == 0)
-    refuse_isolator(model, isolator, fmt::format("{} of its foot is held; leave it out of fix", name(isolator.along)));
+    refuse_isolator(model, isolator, fmt::format("{} of its node is fixed; remove it from fix", name(isolator.along)));
   for (Row::InnerIterator it(deformation); it; ++it)
     if (frame.massless[it.index()])
-      refuse_isolator(
-          model, isolator,
-          fmt::format("its foot has no mass; type masses: {{\"{}\": 40 t}} for the part of the slab that stands on it",
-                      model.frame.node_name(isolator.node)));
+      refuse_isolator(model, isolator,
+                      fmt::format("its node has no mass; type masses: {{\"{}\": 40 t}} for the slab it supports",
+                                  model.frame.node_name(isolator.node)));
 }
 
-// Laws with corners are straight up to the first one.
+// Laws with corners are linear up to the first one.
 void require_elastic_at_rest(const FrameModel& model, const FrameIsolator& isolator, const YieldingPart& part) {
   const Spring& spring = *part.spring;
   const double yield = spring.yield_deformation();
   if (std::abs(part.at_rest) <= 1e-3 * yield || (spring.has_corners() && !spring.corner(part.at_rest))) return;
-  refuse_isolator(
-      model, isolator,
-      fmt::format(
-          "at rest, under gravity and loads alone, it carries {} across and yields at {}; let a slab hold the feet "
-          "together: ties: [{{master: {}, nodes: [...], dofs: [ux]}}]",
-          kilonewtons(spring.stiffness() * std::abs(part.at_rest)), kilonewtons(spring.stiffness() * yield),
-          model.frame.node_name(isolator.node)));
+  refuse_isolator(model, isolator,
+                  fmt::format("at rest, under gravity and loads, its horizontal force is {}, but it yields at {}; "
+                              "connect the isolators by a slab: ties: [{{master: {}, nodes: [...], dofs: [ux]}}]",
+                              kilonewtons(spring.stiffness() * std::abs(part.at_rest)),
+                              kilonewtons(spring.stiffness() * yield), model.frame.node_name(isolator.node)));
 }
 
-// The ground pushes back what an isolator carries on top of k d.
+// Reaction of the ground to the force of an isolator in addition to k d.
 void add_to_reactions(const FrameModel& model, const Frame::Reactions& reactions, int first_part, Structure& s) {
   const int total = static_cast<int>(s.yielding.size());
   if (s.yielding_flexibility.size() > 0) s.yielding_flexibility.conservativeResize(total, total);
@@ -150,17 +146,16 @@ void place_isolators(FrameModel& model) {
   if (model.geometry == FrameGeometry::corotational)
     refuse_isolator(
         model, first,
-        "with geometry: corotational nothing in a frame yields; type geometry: p_delta, or leave the isolators out");
+        "isolators are not available with geometry: corotational; type geometry: p_delta, or remove the isolators");
   if (model.supports.size() > 1)
-    refuse_isolator(
-        model, first,
-        "in a frame on isolators all supports move alike; leave out their delay and ground_motion, or the isolators");
+    refuse_isolator(model, first,
+                    "a frame on isolators needs the same motion at all supports; remove their delay and ground_motion, "
+                    "or the isolators");
   for (const FrameIsolator& isolator : model.isolators)
     if (model.frame.dimension() == 3 && isolator.options.is_coupled)
       refuse_isolator(model, isolator,
-                      "in space an isolator moves along x and y at once, and no law couples the two yet; type coupled: "
-                      "false for each axis by "
-                      "itself, which carries up to 1.41 times too much along a diagonal");
+                      "in space, laws that couple x and y are not implemented; type coupled: false for independent "
+                      "axes, which overestimate the force along a diagonal by up to 1.41 times");
   find_weights(model);
   add_springs(model);
 }

@@ -1,22 +1,22 @@
 #pragma once
-/// Isolators under the feet of a frame, as parts of its structure that yield.
+/// Isolators of a frame as yielding parts.
 
 #include <pounding/frames/frame_model.hpp>
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {
 
-/// Adds the isolators to a model that is complete otherwise: each becomes a spring of the frame with the first
-/// stiffness of its law. A law that takes a weight and has none gets the load at rest of its foot, from the members and
-/// weights as they are before p_delta.
+/// Adds the isolators to an otherwise complete model: each is added to the frame as a spring with the initial stiffness
+/// of its law. If a law requires a weight that is not given, it is the load at rest of its node, from the members and
+/// weights before p_delta.
 ///
-/// Throws std::invalid_argument, beginning with "isolator NAME: ", for what the law refuses, a foot that is pulled up
-/// or that nothing holds up, a weight that nothing tells, isolators in space that do not ask for each axis by itself,
-/// members that turn by large angles, and supports that move differently.
+/// Throws std::invalid_argument, starting with "isolator NAME: ", for invalid parameters of the law, an isolator in
+/// tension or without vertical support, a weight that cannot be determined, coupled isolators in space, a corotational
+/// frame, and supports with different motions.
 void place_isolators(FrameModel& model);
 
-/// Adds the isolators to a structure that has its state at rest, its internal forces and its hinges. Throws likewise
-/// for a foot without mass and for an isolator that yields at rest.
+/// Adds the isolators to a structure with known state at rest, internal forces and hinges. Also throws for a massless
+/// node and for an isolator that yields at rest.
 void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions,
                          Structure& s);
 

@@ -35,7 +35,7 @@ bool FrameModel::is_loaded() const { return frame.is_loaded() || has_gravity(); 
 
 void FrameModel::check_geometry() const {
   if (geometry == FrameGeometry::p_delta && !is_loaded())
-    throw std::invalid_argument("p_delta needs forces at rest, and nothing acts; type gravity: true, or give loads");
+    throw std::invalid_argument("p_delta needs loads at rest, but there are none; type gravity: true, or add loads");
 }
 
 void make_floor_rigid(FrameModel& model, int number, const std::vector<double>& weights) {
@@ -50,10 +50,11 @@ void make_floor_rigid(FrameModel& model, int number, const std::vector<double>& 
     highest = std::max(highest, frame.position(node).z());
     mass += of_nodes[node];
   }
-  // The tie takes horizontal arms only.
+  // The constraint requires horizontal arms.
   if (highest - lowest > 1e-9 * (1 + std::abs(highest)))
-    throw std::invalid_argument(fmt::format(
-        "a rigid floor is level, and its nodes lie from {} to {}; type rigid: false", height(lowest), height(highest)));
+    throw std::invalid_argument(
+        fmt::format("a rigid floor must be level, but its nodes are between {} and {}; type rigid: false",
+                    height(lowest), height(highest)));
   std::vector<int> followers = floor.nodes;
   if (frame.dimension() == 2) {
     floor.master = followers.front();

@@ -1,5 +1,5 @@
 #pragma once
-/// A frame with its floors, its supports and what is reported of it: all that a structure is made of. SI units.
+/// A frame with its floors, supports and reported quantities: the input of a structure. SI units.
 
 #include <array>
 #include <optional>
@@ -12,89 +12,88 @@
 
 namespace pounding {
 
-/// One floor: the nodes that links and reports mean by its number.
+/// A floor: the nodes that links and reports refer to by its number.
 struct FrameFloor {
   std::string label;
   std::vector<int> nodes;
   double elevation = 0;  ///< above the common datum [m]
   int master =
-      -1;  ///< of a rigid floor: a node of its own in space, the floor's first node in the plane; -1: not rigid
+      -1;  ///< of a rigid floor: a separate node in space, the first node of the floor in the plane; -1: not rigid
 };
 
-/// Supports that the ground moves alike.
+/// Supports with a common ground motion.
 struct FrameSupport {
-  std::string name{};  ///< for messages; empty for those without a motion of their own
+  std::string name{};  ///< for messages; empty for those with the common motion
   std::vector<int> nodes{};
-  double delay = 0;                          ///< the ground moves later here [s]
-  std::optional<GroundComponents> motion{};  ///< of its own instead of the model's
+  double delay = 0;                          ///< delay of the ground motion [s]
+  std::optional<GroundComponents> motion{};  ///< separate motion, instead of that of the model
 };
 
-/// An isolator between the ground and a node, along one horizontal axis. Its other displacements are held as by any
-/// support.
+/// An isolator between the ground and a node, along one horizontal axis. The other displacements of the node need
+/// ordinary supports.
 struct FrameIsolator {
   int node = 0;
   Dof along = Dof::ux;  ///< ux, or uy in space
   IsolatorOptions options{};
 };
 
-/// How the displacements of a frame change its stiffness.
+/// Effect of the displacements of a frame on its stiffness.
 enum class FrameGeometry {
-  linear,       ///< not at all
-  p_delta,      ///< by the constant forces that its members carry at rest
-  corotational  ///< members turn by large angles
+  linear,       ///< none
+  p_delta,      ///< by the constant axial forces of its members at rest
+  corotational  ///< large rotations of members
 };
 
-/// A frame and what is said about it beside its members.
+/// A frame and its properties other than members.
 struct FrameModel {
   Frame frame{2};
   std::vector<FrameFloor> floors{};  ///< from the ground up
-  /// Supports with a delay or a motion of their own. All other nodes that the ground holds, by a fixed displacement or
-  /// a spring, move together; they may be given here too, without a name, as the first.
+  /// Supports with a delay or a separate motion. All other nodes with a fixed displacement or a spring to the ground
+  /// move together; they may be given here as well, as the first item without a name.
   std::vector<FrameSupport> supports{};
   std::vector<FrameIsolator> isolators{};
-  std::optional<std::vector<int>> reported_nodes{};  ///< all of a frame of at most 100 nodes where nothing is said
+  std::optional<std::vector<int>> reported_nodes{};  ///< default: all nodes of a frame with at most 100 nodes
   std::vector<int> reported_members{};
   FrameGeometry geometry = FrameGeometry::linear;
-  /// Whether the weights of the masses act; where nothing is said they do beside loads, and for p_delta.
+  /// True if the weights of the masses act. Default: true with loads and for p_delta.
   std::optional<bool> gravity{};
-  /// Nothing holds it to the ground, and it may move as a rigid body. It takes no loads, and nothing turns by large
-  /// angles.
+  /// True for a frame without supports, which may move as a rigid body. Loads and corotational geometry are not
+  /// allowed.
   bool is_free = false;
-  /// The nodes from this one on are masters that make_floor_rigid has added in space; -1 for none.
+  /// Number of the first master added by make_floor_rigid in space; -1 if there are none.
   int first_master = -1;
 
-  /// Moves the whole frame, floors and all; see Frame::move_by.
+  /// Moves the whole frame including its floors; see Frame::move_by.
   void move_by(const Eigen::Vector3d& shift);
   /// Number of nodes without the masters of rigid floors in space.
   int given_nodes() const { return first_master < 0 ? frame.nodes() : first_master; }
-  /// The nodes among them that the ground holds, in the order of reactions.
+  /// Supported nodes among them, in the order of reactions.
   std::vector<int> held_nodes() const;
   bool has_gravity() const;
-  /// Whether weights or loads act at rest.
+  /// True if weights or loads act at rest.
   bool is_loaded() const;
-  /// Throws std::invalid_argument for p_delta where nothing acts at rest.
+  /// Throws std::invalid_argument for p_delta without loads at rest.
   void check_geometry() const;
 };
 
-/// Lets the nodes of a floor keep their distances in its plane. In space they follow a master that is added at the
-/// centre of their masses along x; where these are zero, of `weights`, one a node, equal ones unless given. To be
-/// called when all masses and all other nodes are there. Throws std::invalid_argument for a floor that is not level,
-/// and as Frame::tie_floor does.
+/// Rigid diaphragm constraint for a floor. In space, its nodes follow a master that is added at the centre of
+/// their masses along x. If these are zero, `weights` are used, one per node, equal by default. Requires that all
+/// masses and all other nodes have been added. Throws std::invalid_argument for a floor that is not level, and like
+/// Frame::tie_floor.
 void make_floor_rigid(FrameModel& model, int floor, const std::vector<double>& weights = {});
 
-/// Parts of a grid that add_grid leaves to its caller.
+/// Data of a grid that add_grid leaves to the caller.
 struct GridParts {
-  std::vector<int> feet;        ///< nodes on the ground, to be held
-  std::vector<double> weights;  ///< of the nodes of every floor: their shares of its mass
+  std::vector<int> feet;        ///< nodes on the ground, to be supported
+  std::vector<double> weights;  ///< of the nodes of every floor: their fractions of its mass
 };
 
-/// Adds nodes, members, masses and floors of a grid to a model, whose feet still stand free and whose floors are not
-/// rigid yet. A caller that adds more nodes leaves the origin at 0 and moves the whole model at last, so that its
-/// matrices have no rounding of places. Throws std::invalid_argument as make_frame does.
+/// Adds nodes, members, masses and floors of a grid to a model, without supports and without rigid floors. A caller
+/// that adds more nodes sets the origin to 0 and moves the whole model at the end, so that its matrices are free of the
+/// round-off of coordinates. Throws std::invalid_argument like make_frame.
 GridParts add_grid(FrameModel& model, const GridFrame& grid);
 
-/// A grid with fixed feet and its floors, rigid ones where the grid says so. Throws std::invalid_argument as make_frame
-/// does.
+/// A grid with fixed bases and its floors, rigid if requested. Throws std::invalid_argument like make_frame.
 FrameModel make_frame_model(const GridFrame& grid);
 
 }  // namespace pounding

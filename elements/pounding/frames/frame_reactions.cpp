@@ -13,7 +13,7 @@ using namespace frame_dofs;
 Frame::Reactions Frame::reactions(const std::vector<int>& nodes, const AssembledFrame& assembled, bool gravity,
                                   bool with_members) const {
   const int all = this->nodes() * dofs(), rows = static_cast<int>(nodes.size()) * dofs();
-  // Forces on nodes that follow a held one go to the ground through it.
+  // Forces on nodes tied to a fixed one are transmitted to the ground through it.
   const Eigen::SparseMatrix<double, Eigen::RowMajor> to_ground = assembled.supported.transpose();
   Entries gathering, by_springs;
   for (int row = 0; row < rows; ++row) {

@@ -22,7 +22,7 @@ namespace {
 
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-// factors * rows, where few columns have entries: a general product would walk through all of them.
+// factors * rows, for few columns with entries: a general product would visit all columns.
 SparseRows combined(const Eigen::MatrixXd& factors, const SparseRows& rows) {
   SparseRows sums(factors.rows(), rows.cols());
   sums.reserve(factors.rows() * rows.nonZeros());
@@ -41,7 +41,8 @@ SparseRows combined(const Eigen::MatrixXd& factors, const SparseRows& rows) {
 
 }  // namespace
 
-// The stiffest spring to the ground that displacements of all nodes stretch, as text; empty for none.
+// Stiffness of the stiffest spring to the ground that these displacements of all nodes stretch, as text; empty if there
+// is none.
 std::string Frame::spring_against(const VectorXd& displacements) const {
   const auto turns = [&](int at) { return is_rotation(dofs_of(dimension_)[at % dofs()]); };
   double largest[] = {0, 0}, stiffest[] = {0, 0};
@@ -54,12 +55,12 @@ std::string Frame::spring_against(const VectorXd& displacements) const {
   return stiffest[1] > 0 ? fmt::format("{:.4g} N m", stiffest[1]) : "";
 }
 
-// Names the node that a mode moves most; a rotation only where no node moves.
+// Names the node with the largest displacement in a mode; a rotation only if no node moves.
 void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFrame& frame) const {
   int at[2] = {-1, -1};  // largest translation, largest rotation
   for (int j = 0; j < frame.size(); ++j) {
     int& largest = at[is_rotation(frame.unknowns[j].second)];
-    // A little more, so that among equals the first is named.
+    // With a margin, so that the first of equal values is named.
     if (largest < 0 || std::abs(mode[j]) > 1.000001 * std::abs(mode[largest])) largest = j;
   }
   double size = 0;
@@ -73,18 +74,15 @@ void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFr
   });
   if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0)) {
     if (const std::string spring = spring_against(frame.transform * mode); !spring.empty())
-      refuse(
-          fmt::format("{}a spring of {} alone holds the frame against this displacement, so weak beside the members "
-                      "that it is lost in their "
-                      "rounding; type its unit, as in springs: {{ux: 20 MN/m, ry: 100 MN m}}, or fix the displacement",
-                      where, spring));
-    refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
+      refuse(fmt::format(
+          "{}only a spring of {} resists this displacement, and it is below the round-off of the member stiffness; "
+          "check its unit, as in springs: {{ux: 20 MN/m, ry: 100 MN m}}, or fix the displacement",
+          where, spring));
+    refuse(where + "the frame has no stiffness against this displacement; fix, brace or connect it");
   }
   const int member = static_cast<int>(pressed - members_.begin());
-  refuse(
-      fmt::format("{}the frame buckles here under its axial forces, the largest compression of which is {:.4g} N in "
-                  "member {}",
-                  where, -pressed->beam.axial_force(), member_name(member)));
+  refuse(fmt::format("{}the frame buckles here under its axial forces; maximum compression: {:.4g} N in member {}",
+                     where, -pressed->beam.axial_force(), member_name(member)));
 }
 
 VectorXd Frame::rest(const AssembledFrame& assembled) const {
@@ -104,17 +102,17 @@ void Frame::add_p_delta(bool gravity) {
     const VectorXd before = force;
     for (int member = 0; member < members(); ++member) {
       const Vector12 ends = trial.end_forces(member, assembled, q) + trial.fixed_end_forces(member, gravity);
-      force[member] = (ends[6] - ends[0]) / 2;  // the mean where it varies along the member
+      force[member] = (ends[6] - ends[0]) / 2;  // mean value along the member
     }
     if (members() == 0 || (force - before).cwiseAbs().maxCoeff() <= 1e-10 * force.cwiseAbs().maxCoeff()) {
       *this = std::move(trial);
       return;
     }
   }
-  refuse("the axial forces of P-Delta do not settle: under its own loads the frame is about to buckle");
+  refuse("the axial forces of P-Delta do not converge: the frame is close to buckling under its own loads");
 }
 
-// Rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
+// Rows of a matrix with one row per displacement that belong to the nodes of a member, in the order of Vector12.
 SparseRows Frame::member_motion(int member, const SparseRows& of_all) const {
   const Member& m = of(member);
   SparseRows rows(12, of_all.cols());
@@ -157,7 +155,7 @@ Vector12 Frame::fixed_end_forces(int member, bool gravity) const {
 Frame::PointOnMember Frame::point_on_member(int member, double along, const AssembledFrame& assembled) const {
   const Beam& beam = of(member).beam;
   if (!(along >= 0 && along <= 1))
-    refuse(fmt::format("member {}: a point on it lies at 0 to 1 of its length, not at {}", member_name(member), along));
+    refuse(fmt::format("member {}: the position of a point must be in [0, 1], but is {}", member_name(member), along));
   const auto at_point = [&](const SparseRows& of_all) {
     const SparseRows rows = combined(beam.motion_at(along), member_motion(member, of_all));
     std::array<Eigen::SparseVector<double>, 3> by_axis;
@@ -175,8 +173,8 @@ Frame::PointOnMember Frame::point_on_member(int member, double along, const Asse
 
 Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const AssembledFrame& assembled) const {
   const int all = static_cast<int>(positions_.size()) * dofs();
-  Eigen::MatrixX3d supports = Eigen::MatrixX3d::Zero(all, 3);  // displacements that these supports enforce
-  Eigen::MatrixX3d pulls = Eigen::MatrixX3d::Zero(all, 3);     // forces of their springs on nodes that stay
+  Eigen::MatrixX3d supports = Eigen::MatrixX3d::Zero(all, 3);  // displacements enforced by these supports
+  Eigen::MatrixX3d pulls = Eigen::MatrixX3d::Zero(all, 3);     // forces of their springs on fixed nodes
   for (const int node : std::set<int>(nodes.begin(), nodes.end())) {
     bool supports_something = false;
     for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz}) {
@@ -186,7 +184,8 @@ Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const 
       for (const auto& [of, stiffness] : ground_springs_)
         if (of == at) pulls(at, axis) += stiffness, supports_something = true;
     }
-    if (!supports_something) refuse(node_text(node) + "it is no support: neither fixed nor on a spring to the ground");
+    if (!supports_something)
+      refuse(node_text(node) + "not a support: neither fixed nor connected to a spring to the ground");
   }
   const Eigen::SparseMatrix<double> t = assembled.transform;
   SupportMotion motion;

@@ -27,7 +27,7 @@ std::vector<std::string> directions(int dimension) {
 
 bool turns(const FrameModel& model) { return model.geometry == FrameGeometry::corotational; }
 
-// The part of the reports that follows from the motion of a support itself.
+// Part of the reports that follows directly from the motion of a support.
 void report_enforced(const FrameModel& model, const AssembledFrame& frame, const InternalForces& report,
                      const Frame::Reactions& reactions, const std::vector<int>& nodes, Support& support) {
   const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
@@ -73,7 +73,7 @@ std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame
   return supports;
 }
 
-// Supports that a wave along this direction reaches at one time stay together.
+// Groups supports that a wave in this direction reaches at the same time.
 std::vector<FrameSupport> apart_along(const FrameModel& model, const Vector3d& direction) {
   constexpr double together = 1e-6;  // [m]
   std::vector<FrameSupport> apart;
@@ -109,7 +109,7 @@ Frame::Reactions make_reactions(const FrameModel& model, const AssembledFrame& f
   return model.frame.reactions(model.held_nodes(), frame, model.has_gravity(), !turns(model));
 }
 
-// Loads and geometry whose effect the forces include: a reader must know whether a column is under its weight.
+// Loads and geometric effects included in the forces, such as the weight on a column.
 std::string included_in_forces(const FrameModel& model) {
   std::vector<std::string> parts;
   if (model.has_gravity()) parts.emplace_back("gravity");
@@ -156,13 +156,13 @@ InternalForces make_internal_forces(const FrameModel& model, const AssembledFram
   return report;
 }
 
-// Reports of members that turn; what they would show wrong is refused.
+// Reports of members with large rotations; throws for properties that are not supported with them.
 void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const CorotationalFrame>& turning,
               const Frame::Reactions& reactions, Structure& s) {
   if (model->supports.size() > 1)
     throw std::invalid_argument(
-        "with geometry: corotational all supports move alike; leave out their delay and ground_motion, or "
-        "type geometry: p_delta");
+        "geometry: corotational needs the same motion at all supports; remove their delay and ground_motion, or type "
+        "geometry: p_delta");
   s.storey_shears = [model, turning, above = storey_cuts(*model)](const Eigen::VectorXd& q) {
     const int directions = model->frame.dimension() - 1;
     Eigen::VectorXd shears = Eigen::VectorXd::Zero(static_cast<int>(above.size()) * directions);
@@ -187,7 +187,7 @@ void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_
     int at = 0;
     for (int member = 0; member < model->frame.members(); ++member) {
       Vector12 forces = turning->end_forces(member, q);
-      if (model->is_loaded()) {  // which keep their directions in space
+      if (model->is_loaded()) {  // member loads keep their directions in space
         const Eigen::Matrix3d turn = turning->axes(member, q) * model->frame.beam(member).axes().transpose();
         const Vector12 held = model->frame.fixed_end_forces(member, model->has_gravity());
         for (const int i : {0, 3, 6, 9}) forces.segment<3>(i) += turn * held.segment<3>(i);
@@ -237,7 +237,8 @@ Structure make_structure(FrameModel given) {
   const auto model = std::make_shared<const FrameModel>(std::move(given));
   const auto frame = std::make_shared<AssembledFrame>(model->frame.assemble(model->has_gravity()));
   if (frame->size() == 0)
-    throw std::invalid_argument("all its nodes are held; let one move, or type {wall: {}} instead of the frame");
+    throw std::invalid_argument(
+        "all nodes of the frame are fixed; release one, or type {wall: {}} instead of the frame");
   Structure s;
   s.kind = "frame";
   s.dimension = frame->dimension;
@@ -249,7 +250,7 @@ Structure make_structure(FrameModel given) {
     s.rigid_motions = frame->dimension == 2 ? 3 : 6;
     model->frame.require_motion(*frame);
   }
-  // Also says which node gives way when nothing holds the frame.
+  // Also reports the unsupported node if there is one.
   Eigen::VectorXd rest = model->is_free ? Eigen::VectorXd::Zero(frame->size()) : model->frame.rest(*frame);
   std::shared_ptr<const CorotationalFrame> turning;
   if (turns(*model)) {
@@ -278,13 +279,12 @@ Structure make_structure(FrameModel given) {
       const std::vector<FrameSupport> apart = apart_along(*model, direction);
       if (turns(*model) && apart.size() > 1)
         throw std::invalid_argument(
-            "a wave moves the supports of a frame one after the other, and with geometry: corotational all move "
-            "alike; type geometry: p_delta");
+            "a wave moves the supports of a frame at different times, but geometry: corotational needs the same motion "
+            "at all supports; type geometry: p_delta");
       if (!(model->frame.hinges().empty() && model->isolators.empty()) && apart.size() > 1)
         throw std::invalid_argument(
-            "a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all "
-            "move "
-            "alike; leave the wave or these out");
+            "a wave moves the supports of a frame at different times, but a frame with hinges or isolators needs the "
+            "same motion at all supports; remove the wave, or the hinges and isolators");
       return make_supports(*model, *frame, apart, forces, reactions);
     };
   s.geometry = make_geometry(*model);

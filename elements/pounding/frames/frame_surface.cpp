@@ -18,15 +18,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Points nearer than this are one [m].
+// Points closer than this coincide [m].
 constexpr double together = 1e-6;
-// Columns are in line if their axes differ by less, the rounding of typed decimals [m].
+// Columns are in line if their axes differ by less than this, the rounding of typed decimals [m].
 constexpr double in_line = 1e-3;
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 
-// The first and the last part of the member that this one is a part of; the member itself where it is whole. Parts
-// follow each other.
+// First and last part of the whole member that contains this one; the member itself if it is not subdivided. Parts are
+// consecutive.
 std::pair<int, int> parts_of_whole(const Frame& frame, int member) {
   const std::string name = frame.member_name(member);
   const std::size_t slash = name.find('/');
@@ -40,7 +40,7 @@ std::pair<int, int> parts_of_whole(const Frame& frame, int member) {
   return parts;
 }
 
-// The refusal of a contact on a member, or on a part of one, that has a hinge, with what to type.
+// Error message for a contact on a member, or a part of one, that has a hinge, with the key to type.
 std::string beside_hinge(const Frame& frame, int member, double along) {
   const std::string part = frame.member_name(member), whole = part.substr(0, part.find('/'));
   const auto [first, last] = parts_of_whole(frame, member);
@@ -95,14 +95,14 @@ std::optional<std::array<double, 4>> FrameSurface::plan() const {
 
 int FrameSurface::axis_of(Side side) const {
   const bool along_x = side == Side::plus_x || side == Side::minus_x;
-  if (!along_x && assembled_->dimension == 2) refuse("a plane frame is touched along x only");
+  if (!along_x && assembled_->dimension == 2) refuse("contact with a plane frame must be along x");
   return along_x ? 0 : 1;
 }
 
-// The outermost nodes, in the order along the edge.
+// Outermost nodes, in order along the edge.
 std::vector<int> FrameSurface::edge_nodes(int floor, Side side) const {
   if (floor < 0 || floor >= static_cast<int>(model_->floors.size()))
-    refuse(fmt::format("there is no floor {} among {}", floor + 1, model_->floors.size()));
+    refuse(fmt::format("unknown floor {}; number of floors: {}", floor + 1, model_->floors.size()));
   const int across = 1 - axis_of(side);
   const Vector3d out = outward(side);
   const std::vector<int>& nodes = model_->floors[floor].nodes;
@@ -130,7 +130,7 @@ ContactPoint FrameSurface::floor(int floor, Side side, double along) const {
 
   const double first = position(nodes.front())[across], last = position(nodes.back())[across];
   if (!(along > first - together && along < last + together))
-    refuse(fmt::format("the edge of floor {} goes from {} to {}, and {} lies beside it", of.label, metres(first),
+    refuse(fmt::format("the edge of floor {} extends from {} to {}, but the point is at {}", of.label, metres(first),
                        metres(last), metres(along)));
   for (const int node : nodes)
     if (std::abs(position(node)[across] - along) < together)
@@ -143,7 +143,7 @@ ContactPoint FrameSurface::floor(int floor, Side side, double along) const {
   const auto member = member_through(point);
   if (!member)
     refuse(fmt::format(
-        "no member passes the edge of floor {} at {}, between the nodes {} and {}; add one, or let the floor be rigid",
+        "floor {} has no member at its edge at {}, between the nodes {} and {}; add one, or make the floor rigid",
         of.label, metres(along), model_->frame.node_name(*(after - 1)), model_->frame.node_name(*after)));
   return pushed(on_member(member->first, member->second, point, floor_mass_[floor]), axis);
 }
@@ -166,8 +166,8 @@ ContactPoint FrameSurface::column(double elevation, Side side, double along) con
     }
   }
   if (candidates.empty())
-    refuse(fmt::format("there is no column {} up; its members reach from {} to {}", metres(elevation), metres(lowest),
-                       metres(highest)));
+    refuse(fmt::format("no column at an elevation of {}; members extend from {} to {}", metres(elevation),
+                       metres(lowest), metres(highest)));
   std::erase_if(candidates, [&](const OnColumn& each) { return out.dot(each.position) < outermost - together; });
   const auto distance = [&](const OnColumn& each) { return std::abs(each.position[across] - along); };
   const OnColumn& hit =
@@ -203,8 +203,8 @@ std::optional<ColumnFace> FrameSurface::column_face(const Vector3d& point, Side 
   return found;
 }
 
-// Distance along the column to the nearer joint, a node at which other members or a floor meet it, or at which it ends
-// [m]. 0 at one.
+// Distance along the column to the nearer joint: a node with other members or a floor, or the end of the column [m]. 0
+// at a joint.
 double FrameSurface::to_joint(const OnColumn& point) const {
   const Frame& frame = model_->frame;
   const auto next = [&](int node, int from) {
@@ -256,7 +256,8 @@ Row FrameSurface::displacement(const std::string& node, const std::string& dof) 
   refuse(unknown_name("displacement", dof, names));
 }
 
-// The member from node to node over its rigid offsets; nothing where it does not reach this height or lies level.
+// Position on the path from node to node including the rigid offsets; nullopt if it does not reach this height, or is
+// level.
 std::optional<FrameSurface::OnColumn> FrameSurface::on_column(int member, double elevation) const {
   const auto [start, end] = model_->frame.ends(member);
   const BeamOptions& options = model_->frame.beam(member).options();
@@ -296,8 +297,8 @@ double FrameSurface::mass_of(int node) const {
   return floor >= 0 ? floor_mass_[floor] : mass_along_x(*assembled_, {node});
 }
 
-// Between two floors, of both by the height. Where a member is cut, the nodes between its parts have a mass of their
-// own, which grows less with each cut; the contact stays one of the two floors.
+// Between two floors, the interpolated mass of both. The nodes within a subdivided member have their own mass, which
+// decreases with the number of parts, but the contact involves the two floors.
 double FrameSurface::mass_of(const OnColumn& point) const {
   if (point.node >= 0 && floor_of_node_[point.node] >= 0) return floor_mass_[floor_of_node_[point.node]];
   const auto [first, last] = parts_of_whole(model_->frame, point.member);
@@ -326,7 +327,7 @@ ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) con
 
 ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& at, double mass) const {
   if (model_->geometry == FrameGeometry::corotational)
-    refuse("with geometry: corotational a member is not hit between its ends; put a node there");
+    refuse("with geometry: corotational, a member cannot be hit between its ends; add a node there");
   for (const Hinge& hinge : model_->frame.hinges())
     if (hinge.member == member) refuse(beside_hinge(model_->frame, member, along));
   const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);

@@ -1,5 +1,5 @@
 #pragma once
-/// Points at which a frame can be touched.
+/// Contact points of a frame.
 
 #include <array>
 #include <memory>
@@ -12,15 +12,15 @@
 
 namespace pounding {
 
-/// The mass that moves along x with these nodes [kg]; what is tied to them moves with them.
+/// Mass that moves along x with these nodes [kg], including nodes tied to them.
 double mass_along_x(const AssembledFrame& frame, const std::vector<int>& nodes);
 
-/// A floor is touched on a side at its outermost node, in space at a point between the two outermost ends. A rigid
-/// floor moves there as its master on an arm, straight between its nodes vertically; another floor is touched at its
-/// node or on the member that passes there.
+/// The contact point of a floor on a side is its outermost node; in space, a point between the two outermost ends. On a
+/// rigid floor it moves horizontally with the master, and vertically by linear interpolation between its nodes. On
+/// other floors it is a node, or a point on the member that passes there.
 ///
-/// Between nodes a point moves as the member's shape functions say (see Frame::point_on_member). What is asked for and
-/// does not exist, and a push on an unknown without mass, throw std::invalid_argument.
+/// Between nodes, a point moves according to the shape functions of the member (see Frame::point_on_member). Throws
+/// std::invalid_argument for a point that does not exist, and for a contact force on a massless unknown.
 class FrameSurface final : public Surface {
  public:
   FrameSurface(std::shared_ptr<const FrameModel> model, std::shared_ptr<const AssembledFrame> assembled);
@@ -35,7 +35,7 @@ class FrameSurface final : public Surface {
 
  private:
   struct OnColumn {
-    int member, node;  // the node on whose rigid arm the point lies, -1 on the member itself
+    int member, node;  // the node with a rigid arm to the point; -1 on the member itself
     double along;      // on the member
     Eigen::Vector3d position;
   };

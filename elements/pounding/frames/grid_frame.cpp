@@ -18,10 +18,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-// One value for all or one each, positive.
+// One positive value for all, or one per item.
 std::vector<double> spread(const std::vector<double>& given, int count, const char* what, bool may_be_zero = false) {
   std::vector<double> all = given.size() == 1 ? std::vector<double>(count, given.front()) : given;
-  if (static_cast<int>(all.size()) != count) refuse(std::string(what) + ": one value, or " + std::to_string(count));
+  if (static_cast<int>(all.size()) != count) refuse(std::string(what) + ": give one value or " + std::to_string(count));
   for (const double value : all)
     if (!(may_be_zero ? value >= 0 : value > 0) || std::isinf(value))
       refuse(std::string(what) + (may_be_zero ? " must be finite and not negative" : " must be positive and finite"));
@@ -35,7 +35,7 @@ std::vector<double> lines(const std::vector<double>& widths) {
   return at;
 }
 
-// Part of the whole width that belongs to each line, half a bay on each side; all of it when there is one line only.
+// Fraction of the whole width tributary to each line, half a bay on each side; 1 for a single line.
 std::vector<double> shares(const std::vector<double>& widths) {
   if (widths.empty()) return {1.0};
   const double whole = std::accumulate(widths.begin(), widths.end(), 0.0);
@@ -47,7 +47,7 @@ std::vector<double> shares(const std::vector<double>& widths) {
   return share;
 }
 
-// A member of the grid as the others, but for what the grid says of it.
+// Adds one grid member, with its individual properties if the grid defines any.
 void add_grid_member(Frame& frame, const std::string& name, int start, int end, const Section& usual,
                      const GridFrame& grid) {
   const auto found = grid.members.find(name);
@@ -89,7 +89,7 @@ int GridFrame::node(int storey, int i, int k) const {
 
 int GridFrame::floor(int storey) const {
   const int first = node(storey, 0);
-  if (storey == 0) refuse("the ground is no floor");
+  if (storey == 0) refuse("the ground is not a floor");
   if (bays_y == 0) return first;
   int between = 0;
   for (const auto& [name, member] : members) between += member.parts - 1;
@@ -103,15 +103,15 @@ const Section& GridSections::at(int storey, int line) const {
 
 void GridSections::check(int storeys, int lines, const std::string& name) const {
   if (sections_.size() != 1 && static_cast<int>(sections_.size()) != storeys)
-    refuse(name + ": one section, or " + std::to_string(storeys) + " from the ground up");
+    refuse(name + ": give one section or " + std::to_string(storeys) + ", from the ground up");
   for (const std::vector<Section>& of_storey : sections_)
     if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
-      refuse(name + ": one section in a storey, or " + std::to_string(lines) + " from the first line on");
+      refuse(name + ": give one section per storey or " + std::to_string(lines) + ", from the first line");
 }
 
 std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end,
                                      const CutMember& member) {
-  if (member.parts < 1 || member.parts > 100) refuse(name + ": takes 1 to 100 parts");
+  if (member.parts < 1 || member.parts > 100) refuse(name + ": parts must be in 1 to 100");
   const Vector3d first = frame.position(start) + member.options.start_offset;
   const Vector3d last = frame.position(end) + member.options.end_offset;
   std::vector<int> added;
@@ -141,22 +141,24 @@ void GridFrame::require_affordable() const {
   const std::string grid = fmt::format("a grid of {} storeys and {}{} bays has {:.0f} nodes", storeys, bays_x,
                                        bays_y > 0 ? fmt::format(" x {}", bays_y) : "", nodes);
   if (nodes > limits::grid_nodes)
-    refuse(fmt::format("{}, and {:g} are the most; take fewer storeys or bays", grid, limits::grid_nodes));
-  // In space a node of a rigid floor has three unknowns, too.
+    refuse(fmt::format("{}, but the maximum is {:g}; use fewer storeys or bays", grid, limits::grid_nodes));
+  // In space, a node of a rigid floor also has three unknowns.
   const double bytes = 3 * nodes * limits::bytes_of_unknown, memory = limits::memory();
   if (bytes > memory)
-    refuse(fmt::format(
-        "{}, which take some {}, and there are {}; take fewer storeys or bays, or a machine with more memory", grid,
-        limits::text_of_bytes(bytes), limits::text_of_bytes(memory)));
+    refuse(
+        fmt::format("{}, which need about {} of memory, but {} are available; use fewer storeys or bays, or a machine "
+                    "with more memory",
+                    grid, limits::text_of_bytes(bytes), limits::text_of_bytes(memory)));
 }
 
 GridParts add_grid(FrameModel& model, const GridFrame& grid) {
-  if (grid.storeys < 1 || grid.bays_x < 1 || grid.bays_y < 0) refuse("a grid needs a storey and a bay along x");
+  if (grid.storeys < 1 || grid.bays_x < 1 || grid.bays_y < 0)
+    refuse("a grid needs at least one storey and one bay along x");
   grid.require_affordable();
   Frame& frame = model.frame;
   const bool is_plane = frame.dimension() == 2;
-  if (is_plane != (grid.bays_y == 0)) refuse("a grid has bays along y in space, and in the plane none");
-  if (frame.nodes() > 0) refuse("a grid comes before all other nodes of its frame");
+  if (is_plane != (grid.bays_y == 0)) refuse("a grid needs bays along y in space, and none in the plane");
+  if (frame.nodes() > 0) refuse("a grid must be added before all other nodes of its frame");
   const std::vector<double> width_x = spread(grid.bay_width_x, grid.bays_x, "bay_width_x");
   const std::vector<double> width_y =
       is_plane ? std::vector<double>{} : spread(grid.bay_width_y, grid.bays_y, "bay_width_y");

@@ -1,5 +1,5 @@
 #pragma once
-/// Ends of members at which bending yields. SI units.
+/// Yielding member ends in bending. SI units.
 
 #include <optional>
 
@@ -7,47 +7,48 @@
 
 namespace pounding {
 
-/// Which end of a member.
+/// End of a member.
 enum class MemberEnd { start, end };
-/// The local axis that a member bends about; in the plane it is y.
+/// Local axis of bending; y in the plane.
 enum class BendingAxis { y, z };
 
-/// One end of a member that yields in bending about one of its local axes; two axes of one end do not know of each
-/// other. The moment is the end moment that InternalForces reports, with its sign: `yield_moment` where the member sags
-/// there, with tension on the side that its local z (about y) or y (about z) leaves; `hogging_moment` where it hogs.
+/// One end of a member that yields in bending about one of its local axes; the two axes of an end are independent. The
+/// moment is the end moment reported by InternalForces, with its sign: `yield_moment` applies to sagging, with tension
+/// on the side opposite to local z (bending about y) or y (about z); `hogging_moment` applies to hogging.
 ///
-/// `hardening` a is the ratio of the member end in every form: a member that yields at both ends in double curvature
-/// keeps this fraction of its stiffness.
+/// `hardening` a is always the ratio at the member end: a member that yields at both ends in double curvature retains
+/// this fraction of its stiffness.
 ///
-/// Rigid-plastic, with neither stiffness nor stiffness_factor: no rotation below the yield moment, and above it the
-/// moment rises by h = a 6EI/L/(1 - a) [N m/rad] with the plastic rotation. It adds nothing to the stiffness of the
-/// frame (force analogy: Wong & Yang 1999).
+/// Rigid-plastic, without stiffness and stiffness_factor: no rotation below the yield moment; above it the moment
+/// increases by h = a 6EI/L/(1 - a) [N m/rad] with the plastic rotation. The stiffness of the frame does not change
+/// (force analogy: Wong & Yang 1999).
 ///
 /// A spring in series with the member, with a stiffness or a stiffness_factor: the moment follows its law, and its
-/// first stiffness k makes the member softer. The spring keeps the fraction b = a/(1 + n (1 - a)) of k with n = k L/6EI
-/// (Ibarra & Krawinkler 2005), or `spring_hardening` = b is given instead.
+/// initial stiffness k makes the member more flexible. The spring retains the fraction b = a/(1 + n (1 - a)) of k, n =
+/// k L/6EI (Ibarra & Krawinkler 2005), or b is given as `spring_hardening`.
 struct Hinge {
   int member = 0;
   MemberEnd at = MemberEnd::start;
   BendingAxis about = BendingAxis::y;
   double yield_moment = 0;                    ///< > 0, unless there is a law [N m]
-  std::optional<double> hogging_moment{};     ///< > 0; the same unless given [N m]
+  std::optional<double> hogging_moment{};     ///< > 0; default: yield_moment [N m]
   double hardening = 0;                       ///< a in [0, 1) [-]
-  std::optional<double> ultimate_rotation{};  ///< plastic rotation that it can bear, for reports [rad]
+  std::optional<double> ultimate_rotation{};  ///< plastic rotation capacity, for reports [rad]
   double stiffness = 0;                       ///< of a spring in series [N m/rad]
   double stiffness_factor = 0;                ///< or as a multiple of 6EI/L [-]
-  /// L of the member that this one is a part of, where it was cut; 0: its own length [m].
+  /// L of the whole member if this is a part of a subdivided one; 0: its own length [m].
   double member_length = 0;
   std::optional<double> spring_hardening{};  ///< b in [0, 1) of a spring in series, instead of hardening [-]
-  /// Law of a spring in series instead of a bilinear one, in the words of make_hinge() and without its stiffness; with
-  /// `hardening` or `spring_hardening`. Its yield_moment is that of sagging if there is a negative_yield_moment, too.
+  /// Law of a spring in series instead of a bilinear one, with the parameter names of make_hinge() and without its
+  /// stiffness; with `hardening` or `spring_hardening`. If there is a negative_yield_moment, yield_moment applies to
+  /// sagging.
   std::optional<hysteresis::Settings> law{};
 
-  /// Whether it has no stiffness of its own.
+  /// True without a spring in series.
   bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
-  /// Place of its moment among the twelve end forces of a member.
+  /// Index of its moment among the twelve end forces of a member.
   int place() const { return (at == MemberEnd::start ? 0 : 6) + (about == BendingAxis::y ? 4 : 5); }
-  /// Whether sagging is a positive moment on this end.
+  /// True if sagging is a positive moment at this end.
   bool sags_positive() const { return (at == MemberEnd::start) == (about == BendingAxis::y); }
 };
 

@@ -19,7 +19,7 @@ bool turns(const AssembledFrame& frame, int node) {
 std::vector<bool> at_loose_joints(const Frame& frame, const AssembledFrame& assembled,
                                   const std::vector<bool>& keeps_nothing) {
   const std::vector<Hinge>& hinges = frame.hinges();
-  std::set<std::pair<int, int>> yields;  // members and places of their end forces
+  std::set<std::pair<int, int>> yields;  // members and indices of their end forces
   for (std::size_t i = 0; i < hinges.size(); ++i)
     if (keeps_nothing[i]) yields.emplace(hinges[i].member, hinges[i].place());
   const auto lets_go = [&](int member, MemberEnd at) {

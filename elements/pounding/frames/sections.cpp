@@ -18,7 +18,7 @@ double cubed(double x) { return x * x * x; }
 double rectangle_torsion(double one, double other) {
   const double a = std::max(one, other), b = std::min(one, other);
   double sum = 0;
-  // The terms fall at least as n^-5: beyond 1999 they are below the rounding of the sum. Smallest first.
+  // The terms decrease at least as n^-5: beyond 1999 they are below the round-off of the sum. Smallest first.
   for (int n = 1999; n >= 1; n -= 2) sum += std::tanh(n * M_PI * a / (2 * b)) / std::pow(n, 5);
   return a * cubed(b) / 3 * (1 - 192 / std::pow(M_PI, 5) * b / a * sum);
 }
@@ -36,7 +36,7 @@ Section ring(double diameter, double ratio) {
   return s;
 }
 
-// Thin-walled, in the letters of the paper: b flange width, h between the middles of the flanges.
+// Thin-walled, with the symbols of the paper: b flange width, h distance between the middles of the flanges.
 double cowper_i_factor(double b, double h, double flange, double web) {
   const double m = 2 * b * flange / (h * web), n = b / h;
   return 10 * (1 + 3 * m) * (1 + 3 * m) / (12 + 72 * m + 150 * m * m + 90 * m * m * m + 30 * n * n * (m + m * m));
@@ -92,7 +92,7 @@ Section i_section(double depth, double width, double flange, double web) {
 
 Material isotropic(double young, double density, double poisson) {
   if (!(young > 0) || std::isinf(young)) throw std::invalid_argument("young must be positive and finite");
-  if (!(poisson >= 0 && poisson <= 0.5)) throw std::invalid_argument("poisson must lie in [0, 0.5]");
+  if (!(poisson >= 0 && poisson <= 0.5)) throw std::invalid_argument("poisson must be in [0, 0.5]");
   if (!(density >= 0) || std::isinf(density)) throw std::invalid_argument("density must be finite and not negative");
   return {.young = young, .shear = young / (2 * (1 + poisson)), .density = density};
 }

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double rounding = 2e-14;
-// From here on rounding cannot hide that the matrix is singular.
+// Above this value, the matrix is regular in spite of round-off.
 constexpr double beyond_doubt = 1e-12;
 
 VectorXd unit_diagonal(const VectorXd& diagonal) {
@@ -27,7 +27,7 @@ StaticSolver::StaticSolver(const Eigen::SparseMatrix<double>& stiffness) : scale
   if (const Motion weakest = weakest_motion(); weakest.positive && weakest.eigenvalue > beyond_doubt) return;
   Eigen::SparseMatrix<double> unit(n, n);
   unit.setIdentity();
-  // Shifted, so that a singular matrix has factors too: its null vector is what inverse iteration grows.
+  // Shifted, so that a singular matrix can be factorized: inverse iteration then converges to its null vector.
   factors_.compute(scaled_ + rounding * unit);
   shifted_ = true;
   const Motion weakest = weakest_motion();
@@ -41,7 +41,7 @@ StaticSolver::Motion StaticSolver::weakest_motion() const {
   Eigen::Index weakest = 0;
   Motion found;
   found.positive = factors_.info() == Eigen::Success && factors_.vectorD().minCoeff(&weakest) > 0;
-  // Where L^T x is one at the weakest pivot only, x^T K x is this pivot.
+  // With L^T x equal to the unit vector of the weakest pivot, x^T K x is this pivot.
   VectorXd& x = found.shape = VectorXd::Unit(scale_.size(), weakest);
   if (factors_.info() == Eigen::Success) {
     factors_.matrixU().solveInPlace(x);

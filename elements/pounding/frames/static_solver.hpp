@@ -1,5 +1,5 @@
 #pragma once
-/// K q = f for a stiffness that must be positive, and what gives way where it is not.
+/// Solves K q = f for a stiffness that must be positive definite, and finds the mode without stiffness if it is not.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -7,25 +7,25 @@
 
 namespace pounding {
 
-/// Sparse factors L D L^T of K, scaled to a unit diagonal so that forces and moments weigh alike.
+/// Sparse factors L D L^T of K, scaled to a unit diagonal so that forces and moments have equal weight.
 class StaticSolver {
  public:
   /// K is symmetric, n x n; n may be 0.
   explicit StaticSolver(const Eigen::SparseMatrix<double>& stiffness);
 
-  /// The smallest eigenvalue of the scaled K is above its rounding, 2e-14. (A cantilever divided into 500 beams has
-  /// 8e-12.)
+  /// True if the smallest eigenvalue of the scaled K is above its round-off, 2e-14. (For a cantilever divided into 500
+  /// beams it is 8e-12.)
   bool holds() const { return mode_.size() == 0; }
-  /// It does not, and the eigenvalue is negative.
+  /// True if holds() is false and the eigenvalue is negative.
   bool buckles() const { return buckles_; }
-  /// Displacements that meet no stiffness or a negative one, length n; empty where K holds.
+  /// Displacements with zero or negative stiffness, length n; empty if holds() is true.
   const Eigen::VectorXd& mode() const { return mode_; }
-  /// For a K that holds. n x k. Where the smallest eigenvalue is so near to its rounding that only a shifted K told it,
-  /// the first call factors K once more.
+  /// Requires holds(). n x k. If the smallest eigenvalue is so close to round-off that K was factorized with a shift,
+  /// the first call factorizes K again.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& forces);
 
  private:
-  // By the factors of the scaled K: the motion of the smallest eigenvalue, and whether all pivots are positive.
+  // From the factors of the scaled K: the mode of the smallest eigenvalue, and whether all pivots are positive.
   struct Motion {
     Eigen::VectorXd shape;
     double eigenvalue = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// Accelerations of ground motions in closed form, and their integrals. GroundMotion is made of them.
+/// Closed forms of ground accelerations and their integrals, used by GroundMotion.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace pounding::closed_forms {
 
 inline constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Time at which a motion is over [s].
+/// End time of a motion [s].
 template <class Closed>
 double end_of(const Closed& motion) {
   return motion.start + motion.duration;
@@ -25,7 +25,7 @@ double end_of(const Closed& motion) {
 
 inline double end_of(const Step&) { return std::numeric_limits<double>::infinity(); }
 
-/// Acceleration at time t of a motion that has begun and is not over [m/s^2].
+/// Acceleration at time t during a motion [m/s^2].
 inline double inside(const Harmonic& motion, double t) {
   return motion.amplitude * std::sin(two_pi * (t - motion.start) / motion.period + motion.phase);
 }
@@ -59,7 +59,7 @@ inline Moved moved_by_sine(double amplitude, double w, double s, double phase = 
           amplitude / w * (s * std::cos(phase) - (std::sin(w * s + phase) - std::sin(phase)) / w)};
 }
 
-/// Integrals until the time s after the start, while the motion lasts [s].
+/// Integrals at the time s after the start, during the motion [s].
 inline Moved moved_inside(const Harmonic& motion, double s) {
   return moved_by_sine(motion.amplitude, two_pi / motion.period, s, motion.phase);
 }
@@ -83,7 +83,7 @@ inline Moved moved_inside(const Pulse& pulse, double s) {
   return {};
 }
 
-/// As a difference of two ramps, so that no large numbers cancel.
+/// As a difference of two ramps, to avoid cancellation.
 inline Moved moved(const Step& step, double t) {
   const double s = t - step.start;
   if (!(s > 0)) return {};
@@ -93,7 +93,7 @@ inline Moved moved(const Step& step, double t) {
           step.amplitude * (step.rise * step.rise / 6 + after * (step.rise + after) / 2)};
 }
 
-/// Integrals at time t [s]; when the motion is over the ground keeps its velocity.
+/// Integrals at time t [s]; after the motion, the ground keeps its velocity.
 template <class Closed>
 Moved moved(const Closed& motion, double t) {
   const double s = t - motion.start;
@@ -103,7 +103,7 @@ Moved moved(const Closed& motion, double t) {
   return {end.velocity, end.displacement + end.velocity * (s - motion.duration)};
 }
 
-/// Largest integrals while the motion lasts, of 16 in a period and at most 160000.
+/// Maxima of the integrals during the motion, from 16 values per period and at most 160000.
 template <class Harmonics>
 Moved largest_of(const Harmonics& motion) {
   double shortest;
@@ -121,9 +121,9 @@ Moved largest_of(const Harmonics& motion) {
   return largest;
 }
 
-/// Refuses a value of a motion, with its name in the text.
+/// Throws std::invalid_argument, naming the value, unless it is finite.
 inline void require_finite(double value, const char* what) {
-  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} must be finite", what));
 }
 
 inline void require_positive(double value, const char* what) {
@@ -131,13 +131,13 @@ inline void require_positive(double value, const char* what) {
     throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
 }
 
-/// Amplitude as reports show it: of a moment in kN m rather than kJ.
+/// Amplitude for reports; moments in kN m rather than kJ.
 inline std::string amplitude_text(double amplitude, const Dimension& values) {
   return values == dimension::energy ? format_quantity(amplitude, dimension::force) + " m"
                                      : format_quantity(amplitude, values);
 }
 
-/// Amplitude, period and phase as reports show them.
+/// Amplitude, period and phase for reports.
 inline std::string described(double amplitude, double period, double phase, const Dimension& values) {
   const std::string text = fmt::format("{} at {:g} s", amplitude_text(amplitude, values), period);
   return phase == 0 ? text : fmt::format("{} and {:g} deg", text, phase * 180 / std::numbers::pi);

@@ -10,7 +10,7 @@ namespace pounding::records {
 namespace {
 
 constexpr std::size_t fewest_counted_rows = 3, fewest_values = 10, longest_integer_header = 100;
-constexpr double longest_stated_step = 1000;  // [s], or [ms] by mistake
+constexpr double longest_stated_step = 1000;  // [s], or erroneously [ms]
 
 /// Lower-case letters of a name, without its bracket.
 std::string letters_of(std::string_view name) {
@@ -21,7 +21,7 @@ std::string letters_of(std::string_view name) {
   return letters;
 }
 
-/// Whether enough rows have a column, and all of them.
+/// True if all rows, and enough of them, have a column.
 bool is_whole(const NumberTable& table, std::size_t column) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     if (table.columns(row) <= column) return false;
@@ -98,7 +98,7 @@ CountRows find_count_rows(const NumberTable& table, double step) {
   }
   if (table.columns(0) == 2) {
     const double second = table.at(0, 1);
-    // Otherwise a time and its value.
+    // If the first column increases, the row is a time and its value.
     const bool ascends = step == 0 && table.columns(1) == 2 && table.at(1, 0) > first;
     if (states_count(first, 1) && is_step(second)) return found(1, first, second);
     if (states_count(second, 1) && is_step(first) && !ascends) return found(1, second, first);

@@ -1,5 +1,5 @@
 #pragma once
-/// Columns of a table that hold no values, and lines in front of the values: counters, times, numbers of values. Users
+/// Columns of a table that contain no values, and lines before the values: counters, times, numbers of values. Users
 /// call read_record() instead.
 
 #include <cstddef>
@@ -9,35 +9,35 @@
 
 namespace pounding::records {
 
-/// Spacing of a column of integers that increase evenly, in three rows or more; 0 for any other column.
+/// Spacing of a column of evenly increasing integers with at least three rows; 0 for other columns.
 double integer_spacing(const NumberTable& table, std::size_t column);
 
-/// Whether a column counts the rows: consecutive integers in three rows or more.
+/// True if a column numbers the rows: consecutive integers in at least three rows.
 bool counts_rows(const NumberTable& table, std::size_t column);
 
-/// Whether a column increases from row to row, from a value >= 0 on.
+/// True if a column increases from row to row, from a first value >= 0.
 bool ascends(const NumberTable& table, std::size_t column);
 
-/// Mean spacing of a column that increases evenly, within 10 %, from a value >= 0; 0 for any other column.
+/// Mean spacing of a column that increases evenly, within 10 %, from a first value >= 0; 0 for other columns.
 double even_spacing(const NumberTable& table, std::size_t column);
 
-/// Whether a name is that of a column of times ("time", "t", "sec"), or of a counter ("No.", "index", "point").
+/// True for a typical name of a time column ("time", "t", "sec"), or of a counter ("No.", "index", "point").
 bool names_times(std::string_view name);
 bool names_counter(std::string_view name);
 
-/// Rows in front of the values that state their number, and perhaps the step.
+/// Rows before the values that state their number, and possibly the step.
 struct CountRows {
   std::size_t rows = 0;   ///< 0 if there are none
   std::size_t count = 0;  ///< number of values, or of rows of values
-  double step = 0;        ///< [s]; 0 if it is not stated
+  double step = 0;        ///< [s]; 0 if not stated
 };
 
-/// Finds rows such as "700" and "0.005", or "700 0.005", above as many values as they state, ten or more. `step` is
-/// that of the user [s]; 0 if unknown.
+/// Finds rows such as "700" and "0.005", or "700 0.005", followed by the stated number of values, at least ten. `step`
+/// is that given by the user [s]; 0 if unknown.
 CountRows find_count_rows(const NumberTable& table, double step);
 
-/// Number of rows at the begin that hold integers alone, above ten values or more with decimals; 0 if any value below
-/// is such an integer.
+/// Number of leading rows that contain only integers, followed by at least ten values with decimals; 0 if any later row
+/// contains only integers.
 std::size_t integer_header(const NumberTable& table);
 
 }  // namespace pounding::records

@@ -1,5 +1,5 @@
 #pragma once
-/// Ground motion in space: three components, and waves that reach supports one after the other.
+/// Ground motion in space: three components, and waves that reach supports at different times.
 
 #include <Eigen/Core>
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace pounding {
 
-/// Components along x, y (both horizontal) and z (up); at rest where nothing is given.
+/// Components along x, y (both horizontal) and z (up); at rest by default.
 using GroundComponents = std::array<GroundMotion, 3>;
 
-/// A wave that runs along the ground. It reaches a position later by the distance along `direction` over `velocity`.
+/// A wave travelling along the ground. Its delay at a position is the distance along `direction` divided by `velocity`.
 struct TravellingWave {
   double velocity = 0;                                   ///< [m/s]
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< horizontal, unit
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< horizontal unit vector
 };
 
-/// How the ground moves under a model: along x alone, or along several axes; at all places at once, or as a wave.
+/// Ground motion of a model: along x only or along several axes; uniform or as a wave.
 struct GroundSection {
   GroundSection() = default;
   /// Along x.

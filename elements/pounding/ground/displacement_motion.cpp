@@ -11,14 +11,14 @@
 namespace pounding {
 namespace {
 
-// Refuses what no motion by harmonics can be, whether in metres or in m/s^2.
+// Throws for invalid harmonics, in metres as well as in m/s^2.
 template <class Harmonics>
 void check(const Harmonics& displacement) {
   static_cast<void>(GroundMotion(displacement));
-  if (displacement.start != 0) throw std::invalid_argument("ground motion: a displacement by harmonics starts at 0");
+  if (displacement.start != 0) throw std::invalid_argument("ground motion: displacement harmonics must start at 0");
 }
 
-// Exactly zero at a phase of 90 degrees, where the ground starts from rest.
+// Exactly zero at a phase of 90 degrees, at which the ground starts from rest.
 double cosine(double phase) {
   const double value = std::cos(phase);
   return std::abs(value) < 4 * std::numeric_limits<double>::epsilon() ? 0 : value;
@@ -52,16 +52,16 @@ std::vector<double> spline_accelerations(const std::vector<double>& times, const
   const std::size_t count = times.size();
   if (count < 2 || displacements.size() != count)
     throw std::invalid_argument(
-        fmt::format("ground motion: {} times and {} displacements; two or more of each, and as many of one "
-                    "as of the other, are needed",
-                    count, displacements.size()));
+        fmt::format("ground motion: {} times and {} displacements; equal numbers, at least two, are needed", count,
+                    displacements.size()));
   for (std::size_t i = 1; i < count; ++i)
     if (!(times[i] > times[i - 1]))
-      throw std::invalid_argument(fmt::format("ground motion: the time of sample {} does not increase", i));
+      throw std::invalid_argument(
+          fmt::format("ground motion: the time of sample {} must be later than the previous one", i));
 
-  // The velocity is the same on both sides of each sample:
+  // The velocity is continuous at each sample:
   //   h/6 a[i-1] + (h + k)/3 a[i] + k/6 a[i+1] = slope of the chord after it - slope of the chord before it,
-  // with h and k the intervals before and after it. Elimination from the left; the last acceleration is zero.
+  // where h and k are the intervals before and after it. Elimination from the left; the last acceleration is zero.
   std::vector<double> ratio(count), a(count);
   double before = initial_velocity, h = 0;
   for (std::size_t i = 0; i + 1 < count; ++i) {

@@ -19,24 +19,24 @@ using namespace closed_forms;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Longest step as a part of the shortest period of a closed form.
+// Longest step as a fraction of the shortest period of a closed form.
 constexpr double max_part_of_period = 0.1;
 
 void check(const Samples& samples) {
   const std::vector<double>&times = samples.times, &accelerations = samples.accelerations;
   if (times.size() != accelerations.size() || times.size() < 2)
     throw std::invalid_argument(
-        fmt::format("ground motion: {} times and {} accelerations; two or more of each, and as "
-                    "many of one as of the other, are needed",
+        fmt::format("ground motion: {} times and {} accelerations; equal numbers, at least two, are needed",
                     times.size(), accelerations.size()));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || !std::isfinite(accelerations[i]))
-      throw std::invalid_argument(fmt::format("ground motion: sample {} is not finite", i));
+      throw std::invalid_argument(fmt::format("ground motion: sample {} must be finite", i));
     if (i > 0 && times[i] <= times[i - 1])
-      throw std::invalid_argument(fmt::format("ground motion: the time of sample {} does not increase", i));
+      throw std::invalid_argument(
+          fmt::format("ground motion: the time of sample {} must be later than the previous one", i));
   }
   if (samples.uniform && !evenly_spaced(times))
-    throw std::invalid_argument("ground motion: samples that claim to be uniform are not evenly spaced");
+    throw std::invalid_argument("ground motion: samples marked as uniform must be evenly spaced");
 }
 
 const char* name_of(Pulse::Shape shape) {
@@ -53,7 +53,7 @@ struct Overloaded : F... {
   using F::operator()...;
 };
 template <class... F>
-Overloaded(F...) -> Overloaded<F...>;  // Clang before 17 cannot deduce it
+Overloaded(F...) -> Overloaded<F...>;  // required by Clang before 17
 
 }  // namespace
 
@@ -71,7 +71,7 @@ GroundMotion::GroundMotion(Harmonic motion, const Dimension& values) : motion_(m
   require_positive(motion.duration, "duration");
   require_finite(motion.start, "start");
   require_finite(motion.phase, "phase");
-  // The sine is at its crest, or trough, a quarter of a period after each of its zeros.
+  // The sine has an extremum a quarter of a period after each zero.
   const double turns = motion.phase / (2 * std::numbers::pi);
   const double first_crest = (0.25 + 0.5 * std::ceil((turns - 0.25) / 0.5) - turns) * motion.period;
   peak_ = motion.duration >= first_crest
@@ -121,8 +121,8 @@ GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::mo
   motion_ = std::move(record);
 }
 
-// The velocity of a closed form is largest at one of the times after the start. Where it never turns, the displacement
-// is at the end.
+// The velocity of a closed form is extreme at one of the times after the start. If it does not change sign, the
+// displacement is extreme at the end.
 template <class Closed>
 void GroundMotion::describe(const Closed& motion, std::initializer_list<double> fastest) {
   start_ = motion.start;
@@ -136,7 +136,7 @@ void GroundMotion::describe(const Closed& motion, std::initializer_list<double> 
 GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
   velocities.reserve(times.size());
   displacements.reserve(times.size());
-  long double v = 0, d = 0;  // long records add up many small parts
+  long double v = 0, d = 0;  // long records accumulate many small increments
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (i > 0) {
       const long double h = static_cast<long double>(times[i]) - times[i - 1], a = accelerations[i - 1],
@@ -149,14 +149,14 @@ GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
   }
 }
 
-// The number of the sample before t, which lies between the first and the last.
+// Index of the sample before t, which must be between the first and the last.
 std::size_t GroundMotion::interval(const Samples& samples, double t) const noexcept {
   const std::vector<double>& times = samples.times;
   if (per_step_ == 0)
     return static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, t) - times.begin()) - 1;
   const std::size_t last = times.size() - 2;
   const std::size_t i = std::min(static_cast<std::size_t>((t - times.front()) * per_step_), last);
-  // Rounding may have put t into the neighbouring interval.
+  // Round-off may place t in the neighbouring interval.
   if (t < times[i]) return i - 1;
   return i < last && t >= times[i + 1] ? i + 1 : i;
 }
@@ -166,7 +166,7 @@ double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
   const std::size_t i = interval(samples, t);
   const double part = (t - times[i]) / (times[i + 1] - times[i]);
   const std::vector<double>& a = samples.accelerations;
-  // At part = 1 this form gives a[i + 1] to the last bit, which a[i] + part (a[i + 1] - a[i]) need not.
+  // Exact at part = 1, unlike a[i] + part (a[i + 1] - a[i]).
   return a[i] * (1 - part) + a[i + 1] * part;
 }
 
@@ -192,7 +192,7 @@ double GroundMotion::acceleration_before(double t) const noexcept {
       motion_);
 }
 
-// A straight line from sample i on: its integrals are those up to the sample and a parabola, a cubic.
+// Between samples the acceleration is linear, so the integrals are those at the sample plus a quadratic, or a cubic.
 double GroundMotion::velocity_from_rest(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; }, [t](const auto& closed) { return moved(closed, t).velocity; },
@@ -227,8 +227,7 @@ GroundMotion GroundMotion::delayed(double delay) const {
   if (delay == 0) return *this;
   if (initial_velocity_ != 0)
     throw std::invalid_argument(
-        fmt::format("ground motion: begins with a velocity of {}, which it cannot take up at once after a "
-                    "delay",
+        fmt::format("ground motion: cannot be delayed, because its initial velocity is {}, not 0",
                     format_quantity(initial_velocity_, dimension::velocity)));
   const auto later = [&](auto closed) {
     closed.start += delay;
@@ -250,7 +249,7 @@ GroundMotion GroundMotion::with_initial_motion(double velocity, double displacem
   require_finite(velocity, "initial velocity");
   require_finite(displacement, "initial displacement");
   if (is_still())
-    throw std::invalid_argument("ground motion: a ground at rest has no initial velocity or displacement");
+    throw std::invalid_argument("ground motion: a ground at rest cannot have an initial velocity or displacement");
   GroundMotion out = *this;
   out.initial_velocity_ = velocity;
   out.initial_displacement_ = displacement;
@@ -274,7 +273,7 @@ double GroundMotion::next_break(double t) const noexcept {
                                  if (!(t < times.back())) return infinity;
                                  if (per_step_ == 0) return *std::upper_bound(times.begin(), times.end(), t);
                                  auto i = static_cast<std::size_t>((t - times.front()) * per_step_);
-                                 // Rounding may have put the index one off, on either side; one too high is what is
+                                 // Round-off may shift the index by one; if it is too high, it is already the one
                                  // sought.
                                  while (times[i] <= t) ++i;
                                  return times[i];

@@ -38,7 +38,7 @@ double HarmonicSum::peak() const {
     for (const Part& part : parts) sum += std::abs(part.amplitude);
     return sum;
   }
-  // A parabola through three values finds the crest between them.
+  // The maximum between samples, from a parabola through three values.
   const auto count = std::max(4.0, std::ceil(periods * values_per_period));
   double before = acceleration(0), here = acceleration(duration / count);
   double largest = std::max(std::abs(before), std::abs(here));
@@ -54,7 +54,8 @@ double HarmonicSum::peak() const {
 }
 
 GroundMotion::GroundMotion(HarmonicSum motion, const Dimension& values) {
-  if (motion.parts.empty()) throw std::invalid_argument("ground motion: a sum of no harmonics; give one or more");
+  if (motion.parts.empty())
+    throw std::invalid_argument("ground motion: a sum of harmonics must not be empty; give at least one harmonic");
   std::vector<std::string> texts;
   for (const auto& [amplitude, period, phase] : motion.parts) {
     closed_forms::require_finite(amplitude, "amplitude");

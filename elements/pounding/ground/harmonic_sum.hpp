@@ -17,12 +17,12 @@ struct HarmonicSum {
   double duration;   ///< [s]
   double start = 0;  ///< [s]
 
-  /// Sum at a time after the start [m/s^2], the duration not regarded.
+  /// Sum at a time after the start [m/s^2], without regard to the duration.
   double acceleration(double after_start) const noexcept;
-  /// Shortest of the periods [s].
+  /// Shortest period [s].
   double shortest_period() const noexcept;
-  /// Largest absolute acceleration [m/s^2], to 1e-4 of the sum of all amplitudes; that sum where the duration is longer
-  /// than 10000 times the shortest period.
+  /// Maximum absolute acceleration [m/s^2], to 1e-4 of the sum of all amplitudes; for durations of more than 10000
+  /// times the shortest period, that sum.
   double peak() const;
 };
 

@@ -9,7 +9,7 @@
 namespace pounding {
 namespace {
 
-/// One straight piece of acceleration, and the motion at its begin.
+/// One linear piece of acceleration, and the motion at its start.
 struct Piece {
   double h, a0, a1;  ///< duration [s] and accelerations at both ends [m/s^2]
   double v0 = 0, u0 = 0;
@@ -27,8 +27,8 @@ struct Piece {
   }
   double peak_displacement() const {
     double peak = std::max(std::abs(u0), std::abs(displacement(h)));
-    // The displacement turns where v0 + a0 t + slope t^2/2 = 0. This form of the roots loses no digits; a root that
-    // does not exist is infinite or NaN and fails the comparison.
+    // The displacement is extreme at v0 + a0 t + slope t^2/2 = 0. This form of the roots avoids cancellation; a root
+    // that does not exist is infinite or NaN and fails the comparison.
     const double root = std::sqrt(a0 * a0 - 2 * slope() * v0);
     const double q = -(a0 + std::copysign(root, a0));
     for (const double t : {q / slope(), 2 * v0 / q})
@@ -37,7 +37,7 @@ struct Piece {
   }
 };
 
-/// Time within a piece at which `square` has grown to `target`; square only grows, so halving finds it.
+/// Time within a piece at which `square` reaches `target`, by bisection, because `square` is monotonic.
 double time_of_square(const Piece& piece, double target) {
   double low = 0, high = piece.h;
   for (int i = 0; i < 60; ++i) {

@@ -15,7 +15,7 @@ namespace {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// Blank, empty cells alone, or a comment.
+/// True for blank lines, lines of empty cells, and comments.
 bool says_nothing(std::string_view line) {
   const std::string_view text = trimmed(line);
   return text.find_first_not_of(",; \t\"") == std::string_view::npos || text.front() == '#' || text.front() == '%';
@@ -27,7 +27,7 @@ std::string_view unquoted(std::string_view cell) {
 
 bool has_decimals(std::string_view number) { return number.find_first_of(".,eEdD") != std::string_view::npos; }
 
-/// Text between marks, without the blanks and quotes around it.
+/// Text between separators, without surrounding blanks and quotes.
 std::vector<std::string_view> split_at(std::string_view text, char mark) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -38,7 +38,7 @@ std::vector<std::string_view> split_at(std::string_view text, char mark) {
   return parts;
 }
 
-/// A word of three letters or more, as no number has but "nan" and "inf".
+/// True if a line contains at least three consecutive letters other than "nan" and "inf".
 bool has_word(std::string_view line) {
   std::string word;
   for (std::size_t i = 0; i <= line.size(); ++i) {
@@ -52,7 +52,7 @@ bool has_word(std::string_view line) {
   return false;
 }
 
-/// How the numbers of a file are written.
+/// Number format of a file.
 struct Style {
   bool decimal_comma = false;
   bool ambiguous = false;
@@ -81,7 +81,7 @@ struct Style {
   }
 };
 
-/// Whether every comma stands between two digits, one in a word.
+/// True if all commas are between two digits, at most one per item.
 bool has_decimal_commas(const std::vector<std::string_view>& words) {
   return std::all_of(words.begin(), words.end(), [](std::string_view word) {
     const std::size_t at = word.find(',');
@@ -129,7 +129,7 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
     if (rows_.empty() && (!begins || has_word(line))) continue;
     if (end < i) {
       if (begins && !has_word(line))
-        lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
+        lines.fail(i, fmt::format("values continue after the end mark on line {}; keep one record per file", end + 1));
       continue;
     }
     if (!begins && ends_data(line)) {
@@ -137,12 +137,12 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
       continue;
     }
     if (!begins && has_word(line))
-      lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #",
-                                excerpt(trimmed(line))));
+      lines.fail(i,
+                 fmt::format("\"{}\" is not a line of values; delete it, or put # in front", excerpt(trimmed(line))));
     if (rows_.empty()) header_end_ = i;
     rows_.push_back({i, values_.size(), std::none_of(columns.begin(), columns.end(), has_decimals)});
     if (values_.size() + columns.size() > most_numbers)
-      lines.fail(i, fmt::format("more than {} numbers until here; a record has at most that many", most_numbers));
+      lines.fail(i, fmt::format("too many numbers; a record has at most {}", most_numbers));
     for (const std::string_view text : columns) values_.push_back(style.number(lines, i, text));
     if (std::all_of(values_.begin() + static_cast<std::ptrdiff_t>(rows_.back().begin), values_.end(),
                     [](double value) { return value == 0; }))

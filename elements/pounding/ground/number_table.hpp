@@ -1,5 +1,5 @@
 #pragma once
-/// Lines of numbers under a header of text, as spreadsheets and programs write them. Users call read_record() instead.
+/// Lines of numbers below a text header, as written by spreadsheets and programs. Users call read_record() instead.
 
 #include <cstddef>
 #include <string>
@@ -10,37 +10,36 @@
 
 namespace pounding::records {
 
-/// A file of numbers: a header of text or comments, lines of numbers, and nothing after them but a line such as "***
-/// End Data ***" and text below it.
+/// A file of numbers: a header of text or comments, lines of numbers, and optionally an end mark such as "*** End Data
+/// ***" followed by text.
 ///
-/// Columns are parted by semicolons, else by commas, else by blanks. Commas are decimal commas where semicolons part
-/// the columns, and where every comma stands between digits, blanks part numbers and no number has a point. Lines that
-/// begin with # or % are comments.
+/// Columns are separated by semicolons, otherwise by commas, otherwise by blanks. Commas are decimal commas if
+/// semicolons separate the columns, or if all commas are between digits, blanks separate the numbers and no number has
+/// a point. Lines that start with # or % are comments.
 class NumberTable {
  public:
-  /// Throws InputError with "file:line: " for a text among the values, and for values after the end mark.
+  /// Throws InputError with "file:line: " for text among the values, and for values after the end mark.
   explicit NumberTable(const Lines& lines);
 
   std::size_t rows() const { return rows_.size(); }
-  /// Numbers in a row.
+  /// Number of values in a row.
   std::size_t columns(std::size_t row) const;
   double at(std::size_t row, std::size_t column) const { return values_[rows_[row].begin + column]; }
   /// Line of a row.
   std::size_t line(std::size_t row) const { return rows_[row].line; }
-  /// Numbers in this row and all below it.
+  /// Number of values in this row and all later rows.
   std::size_t numbers_from(std::size_t row) const { return values_.size() - rows_[row].begin; }
-  /// Whether a row holds integers alone, one of them other than 0, written without a decimal mark or an exponent.
+  /// True if a row contains only integers without decimal mark or exponent, at least one of them nonzero.
   bool holds_integers(std::size_t row) const { return rows_[row].integers; }
-  /// Forgets the first rows.
+  /// Removes the first rows.
   void drop(std::size_t rows);
-  /// Every number, row after row.
+  /// All values, row by row.
   const std::vector<double>& values() const { return values_; }
-  /// One column; every row must have it.
+  /// One column, which must exist in all rows.
   std::vector<double> column(std::size_t index) const;
-  /// Line of the first row; the number of lines where there is none.
+  /// Line of the first row; the number of lines if the table is empty.
   std::size_t header_end() const { return header_end_; }
-  /// Whether a line such as "0,12" may as well be one number with a decimal comma as two numbers, and every line is
-  /// like it.
+  /// True if every line is like "0,12", which is ambiguous: one number with a decimal comma, or two numbers.
   bool commas_are_ambiguous() const { return commas_are_ambiguous_; }
 
  private:
@@ -54,14 +53,14 @@ class NumberTable {
   bool commas_are_ambiguous_ = false;
 };
 
-/// Whether one of the first hundred lines begins with a number, or none says anything.
+/// True if one of the first hundred lines starts with a number, or if all are empty or comments.
 bool holds_numbers(const Lines& lines);
 
-/// Whether a line is a mark such as "*** End Data ***" or "EOF".
+/// True for an end mark such as "*** End Data ***" or "EOF".
 bool ends_data(std::string_view line);
 
-/// Names of columns in a line such as "time (s), acc (g)" or "# t[s] ns[g] ew[g]": a bracket belongs to the word before
-/// it.
+/// Names of columns in a line such as "time (s), acc (g)" or "# t[s] ns[g] ew[g]"; a bracket belongs to the preceding
+/// name.
 std::vector<std::string> column_names(std::string_view line);
 
 }  // namespace pounding::records

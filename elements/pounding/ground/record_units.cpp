@@ -1,4 +1,4 @@
-/// Units that records state in their headers, and what the user says of them.
+/// Units stated in the headers of records or given by the user.
 
 #include <algorithm>
 #include <cctype>
@@ -27,7 +27,7 @@ Wanted wanted(const RecordOptions& options) {
   return {dimension::acceleration, "an acceleration", "accelerations", "g, m/s^2, cm/s^2 or gal"};
 }
 
-// No unit is longer than this.
+// Maximum length of a unit.
 constexpr std::size_t longest_unit = 60;
 
 std::optional<Unit> unit_of(std::string_view text) {
@@ -35,7 +35,7 @@ std::optional<Unit> unit_of(std::string_view text) {
   std::string unit;
   for (const char c : trimmed(text)) unit += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (unit == "g/10") return Unit{dimension::acceleration, standard_gravity / 10};
-  if (unit == "mg") return Unit{dimension::acceleration, standard_gravity / 1000};  // no record states milligrams
+  if (unit == "mg") return Unit{dimension::acceleration, standard_gravity / 1000};  // milli-g, not milligram
   for (std::size_t at; (at = unit.find("sec")) != std::string::npos;) unit.erase(at + 1, 2);
   for (std::size_t at; (at = unit.find("**")) != std::string::npos; unit.erase(at + 1, 1)) unit[at] = '^';
   for (std::size_t at; (at = unit.find("\xC2\xB2")) != std::string::npos; unit[at + 1] = '2')
@@ -55,13 +55,13 @@ std::optional<Unit> unit_of_force(std::string_view text) {
   }
 }
 
-/// A word of a header line.
+/// A token of a header line.
 struct Word {
   std::string text;
   bool bracketed;
 };
 
-/// Words between blanks, brackets and marks; signs that stand in units part no words.
+/// Tokens between blanks, brackets and punctuation; characters that occur in units are not separators.
 std::vector<Word> words_of(std::string_view line) {
   constexpr std::string_view marks = " \t,;:=\"'()[]#";
   std::vector<Word> words;
@@ -82,8 +82,8 @@ bool is_number(const std::vector<Word>& words, std::size_t i) {
   return i < words.size() && parse_number(words[i].text, value);
 }
 
-/// Whether word i states a unit of the values: it stands in brackets, after a word such as "units", or is a formula;
-/// beside a number it belongs to that number.
+/// True if token i states a unit of the values: it is in brackets, follows a token such as "units", or is a formula.
+/// Next to a number it belongs to that number.
 bool states_unit(const std::vector<Word>& words, std::size_t i) {
   const auto& [text, bracketed] = words[i];
   if (bracketed) return true;
@@ -123,9 +123,10 @@ std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const 
   for (std::size_t i = 0; i < end; ++i) {
     header += lines[i].size();
     if (header > longest_header)
-      lines.fail(i, fmt::format(
-                        "the text before the values goes on after {} bytes, without their unit; add \"units:\" with it",
-                        longest_header));
+      lines.fail(
+          i, fmt::format(
+                 "the header has more than {} bytes and does not state the unit of the values; add \"units:\" with it",
+                 longest_header));
     const std::vector<Word> words = words_of(lines[i]);
     for (std::size_t k = 0; k < words.size(); ++k)
       if (states_unit(words, k) && unit_of_values(words[k].text, options)) stated.push_back({words[k].text, i});
@@ -158,7 +159,7 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
                                       is_length ? "; for displacements type displacement: {record: FILE}" : ""));
   }
   if (said && std::abs(*said - *factor) > 1e-9 * *factor)
-    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", excerpt(stated),
+    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" is {}; remove \"units\"", excerpt(stated),
                                       excerpt(options.units)));
   unit = stated;
   return *factor;
@@ -175,8 +176,8 @@ double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, co
     if (!options.units.empty() && same(other, options.units))
       return agreed_unit(lines, other.line, other.text, options, unit);
     if (options.units.empty() && !same(other, text))
-      lines.fail(other.line, fmt::format("states {}, and line {} states {}; add \"units:\" with one of them",
-                                         other.text, line + 1, text));
+      lines.fail(other.line, fmt::format("unit {}, but line {} states {}; add \"units:\" with one of them", other.text,
+                                         line + 1, text));
   }
   return agreed_unit(lines, line, text, options, unit);
 }

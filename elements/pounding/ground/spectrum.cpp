@@ -15,13 +15,13 @@
 namespace pounding {
 namespace {
 
-/// A straight piece of the ground acceleration.
+/// A linear piece of the ground acceleration.
 struct Line {
   double duration;  ///< [s]
-  double a0, a1;    ///< just after its begin and just before its end [m/s^2]
+  double a0, a1;    ///< just after its start and just before its end [m/s^2]
 };
 
-/// The motion as straight lines; a jump between two breaks stays a jump between two lines.
+/// The motion as linear pieces; a jump at a break remains a jump between two pieces.
 std::vector<Line> straight_lines(const GroundMotion& motion) {
   constexpr double lines_per_period = 720;
   std::vector<Line> lines;
@@ -38,7 +38,7 @@ std::vector<Line> straight_lines(const GroundMotion& motion) {
   return lines;
 }
 
-/// Largest |displacement| on the cubic that has both end states, when the velocity turns inside the step.
+/// Maximum |displacement| of the cubic through both end states, if the velocity changes sign inside the step.
 double peak_between(const OscillatorState& begin, const OscillatorState& end, double h) {
   const double ends = std::max(std::abs(begin.displacement), std::abs(end.displacement));
   if (begin.velocity * end.velocity >= 0) return ends;
@@ -57,15 +57,15 @@ double peak_between(const OscillatorState& begin, const OscillatorState& end, do
 
 constexpr double steps_per_period = 40;
 
-// Refuses what would be computed for hours: periods far too short for the motion.
+// Rejects calculations that would take hours: periods much too short for the motion.
 void require_few_steps(const std::vector<Line>& lines, std::span<const double> periods) {
   double duration = 0, steps = 0;
   for (const Line& line : lines) duration += line.duration;
   for (const double period : periods) steps += static_cast<double>(lines.size()) + duration / period * steps_per_period;
   if (steps > limits::spectrum_steps)
     throw std::invalid_argument(
-        fmt::format("spectrum: {} periods from {:g} s on and a motion of {:g} s need {:.1e} steps, and {:.0e} can be "
-                    "computed; take longer periods",
+        fmt::format("spectrum: {} periods from {:g} s and a motion of {:g} s need {:.1e} steps, but the maximum is "
+                    "{:.0e}; use longer periods",
                     periods.size(), *std::ranges::min_element(periods), duration, steps, limits::spectrum_steps));
 }
 
@@ -78,7 +78,7 @@ double peak_displacement(const std::vector<Line>& lines, double period, double d
   OscillatorStep step(w, damping, period / steps_per_period);
   const auto pass = [&](const Line& line) {
     const double count = std::max(1.0, std::ceil(line.duration / period * steps_per_period));
-    // Spacings that differ by rounding only share their coefficients.
+    // Step lengths that differ only by round-off share their coefficients.
     if (std::abs(line.duration / count - h) > 1e-9 * h) {
       h = line.duration / count;
       step = OscillatorStep(w, damping, h);
@@ -123,7 +123,7 @@ OscillatorStep::OscillatorStep(double w, double zeta, double h) {
 std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::span<const double> periods,
                                              double damping) {
   if (!(damping >= 0 && damping < 1))
-    throw std::invalid_argument(fmt::format("spectrum: damping ratio {:g}; it must lie in [0, 1)", damping));
+    throw std::invalid_argument(fmt::format("spectrum: damping ratio {:g}; it must be in [0, 1)", damping));
   const std::vector<Line> lines = straight_lines(motion);
   for (const double period : periods)
     if (!(period > 0 && std::isfinite(period)))

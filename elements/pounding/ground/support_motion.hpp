@@ -1,6 +1,6 @@
 #pragma once
-/// The ground under the supports of one structure. It knows indices of ground motions and no structure, so it belongs
-/// to ground/.
+/// Ground motion at the supports of one structure. Independent of structures: it contains only indices of ground
+/// motions.
 
 #include <Eigen/Core>
 #include <array>
@@ -12,40 +12,40 @@
 
 namespace pounding {
 
-/// Ground motions under the supports of one structure, the first support being the reference.
+/// Ground motions at the supports of one structure, with the first support as reference.
 ///
-/// The unknowns of a structure are relative to the ground at its first support (support 0). Let f_qi be what a quantity
-/// becomes when the ground moves by one at support q along axis i while all other supports, and the unknowns, stay
-/// where they are. With g_qi(t) for the ground, supports that move differently add to the quantity
+/// The unknowns of a structure are relative to the ground at its first support (support 0). Let f_qi be the value of a
+/// quantity for a unit displacement of the ground at support q along axis i, with all other supports and the unknowns
+/// at rest. For ground motions g_qi(t), supports that move differently contribute to the quantity
 ///
 ///     sum over q >= 1 and i of  f_qi (g_qi(t) - g_0i(t)),
 ///
-/// to its displacement, its velocity or its acceleration alike. Axes 0, 1, 2 are x, y, z (up). The terms are summed
-/// support by support, axis by axis, g_qi before g_0i.
+/// for displacements, velocities and accelerations. Axes 0, 1, 2 are x, y, z (up). The terms are summed support by
+/// support, axis by axis, g_qi before g_0i.
 class SupportMotion {
  public:
   /// f_qi of one quantity.
   using Influence = std::function<double(std::size_t support, int axis)>;
   /// Receives one term of the sum: `amount` is g_qi or -g_0i [m], [m/s] or [m/s^2], to be multiplied by f_qi.
   using AddTerm = std::function<void(std::size_t support, int axis, double amount)>;
-  /// One row of a matrix with one column a ground motion.
+  /// One row of a matrix with one column per ground motion.
   using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
-  /// `indices`: [support][axis] into `grounds`, the motions of the whole model; -1 where the ground stays at rest.
+  /// `indices`: [support][axis] into `grounds`, the motions of the whole model; -1 if the ground is at rest.
   SupportMotion(std::span<const GroundMotion> grounds, std::vector<std::array<int, 3>> indices);
 
-  /// Index of the ground motion at a support along an axis; -1 where the ground stays at rest.
+  /// Index of the ground motion at a support along an axis; -1 if the ground is at rest.
   int at(std::size_t support, int axis) const { return indices_[support][axis]; }
   /// at() of the first support.
   int at_first(int axis) const { return indices_.front()[axis]; }
 
-  /// Adds the sum as a row on ground motions: f_qi to the column of g_qi, -f_qi to that of g_0i.
+  /// Adds the coefficients of the sum to a row: f_qi to the column of g_qi, -f_qi to that of g_0i.
   void project(const Influence& influence, Row row) const;
   /// Calls `add` for every term of the sum at time t [s].
   void displacement(double t, const AddTerm& add) const;
   void velocity(double t, const AddTerm& add) const;
-  /// Calls `add` for every term, from the accelerations of all ground motions of the model: a time would not tell which
-  /// of the two values is meant where they jump.
+  /// Calls `add` for every term, given the accelerations of all ground motions of the model. A time argument would be
+  /// ambiguous at jumps.
   void acceleration(const Eigen::VectorXd& grounds, const AddTerm& add) const;
 
  private:

@@ -57,14 +57,14 @@ void check(const SyntheticOptions& options) {
   const double fastest = std::max(options.filter.omega_g, options.filter.omega_f);
   require(fastest * options.step <= 0.5, "step", options.step, "at most 1/2 divided by the filter's larger omega");
   if (const double count = options.duration / options.step; count > limits::samples)
-    throw std::invalid_argument(fmt::format(
-        "synthetic motion: {:g} s in steps of {:g} s are {:.3g} samples, and {:g} are the most; type a duration "
-        "up to {:g} s, or a step of {:.3g} s or more",
-        options.duration, options.step, count, limits::samples, limits::samples * options.step,
-        options.duration / limits::samples));
+    throw std::invalid_argument(
+        fmt::format("synthetic motion: {:g} s in steps of {:g} s are {:.3g} samples, but the maximum is {:g}; type a "
+                    "duration up to {:g} s, or a step of at least {:.3g} s",
+                    options.duration, options.step, count, limits::samples, limits::samples * options.step,
+                    options.duration / limits::samples));
 }
 
-/// `part` is the time as a part of the duration.
+/// `part` is the time as a fraction of the duration.
 double envelope(const SyntheticOptions& options, double part) {
   if (part < options.rise) return (part / options.rise) * (part / options.rise);
   if (part <= options.strong_until) return 1;
@@ -80,7 +80,7 @@ GroundMotion synthetic_motion(const SyntheticOptions& options) {
   const OscillatorStep soil_step(omega_g, zeta_g, options.step);
   const OscillatorStep cut_step(omega_f, zeta_f, options.step);
 
-  // A duration of 3 s and a step of 0.1 s mean 30 steps, whatever 3/0.1 rounds to.
+  // For a duration of 3 s and a step of 0.1 s there are 30 steps, regardless of the round-off of 3/0.1.
   const auto steps = static_cast<std::size_t>(options.duration / options.step * (1 + 1e-12));
   NormalNumbers normal(options.seed);
   Samples samples;
@@ -92,7 +92,7 @@ GroundMotion synthetic_motion(const SyntheticOptions& options) {
     if (i > 0) soil = soil_step.advance(soil, noise, next_noise);
     const double next_surface = -(2 * zeta_g * omega_g * soil.velocity + omega_g * omega_g * soil.displacement);
     if (i > 0) cut = cut_step.advance(cut, surface, next_surface);
-    // The ground moves as the second filter does: its acceleration is the sum of its own three terms.
+    // The ground acceleration is the absolute acceleration of the second filter: the sum of its three terms.
     const double ground = -(next_surface + 2 * zeta_f * omega_f * cut.velocity + omega_f * omega_f * cut.displacement);
     samples.times.push_back(time);
     samples.accelerations.push_back(ground);

@@ -15,14 +15,14 @@ std::size_t length_of(std::string_view line) {
   return last == std::string_view::npos ? 0 : last + 1;
 }
 
-/// Eight numbers a line fill 72 or 80 characters.
+/// Lines with eight numbers have 72 or 80 characters.
 Columns even_columns(const Lines& lines, std::size_t i, const Columns& usual) {
   if (const auto stated = fortran_columns(lines[i])) return *stated;
   const std::size_t length = i + 1 < lines.size() ? length_of(lines[i + 1]) : 0;
   return length == 72 || length == 80 ? Columns{8, length / 8} : usual;
 }
 
-/// (10F7.3), (1X,10F7.3), or with eight numbers a line.
+/// (10F7.3), (1X,10F7.3), or with eight numbers per line.
 Columns pair_columns(std::string_view line) {
   const std::size_t length = length_of(line), fields = length / pair_width, indent = length % pair_width;
   return {fields == 8 ? fields : 10, pair_width, indent <= 1 ? indent : 0};
@@ -68,8 +68,8 @@ void read_pairs(const Lines& lines, std::size_t count_line, std::size_t unit_lin
                 const RecordOptions& options, Record& record) {
   static const std::regex points = pattern(R"(no\. of points\s*=\s*([0-9]+))");
   static const std::regex units = pattern(R"(units (?:of uncor \w+ )?(?:are|is)\s+(?:sec\w* and\s*)?([^ ]+))");
-  const auto count_text = captured(lines.at(count_line, "its header ends"), points);
-  const auto unit_text = captured(lines.at(unit_line, "its header ends"), units);
+  const auto count_text = captured(lines.at(count_line, "the end of its header"), points);
+  const auto unit_text = captured(lines.at(unit_line, "the end of its header"), units);
   if (!count_text) lines.fail(count_line, "has no \"No. of points =\"");
   if (!unit_text) lines.fail(unit_line, "has no \"Units of uncor data are sec and\"");
   const double unit = agreed_unit(lines, unit_line, unit_alone((*unit_text)[0]), options, record.unit);
@@ -77,13 +77,13 @@ void read_pairs(const Lines& lines, std::size_t count_line, std::size_t unit_lin
       checked_count(lines, count_line, "the number of points", lines.number(count_line, (*count_text)[0]));
   const Columns columns = pair_columns(lines.at(first, "its values"));
   const std::vector<double> values =
-      read_columns(lines, first, columns, {2 * count, fmt::format("line {}, two for a point,", count_line + 1)});
+      read_columns(lines, first, columns, {2 * count, fmt::format("line {}, two per point,", count_line + 1)});
   std::vector<double>&times = record.samples.times, &accelerations = record.samples.accelerations;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = first + 2 * k / columns.per_line;
-    if (values[2 * k] < 0) lines.fail(i, fmt::format("time {:g} is before 0, where every run begins", values[2 * k]));
+    if (values[2 * k] < 0) lines.fail(i, fmt::format("time {:g} is negative, but a run starts at 0", values[2 * k]));
     if (k > 0 && values[2 * k] <= times.back())
-      lines.fail(i, fmt::format("time {:g} does not come after the one before it", values[2 * k]));
+      lines.fail(i, fmt::format("time {:g} is not later than the previous one", values[2 * k]));
     times.push_back(values[2 * k]);
     accelerations.push_back(unit * values[2 * k + 1]);
   }

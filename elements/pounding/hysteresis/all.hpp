@@ -1,6 +1,6 @@
 #pragma once
-/// The one list of laws of yielding. Parser, reports, bindings, documentation and the contract test read it: a new law
-/// needs its header, two lines here and its page.
+/// Registry of hysteretic laws, read by parser, reports, bindings, documentation and contract test. To add a law, write
+/// its header, add two lines here and generate its page.
 
 #include <span>
 #include <string_view>
@@ -17,7 +17,7 @@
 
 namespace pounding::hysteresis {
 
-/// One of the laws of this library.
+/// Any law of this library.
 using AnyLaw =
     std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill>;
 
@@ -33,7 +33,7 @@ inline const Entry& find_law(std::string_view name) { return Laws::find(name); }
 /// required one, and a wrong value.
 inline AnyLaw make_law(const Settings& settings) { return Laws::make(settings); }
 
-/// The entry of a made law.
+/// Entry of a law object.
 inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }
 
 }  // namespace pounding::hysteresis

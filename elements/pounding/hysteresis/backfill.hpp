@@ -11,18 +11,17 @@
 
 namespace pounding::hysteresis {
 
-/// f = x/(1/K + Rf x/Fu), x = d - gap, where the soil is pressed further than ever; back and in again by K_ur; never a
-/// pull.
+/// f = x/(1/K + Rf x/Fu), x = d - gap, in first loading; unloading and reloading with K_ur; no tension.
 ///
-/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf
-/// [-] failure ratio, Fu [N] ultimate passive force, so that the hyperbola ends at Fu/Rf. d > 0 presses the wall into
-/// the soil. What was pressed in, the deepest x less its force over K_ur, stays: it opens the gap. Duncan & Mokwa 2001,
-/// J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, which has the signs turned round.
+/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] unloading and reloading stiffness, Rf [-]
+/// failure ratio, Fu [N] ultimate passive force; the hyperbola tends to Fu/Rf. d > 0 presses the wall into the soil.
+/// The residual depth, which is the maximum x minus its force over K_ur, opens the gap permanently. Duncan & Mokwa
+/// 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, with opposite signs.
 struct Backfill {
   static constexpr std::string_view name = "backfill",
-                                    shape = "f = x/(1/K + Rf x/Fu), K_ur (x - r) below the deepest x, f >= 0";
+                                    shape = "f = x/(1/K + Rf x/Fu), K_ur (x - r) below the maximum x, f >= 0";
   static constexpr std::string_view summary =
-      "soil behind a wall: a hyperbola, steeper unloading, no tension (HyperbolicGapMaterial)";
+      "soil behind a wall: hyperbolic loading, steeper unloading, no tension (HyperbolicGapMaterial)";
   static constexpr std::string_view source = "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248";
   static constexpr std::string_view symbols =
       "x = d - gap [m], K [N/m] initial stiffness, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate "
@@ -47,30 +46,30 @@ struct Backfill {
       Parameter{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength},
       Parameter{{"gap", "m", "gap before the wall meets the soil", 0, Need::optional}, &Backfill::gap}};
 
-  /// Its memory [m].
+  /// State [m].
   struct State {
     double deformation = 0, deepest = 0;
   };
   static constexpr std::array state{
-      StateValue<Backfill>{{"deepest", "m", "deepest x so far"}, [](const State& kept) { return kept.deepest; }}};
+      StateValue<Backfill>{{"deepest", "m", "maximum x reached"}, [](const State& kept) { return kept.deepest; }}};
 
   void check() const {
     soil().check();
     laws::require_not_negative("gap", gap);
   }
-  /// Its curves.
+  /// Loading and unloading curves.
   laws::Hyperbola soil() const noexcept { return {initial_stiffness, unloading, failure_ratio, strength}; }
   double stiffness() const noexcept { return initial_stiffness; }
-  /// At which the soil has half the stiffness of the start.
+  /// Deformation at which the stiffness of the soil has fallen to half its initial value.
   double yield_deformation() const noexcept { return soil().half_stiffness(); }
-  /// Depth that stays pressed in: it opens the gap [m].
+  /// Residual depth, which opens the gap [m].
   double pressed_in(const State& kept) const noexcept { return soil().left(kept.deepest); }
 
   Answer respond(const State& kept, double d) const noexcept {
     const double x = d - gap;
     if (x > kept.deepest || (x == kept.deepest && d > kept.deformation)) return {soil().force(x), soil().slope(x)};
     const double spring = x - pressed_in(kept);
-    // At the end of contact the slope is that before it.
+    // At the end of contact, the slope is that before it.
     const bool is_pressed = spring > 0 || (spring == 0 && d < kept.deformation);
     return is_pressed ? Answer{unloading * spring, unloading} : Answer{};
   }
@@ -79,7 +78,7 @@ struct Backfill {
   double work(const State& kept, double d) const noexcept {
     return stored_at(advance(kept, d), d - gap) - stored(kept) + lost(kept, d);
   }
-  /// Area below the hyperbola less that of the springs of unloading [J].
+  /// Area under the hyperbola minus the energy of the unloading springs [J].
   double lost(const State& kept, double d) const noexcept {
     const double before = kept.deepest, after = std::max(before, d - gap);
     if (after == before) return 0;

@@ -11,29 +11,29 @@
 
 namespace pounding::hysteresis {
 
-/// f = a k d + (1-a) k clamp(d - s, -Fy'/k, Fy/k): a spring a k beside an elastic, perfectly plastic one with the slip
-/// s.
+/// f = a k d + (1-a) k clamp(d - s, -Fy'/k, Fy/k): a spring a k in parallel with an elastic-perfectly plastic spring
+/// with slip s.
 ///
-/// k [N/m] initial stiffness, Fy [N] force at the first yield, Fy' [N] its size in the other direction, a [-] stiffness
-/// after it over k, s [m] slip. Kinematic hardening: unloading follows k over a range of Fy + Fy', whatever went
-/// before. The slip moves by the return mapping of one-dimensional plasticity, exact on a way without a turn (Simo &
+/// k [N/m] initial stiffness, Fy [N] yield force, Fy' [N] magnitude of the yield force in the negative direction, a [-]
+/// ratio of post-yield to initial stiffness, s [m] slip. Kinematic hardening: the elastic range is always Fy + Fy'. The
+/// slip follows from return mapping of one-dimensional plasticity, which is exact on a path without reversal (Simo &
 /// Hughes 1998, Computational Inelasticity, 1.4).
 struct Bilinear {
   static constexpr std::string_view name = "bilinear", shape = "f = a k d + (1-a) k clamp(d - s, -Fy'/k, Fy/k)";
-  static constexpr std::string_view summary = "elastic, then yielding with kinematic hardening (Steel01)";
+  static constexpr std::string_view summary = "bilinear with kinematic hardening (Steel01)";
   static constexpr std::string_view source = "Simo & Hughes 1998, Computational Inelasticity, section 1.4";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] force at the first yield, Fy' [N] its size in the other direction, a [-] "
-      "hardening, s [m] slip";
+      "k [N/m] initial stiffness, Fy [N] yield force, Fy' [N] its magnitude in the negative direction, a [-] hardening "
+      "ratio, s [m] slip";
   static constexpr std::string_view range = "0 <= a < 1";
   static constexpr std::string_view beware =
-      "two corners at every reversal that yields; no strength or stiffness is ever lost, so loops are fuller than "
-      "those of concrete";
+      "two corners per reversal with yielding. Strength and stiffness do not degrade, so loops are fuller than those "
+      "of concrete";
 
   double initial_stiffness = 0;                  ///< k > 0 [N/m]
   double yield_force = 0;                        ///< Fy > 0 [N]
   double hardening = 0;                          ///< a in [0, 1) [-]
-  std::optional<double> negative_yield_force{};  ///< Fy' > 0, as Fy unless given [N]
+  std::optional<double> negative_yield_force{};  ///< Fy' > 0; default: Fy [N]
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
@@ -43,7 +43,7 @@ struct Bilinear {
                  1e5, Need::extra},
                 &Bilinear::negative_yield_force}};
 
-  /// Its memory [m].
+  /// State [m].
   struct State {
     double deformation = 0, slip = 0;
   };
@@ -57,7 +57,7 @@ struct Bilinear {
     if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
   }
   double stiffness() const noexcept { return initial_stiffness; }
-  /// In the weaker direction.
+  /// Minimum of both directions.
   double yield_deformation() const noexcept { return std::min(reach(1), reach(-1)); }
   double yield_deformation(double way) const noexcept { return reach(way); }
 
@@ -82,18 +82,18 @@ struct Bilinear {
   double stored_excess(const State& kept) const noexcept {
     return yielding() * kept.slip * (0.5 * kept.slip - kept.deformation);
   }
-  /// Work of the yielding part on its slip [J].
+  /// Plastic work on the slip [J].
   double lost(const State& kept, double d) const noexcept {
     const double slip = slip_at(kept, d);
     return yielding() * reach(slip - kept.slip) * std::abs(slip - kept.slip);
   }
   double work(const State& kept, double d) const noexcept {
-    // Differences of squares as products: a short way loses no digits.
+    // Differences of squares as products, to avoid cancellation on short paths.
     const double before = kept.deformation - kept.slip, after = d - slip_at(kept, d);
     return 0.5 * hardening * initial_stiffness * (d + kept.deformation) * (d - kept.deformation) +
            0.5 * yielding() * (after + before) * (after - before) + lost(kept, d);
   }
-  /// Less a part that no round-off fills.
+  /// Slightly smaller than the elastic range, as a margin for round-off.
   Range elastic(const State& kept) const noexcept {
     constexpr double inner = 1 - 1e-9;
     return {kept.slip - inner * reach(-1), kept.slip + inner * reach(1)};
@@ -104,11 +104,11 @@ struct Bilinear {
   }
 
  private:
-  /// Stretch at which it yields in a direction [m].
+  /// Elastic deformation at yield in a direction [m].
   double reach(double way) const noexcept {
     return (way < 0 ? negative_yield_force.value_or(yield_force) : yield_force) / initial_stiffness;
   }
-  /// (1-a) k, the part of the stiffness that yields [N/m].
+  /// (1-a) k, stiffness of the elastic-perfectly plastic spring [N/m].
   double yielding() const noexcept { return (1 - hardening) * initial_stiffness; }
   double slip_at(const State& kept, double d) const noexcept {
     return std::clamp(kept.slip, d - reach(1), d + reach(-1));

@@ -13,21 +13,23 @@
 
 namespace pounding::hysteresis {
 
-/// f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n (g + (1-g) sign(z dd)), dy = Fy/k: yields gradually from the start.
+/// f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n (g + (1-g) sign(z dd)), dy = Fy/k: smooth transition from elastic to
+/// plastic.
 ///
-/// k [N/m] initial stiffness, Fy [N] yield force, a [-] stiffness of large deformations over k, n >= 1 [-] sharpness of
-/// the knee, g = gamma/(beta + gamma) in [0, 1/2] [-], z [m] elastic part of the deformation. Wen 1976, J. Eng. Mech.
-/// Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069. It does not depend on the rate, so z is a function of
-/// the way, not of time: exponential for n = 1, a hyperbolic tangent on loading and a tangent on unloading for n = 2,
-/// straight on unloading for g = 1/2; for other n the inverse of an integral, to 1e-13.
+/// k [N/m] initial stiffness, Fy [N] yield force, a [-] ratio of post-yield to initial stiffness, n >= 1 [-] sharpness
+/// of the transition, g = gamma/(beta + gamma) in [0, 1/2] [-], z [m] elastic part of the deformation. Wen 1976, J.
+/// Eng. Mech. Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069. The law is rate-independent, so z is a
+/// function of the path and not of time. For n = 1 it is exponential; for n = 2 a hyperbolic tangent in loading and a
+/// tangent in unloading; for g = 1/2 linear in unloading. For other n it is the inverse of an integral, computed to
+/// 1e-13.
 ///
-/// With the stored energy (1-a) k z^2/2, unloading loses (1 - 2g)|z/dy|^n: g above 1/2 would create energy and is
-/// refused (Erlicher & Point 2004, C. R. Mecanique 332:51). It fails Drucker's postulate: cycled by force between 0.2
-/// and 0.8 Fy (a = 0, g = 1/2) it creeps by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5.
+/// With the stored energy (1-a) k z^2/2, unloading dissipates (1 - 2g)|z/dy|^n. Values of g above 1/2 would generate
+/// energy and are rejected (Erlicher & Point 2004, C. R. Mecanique 332:51). The law violates Drucker's postulate: under
+/// force cycles between 0.2 and 0.8 Fy (a = 0, g = 1/2) it ratchets by 0.79, 0.30, 0.05 dy per cycle for n = 1, 2, 5.
 struct BoucWen {
   static constexpr std::string_view name = "bouc_wen",
                                     shape = "f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n [g + (1-g) sign(z dd)]";
-  static constexpr std::string_view summary = "yields gradually, smooth between reversals (BoucWen, plastic Wen link)";
+  static constexpr std::string_view summary = "smooth elastic-plastic transition (BoucWen, plastic Wen link)";
   static constexpr std::string_view source =
       "Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069";
   static constexpr std::string_view symbols =
@@ -53,7 +55,7 @@ struct BoucWen {
       Parameter{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &BoucWen::exponent},
       Parameter{{"gamma_share", "", "g = gamma/(beta + gamma)", 0.5, Need::optional}, &BoucWen::gamma_share}};
 
-  /// Its memory [m].
+  /// State [m].
   struct State {
     double deformation = 0, elastic = 0;
   };
@@ -66,7 +68,7 @@ struct BoucWen {
     if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
     laws::require_exponent(exponent);
     if (!(gamma_share >= 0 && gamma_share <= 0.5))
-      laws::refuse("gamma_share", gamma_share, "in [0, 0.5]: above it the law would create energy");
+      laws::refuse("gamma_share", gamma_share, "in [0, 0.5]: higher values would generate energy");
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
@@ -93,24 +95,25 @@ struct BoucWen {
   std::optional<double> corner(const State&, double) const noexcept { return {}; }
 
  private:
-  // In the direction of the way, over dy: y = +-z/dy in [-1, 1], and the length x of the way. Loading has y > 0.
+  // Coordinates in the direction of the path, divided by dy: y = +-z/dy in [-1, 1], and the length x of the path.
+  // Loading has y > 0.
 
-  /// 1 - 2g, the share of |y|^n in the slope on unloading.
+  /// 1 - 2g, coefficient of |y|^n in the slope of unloading.
   double bend() const noexcept { return 1 - 2 * gamma_share; }
   double slope(double y) const noexcept {
     return y < 0 ? 1 + bend() * std::pow(-y, exponent) : 1 - std::pow(std::min(y, 1.0), exponent);
   }
-  /// y at the end of the way to d.
+  /// y at the end of the path to d.
   double elastic_at(const State& kept, double d) const noexcept {
     const double dy = yield_deformation(), way = std::abs(d - kept.deformation) / dy;
     const double y = std::clamp((d < kept.deformation ? -1 : 1) * kept.elastic / dy, -1.0, 1.0);
     if (way == 0) return y;
     if (!(y < 0)) return loaded(y, way);
-    if (way * slope(y) < -y) return unloaded(y, way);  // the slope falls on the way to zero
+    if (way * slope(y) < -y) return unloaded(y, way);  // the slope decreases on the path to zero
     const double to_zero = way_to_zero(y);
     return way < to_zero ? unloaded(y, way) : loaded(0, way - to_zero);
   }
-  /// Length of the way from y < 0 to 0.
+  /// Length of the path from y < 0 to 0.
   double way_to_zero(double y) const noexcept {
     const double c = bend();
     if (c == 0) return -y;
@@ -122,7 +125,7 @@ struct BoucWen {
     return integral([this](double y) { return 1 / (1 + bend() * std::pow(std::abs(y), exponent)); }, from, to,
                     accuracy);
   }
-  /// y < 0 after a way x that does not reach zero.
+  /// y < 0 after a path of length x that does not reach zero.
   double unloaded(double y, double x) const noexcept {
     const double c = bend();
     if (c == 0) return y + x;
@@ -138,19 +141,19 @@ struct BoucWen {
     }
     return end;
   }
-  /// y < 0 after a short way x, with an error of its fourth power.
+  /// y < 0 after a short path of length x, with an error of fourth order in x.
   double unloaded_further(double y, double x) const noexcept {
     const double power = bend() * std::pow(-y, exponent), s = 1 + power;
     const double first = exponent * power / y, second = (exponent - 1) * first / y;  // derivatives of the slope
     return y + x * s * (1 + x / 2 * (first + x / 3 * (second * s + first * first)));
   }
-  /// Solution of dy/dx = f(y) after one step x of order four.
+  /// Solution of dy/dx = f(y) after one fourth-order step x.
   template <class F>
   static double runge_kutta(const F& f, double y, double x) noexcept {
     const double k1 = f(y), k2 = f(y + 0.5 * x * k1), k3 = f(y + 0.5 * x * k2), k4 = f(y + x * k3);
     return y + x / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
-  /// y >= 0 after a way x.
+  /// y >= 0 after a path of length x.
   double loaded(double y, double x) const noexcept {
     if (!(y < 1)) return 1;
     if (exponent == 1) return y * std::exp(-x) - std::expm1(-x);
@@ -158,15 +161,16 @@ struct BoucWen {
     if (exponent == 2) return std::tanh(start + x);
     return std::tanh(loaded_angle(start, x));
   }
-  /// dx/ds for y = tanh s: between 2/n and 1, so that the way is a smooth function of s up to the largest force.
+  /// dx/ds for y = tanh s: between 2/n and 1, so that the path length is a smooth function of s up to the maximum
+  /// force.
   double way_by_angle(double s) const noexcept {
     const double e = std::exp(-2 * s), y = (1 - e) / (1 + e), rest = 4 * e / ((1 + e) * (1 + e));  // 1 - y^2
-    // 1 - y^n: of a small y as it stands, of one near 1 by its distance from it, each without cancellation.
+    // 1 - y^n without cancellation: directly for small y, from the distance to 1 near 1.
     const double fall = y < 0.7 ? 1 - std::pow(y, exponent) : -std::expm1(0.5 * exponent * std::log1p(-rest));
     return y > 0 ? (fall > 0 ? rest / fall : 2 / exponent) : 1;
   }
   double loaded_angle(double start, double x) const noexcept {
-    constexpr double saturated = 20;  // tanh is 1 - 8e-18 there
+    constexpr double saturated = 20;  // tanh s = 1 - 8e-18 here
     if (start >= saturated) return start;
     const auto way = [this](double s) { return way_by_angle(s); };
     double end = std::clamp(runge_kutta([&](double s) { return 1 / way(s); }, start, x), start, saturated);
@@ -174,7 +178,7 @@ struct BoucWen {
       const double left = x - integral(way, start, end, accuracy), here = way(end);
       const double step = left / here;
       if (left != 0 && std::abs(step) < 1e-5) {
-        const double growth = (way(end + step) - here) / left;  // of way, a part of itself for each step
+        const double growth = (way(end + step) - here) / left;  // relative change of `way` per unit path length
         return std::clamp(end + step * (1 - 0.5 * growth * step), start, saturated);
       }
       end = std::clamp(end + step, start, saturated);
@@ -182,7 +186,7 @@ struct BoucWen {
     }
     return end;
   }
-  /// The integral of y over the way x between these two.
+  /// Integral of y over the path of length x between two values of y.
   double work_of(double from, double to, double x) const noexcept {
     const auto unloading = [this](double y) { return y / (1 + bend() * std::pow(std::abs(y), exponent)); };
     if (!(from < 0)) return loading_work(from, to, x);
@@ -190,7 +194,8 @@ struct BoucWen {
     const double first = bend() == 0 ? -0.5 * from * from : integral(unloading, from, 0, accuracy);
     return first + loading_work(0, to, x - way_to_zero(from));
   }
-  /// From y >= 0 on: the way less the integral of 1 - y over it, which is dy for n = 1 and a logarithm for n = 2.
+  /// For y >= 0: the path length minus the integral of 1 - y, which is the change of y for n = 1 and a logarithm for n
+  /// = 2.
   double loading_work(double from, double to, double x) const noexcept {
     if (!(from < 1)) return x;
     if (exponent == 1) return x - (to - from);

@@ -1,6 +1,6 @@
 #pragma once
-/// Laws of yielding by name, for any variant of them: the catalogue, making a law from settings, describing a made law.
-/// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
+/// Hysteretic laws by name, for any variant of them: the catalogue, and creation of a law from settings. All data are
+/// read from the tables of the laws. all.hpp applies it to the laws of this library.
 
 #include <stdexcept>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace pounding::hysteresis {
 
-/// The catalogue entry of a law, from its members.
+/// Catalogue entry of a law, from its members.
 template <Law L>
 constexpr Entry Entry::of() {
   Entry e{.name = L::name,
@@ -44,11 +44,10 @@ void choose(L& law, std::string_view name, std::string_view word) {
                                   laws::excerpt(word) + "\"." + laws::suggestion(word, choice.info.words));
     }
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) +
-                              "\" that takes a word." + laws::suggestion(name, known));
+                              "\" that takes a keyword." + laws::suggestion(name, known));
 }
 
-/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
-/// of range.
+/// Creates a validated law L. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <Law L>
 L law_from(const Settings& s) {
   L law;

@@ -1,5 +1,5 @@
 #pragma once
-/// Laws of yielding by what they are called and take: settings, and what the catalogue says of each.
+/// Hysteretic laws by name and parameters: settings and catalogue entry.
 
 #include <array>
 #include <functional>
@@ -14,19 +14,19 @@
 
 namespace pounding::hysteresis {
 
-/// A law as an input names it. SI units.
+/// Settings of a law in an input. SI units.
 struct Settings {
   std::string law;
-  std::map<std::string, double, std::less<>> values{};      ///< its numbers
-  std::map<std::string, std::string, std::less<>> words{};  ///< its choices
+  std::map<std::string, double, std::less<>> values{};      ///< numeric parameters
+  std::map<std::string, std::string, std::less<>> words{};  ///< keyword parameters
 };
 
-/// One law of the catalogue, read from the tables of its struct.
+/// Catalogue entry of a law, read from the tables of its struct.
 struct Entry {
   std::string_view name, shape, summary, source;
-  std::string_view symbols;  ///< what the letters of the shape mean, with units, beside f and d
-  std::string_view range;    ///< where the law holds
-  std::string_view beware;   ///< what surprises
+  std::string_view symbols;  ///< symbols of `shape` with units, except f and d
+  std::string_view range;    ///< range of validity
+  std::string_view beware;   ///< limitations and unexpected properties
   std::span<const ParameterInfo> parameters;
   std::span<const ChoiceInfo> choices;
   std::span<const StateInfo> state;  ///< what it remembers beside the deformation

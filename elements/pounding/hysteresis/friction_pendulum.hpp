@@ -7,23 +7,24 @@
 
 namespace pounding::hysteresis {
 
-/// f = W d/R + q, |q| <= mu W behind a spring mu W/u_y: a slider in a dish with one coefficient of friction.
+/// f = W d/R + q, |q| <= mu W in series with a spring mu W/u_y: a slider on a spherical surface with constant friction.
 ///
-/// W [N] weight on it, R [m] radius of the dish, mu [-] coefficient of friction, u_y [m] deformation before it slides,
-/// 0.5 to 1 mm. Zayas, Low & Mahin 1990, Earthq. Spectra 6:317. W stays that at rest, and mu does not depend on the
-/// velocity.
+/// W [N] weight on the isolator, R [m] radius of the surface, mu [-] coefficient of friction, u_y [m] deformation at
+/// the start of sliding, 0.5 to 1 mm. Zayas, Low & Mahin 1990, Earthq. Spectra 6:317. W is the static weight, and mu
+/// does not depend on the velocity.
 struct FrictionPendulum : MadeOf<FrictionPendulum, Bilinear> {
   static constexpr std::string_view name = "friction_pendulum",
-                                    shape = "f = W d/R + q, |q| <= mu W behind a spring mu W/u_y";
-  static constexpr std::string_view summary = "sliding isolator in a dish, constant friction (singleFPBearing)";
+                                    shape = "f = W d/R + q, |q| <= mu W in series with a spring mu W/u_y";
+  static constexpr std::string_view summary =
+      "sliding isolator on a spherical surface, constant friction (singleFPBearing)";
   static constexpr std::string_view source = "Zayas, Low & Mahin 1990, Earthq. Spectra 6:317";
   static constexpr std::string_view symbols =
-      "W [N] weight on it, R [m] radius of the dish, mu [-] coefficient of friction, u_y [m] deformation before it "
-      "slides";
-  static constexpr std::string_view range = "any d; a real dish ends at its rim";
+      "W [N] weight on the isolator, R [m] radius of the surface, mu [-] coefficient of friction, u_y [m] deformation "
+      "at the start of sliding";
+  static constexpr std::string_view range = "any d; the rim of the surface is not modelled";
   static constexpr std::string_view beware =
-      "the weight stays that at rest and the friction does not depend on the velocity; uplift and the rim are not in "
-      "it";
+      "the weight is the static one and the friction does not depend on the velocity. Uplift and the rim are not "
+      "modelled";
 
   double weight = 0;                    ///< W > 0 [N]
   double radius = 0;                    ///< R > 0 [m]
@@ -45,7 +46,7 @@ struct FrictionPendulum : MadeOf<FrictionPendulum, Bilinear> {
     laws::require_positive("friction", friction);
     laws::require_positive("yield_displacement", sliding_deformation);
   }
-  /// The law that it is.
+  /// The equivalent bilinear law.
   Bilinear made() const noexcept {
     const double dish = weight / radius, stick = friction * weight / sliding_deformation, k = dish + stick;
     return {.initial_stiffness = k, .yield_force = k * sliding_deformation, .hardening = dish / k};

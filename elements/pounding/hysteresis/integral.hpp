@@ -1,18 +1,17 @@
 #pragma once
-/// Integrals of smooth functions, for the laws of yielding that have no closed form.
+/// Integrals of smooth functions, for hysteretic laws without a closed form.
 
 #include <algorithm>
 #include <cmath>
 
 namespace pounding::hysteresis {
 
-/// A part of an integral and how far Gauss's rule with seven points is from it.
+/// An integral, and its difference from the seven-point Gauss rule.
 struct Quadrature {
   double value = 0, error = 0;
 };
 
-/// The rule of Kronrod with fifteen points that holds Gauss's seven, from a to b. QUADPACK (Piessens et al. 1983),
-/// qk15.
+/// Fifteen-point Kronrod extension of the seven-point Gauss rule, from a to b. QUADPACK (Piessens et al. 1983), qk15.
 template <class F>
 Quadrature kronrod(const F& f, double a, double b) noexcept {
   constexpr double points[] = {0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
@@ -35,8 +34,8 @@ Quadrature kronrod(const F& f, double a, double b) noexcept {
   return {half * all, std::abs(half * (all - few))};
 }
 
-/// The integral of f from a to b. Intervals are halved until the two rules agree to `allowed` or to the rounding of
-/// their sums, at most 30 times each.
+/// Integral of f from a to b. Intervals are bisected, at most 30 times, until both rules agree to `allowed` or to
+/// round-off.
 template <class F>
 double integral(const F& f, double a, double b, double allowed, int depth = 30) noexcept {
   const Quadrature whole = kronrod(f, a, b);

@@ -1,30 +1,33 @@
 #pragma once
-/// Shared by all laws of yielding: their answer, what they are, and what follows from it.
+/// Common parts of all hysteretic laws: their response, the required members, and derived functions.
 ///
 /// A law is a plain struct with parameters as members and
 ///
 ///     static constexpr std::string_view name;
-///     struct State { double deformation = 0; ... };                   // the last kept state; by itself undeformed
-///     void check() const;                                             // std::invalid_argument for a wrong parameter
-///     double stiffness() const noexcept;                              // k > 0, before anything has yielded
-///     double yield_deformation() const noexcept;                      // > 0, counts ductility
-///     Answer respond(const State&, double d) const noexcept;          // at the end of the straight way to d
-///     State advance(const State&, double d) const noexcept;           // that end is kept
-///     double stored(const State&) const noexcept;                     // energy that the state can give back
-///     double work(const State&, double d) const noexcept;             // of the force, on the straight way to d
-///     std::optional<double> corner(const State&, double d) const noexcept;  // where the slope first jumps on it
-///     static constexpr bool has_corners;                              // optional: false where no corner() is ever
-///     given static constexpr double gives_back;                             // optional, see gives_back below Answer
-///     excess(const State&, double d) const noexcept;           // optional, see excess() below double lost(const
-///     State&, double d) const noexcept;             // optional, see lost() below double stored_excess(const State&)
-///     const noexcept;              // optional, see stored_excess() below Range elastic(const State&) const noexcept;
-///     // optional, see Range below
+///     struct State { double deformation = 0; ... };  // last accepted state; by default undeformed
+///     void check() const;  // throws std::invalid_argument for an invalid parameter
+///     double stiffness() const noexcept;  // initial stiffness k > 0
+///     double yield_deformation() const noexcept;  // > 0, defines ductility
+///     Answer respond(const State&, double d) const noexcept;  // at the end of the straight path to d
+///     State advance(const State&, double d) const noexcept;  // accepts that end
+///     double stored(const State&) const noexcept;  // recoverable energy
+///     double work(const State&, double d) const noexcept;  // work of the force on the straight path to d
+///     std::optional<double> corner(const State&, double d) const noexcept;  // first slope jump on it
 ///
-/// All are pure: a law holds no history, its State does, and only `advance` makes a new one. The path between two kept
-/// states is followed exactly, so it does not matter where a way without a turn is cut into steps.
+/// and optionally
 ///
-/// Units: a deformation d is in m, a force in N, an energy in J; at a hinge d is in rad and the force a moment in N m.
-/// The force has the sign of a spring: positive where d grew from rest.
+///     static constexpr bool has_corners;  // false if corner() is always empty
+///     static constexpr double gives_back;  // see gives_back below
+///     Answer excess(const State&, double d) const noexcept;  // see excess() below
+///     double lost(const State&, double d) const noexcept;  // see lost() below
+///     double stored_excess(const State&) const noexcept;  // see stored_excess() below
+///     Range elastic(const State&) const noexcept;  // see Range below
+///
+/// All functions are pure: the history is in State, and only `advance` creates a new one. The path between two accepted
+/// states is integrated exactly, so the division of a monotonic path into steps does not matter.
+///
+/// Units: deformation d in m, force in N, energy in J; at a hinge d is in rad and the force is a moment in N m. Sign:
+/// as for a spring, positive for a deformation d that increases from rest.
 
 #include <concepts>
 #include <optional>
@@ -33,19 +36,19 @@
 
 namespace pounding::hysteresis {
 
-/// Force [N] and its slope along the way [N/m]. At a corner the slope is that before it; at the kept deformation
-/// itself, where there is no way, that of one of the two directions.
+/// Force [N] and its slope along the path [N/m]. At a corner, the slope is that before it. At the accepted deformation
+/// itself, it is that of either direction.
 struct Answer {
   double force = 0, slope = 0;
 };
 
-/// Deformations strictly between which excess() is constant to the bit and advance() changes the deformation alone, on
-/// whatever way, and nothing is lost [m].
+/// Open range of deformations [m] in which, on any path, excess() is bitwise constant, advance() changes only the
+/// deformation, and no energy is dissipated.
 struct Range {
   double low = 0, high = 0;
 };
 
-/// A law of yielding.
+/// A hysteretic law.
 template <class L>
 concept Law = requires(const L& law, const typename L::State& kept, double d) {
   requires std::is_trivially_copyable_v<typename L::State> && std::is_default_constructible_v<typename L::State>;
@@ -61,19 +64,19 @@ concept Law = requires(const L& law, const typename L::State& kept, double d) {
   { law.corner(kept, d) } noexcept -> std::same_as<std::optional<double>>;
 };
 
-/// False for a law whose slope jumps at turning points alone.
+/// False for a law whose slope jumps only at reversals.
 template <Law L>
 inline constexpr bool has_corners = !requires { requires !L::has_corners; };
 
-/// Energy that a path may give back beyond what stored() says, over the yield force times the yield deformation: 0 but
-/// for published laws that cannot be cured of it.
+/// Upper bound on the energy that a path can recover beyond stored(), divided by yield force times yield deformation.
+/// Nonzero only for published laws with this defect.
 template <Law L>
 inline constexpr double gives_back = [] {
   if constexpr (requires { L::gives_back; }) return L::gives_back;
   return 0.0;
 }();
 
-/// The answer minus that of an elastic spring k d, exactly nothing where the law says that it is one.
+/// Response minus that of an elastic spring k d; exactly zero in the elastic range of laws that provide it.
 template <Law L>
 Answer excess(const L& law, const typename L::State& kept, double d) noexcept {
   if constexpr (requires { law.excess(kept, d); }) {
@@ -84,7 +87,7 @@ Answer excess(const L& law, const typename L::State& kept, double d) noexcept {
   }
 }
 
-/// Energy that is lost on the straight way to d [J]: the work less what is stored by it.
+/// Energy dissipated on the straight path to d [J]: the work minus the increase of stored energy.
 template <Law L>
 double lost(const L& law, const typename L::State& kept, double d) noexcept {
   if constexpr (requires { law.lost(kept, d); })
@@ -93,7 +96,7 @@ double lost(const L& law, const typename L::State& kept, double d) noexcept {
     return law.work(kept, d) - (law.stored(law.advance(kept, d)) - law.stored(kept));
 }
 
-/// Energy that is stored [J] beyond that of an elastic spring, k d^2/2.
+/// Stored energy [J] in excess of an elastic spring, k d^2/2.
 template <Law L>
 double stored_excess(const L& law, const typename L::State& kept) noexcept {
   if constexpr (requires { law.stored_excess(kept); })
@@ -102,7 +105,7 @@ double stored_excess(const L& law, const typename L::State& kept) noexcept {
     return law.stored(kept) - 0.5 * law.stiffness() * kept.deformation * kept.deformation;
 }
 
-/// Whether x lies between the two others and is neither of them.
+/// True if x lies strictly between the other two.
 constexpr bool is_strictly_between(double x, double a, double b) noexcept {
   return b > a ? x > a && x < b : x < a && x > b;
 }

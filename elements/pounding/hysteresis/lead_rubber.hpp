@@ -33,21 +33,22 @@ void check_rubber(const L& law) {
   laws::require_positive("rubber_thickness", law.rubber_thickness);
 }
 
-/// f = k2 d + q, |q| <= Q behind a spring Q/u_y: rubber with a core of lead that yields, in one direction.
+/// f = k2 d + q, |q| <= Q in series with a spring Q/u_y: rubber with a yielding lead core, in one direction.
 ///
 /// Q [N] characteristic strength, the force of the loop at d = 0; k2 = G A/t_r [N/m] stiffness of the rubber, G [Pa]
-/// shear modulus, A [m^2] area, t_r [m] thickness of all layers; u_y [m] yield deformation. Kelly 1997,
+/// shear modulus, A [m^2] area, t_r [m] total rubber thickness; u_y [m] yield deformation. Kelly 1997,
 /// Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999. A bilinear law with k = k2 + Q/u_y and Fy = Q + k2 u_y.
 struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
-  static constexpr std::string_view name = "lead_rubber", shape = "f = k2 d + q, |q| <= Q behind a spring Q/u_y";
-  static constexpr std::string_view summary = "isolator of rubber with a lead core: bilinear by Q, k2 and u_y";
+  static constexpr std::string_view name = "lead_rubber",
+                                    shape = "f = k2 d + q, |q| <= Q in series with a spring Q/u_y";
+  static constexpr std::string_view summary = "lead-rubber isolator: bilinear, defined by Q, k2 and u_y";
   static constexpr std::string_view source = "Kelly 1997, Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999";
   static constexpr std::string_view symbols =
       "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G "
       "[Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
   static constexpr std::string_view range = "one direction; shear strains below some 200 %";
   static constexpr std::string_view beware =
-      "the lead neither heats up nor loses strength; the axial force changes nothing";
+      "heating and strength loss of the lead, and the effect of the axial force, are not modelled";
 
   double strength = 0;                                                ///< Q > 0 [N]
   double displacement_at_yield = 0;                                   ///< u_y > 0 [m]
@@ -75,25 +76,25 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   }
 };
 
-/// f = k2 d + Q z/u_y: rubber that dissipates, with the smooth knee of Bouc and Wen, n = 2, straight unloading; in one
+/// f = k2 d + Q z/u_y: high-damping rubber, with the smooth Bouc-Wen transition, n = 2 and linear unloading, in one
 /// direction.
 ///
-/// Letters as in LeadRubber. As OpenSees' elastomericBearingBoucWen with eta = 2 and beta = gamma = 1/2, one direction
-/// of it.
+/// Symbols as in LeadRubber. Equivalent to one direction of elastomericBearingBoucWen of OpenSees with eta = 2 and beta
+/// = gamma = 1/2.
 struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   static constexpr std::string_view name = "elastomeric",
                                     shape = "f = k2 d + Q z/u_y, dz/dd = 1 - |z/u_y|^n [1 + sign(z dd)]/2";
   static constexpr std::string_view summary =
-      "isolator of damping rubber: Bouc-Wen by Q, k2 and u_y (elastomericBearingBoucWen)";
+      "high-damping rubber isolator: Bouc-Wen, defined by Q, k2 and u_y (elastomericBearingBoucWen)";
   static constexpr std::string_view source =
       "Kelly 1997, Earthquake-Resistant Design with Rubber; Park, Wen & Ang 1986, EESD 14:543";
   static constexpr std::string_view symbols =
       "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, n [-] "
       "sharpness of the knee, G [Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
   static constexpr std::string_view range =
-      "one direction; shear strains below some 150 %, where rubber begins to stiffen";
+      "one direction; shear strains below about 150 %, where rubber begins to stiffen";
   static constexpr std::string_view beware =
-      "small cycles about a steady force creep, see bouc_wen; the axial force changes nothing";
+      "small cycles about a constant force ratchet, see bouc_wen. The effect of the axial force is not modelled";
 
   double strength = 0;                                                ///< Q > 0 [N]
   double displacement_at_yield = 0;                                   ///< u_y > 0 [m]

@@ -1,5 +1,5 @@
 #pragma once
-/// Laws that are another one with parameters of their own.
+/// Laws that are another law with different parameters.
 
 #include <optional>
 
@@ -7,11 +7,11 @@
 
 namespace pounding::hysteresis {
 
-/// A base for a law Self that is the law Inner with other parameters: Self has `Inner made() const noexcept` and its
-/// own check().
+/// Base of a law Self that is the law Inner with different parameters: Self provides `Inner made() const noexcept` and
+/// check().
 template <class Self, Law Inner>
 struct MadeOf {
-  /// That of the other law.
+  /// State of the other law.
   using State = typename Inner::State;
   static constexpr bool has_corners = hysteresis::has_corners<Inner>;
 

@@ -14,23 +14,22 @@
 namespace pounding::hysteresis {
 
 /// f = b k d + (1-b) k z; on each branch z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w: curves between an elastic line
-/// from the last turning point and the hardening line on the other side.
+/// from the last reversal and the hardening line on the opposite side.
 ///
-/// k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m]; d_r, z_r [m] deformation and elastic
-/// part at the turning point, w = +-dy - z_r [m] from there to where its elastic line meets the hardening line; R = R0
-/// [1 - c1 xi/(c2 + xi)] [-] sharpness of the knee, xi [-] distance over dy between that point and the largest turning
-/// point before on its side (dy where there was none). Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC
-/// 83-19, without the isotropic shift.
+/// k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening ratio, dy = Fy/k [m]; d_r, z_r [m] deformation and
+/// its elastic part at the reversal, w = +-dy - z_r [m] from there to the intersection of the elastic line and the
+/// hardening line; R = R0 [1 - c1 xi/(c2 + xi)] [-] sharpness of the transition, xi [-] distance, divided by dy, from
+/// that intersection to the extreme earlier reversal on its side (dy if there is none). Menegotto & Pinto 1973;
+/// Filippou, Popov & Bertero 1983, EERC 83-19, without the isotropic shift.
 ///
-/// As published every turn forgets what was before: after 4 dy, -4 dy, a turn by 0.02 dy at -1.5 dy lifts the force by
-/// 0.22 Fy over the path without it. With memory "nested" a branch never rises above the branches of its own direction
-/// that excursions interrupted; where it meets one, that one goes on, and an excursion beyond the start of a branch
-/// wipes it out. With "last" it is Steel02.
+/// As published, every reversal erases the earlier history: after 4 dy, -4 dy, a reversal by 0.02 dy at -1.5 dy raises
+/// the force by 0.22 Fy above the path without it. With memory "nested", a branch never rises above interrupted
+/// branches of the same direction; where it meets one, the interrupted branch continues. An excursion beyond the start
+/// of a branch erases it. With "last" the law is Steel02.
 struct MenegottoPinto {
   static constexpr std::string_view name = "menegotto_pinto",
                                     shape = "f = b k d + (1-b) k z, z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w";
-  static constexpr std::string_view summary =
-      "reinforcing steel: a knee that grows rounder with the excursions (Steel02)";
+  static constexpr std::string_view summary = "reinforcing steel with Bauschinger effect (Steel02)";
   static constexpr std::string_view source = "Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19";
   static constexpr std::string_view symbols =
       "k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m], d_r, z_r [m] deformation and "
@@ -46,7 +45,7 @@ struct MenegottoPinto {
   /// Energy that a path may give back beyond what stored() says, over Fy dy.
   static constexpr double gives_back = 0.15;
 
-  /// Memory of the branches before a turn: those that may go on, or none as in Steel02.
+  /// Memory of the branches before a reversal: all that may continue, or none as in Steel02.
   enum class Memory { nested, last };
 
   double initial_stiffness = 0;  ///< k > 0 [N/m]
@@ -68,47 +67,47 @@ struct MenegottoPinto {
       Parameter{{"cR2", "", "excursion over dy that takes away half of it, c2", 0.15, Need::optional},
                 &MenegottoPinto::rounding_range}};
   static constexpr std::array<std::string_view, 2> memories{"nested", "last"};
-  /// Takes choice number i of `memories`. A function, since Clang 14 knows no member of the law in a lambda here.
+  /// Selects item i of `memories`. A function, because Clang 14 rejects an equivalent lambda here.
   static void choose_memory(MenegottoPinto& law, std::size_t i) { law.memory = static_cast<Memory>(i); }
-  /// Number of the present choice.
+  /// Index of the current choice.
   static std::size_t chosen_memory(const MenegottoPinto& law) { return static_cast<std::size_t>(law.memory); }
   static constexpr std::array choices{Choice<MenegottoPinto>{
-      {"memory", "what a turn leaves of the branches before: all that may go on, or nothing (Steel02)", memories},
+      {"memory", "branches remembered at a reversal: all that may continue, or none (Steel02)", memories},
       &choose_memory,
       &chosen_memory}};
 
-  /// A curve from a turning point: d_r, z_r - d_r, w [m], R [-].
+  /// A curve from a reversal: d_r, z_r - d_r, w [m], R [-].
   struct Branch {
     double start = 0, offset = 0, reach = 0, sharpness = 1;
   };
-  /// Branches of one direction that are kept at most; one more makes that of the smallest excursion forgotten.
+  /// Maximum number of branches per direction; beyond it, the branch of the smallest excursion is dropped.
   static constexpr int most_branches = 8;
-  /// Branches of one direction, each held down by the one before: the last is the present one, or the last that was
-  /// interrupted.
+  /// Branches of one direction, each bounded by the previous one. The last is the current branch, or the one
+  /// interrupted last.
   struct Branches {
     int count = 0;
     std::array<Branch, most_branches> of{};
   };
-  /// `most` and `least` are the outermost turning points [m].
+  /// Extreme reversals in both directions [m], and branches.
   struct State {
     double deformation = 0, most = 0, least = 0;
-    int way = 0;  // of the present branch: 1 up, -1 down, 0 before the first
+    int way = 0;  // of the current branch: 1 up, -1 down, 0 before the first
     Branches up{}, down{};
 
-    /// Branches of the present direction; there is one after the first way.
+    /// Branches of the current direction; not empty after the first loading.
     const Branches& present() const noexcept { return way < 0 ? down : up; }
-    /// Followed at present.
+    /// Current branch.
     const Branch& branch() const noexcept { return present().of[present().count - 1]; }
   };
   static constexpr std::array state{
-      StateValue<MenegottoPinto>{{"turning_point", "m", "deformation at the last turning point d_r"},
+      StateValue<MenegottoPinto>{{"turning_point", "m", "deformation d_r at the last reversal"},
                                  [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start; }},
       StateValue<MenegottoPinto>{
-          {"knee", "m", "deformation at which its two lines meet, d_r + w"},
+          {"knee", "m", "deformation d_r + w at the intersection of its two lines"},
           [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start + kept.branch().reach; }},
-      StateValue<MenegottoPinto>{{"sharpness", "", "R of the present branch"},
+      StateValue<MenegottoPinto>{{"sharpness", "", "R of the current branch"},
                                  [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().sharpness; }},
-      StateValue<MenegottoPinto>{{"branches", "", "how many branches are remembered"}, [](const State& kept) {
+      StateValue<MenegottoPinto>{{"branches", "", "number of branches remembered"}, [](const State& kept) {
                                    return static_cast<double>(kept.up.count + kept.down.count);
                                  }}};
 
@@ -119,9 +118,8 @@ struct MenegottoPinto {
     if (!(rounding >= 0 && rounding < 1)) laws::refuse("cR1", rounding, "in [0, 1)");
     laws::require_positive("cR2", rounding_range);
     if (!(std::isfinite(sharpness) && sharpness * (1 - rounding) >= 1))
-      laws::refuse(
-          "R0", sharpness,
-          "at least 1/(1 - cR1) = " + laws::number_text(1 / (1 - rounding)) + ", so that R never falls below 1");
+      laws::refuse("R0", sharpness,
+                   "at least 1/(1 - cR1) = " + laws::number_text(1 / (1 - rounding)) + ", so that R is at least 1");
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
@@ -139,11 +137,11 @@ struct MenegottoPinto {
     State next = kept;
     if (turns(kept, d)) turn(next, d < kept.deformation ? -1 : 1);
     if (next.way != 0) present(next).count = 1 + lowest(next, d);
-    // A way back that is no turn is rounding.
+    // A reversal below the tolerance is round-off.
     if (next.way * (d - next.deformation) > 0) next.deformation = d;
     return next;
   }
-  /// Energy that a way back to z = 0 gives, and that of the spring b k.
+  /// Energy recovered on a path back to z = 0, plus that of the spring b k.
   double stored(const State& kept) const noexcept {
     const double d = kept.deformation, z = d + at(branch(kept), d).lag;
     const double spring = 0.5 * hardening * initial_stiffness * d * d;
@@ -177,7 +175,7 @@ struct MenegottoPinto {
     return initial_stiffness *
            (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
   }
-  /// The present branch meets an older one at an angle there.
+  /// The current branch meets an older one at an angle there.
   std::optional<double> corner(const State& kept, double d) const noexcept {
     if (d == kept.deformation) return {};
     State from = kept;
@@ -208,7 +206,7 @@ struct MenegottoPinto {
     if (!(x > 0) && b.reach != 0) return {b.offset, 1};
     if (x <= 1) {
       const double p = std::pow(x, R);
-      // Nothing but elastic where one would not see the difference.
+      // Exactly elastic if the difference is below round-off.
       if (p < 1e-18) return {b.offset, 1};
       const double fall = std::expm1(-std::log1p(p) / R);
       return {b.offset + way * fall, (1 + fall) / (1 + p)};
@@ -217,7 +215,7 @@ struct MenegottoPinto {
     return {b.offset - way + b.reach * part, p / x * part / (1 + p)};
   }
 
-  /// A change of direction; the first way from rest is one.
+  /// True if the direction changes; the first loading from rest counts as a change.
   bool turns(const State& kept, double d) const noexcept {
     const double back = kept.deformation - d;
     return kept.way == 0 ? back != 0 : kept.way * back > 1e-12 * yield_deformation();
@@ -229,7 +227,7 @@ struct MenegottoPinto {
     const double xi = std::abs(farthest - start - reach) / dy;
     return {start, offset, reach, sharpness * (1 - rounding * xi / (rounding_range + xi))};
   }
-  /// The state turns into the direction `way` where it is.
+  /// Reverses the direction to `way` at the current deformation.
   void turn(State& s, int way) const noexcept {
     const double d = s.deformation;
     if (s.way > 0) s.most = std::max(s.most, d);
@@ -238,8 +236,8 @@ struct MenegottoPinto {
     if (memory == Memory::last) s.up.count = s.down.count = 0;
     s.way = way;
     Branches& old = present(s);
-    // A branch that began nearer than here is wiped out, and one that is below from the start: it could not hold the
-    // new one down.
+    // Drops a branch that began nearer than here, and one that lies below the new branch from the start, which could
+    // not bound it.
     const auto holds = [&](const Branch& b) {
       return way * (d - b.start) > 0 && rises_above(way, next, b, d) <= 2e-13 * yield_deformation();
     };
@@ -258,12 +256,12 @@ struct MenegottoPinto {
     turn(turned, d < kept.deformation ? -1 : 1);
     return at(turned.present().of[lowest(turned, d)], d);
   }
-  /// How far a branch is above another one of its direction [m]; positive where rounding could say so.
+  /// Height of a branch above another one of its direction [m]; positive within round-off.
   double rises_above(int way, const Branch& b, const Branch& old, double d) const noexcept {
     return way * (at(b, d).lag - at(old, d).lag) + 1e-13 * yield_deformation();
   }
-  /// Which of the branches of the present direction holds at d: the present one, or an older one that it has met.
-  /// `newer` of them are left out.
+  /// Index of the branch of the current direction that applies at d: the current one, or an older one that it has met.
+  /// Ignores the newest `newer` branches.
   int lowest(const State& s, double d, int newer = 0) const noexcept {
     const Branches& all = s.present();
     int lowest = 0;
@@ -272,9 +270,9 @@ struct MenegottoPinto {
     return lowest;
   }
   const Branch& older(const State& s, double d) const noexcept { return s.present().of[lowest(s, d, 1)]; }
-  /// The present branch ends where it meets an older one.
+  /// Ends the current branch at the deformation at which it meets an older one.
   void go_on(State& s, double d) const noexcept { present(s).count = 1 + lowest(s, d, 1); }
-  /// Where the present branch, on the way from `begin` to d, meets an older one.
+  /// Deformation at which the current branch, on the path from `begin` to d, meets an older one.
   std::optional<double> meets(const State& s, double begin, double d) const noexcept {
     if (s.present().count < 2) return {};
     const auto above = [&](double x) { return rises_above(s.way, branch(s), older(s, x), x); };
@@ -285,20 +283,20 @@ struct MenegottoPinto {
     return laws::find_root(above, begin, at_begin, d, at_end);
   }
 
-  /// The deformation of z = 0 on a branch that goes towards it.
+  /// Deformation at z = 0 on a branch that approaches it.
   static double end_of_elastic(const Branch& b) noexcept {
-    const double part = b.reach == 0 ? 0 : -(b.start + b.offset) / b.reach;  // of the reach that z needs
+    const double part = b.reach == 0 ? 0 : -(b.start + b.offset) / b.reach;  // fraction of the reach at which z = 0
     if (!(part > 0)) return b.start;
     return b.start + b.reach * std::pow(std::pow(part, -b.sharpness) - 1, -1 / b.sharpness);
   }
-  /// The integral of z along a branch [m^2].
+  /// Integral of z along a branch [m^2].
   static double elastic_work(const Branch& b, double from, double to) noexcept {
     const double turn = b.start + b.offset, straight = turn * (to - from);
     if (b.reach == 0) return straight;
     return straight + b.reach * b.reach * curve_area((from - b.start) / b.reach, (to - b.start) / b.reach, b.sharpness);
   }
-  /// The integral of x/(1 + x^R)^(1/R) between two x. On each side of the knee it is a hypergeometric function, by
-  /// Pfaff's transformation a series in u = x^R/(1 + x^R), or in 1 - u beyond the knee (Abramowitz & Stegun, 15.3.4).
+  /// Integral of x/(1 + x^R)^(1/R) between two x. On each side of the intersection it is a hypergeometric function: by
+  /// Pfaff's transformation a series in u = x^R/(1 + x^R), or in 1 - u beyond it (Abramowitz & Stegun, 15.3.4).
   static double curve_area(double from, double to, double R) noexcept {
     if (R < 1.1)
       return integral([R](double x) { return x > 0 ? x * std::pow(1 + std::pow(x, R), -1 / R) : x; }, from, to, 1e-13);
@@ -311,12 +309,12 @@ struct MenegottoPinto {
     const double p = std::pow(x, R);
     return 0.5 * x * x * std::exp(-std::log1p(p) / R) * series(1 / R, 1 + 2 / R, p / (1 + p));
   }
-  /// Likewise beyond it, but for a constant.
+  /// As area_before_knee() beyond the intersection, up to a constant.
   static double area_beyond_knee(double x, double R) noexcept {
     const double p = std::pow(x, -R);
     return x * std::exp(-std::log1p(p) / R) * series(1 / R, 1 - 1 / R, p / (1 + p));
   }
-  /// The hypergeometric function with the parameters a, 1 and c at u in [0, 1/2].
+  /// Hypergeometric function with parameters a, 1 and c at u in [0, 1/2].
   static double series(double a, double c, double u) noexcept {
     double sum = 1, term = 1;
     for (int n = 0; term > 1e-17 * sum; ++n) sum += term *= (a + n) / (c + n) * u;

@@ -13,30 +13,31 @@
 
 namespace pounding::hysteresis {
 
-/// Backbone of two or three lines; unloads with k_u, and from zero force goes straight to the largest deformation ever
-/// on that side.
+/// Backbone of two or three lines; unloading with k_u, and reloading from zero force towards the extreme earlier
+/// deformation on that side.
 ///
-/// k [N/m] initial stiffness, Fy [N] yield force at dy = Fy/k, b [-] stiffness after it over k; with a cracking force
-/// Fc < Fy the second line leads from Fc to Fy at a given dy. D [m] largest deformation on a side, at least that of the
-/// first break (dc, Fc): k_u = (Fc + Fy)/(dc + dy) (dy/D)^e beyond the yield, [Fc + f(D)]/(dc + D) between cracking and
-/// yield, and never below f(D)/D. e = 0: Clough & Johnston 1966; e = 0.5: Takeda, Sozen & Nielsen 1970, J. Struct. Div.
-/// 96:2557, simplified by Otani 1974.
+/// k [N/m] initial stiffness, Fy [N] yield force at dy = Fy/k, b [-] ratio of post-yield to initial stiffness. With a
+/// cracking force Fc < Fy, the second line leads from Fc to Fy at a given dy. D [m] is the maximum deformation on a
+/// side, at least that of the first corner (dc, Fc). k_u = (Fc + Fy)/(dc + dy) (dy/D)^e after yield, [Fc + f(D)]/(dc +
+/// D) between cracking and yield, and never below f(D)/D. e = 0: Clough & Johnston 1966; e = 0.5: Takeda, Sozen &
+/// Nielsen 1970, J. Struct. Div. 96:2557, simplified by Otani 1974.
 ///
-/// A way that turns back below an inner peak leads straight on to the old one, as OpenSees' Hysteretic does. A line
-/// towards the old peak is never steeper than k_u of its side: it then meets the backbone further out, without a jump
-/// of the force.
+/// After a reversal below an inner peak, the path leads straight to the earlier peak, as in the Hysteretic material of
+/// OpenSees. A line towards the earlier peak is never steeper than k_u of its side; it then meets the backbone further
+/// out, so the force is continuous.
 struct PeakOriented {
   static constexpr std::string_view
       name = "peak_oriented",
       shape = "f towards (D, f(D)) on loading, k_u = k (dy/D)^e on unloading, backbone beyond D";
-  static constexpr std::string_view summary = "reinforced concrete that loses stiffness: Clough, Takeda (Hysteretic)";
+  static constexpr std::string_view summary =
+      "reinforced concrete with stiffness degradation: Clough, Takeda (Hysteretic)";
   static constexpr std::string_view source =
       "Clough & Johnston 1966; Takeda, Sozen & Nielsen 1970, J. Struct. Div. 96:2557; Otani 1974";
   static constexpr std::string_view symbols =
       "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] largest deformation on the "
       "side, e [-] unloading exponent, b [-] hardening, Fc [N] cracking force";
   static constexpr std::string_view range =
-      "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the one before";
+      "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the previous one";
   static constexpr std::string_view beware =
       "corners at every zero of the force and every old peak; no pinching and no loss of strength; small inner "
       "cycles reload towards the largest peak, not the last one";
@@ -61,11 +62,11 @@ struct PeakOriented {
       Parameter{{"yield_deformation", "m", "deformation at the yield force, beside cracking_force", 0.03, Need::extra},
                 &PeakOriented::deformation_at_yield}};
 
-  /// Rule that is followed: the first line, the backbone beyond it, back from a turning point, towards the largest
+  /// Current rule: the first line, the backbone beyond it, unloading from a reversal, reloading towards the maximum
   /// deformation.
   enum class Rule : int { elastic, backbone, unloading, reloading };
-  /// `start`, `force`, `slope`: line of the last two rules. `side` is the sign of the force. `most`: D up and down, 0
-  /// before cracking.
+  /// `start`, `force`, `slope`: line of the last two rules. `side` is the sign of the force. The array contains D in
+  /// the positive and negative direction, 0 before cracking.
   struct State {
     double deformation = 0;
     Rule rule = Rule::elastic;
@@ -76,9 +77,9 @@ struct PeakOriented {
   static constexpr std::array state{
       StateValue<PeakOriented>{{"rule", "", "0 elastic, 1 backbone, 2 unloading, 3 reloading"},
                                [](const State& kept) { return static_cast<double>(kept.rule); }},
-      StateValue<PeakOriented>{{"largest", "m", "largest deformation ever upwards, 0 before the first break"},
+      StateValue<PeakOriented>{{"largest", "m", "maximum deformation, 0 before the first corner"},
                                [](const State& kept) { return kept.most[0]; }},
-      StateValue<PeakOriented>{{"least", "m", "largest deformation ever downwards, negative"},
+      StateValue<PeakOriented>{{"least", "m", "minimum deformation, negative"},
                                [](const State& kept) { return -kept.most[1]; }}};
 
   void check() const {
@@ -87,7 +88,7 @@ struct PeakOriented {
     if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
     if (!(unloading >= 0 && unloading <= 1)) laws::refuse("unloading", unloading, "in [0, 1]");
     if (cracking_force.has_value() != deformation_at_yield.has_value())
-      throw std::invalid_argument("peak_oriented takes cracking_force and yield_deformation together");
+      throw std::invalid_argument("peak_oriented needs both cracking_force and yield_deformation, or neither");
     if (!cracking_force) return;
     laws::require_positive("cracking_force", cracking_force);
     laws::require_positive("yield_deformation", deformation_at_yield);
@@ -99,7 +100,7 @@ struct PeakOriented {
                    "above yield_force/stiffness, " + laws::number_text(yield_force / initial_stiffness));
     if (hardening * initial_stiffness >= slope)
       laws::refuse("hardening", hardening,
-                   "below that of the line before the yield, " + laws::number_text(slope / initial_stiffness));
+                   "below that of the line before yield, " + laws::number_text(slope / initial_stiffness));
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return deformation_at_yield.value_or(yield_force / initial_stiffness); }
@@ -114,7 +115,7 @@ struct PeakOriented {
     return {force_at(end, d) - initial_stiffness * d, slope_at(end) - initial_stiffness};
   }
   State advance(const State& kept, double d) const noexcept { return moved(kept, d); }
-  /// Energy that unloading to zero force gives.
+  /// Energy recovered by unloading to zero force.
   double stored(const State& kept) const noexcept {
     const double f = force_at(kept, kept.deformation);
     return f == 0 ? 0 : 0.5 * f * f / unloading_slope(kept);
@@ -141,7 +142,7 @@ struct PeakOriented {
   }
 
  private:
-  // Deformations of a side are counted along its sign: a = side d.
+  // Deformations of a side are measured in the direction of its sign: a = side d.
 
   double first_force() const noexcept { return cracking_force.value_or(yield_force); }
   double first_break() const noexcept { return first_force() / initial_stiffness; }
@@ -158,7 +159,7 @@ struct PeakOriented {
     if (s.rule == Rule::elastic) return initial_stiffness * d;
     return s.rule == Rule::backbone ? s.side * backbone(s.side * d) : s.force + s.slope * (d - s.start);
   }
-  /// On the way that ends here.
+  /// Slope on the path that ends here.
   double slope_at(const State& s) const noexcept {
     if (s.rule == Rule::elastic) return initial_stiffness;
     if (s.rule != Rule::backbone) return s.slope;
@@ -176,12 +177,12 @@ struct PeakOriented {
     return s.rule == Rule::unloading ? s.slope : unloading_slope(largest(s, s.side));
   }
 
-  /// Whether the unloading began on the backbone.
+  /// True if the unloading began on the backbone.
   bool is_on_backbone(const State& s) const noexcept {
     const double a = s.side * s.start;
     return a >= largest(s, s.side) && s.side * s.force >= backbone(a) - 1e-12 * yield_force;
   }
-  /// The line from here towards the largest deformation of a side.
+  /// Starts the line from here towards the maximum deformation of a side.
   State reloaded(State s, int side, double force) const noexcept {
     const double a = side * s.deformation, f = side * force, target = largest(s, side), limit = unloading_slope(target);
     const double slope = target > a ? (backbone(target) - f) / (target - a) : limit;
@@ -192,12 +193,12 @@ struct PeakOriented {
     s.slope = slope > 0 ? std::min(slope, limit) : limit;
     return s;
   }
-  /// Where that line meets the backbone [m], as a deformation of the side.
+  /// Intersection of that line with the backbone [m], as a deformation of the side.
   double end_of_reloading(const State& s) const noexcept {
     const double a = s.side * s.start, f = s.side * s.force, target = largest(s, s.side);
     const double miss = f + s.slope * (target - a) - backbone(target);
     if (!(miss < -1e-12 * yield_force)) return target;
-    // Too flat for its target: beyond it the backbone is flatter still.
+    // The line passes below its target; beyond it the backbone is flatter still.
     const double dy = yield_deformation();
     if (target < dy) {
       const double meets = target - miss / (s.slope - second_slope());
@@ -207,7 +208,7 @@ struct PeakOriented {
     return target - miss / (s.slope - hardening * initial_stiffness);
   }
 
-  /// The state at the start of a way: a turn changes the rule.
+  /// State at the start of a path: a reversal changes the rule.
   State begun(State s, int way) const noexcept {
     if (s.rule == Rule::elastic || s.rule == Rule::unloading || way == s.side) return s;
     const double force = force_at(s, s.deformation);
@@ -218,7 +219,7 @@ struct PeakOriented {
     s.force = force;
     return s;
   }
-  /// The end of the rule on a way that goes on for ever; infinite where there is none.
+  /// End of the rule on an unbounded path; infinite if there is none.
   double end_of_rule(const State& s, int way) const noexcept {
     const double never = way * HUGE_VAL;
     switch (s.rule) {
@@ -238,7 +239,7 @@ struct PeakOriented {
         s.rule = Rule::backbone;
         s.side = way;
         break;
-      case Rule::backbone: break;  // its second line
+      case Rule::backbone: break;  // second line of the backbone
       case Rule::unloading:
         if (way != s.side) return reloaded(s, way, 0);
         if (!is_on_backbone(s)) return reloaded(s, s.side, s.force);
@@ -248,13 +249,13 @@ struct PeakOriented {
     }
     return s;
   }
-  /// Calls visit(state at its beginning, its end) for every straight piece of the way, until it says false.
+  /// Calls visit(state at the start, end) for every straight piece of the path, until it returns false.
   template <class Visit>
   void walk(const State& kept, double d, Visit&& visit) const noexcept {
     if (d == kept.deformation) return;
     const int way = d < kept.deformation ? -1 : 1;
     State s = begun(kept, way);
-    // No way has more pieces than unloading, reloading and three lines of the backbone.
+    // The maximum number of pieces is five: unloading, reloading and three lines of the backbone.
     for (int piece = 0; piece < 8; ++piece) {
       const double end = end_of_rule(s, way);
       if (!(way * (d - end) > 0)) {

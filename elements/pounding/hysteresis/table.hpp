@@ -1,5 +1,5 @@
 #pragma once
-/// The tables in which a law of yielding describes itself, for parser, reports, tests and documentation.
+/// Tables that describe a hysteretic law, for parser, reports, tests and documentation.
 
 #include <cstddef>
 #include <span>
@@ -15,13 +15,13 @@ using laws::Need;
 using laws::Parameter;
 using laws::ParameterInfo;
 
-/// A parameter that is one of some words, the first of them by default.
+/// A parameter that takes one of several keywords; the first is the default.
 struct ChoiceInfo {
   std::string_view name, meaning;
   std::span<const std::string_view> words;
 };
 
-/// Such a parameter of the law L; `set` takes the place of the word.
+/// Such a parameter of the law L; `set` takes the index of the keyword.
 template <class L>
 struct Choice {
   ChoiceInfo info;
@@ -29,12 +29,12 @@ struct Choice {
   std::size_t (*get)(const L&) = nullptr;
 };
 
-/// A number of the state of a law, beside its deformation.
+/// A state variable of a law, other than its deformation.
 struct StateInfo {
   std::string_view name, unit, meaning;
 };
 
-/// Such a number, and how to read it.
+/// Such a variable and its accessor.
 template <class L>
 struct StateValue {
   StateInfo info;

@@ -1,6 +1,6 @@
 #pragma once
-/// The one list of contact laws. Parser, reports, bindings, documentation and the contract test read it: a new law
-/// needs its header and two lines here. Sources that are linked with Pounding::links include compiled.hpp instead.
+/// Registry of contact laws, read by parser, reports, bindings, documentation and contract test. To add a law, write
+/// its header and add two lines here. Sources that link Pounding::links include compiled.hpp instead.
 
 #include <span>
 #include <string_view>
@@ -27,7 +27,7 @@
 
 namespace pounding::laws {
 
-/// One of the laws of this library.
+/// Any law of this library.
 using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Komodromos, ModifiedLinearViscoelastic,
                             ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono,
                             AdamsImpact, LimitedDamper, Stereomechanical, Elastoplastic, Backfill>;
@@ -44,7 +44,7 @@ inline const Entry& find_law(std::string_view name) { return Laws::find(name); }
 /// a missing required one, a wrong value, damping given twice or not at all, and a formula without a restitution.
 inline AnyLaw make_law(const Settings& settings) { return Laws::make(settings); }
 
-/// The entry of a made law.
+/// Entry of a law object.
 inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }
 
 }  // namespace pounding::laws

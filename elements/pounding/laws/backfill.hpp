@@ -9,20 +9,19 @@
 
 namespace pounding::laws {
 
-/// F = d/(1/K + Rf d/Fu) while the soil is pressed further than ever, K_ur (d - r) while it is not; what is pressed in
-/// opens the gap.
+/// F = d/(1/K + Rf d/Fu) in first loading, K_ur (d - r) in unloading and reloading; the residual depth opens the gap.
 ///
-/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] its stiffness on unloading and reloading, Rf
-/// [-] failure ratio, Fu [N] ultimate passive force; the hyperbola ends at Fu/Rf. d [m] is counted from the soil that
-/// nothing has pressed, d_m the deepest one so far, r = d_m - F(d_m)/K_ur what stays pressed in. Duncan & Mokwa 2001,
-/// J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, which has the signs turned round. The wall and
-/// the soil have no mass; there is no dashpot.
+/// K [N/m] initial stiffness of the soil behind a wall, K_ur >= K [N/m] unloading and reloading stiffness, Rf [-]
+/// failure ratio, Fu [N] ultimate passive force; the hyperbola tends to Fu/Rf. d [m] is measured from the undisturbed
+/// soil, d_m is the running maximum of d, and r = d_m - F(d_m)/K_ur is the residual depth. Duncan & Mokwa 2001, J.
+/// Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial, with opposite signs. Wall and soil are massless
+/// and without a dashpot.
 struct Backfill {
   static constexpr std::string_view
       name = "backfill",
       shape = "F = d/(1/K + Rf d/Fu) for d = d_m, K_ur (d - r) for d < d_m; r = d_m - F(d_m)/K_ur";
   static constexpr std::string_view summary =
-      "wall with backfill: a hyperbola, steeper unloading, what is pressed in stays (HyperbolicGapMaterial)";
+      "wall with backfill: hyperbolic loading, steeper unloading, residual depth (HyperbolicGapMaterial)";
   static constexpr std::string_view source =
       "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial";
   static constexpr std::string_view symbols =
@@ -49,7 +48,7 @@ struct Backfill {
       Parameter{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength}};
 
   void check() const { soil().check(); }
-  /// Its curves.
+  /// Loading and unloading curves.
   Hyperbola soil() const noexcept { return {stiffness, unloading, failure_ratio, strength}; }
 
   /// d_m [m].
@@ -66,19 +65,19 @@ struct Backfill {
     if (!(d < deepest)) return {soil().force(d), soil().slope(d), 0};
     return {unloading * (d - soil().left(deepest)), unloading, 0};
   }
-  /// Area below the line of unloading [J].
+  /// Area under the unloading line [J].
   double stored_energy(double penetration, const Impact& impact) const noexcept {
     const double d = depth(penetration, impact);
     return soil().stored(std::max(d, crushed(impact)), d);
   }
-  /// Changes sign where the slope jumps, at the deepest d so far [m].
+  /// Changes sign at the maximum d reached, where the slope jumps [m].
   double corner(double penetration, double, const Impact& impact) const noexcept {
     return depth(penetration, impact) - crushed(impact);
   }
   Response respond(double d, double rate, const Impact& at) const noexcept { return pressed(*this, d, rate, at); }
 
  private:
-  // The penetration counts from what earlier impacts have left.
+  // Penetration from the undisturbed soil, including the residual depth of earlier impacts.
   double depth(double penetration, const Impact& impact) const noexcept {
     return penetration + soil().left(impact.crushed);
   }

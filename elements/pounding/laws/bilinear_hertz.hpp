@@ -14,8 +14,9 @@
 
 namespace pounding::laws {
 
-/// Restitution of the bilinear law at its design speed, where a Hertz spring of the same k would reach d_m; loss = dE
-/// over the kinetic energy. With k d_m^(n-1) = d_m = 1 the loading curve stores 1/(n+1) at the penetration p reached.
+/// Restitution of the bilinear law at its design speed, at which a Hertz spring with the same k reaches d_m; loss is
+/// the ratio of dE to the kinetic energy. In units with k d_m^(n-1) = d_m = 1, the loading curve stores 1/(n+1) up to
+/// the penetration reached.
 inline double restitution_of_bilinear_loss(double loss, double exponent, double yield_ratio) {
   const double y = yield_ratio, share = loss / (exponent + 1), energy = 1 / (exponent + 1);
   const double k1 = 1 + share / y, k2 = 1 - share / (1 - y);
@@ -25,22 +26,22 @@ inline double restitution_of_bilinear_loss(double loss, double exponent, double 
   return std::sqrt(std::max(0.0, 1 - (k1 - k2) * y * q / energy));
 }
 
-/// The largest loss a bilinear law can be designed for: there its second stiffness vanishes.
+/// Upper bound on the loss that a bilinear law can be designed for; the second stiffness vanishes there.
 inline double largest_bilinear_loss(double exponent, double yield_ratio) { return (exponent + 1) * (1 - yield_ratio); }
 
-/// loss = 1 - e^2. Muthukumar & DesRoches 2006: the loop area is right when d_m is reached, which it is not.
+/// loss = 1 - e^2. Muthukumar & DesRoches 2006: assumes that the impact reaches d_m, which it does not.
 inline double muthukumar_desroches(const CalibrationTarget& q) { return 1 - q.restitution * q.restitution; }
 
-/// loss with which the law gives e at its design speed. Throws std::invalid_argument when no loss does.
+/// loss at which the law has restitution e at its design speed. Throws std::invalid_argument if there is none.
 inline double exact_bilinear_loss(const CalibrationTarget& q) {
   const double e = q.restitution, high = largest_bilinear_loss(q.exponent, q.yield_ratio);
   const double least = restitution_of_bilinear_loss(high, q.exponent, q.yield_ratio);
   if (e <= least)
     throw std::invalid_argument("restitution " + number_text(e) +
-                                " cannot be reached by bilinear_hertz with yield_ratio " + number_text(q.yield_ratio) +
-                                ", which gives more than " + number_text(least) +
-                                "; take another restitution, yield_ratio or law");
-  // Squares: the restitution itself leaves 1 with a finite slope, but its square is smoother where e is small.
+                                " is out of reach of bilinear_hertz with yield_ratio " + number_text(q.yield_ratio) +
+                                "; the restitution must exceed " + number_text(least) +
+                                "; change restitution, yield_ratio or law");
+  // The square of the restitution is a smoother function of the loss than the restitution itself, where e is small.
   const auto miss = [&](double loss) {
     const double obtained = restitution_of_bilinear_loss(loss, q.exponent, q.yield_ratio);
     return obtained * obtained - e * e;
@@ -48,19 +49,20 @@ inline double exact_bilinear_loss(const CalibrationTarget& q) {
   return find_root(miss, 0, 1 - e * e, high, miss(high));
 }
 
-/// Stiffness K1 up to the yield point, then K2; unloading along K1 down to the line K2 d, then along it to zero.
+/// Stiffness K1 up to the yield point, then K2; unloading along K1 to the line K2 d, then along that line to zero.
 ///
-/// F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y], a spring K2 beside an elastic-plastic one with slip s [m].
-/// K1 = K_eff + dE/(a_y d_m^2), K2 = K_eff - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m], K_eff = k d_m^(n-1),
-/// dE = loss k d_m^(n+1)/(n+1) [J]; k [N/m^n], n >= 1 [-], a_y [-] yield_ratio, m [kg] reduced mass, d [m].
-/// d_m [m] is the penetration of a Hertz spring at the closing speed, or at impact_velocity. A contact that closes
-/// nearly at rest would be very soft: at a closed gap, and wherever other forces press it far beyond d_m, it is refused
-/// without a fixed impact_velocity. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811; OpenSees ImpactMaterial.
-/// Never pulls. The published loss gives more than asked, because the loading curve stores more than the Hertz spring
-/// (0.50 asked gives 0.69).
+/// F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y]: a spring K2 in parallel with an elastic-plastic spring with slip s
+/// [m]. K1 = K_eff + dE/(a_y d_m^2), K2 = K_eff - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m], K_eff = k d_m^(n-1), dE
+/// = loss k d_m^(n+1)/(n+1) [J]; k [N/m^n], n >= 1 [-], a_y [-] yield_ratio, m [kg] reduced mass, d [m]. d_m [m] is the
+/// penetration of a Hertz spring at the closing speed, or at impact_velocity. Never pulls.
 ///
-/// Instead of all this K1, K2 and d_y may be given themselves, as initial_stiffness, secondary_stiffness and
-/// yield_penetration: as OpenSees takes them, the same for every impact.
+/// A contact that closes almost at rest would be very soft. Without a fixed impact_velocity it is rejected at a closed
+/// gap, and if other forces press it far beyond d_m. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811;
+/// OpenSees ImpactMaterial. The published loss yields a higher restitution than its target (0.69 for 0.50), because the
+/// loading curve stores more energy than the Hertz spring.
+///
+/// Alternatively K1, K2 and d_y are given as initial_stiffness, secondary_stiffness and yield_penetration, as in
+/// OpenSees. They are then the same for every impact.
 struct BilinearHertz {
   static constexpr std::string_view name = "bilinear_hertz", shape = "F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y]";
   static constexpr std::string_view summary =
@@ -68,10 +70,10 @@ struct BilinearHertz {
   static constexpr std::string_view source = "Muthukumar & DesRoches 2006, EESD 35:811; OpenSees ImpactMaterial";
   static constexpr std::string_view symbols =
       "K1, K2 = k d_m^(n-1) + dE/(a_y d_m^2), k d_m^(n-1) - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m] yield "
-      "penetration, s [m] slip, d_m [m] penetration of a Hertz spring of k at the closing speed, dE = loss k "
+      "penetration, s [m] slip, d_m [m] penetration of a Hertz spring k at the closing speed, dE = loss k "
       "d_m^(n+1)/(n+1) [J]";
   static constexpr std::string_view range =
-      "n >= 1, restitutions that leave K2 positive: with a_y = 0.1 and n = 1.5 above 0.354 for exact, all for the "
+      "n >= 1, restitutions for which K2 is positive: for a_y = 0.1 and n = 1.5, above 0.354 with exact, any with the "
       "published loss";
   static constexpr std::string_view beware =
       "the springs are made for the closing speed of each impact, so a contact that closes nearly at rest and is "
@@ -81,19 +83,19 @@ struct BilinearHertz {
 
   static constexpr std::array formulas{
       Formula{"exact", "root of e(loss) = e at the design speed", "closed form",
-              "gives what is asked at the design speed", &exact_bilinear_loss},
+              "reaches the target restitution at the design speed", &exact_bilinear_loss},
       Formula{"muthukumar_desroches", "loss = 1 - e^2", "Muthukumar & DesRoches 2006, EESD 35:811",
-              "0.50 asked gives 0.69", &muthukumar_desroches}};
+              "yields 0.69 for a target of 0.50", &muthukumar_desroches}};
 
   double stiffness = 0;                     ///< k [N/m^n]
   double exponent = 1.5;                    ///< n [-]
   double yield_ratio = 0.1;                 ///< a_y = d_y/d_m [-]
   std::optional<double> restitution{};      ///< e in (0, 1]
-  std::optional<double> impact_velocity{};  ///< fixed design velocity instead of the fresh closing speed [m/s]
+  std::optional<double> impact_velocity{};  ///< fixed design velocity; default: closing speed of each impact [m/s]
   double reduced_mass = 0;                  ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
-  std::optional<double> initial_stiffness{};    ///< K1 [N/m], or with the next two instead of all above
+  std::optional<double> initial_stiffness{};    ///< K1 [N/m]; given with the next two instead of all parameters above
   std::optional<double> secondary_stiffness{};  ///< K2 <= K1 [N/m]
   std::optional<double> yield_penetration{};    ///< d_y [m]
 
@@ -109,7 +111,7 @@ struct BilinearHertz {
       Parameter{{"yield_penetration", "m", "penetration d_y at the yield", 8.6e-4, Need::together},
                 &BilinearHertz::yield_penetration}};
 
-  /// Whether K1, K2 and d_y are given, and not made for a restitution.
+  /// True if K1, K2 and d_y are given; false if they are designed for a restitution.
   bool is_given() const noexcept { return initial_stiffness.has_value(); }
 
   void check() const {
@@ -122,17 +124,17 @@ struct BilinearHertz {
     require_positive("impact_velocity", impact_velocity);
     require_positive("reduced_mass", reduced_mass);
     if (damping_number(1) > largest_bilinear_loss(exponent, yield_ratio))
-      refuse("yield_ratio", yield_ratio, "small enough to keep the second stiffness positive at this restitution");
+      refuse("yield_ratio", yield_ratio, "small enough for a positive second stiffness at this restitution");
   }
 
-  /// loss = dE over the kinetic energy at the design speed [-]; 0 where the curve is given.
+  /// loss, the ratio of dE to the kinetic energy at the design speed [-]; 0 for given K1, K2 and d_y.
   double damping_number(double) const {
     if (is_given()) return 0;
     return formula({.restitution = *restitution, .exponent = exponent, .yield_ratio = yield_ratio});
   }
   double damping_for(double closing_speed) const { return damping_number(closing_speed); }
 
-  /// The bilinear curve of an impact [N/m], [N/m], [m].
+  /// Bilinear curve of an impact [N/m], [N/m], [m].
   struct Curve {
     double k1 = 0, k2 = 0, yield = 0;
   };
@@ -143,9 +145,9 @@ struct BilinearHertz {
     return {k * (1 + share / yield_ratio), k * (1 - share / (1 - yield_ratio)), yield_ratio * dm};
   }
 
-  /// Whether the curve depends on the closing speed of each impact.
+  /// True if the curve depends on the closing speed of each impact.
   bool needs_closing_speed() const noexcept { return !is_given() && !impact_velocity; }
-  /// k p^(n-1) over K_eff, see designed_for_speed.
+  /// Ratio of k p^(n-1) to K_eff, see designed_for_speed.
   double softening(double penetration, const Impact& impact) const noexcept {
     const double dm = design_penetration(std::max(impact.closing_speed, slowest_closing_speed));
     return std::pow(std::max(penetration, 0.0) / dm, exponent - 1);
@@ -163,7 +165,7 @@ struct BilinearHertz {
     const double stretch = std::clamp(penetration - impact.slip, 0.0, yield);
     return 0.5 * (k2 * penetration * penetration + (k1 - k2) * stretch * stretch);
   }
-  /// Changes sign where the slope jumps, at both ends of the elastic range [m].
+  /// Changes sign at both ends of the elastic range, where the slope jumps [m].
   double corner(double penetration, double, const Impact& impact) const noexcept {
     const double stretch = penetration - impact.slip;
     return std::min(stretch, curve(impact).yield - stretch);
@@ -182,7 +184,7 @@ struct BilinearHertz {
   void check_given() const {
     if (!(initial_stiffness && secondary_stiffness && yield_penetration))
       throw std::invalid_argument(
-          "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration together");
+          "bilinear_hertz needs all three of initial_stiffness, secondary_stiffness and yield_penetration, or none");
     require_positive("initial_stiffness", initial_stiffness);
     require_positive("secondary_stiffness", secondary_stiffness);
     require_positive("yield_penetration", yield_penetration);
@@ -192,8 +194,8 @@ struct BilinearHertz {
              "at most the initial_stiffness, " + number_text(*initial_stiffness));
     if (restitution || impact_velocity)
       throw std::invalid_argument(
-          "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without " +
-          std::string(restitution ? "restitution" : "impact_velocity") + ", which would have no effect");
+          "with initial_stiffness, secondary_stiffness and yield_penetration, bilinear_hertz takes no " +
+          std::string(restitution ? "restitution" : "impact_velocity") + "; remove it");
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Laws by name, for any variant of laws: the catalogue, making a law from settings, and describing a made law.
-/// Everything is read from the laws' own tables. all.hpp applies it to the laws of this library.
+/// Laws by name, for any variant of laws: the catalogue, creation of a law from settings, and description of a law. All
+/// data are read from the tables of the laws. all.hpp applies it to the laws of this library.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@
 
 namespace pounding::laws {
 
-/// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law
-/// without damping. Throws std::invalid_argument where the formula has no value for the law's restitution.
+/// Dimensionless damping number of a law at this closing speed [m/s], named by Entry::number; 0 if the law has no
+/// damping. Throws std::invalid_argument if the formula is undefined for the restitution of the law.
 template <class... L>
 double damping_number(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -32,8 +32,8 @@ double damping_number(const std::variant<L...>& law, double closing_speed) {
       law);
 }
 
-/// Damping coefficient of a made law at this closing speed [m/s], in the unit of Entry::coefficient; 0 for a law
-/// without damping. Throws as damping_number does.
+/// Damping coefficient of a law at this closing speed [m/s], in the unit of Entry::coefficient; 0 if the law has no
+/// damping. Throws like damping_number.
 template <class... L>
 double damping_coefficient(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -98,7 +98,7 @@ L law_from(const Settings& s) {
   } else if (s.restitution) {
     throw std::invalid_argument(
         law_name + " takes no restitution: " +
-        (leaves_indentation<L> ? "what it loses follows from its curves" : "it loses no energy"));
+        (leaves_indentation<L> ? "its dissipation follows from its curves" : "it dissipates no energy"));
   }
 
   if (!s.formula.empty()) {
@@ -109,7 +109,7 @@ L law_from(const Settings& s) {
                                     suggestion(s.formula, names(L::formulas)));
       if (!s.restitution)
         throw std::invalid_argument("formula \"" + excerpt(s.formula) +
-                                    "\" needs a restitution to find the damping of " + law_name);
+                                    "\" needs a restitution to compute the damping of " + law_name);
       law.formula = found->function;
     } else {
       throw std::invalid_argument(law_name + " takes no formula: it has no damping to calibrate");
@@ -119,8 +119,8 @@ L law_from(const Settings& s) {
   if constexpr (requires { law.impact_velocity; })
     law.impact_velocity = s.impact_velocity;
   else if (s.impact_velocity)
-    throw std::invalid_argument(law_name + " takes no impact_velocity: nothing in it depends on one");
-  require_not_negative("reduced_mass", s.reduced_mass);  // 0 is none, for laws that need none
+    throw std::invalid_argument(law_name + " takes no impact_velocity: it does not depend on the closing speed");
+  require_not_negative("reduced_mass", s.reduced_mass);  // 0: not given, for laws that need no mass
   if constexpr (requires { law.reduced_mass; }) law.reduced_mass = s.reduced_mass;
   law.check();
   return law;
@@ -128,8 +128,8 @@ L law_from(const Settings& s) {
 
 namespace by_name {
 
-/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s]; of a law that is given
-/// by parameters that go together, these. Without a reduced mass there may be no number.
+/// Parameters of a law, its damping number and its coefficient at this closing speed [m/s]; only the parameters of kind
+/// `together` if these are given. The number may be missing without a reduced mass.
 template <class L>
 std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   double exponent = 1;
@@ -167,14 +167,14 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
 
 }  // namespace by_name
 
-/// The parameters of a made law, its damping number and its coefficient, for reports. Where the coefficient depends on
-/// the closing speed, it holds for `closing_speed` [m/s], which is then listed too.
+/// Parameters of a law, its damping number and its coefficient, for reports. A coefficient that depends on the closing
+/// speed is evaluated at `closing_speed` [m/s], which is then listed as well.
 template <class... L>
 std::vector<ResolvedValue> describe(const std::variant<L...>& law, double closing_speed = 1) {
   return std::visit([&](const auto& chosen) { return by_name::describe(chosen, closing_speed); }, law);
 }
 
-/// The formula that calibrates a made law; empty when its damping was given directly or it has none.
+/// Name of the calibration formula of a law; empty if its damping was given directly or it has none.
 template <class... L>
 std::string_view formula_name(const std::variant<L...>& law) noexcept {
   return std::visit(

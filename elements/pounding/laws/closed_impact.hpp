@@ -1,6 +1,6 @@
 #pragma once
-/// Free impacts in closed form, as far as a law has one: `closed_form` of the result says which values are known; the
-/// others are zero. Mass [kg], closing speed v [m/s].
+/// Closed forms of free impacts. `closed_form` of the result marks the known values; the others are zero. Mass [kg],
+/// closing speed v [m/s].
 
 #include <cmath>
 #include <limits>
@@ -24,7 +24,7 @@
 
 namespace pounding::laws {
 
-/// Energy and impulse follow from the restitution in every free impact.
+/// Sets energy and impulse, which follow from the restitution in every free impact.
 inline FreeImpact with_momentum(FreeImpact r, double m, double v) noexcept {
   r.energy_lost = 0.5 * m * v * v * (1 - r.restitution) * (1 + r.restitution);
   r.impulse = m * v * (1 + r.restitution);
@@ -44,14 +44,14 @@ inline FreeImpact elastic_impact(double k, double n, double m, double v) {
                        m, v);
 }
 
-/// A linear spring and dashpot of ratio z up to the largest penetration: its restitution and duration are left to the
-/// law.
+/// Linear spring and dashpot with damping ratio z up to the maximum penetration; the caller sets restitution and
+/// duration.
 inline FreeImpact oscillator_approach(double k, double z, double m, double v) {
   const double w = std::sqrt(k / m), angle = angle_ratio(z);
   FreeImpact r{.peak_force = 2 * z * m * w * v,
                .peak_penetration = v / w * std::exp(-z * angle),
                .closed_form = {true, true, true, true, true}};
-  if (z < 0.5) {  // else the jump at the touch is the largest force
+  if (z < 0.5) {  // otherwise the jump at the touch is the peak force
     const double phase = 3 * angle - std::numbers::pi / std::sqrt((1 - z) * (1 + z));
     r.peak_force = m * w * v * std::exp(-z * phase);
     r.time_of_peak = phase / w;
@@ -59,7 +59,7 @@ inline FreeImpact oscillator_approach(double k, double z, double m, double v) {
   return r;
 }
 
-/// For laws without a closed form, and laws of users: no value is known.
+/// Laws without a closed form, and user-defined laws: no value is known.
 template <class L>
 FreeImpact closed_impact(const L&, double, double) {
   return {};
@@ -73,7 +73,7 @@ inline FreeImpact closed_impact(const Hertz& law, double m, double v) {
   return elastic_impact(law.stiffness, law.exponent, m, v);
 }
 
-/// With zeta >= 1 the bodies never part: restitution 0, infinite duration.
+/// For zeta >= 1 the bodies never separate: restitution 0, infinite duration.
 inline FreeImpact closed_impact(const KelvinVoigt& law, double m, double v) {
   const double k = law.stiffness, z = law.damping_for(v) / (2 * std::sqrt(k * m));
   FreeImpact r = oscillator_approach(k, z, m, v);
@@ -83,7 +83,7 @@ inline FreeImpact closed_impact(const KelvinVoigt& law, double m, double v) {
   return with_momentum(r, m, v);
 }
 
-/// A linear spring k and dashpot c whose force is cut at zero.
+/// Linear spring k and dashpot c whose force is cut off at zero.
 inline FreeImpact cut_oscillator_impact(double k, double c, double m, double v) {
   const double z = c / (2 * std::sqrt(k * m));
   FreeImpact r = oscillator_approach(k, z, m, v);
@@ -108,14 +108,12 @@ inline FreeImpact closed_impact(const ModifiedLinearViscoelastic& law, double m,
   return with_momentum(r, m, v);
 }
 
-/// F = k d^n (1 + a d'/v): restitution, largest penetration and force by separation of variables.
+/// F = k d^n (1 + a d'/v): restitution, maximum penetration and peak force by separation of variables.
 inline FreeImpact proportional_impact(double k, double n, double zeta, double m, double v) {
   const double a = zeta * v / k;
   if (!(a > 0)) return elastic_impact(k, n, m, v);
   const double excess = log_excess(a), scale = m * (n + 1) * v * v / (k * a * a);
-  const auto rise = [&](double u) {
-    return u * n / (n + 1) + log_excess(u) - excess;
-  };  // zero where the force is largest
+  const auto rise = [&](double u) { return u * n / (n + 1) + log_excess(u) - excess; };  // zero at the peak force
   const double u = find_root(rise, 0, -excess, a, rise(a));
   return with_momentum({.restitution = restitution_of_factor(a),
                         .peak_force = k * std::pow(scale * n * u / (n + 1), n / (n + 1)) * (1 + u),
@@ -162,7 +160,7 @@ inline FreeImpact closed_impact(const BilinearHertz& law, double m, double v) {
                        m, v);
 }
 
-/// On sound surfaces. Unloading is the elastic impact at e v to a depth of e^2 d_m, and takes e times as long as
+/// On undamaged surfaces. Unloading is the elastic impact at e v to a depth of e^2 d_m, and lasts e times as long as
 /// loading.
 inline FreeImpact closed_impact(const Elastoplastic& law, double m, double v) {
   FreeImpact r = elastic_impact(law.stiffness, law.exponent, m, v);
@@ -171,7 +169,7 @@ inline FreeImpact closed_impact(const Elastoplastic& law, double m, double v) {
   return with_momentum(r, m, v);
 }
 
-/// An infinite force of zero duration.
+/// Infinite force of zero duration.
 inline FreeImpact closed_impact(const Stereomechanical& law, double m, double v) {
   return with_momentum({.restitution = law.restitution,
                         .peak_force = std::numeric_limits<double>::infinity(),

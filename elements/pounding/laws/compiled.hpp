@@ -1,6 +1,6 @@
 #pragma once
-/// The laws of the list for sources that are linked with Pounding::links, which holds their code: nothing of it is
-/// compiled again. all.hpp and free_impact.hpp alone give the same functions without a library.
+/// Instantiations of the laws, for sources that link Pounding::links, which contains the code: it is not compiled
+/// again. all.hpp and free_impact.hpp provide the same functions without a library.
 
 #include <pounding/laws/all.hpp>
 #include <pounding/laws/free_impact.hpp>

@@ -1,9 +1,10 @@
 #pragma once
-/// Calibration by the cyclic process of Naderpour, Barros & Khatami 2015 (section 6, Fig. 9): a formula is given an
-/// assumed restitution, the impact is analysed, the area of its hysteresis loop is compared with the kinetic energy
-/// that the restitution asked for would lose (Eq. 18), and the assumed restitution is changed until both are equal.
+/// Calibration by the cyclic process of Naderpour, Barros & Khatami 2015 (section 6, Fig. 9). A formula is evaluated
+/// for an assumed restitution and the impact is analysed. The area of its hysteresis loop is compared with the kinetic
+/// energy that an impact with the target restitution loses (Eq. 18). The assumed restitution is adjusted until both are
+/// equal.
 ///
-/// It needs no closed form, and where it converges it ends at the exact calibration, whichever formula it started from.
+/// It needs no closed form. If it converges, it yields the exact calibration, whatever the initial formula.
 
 #include <cmath>
 #include <optional>
@@ -19,23 +20,23 @@ namespace pounding::laws {
 
 /// One analysis of the process.
 struct CyclicAnalysis {
-  double assumed = 0;      ///< restitution that the formula was given
+  double assumed = 0;      ///< restitution passed to the formula
   double loop_area = 0;    ///< [J]
-  double restitution = 0;  ///< that the impact really had
+  double restitution = 0;  ///< restitution of the analysed impact
 };
 
 /// All analyses of the process.
 struct CyclicCalibration {
-  double kinetic_loss = 0;               ///< (1/2) m (1-e^2) v^2 of the restitution asked, the area that is wanted [J]
-  std::vector<CyclicAnalysis> analyses;  ///< in the order they were made; the last one has the area wanted
+  double kinetic_loss = 0;               ///< target area: (1/2) m (1-e^2) v^2 with the target restitution [J]
+  std::vector<CyclicAnalysis> analyses;  ///< in the order of analysis; the last one reaches the target area
 
-  double assumed() const { return analyses.back().assumed; }  ///< what the formula must be given
+  double assumed() const { return analyses.back().assumed; }  ///< restitution to pass to the formula
 };
 
-/// The process for the law and the formula of `settings`, whose own restitution is not used: e in (0, 1) asked, reduced
-/// mass [kg], closing speed [m/s]. Ends when the area is right to 1e-9 of itself. Throws std::invalid_argument for
-/// wrong settings, for a law without a loop or without a formula, and when no restitution that the formula takes makes
-/// the loop lose what is asked.
+/// Runs the process for the law and the formula of `settings`, whose own restitution is ignored: target e in (0, 1),
+/// reduced mass [kg], closing speed [m/s]. Stops at a relative error of the area of 1e-9. Throws std::invalid_argument
+/// for invalid settings, for a law without a loop or without a formula, and if no admissible restitution of the formula
+/// yields the target area.
 inline CyclicCalibration calibrate_cyclically(Settings settings, double restitution, double reduced_mass,
                                               double closing_speed) {
   constexpr double accuracy = 1e-9;
@@ -48,11 +49,11 @@ inline CyclicCalibration calibrate_cyclically(Settings settings, double restitut
                                    .impact_velocity = settings.impact_velocity,
                                    .reduced_mass = reduced_mass,
                                    .values = settings.values}),
-                         reduced_mass, closing_speed);  // what is wrong in itself is refused here, not by the search
+                         reduced_mass, closing_speed);  // reports invalid settings here rather than in the search
 
   CyclicCalibration result;
   result.kinetic_loss = 0.5 * reduced_mass * closing_speed * closing_speed * (1 - restitution) * (1 + restitution);
-  // Loop area over the one wanted, less one; nothing where the formula has no value.
+  // Relative excess of the loop area over its target; `nullopt` if the formula is undefined.
   const auto excess = [&](double assumed) -> std::optional<double> {
     settings.restitution = assumed;
     std::optional<AnyLaw> law;
@@ -71,9 +72,10 @@ inline CyclicCalibration calibrate_cyclically(Settings settings, double restitut
   std::optional<double> at_known = excess(known);
   if (!at_known) {
     settings.restitution = restitution;
-    make_law(settings);  // says why
+    make_law(settings);  // throws with the reason
   }
-  // Outward, towards less restitution when the loop is too small, by half of what is left each time.
+  // Brackets the root: towards a lower restitution if the loop is too small, halving the distance to the limit each
+  // time.
   double limit = *at_known < 0 ? 0 : 1, next = known;
   std::optional<double> at_next = at_known;
   while (*at_next * *at_known > 0) {
@@ -81,9 +83,9 @@ inline CyclicCalibration calibrate_cyclically(Settings settings, double restitut
     do {
       next = 0.5 * (known + limit);
       if (std::abs(next - limit) < 1e-9)
-        throw std::invalid_argument("the cyclic process does not end: formula \"" + settings.formula + "\" of " +
-                                    settings.law + " comes no nearer to a restitution of " + number_text(restitution) +
-                                    " than " + number_text(result.analyses.back().restitution));
+        throw std::invalid_argument("the cyclic process does not converge: formula \"" + settings.formula + "\" of " +
+                                    settings.law + " cannot reach a restitution of " + number_text(restitution) +
+                                    "; the nearest is " + number_text(result.analyses.back().restitution));
       at_next = excess(next);
       if (!at_next) limit = next;
     } while (!at_next);

@@ -1,6 +1,6 @@
 #pragma once
-/// Published formulas for damping as a function of the restitution e. Most miss the restitution that is asked: the
-/// notes beside them in the laws say by how much. Valid for 0 < e <= 1 unless said.
+/// Published formulas for the damping as a function of the restitution e. Few of them reach it exactly; the notes in
+/// the laws state the error. Valid for 0 < e <= 1 unless stated otherwise.
 ///
 /// Displacement-proportional damping, F = k d^n (1 + a d'/v): a [-].
 /// Linear dashpot, c = 2 zeta sqrt(k m): zeta [-]. Jankowski: xi [-]. Exact calibrations: exact_damping.hpp.
@@ -44,17 +44,17 @@ inline double ye_2009(const CalibrationTarget& q) { return 1.6 * (1 - q.restitut
 /// = 1.5.
 inline double hu_guo(const CalibrationTarget& q) { return 1.5 * (1 - q.restitution) / q.restitution; }
 
-/// a = 1/e, which is right for small e only. Gharib & Hurmuzlu 2012.
+/// a = 1/e, valid for small e only. Gharib & Hurmuzlu 2012.
 inline double gharib_hurmuzlu(const CalibrationTarget& q) { return 1 / q.restitution; }
 
 /// a = (k/v)^(N-1) (1-e^2)/e^M. Naderpour, Barros & Khatami 2015, Eqs. 15-17, from c_imp = (k/v)^N (1-e^2)/e^M = a k/v.
-/// N and M come from its Table 2, linearly between the rows; outside 0.1 <= e <= 0.9 there is no row, and
-/// std::invalid_argument is thrown. The formula is not homogeneous in units: k/v is taken in kN, m, s as printed.
+/// N and M are interpolated linearly in its Table 2; throws std::invalid_argument outside its range 0.1 <= e <= 0.9.
+/// The formula is not homogeneous in units: k/v is in kN, m, s as printed.
 inline double naderpour_2015(const CalibrationTarget& q) {
   static constexpr std::array<double, 9> N{1.05144, 1.04, 1.03092, 1.022, 1.0115, 0.9973, 0.9775, 0.95016, 0.9133};
   static constexpr std::array<double, 9> M{1.0025, 1.0017, 1.0005, 0.9945, 0.9862, 0.9754, 0.9668, 0.9551, 0.9512};
   const double e = q.restitution;
-  if (!(e >= 0.1 && e <= 0.9)) refuse("restitution", e, "in [0.1, 0.9] for naderpour_2015, the range of its Table 2");
+  if (!(e >= 0.1 && e <= 0.9)) refuse("restitution", e, "in [0.1, 0.9], the range of Table 2 of naderpour_2015");
   const double place = std::fmin(std::fmax(10 * e - 1, 0), 8);
   const auto row = static_cast<std::size_t>(std::fmin(place, 7));
   const double t = place - static_cast<double>(row);
@@ -63,7 +63,7 @@ inline double naderpour_2015(const CalibrationTarget& q) {
          std::pow(e, std::lerp(M[row], M[row + 1], t));
 }
 
-/// zeta = -ln e/sqrt(pi^2 + ln^2 e): exact for a linear dashpot in contact until d = 0; its limit 1 for e = 0.
+/// zeta = -ln e/sqrt(pi^2 + ln^2 e): exact for a linear dashpot in contact until d = 0; the limit 1 for e = 0.
 /// Anagnostopoulos 1988; paper Eq. 7.
 inline double anagnostopoulos(const CalibrationTarget& q) {
   if (q.restitution == 0) return 1;
@@ -80,8 +80,7 @@ inline double mahmoud_jankowski_2011(const CalibrationTarget& q) {
 /// zeta = (1-e^2)/(pi e), dashpot in the approach only. The first, simple form; paper Table 4.
 inline double simple_approach(const CalibrationTarget& q) { return gonthier(q) / std::numbers::pi; }
 
-/// zeta or xi = [2 (1-e^2)/(e sqrt(pi))]^2. Naderpour, Barros & Khatami 2015, Eq. 38: far too much damping below e =
-/// 0.85.
+/// zeta or xi = [2 (1-e^2)/(e sqrt(pi))]^2. Naderpour, Barros & Khatami 2015, Eq. 38: much too high below e = 0.85.
 inline double naderpour_2015_eq38(const CalibrationTarget& q) {
   return 4 / std::numbers::pi * gonthier(q) * gonthier(q);
 }

@@ -12,25 +12,28 @@
 
 namespace pounding::laws {
 
-/// d_p/d_m = 1 - e^2: the loading curve stores k d_m^(n+1)/(n+1), the unloading curve gives back (d_m - d_p)/d_m of it.
+/// d_p/d_m = 1 - e^2: the loading curve stores k d_m^(n+1)/(n+1), and unloading returns the fraction (d_m - d_p)/d_m of
+/// it.
 inline double exact_indentation(const CalibrationTarget& q) { return (1 - q.restitution) * (1 + q.restitution); }
 
-/// F = k d^n while the bodies crush, F_m [(d - d_p)/(d_m - d_p)]^n while they do not; what is left is added to the gap.
+/// F = k d^n in first loading, F_m [(d - d_p)/(d_m - d_p)]^n in unloading and reloading; the indentation is added to
+/// the gap.
 ///
-/// k [N/m^n], n >= 1 [-], d [m] penetration from the sound surface, d_m [m] the deepest one so far, F_m = k d_m^n [N],
-/// d_p = r d_m [m] indentation, r in [0, 1) [-]. Unloading begins 1/(1-r) times as steep as loading ends. At F = 0 the
-/// contact ends and d_p stays: later impacts meet a gap that is wider by d_p, press the unloading curve up to (d_m,
-/// F_m), and crush from there on. n = 1: Walton & Braun 1986, J. Rheol. 30:949, with k1 = k, k2 = k/e^2, e =
-/// sqrt(k1/k2). Any n: Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193. For concrete: van Mier et al. 1991, J. Struct.
-/// Eng. 117:354.
+/// k [N/m^n], n >= 1 [-], d [m] penetration from the undamaged surface, d_m [m] its running maximum, F_m = k d_m^n [N],
+/// d_p = r d_m [m] indentation, r in [0, 1) [-]. The initial unloading stiffness is 1/(1-r) times the final loading
+/// stiffness. At F = 0 the contact ends and d_p remains: later impacts find a gap that is wider by d_p, follow the
+/// unloading curve up to (d_m, F_m), and crush from there on. n = 1: Walton & Braun 1986, J. Rheol. 30:949, with k1 =
+/// k, k2 = k/e^2, e = sqrt(k1/k2). Any n: Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193. For concrete: van Mier et
+/// al. 1991, J. Struct. Eng. 117:354.
 ///
-/// A first impact has e = sqrt(1-r) at every speed. A later one with the energy E, after crushing up to E_m = k
-/// d_m^(n+1)/(n+1), has 1 where E <= e^2 E_m, else sqrt{e^2 [1 + (1-e^2) E_m/E]}.
+/// The first impact has e = sqrt(1-r) at every speed. A later impact with energy E, after crushing up to E_m = k
+/// d_m^(n+1)/(n+1), has restitution 1 if E <= e^2 E_m, otherwise sqrt{e^2 [1 + (1-e^2) E_m/E]}.
 struct Elastoplastic {
   static constexpr std::string_view name = "elastoplastic",
                                     shape =
                                         "F = k d^n for d = d_m, k d_m^n [(d-d_p)/(d_m-d_p)]^n for d < d_m; d_p = r d_m";
-  static constexpr std::string_view summary = "power spring that crushes: steeper unloading, the indentation stays";
+  static constexpr std::string_view summary =
+      "power-law spring with crushing: steeper unloading, permanent indentation";
   static constexpr std::string_view source =
       "Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193; n = 1: Walton & Braun 1986, J. Rheol. 30:949; for concrete: "
       "van Mier et al. 1991, J. Struct. Eng. 117:354";
@@ -45,9 +48,9 @@ struct Elastoplastic {
   static constexpr Quantity number{"indentation_ratio", ""}, coefficient{"indentation_ratio", ""};
   static constexpr bool leaves_indentation = true;
 
-  static constexpr std::array formulas{Formula{"exact", "r = 1 - e^2",
-                                               "closed form, the same for every n: Walton & Braun 1986",
-                                               "gives what is asked where the surfaces are sound", &exact_indentation}};
+  static constexpr std::array formulas{
+      Formula{"exact", "r = 1 - e^2", "closed form, the same for every n: Walton & Braun 1986",
+              "reaches the target restitution on undamaged surfaces", &exact_indentation}};
 
   double stiffness = 0;                       ///< k [N/m^n]
   double exponent = 1.5;                      ///< n [-]
@@ -93,17 +96,17 @@ struct Elastoplastic {
     }
     const double reach = (1 - impact.damping) * deepest, part = (d - impact.damping * deepest) / reach;
     const double top = stiffness * power(deepest, exponent).value;
-    // Continued as an odd function past the end of the force.
+    // Continued as an odd function beyond the zero of the force.
     const Power p = power(std::abs(part), exponent);
     return {top * std::copysign(p.value, part), top * p.slope / reach, 0};
   }
-  /// Area below the unloading curve [J].
+  /// Area under the unloading curve [J].
   double stored_energy(double penetration, const Impact& impact) const noexcept {
     const double d = penetration + impact.damping * impact.crushed, deepest = std::max(d, crushed(impact));
     const double reach = (1 - impact.damping) * deepest, part = std::max(d - impact.damping * deepest, 0.0) / reach;
     return stiffness * power(deepest, exponent).value * reach * power(part, exponent + 1).value / (exponent + 1);
   }
-  /// Changes sign where the slope jumps, at the deepest penetration so far [m].
+  /// Changes sign at the maximum penetration reached, where the slope jumps [m].
   double corner(double penetration, double, const Impact& impact) const noexcept {
     return penetration + impact.damping * impact.crushed - crushed(impact);
   }

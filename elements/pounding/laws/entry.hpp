@@ -1,6 +1,5 @@
 #pragma once
-/// Laws by what they are called and take: settings, entry in the catalogue, and the law that a wrong name probably
-/// meant.
+/// Laws by name and parameters: settings, catalogue entry, and the suggestion for a mistyped name.
 
 #include <algorithm>
 #include <functional>
@@ -16,30 +15,30 @@
 
 namespace pounding::laws {
 
-/// A law as an input names it. SI units.
+/// Settings of a law in an input. SI units.
 struct Settings {
   std::string law;
-  std::string formula;                                  ///< empty: "exact", when a restitution is given
-  std::optional<double> restitution{};                  ///< (0, 1], or 0 where the bodies stick
+  std::string formula;                                  ///< empty: "exact", if a restitution is given
+  std::optional<double> restitution{};                  ///< (0, 1], or 0 for laws in which the bodies stick
   std::optional<double> impact_velocity{};              ///< fixed design velocity [m/s]
-  double reduced_mass = 0;                              ///< of the colliding bodies [kg]; unused by some laws
+  double reduced_mass = 0;                              ///< of the colliding bodies [kg]; ignored by some laws
   std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
 };
 
-/// One law of the catalogue, read from the tables of its struct.
+/// Catalogue entry of a law, read from the tables of its struct.
 struct Entry {
   std::string_view name, shape, summary, source;
-  std::string_view symbols;  ///< what the letters of the shape mean, with units, beside F, d, d', v and m
-  std::string_view range;    ///< where the law holds
-  std::string_view beware;   ///< jumps, tension, what depends on the speed
-  std::span<const ParameterInfo> parameters;  ///< beside restitution, impact_velocity and reduced_mass
-  std::span<const Formula> formulas;          ///< "exact" first; empty when there is no damping to choose
+  std::string_view symbols;                   ///< symbols of `shape` with units, except F, d, d', v and m
+  std::string_view range;                     ///< range of validity
+  std::string_view beware;                    ///< limitations: jumps, tension, dependence on the speed
+  std::span<const ParameterInfo> parameters;  ///< except restitution, impact_velocity and reduced_mass
+  std::span<const Formula> formulas;          ///< "exact" first; empty if the law has no damping to calibrate
   bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
   bool may_pull = false, leaves_indentation = false, instantaneous = false;
-  bool sticks_at_zero = false;  ///< takes a restitution of 0
-  bool presses_soil = false;    ///< its stiffness is no estimate for two bodies
-  Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
-  Quantity coefficient;  ///< what damping_for returns
+  bool sticks_at_zero = false;  ///< accepts a restitution of 0
+  bool presses_soil = false;    ///< its stiffness does not apply to two bodies
+  Quantity number;       ///< dimensionless damping number that formulas compute; its name is empty without damping
+  Quantity coefficient;  ///< value returned by damping_for
 
   /// The entry of a law, from its members.
   template <class L>
@@ -52,11 +51,11 @@ struct Entry {
   }
 };
 
-/// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the
-/// reduced mass of floors of 100 t and 150 t [kg].
+/// Typical values of concrete floors, for examples and tables: restitution [-], closing speed [m/s], and the reduced
+/// mass of floors of 100 t and 150 t [kg].
 inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
 
-/// Settings of a law from the typical values of its table, calibrated to the typical restitution.
+/// Settings of a law with the typical values of its table, calibrated to the typical restitution.
 inline Settings typical_settings(const Entry& entry) {
   Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
   if (entry.takes_restitution) s.restitution = typical_restitution;
@@ -76,7 +75,7 @@ inline std::string unknown_law(std::string_view read, std::span<const Entry> cat
     for (const Formula& formula : entry.formulas)
       if (formula.name != "exact") formulas.push_back(formula.name);
   std::string_view meant = nearest_name(read, formulas);
-  if (meant.empty())  // the shortest that begins so: of ye_2009 and ye_2009_linear the first
+  if (meant.empty())  // the shortest formula with this prefix: ye_2009 before ye_2009_linear
     for (const std::string_view formula : formulas)
       if (formula.size() > read.size() && formula[read.size()] == '_' &&
           edit_distance(read, formula.substr(0, read.size())) == 0 && (meant.empty() || formula.size() < meant.size()))

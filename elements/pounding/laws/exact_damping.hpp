@@ -1,12 +1,12 @@
 #pragma once
-/// Restitution that a damping number really gives in a free impact, in closed form, and the exact calibration: the
-/// number that gives a restitution, to 1e-12. Three families cover most laws:
+/// Restitution that a damping number yields in a free impact, in closed form, and the inverse to 1e-12: the exact
+/// calibration. Three families cover almost all laws:
 ///
 /// - displacement-proportional, F = k d^n (1 + a d'/v): independent of k, m, n and v;
-/// - a linear oscillator of damping ratio z, released where its force is zero;
+/// - a linear oscillator with damping ratio z, released at zero force;
 /// - the same oscillator with damping in the approach only.
 ///
-/// Laws whose damping grows with a power of d become such an oscillator in stretched time.
+/// Laws whose damping grows with a power of d are equivalent to such an oscillator in stretched time.
 
 #include <cmath>
 #include <numbers>
@@ -41,8 +41,8 @@ inline double exp_excess(double x) noexcept {
 /// e = [1 + W0(-(1+a) exp(-(1+a)))]/a of F = k d^n (1 + a d'/v). a >= 0.
 inline double restitution_of_factor(double a) noexcept {
   if (!(a > 0)) return 1;
-  // With u = a e the law of motion gives -u - ln(1-u) = a - ln(1+a); in s = ln(1-u) its left side is exp_excess(s),
-  // convex and falling, so Newton from below never overshoots.
+  // With u = a e the equation of motion yields -u - ln(1-u) = a - ln(1+a). In s = ln(1-u) its left side is
+  // exp_excess(s), which is convex and decreasing, so Newton's method from below does not overshoot.
   const double excess = log_excess(a);
   double s = -(excess + std::sqrt(2 * excess));
   for (int i = 0; i < 100; ++i) {
@@ -60,7 +60,7 @@ inline double exact_factor(const CalibrationTarget& q) {
   const auto excess = [e](double a) { return log_excess(a) - log_excess(-a * e); };
   const double low = 0.2 * (1 - e), high = (1 - 1e-15) / e;
   const double at_high = excess(high);
-  if (at_high >= 0) return 1 / e;  // small e: the root is nearer to 1/e than double precision can tell
+  if (at_high >= 0) return 1 / e;  // small e: the root equals 1/e to double precision
   return find_root(excess, low, excess(low), high, at_high);
 }
 
@@ -72,7 +72,7 @@ inline double angle_ratio(double z) noexcept {
                : std::asinh(half) / (half * std::sqrt(1 + half * half));
 }
 
-/// Contact until d = 0: exp(-pi z/sqrt(1-z^2)); for z >= 1 the bodies never part, 0.
+/// Contact until d = 0: exp(-pi z/sqrt(1-z^2)); 0 for z >= 1, where the bodies never separate.
 inline double restitution_to_zero_penetration(double z) noexcept {
   return z < 1 ? std::exp(-std::numbers::pi * z / std::sqrt((1 - z) * (1 + z))) : 0;
 }
@@ -83,18 +83,18 @@ inline double restitution_to_zero_force(double z) noexcept { return std::exp(-2 
 /// Damping in the approach only: exp(-z arccos(z)/sqrt(1-z^2)).
 inline double restitution_of_approach(double z) noexcept { return std::exp(-z * angle_ratio(z)); }
 
-/// z with restitution_of_approach(z) = e.
+/// z such that restitution_of_approach(z) = e.
 inline double exact_approach_ratio(const CalibrationTarget& q) {
-  const double asked = -std::log(q.restitution);
-  if (!(asked > 0)) return 0;
-  // z arccos(z)/sqrt(1-z^2) rises from 0 without bound.
-  const auto f = [asked](double z) { return z * angle_ratio(z) - asked; };
+  const double target = -std::log(q.restitution);
+  if (!(target > 0)) return 0;
+  // z arccos(z)/sqrt(1-z^2) increases from 0 without bound.
+  const auto f = [target](double z) { return z * angle_ratio(z) - target; };
   double high = 1;
   while (f(high) < 0) high *= 4;
-  return find_root(f, 0, -asked, high, f(high));
+  return find_root(f, 0, -target, high, f(high));
 }
 
-/// z with restitution_to_zero_force(z) = e.
+/// z such that restitution_to_zero_force(z) = e.
 inline double exact_cut_ratio(const CalibrationTarget& q) {
   return exact_approach_ratio({.restitution = std::sqrt(q.restitution)});
 }
@@ -102,7 +102,7 @@ inline double exact_cut_ratio(const CalibrationTarget& q) {
 /// xi of Jankowski: the oscillator in stretched time has z = 2 xi/sqrt(5).
 inline double exact_jankowski(const CalibrationTarget& q) { return std::sqrt(5.0) / 2 * exact_approach_ratio(q); }
 
-/// alpha of viscous_hertz with the force cut at zero: z = alpha/sqrt(2 (n+1)).
+/// alpha of viscous_hertz with the force cut off at zero: z = alpha/sqrt(2 (n+1)).
 inline double exact_viscous(const CalibrationTarget& q) { return std::sqrt(2 * (q.exponent + 1)) * exact_cut_ratio(q); }
 
 }  // namespace pounding::laws

@@ -1,5 +1,5 @@
 #pragma once
-/// Texts of a user in messages: short, valid UTF-8, and without characters that act on a terminal.
+/// User texts in messages: short, valid UTF-8, and without characters that control a terminal.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,19 +8,19 @@
 
 namespace pounding::laws {
 
-/// Characters that a message quotes of one text.
+/// Maximum number of characters that a message quotes from one text.
 inline constexpr std::size_t longest_excerpt = 200;
-/// Characters of a whole message.
+/// Maximum number of characters of a message.
 inline constexpr std::size_t longest_message = 1800;
 
-/// The first character of a text.
+/// First character of a text.
 struct Character {
   std::uint32_t code = 0;
   std::size_t size = 1;   ///< bytes
-  bool is_valid = false;  ///< whether the bytes are UTF-8 (RFC 3629)
+  bool is_valid = false;  ///< true if the bytes are valid UTF-8 (RFC 3629)
 };
 
-/// Reads the first character of a text that is not empty; bytes that are no UTF-8 are taken one by one.
+/// Reads the first character of a non-empty text; bytes that are not valid UTF-8 are read one at a time.
 constexpr Character first_character(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
   const std::uint32_t lead = byte(0);
@@ -38,20 +38,19 @@ constexpr Character first_character(std::string_view text) noexcept {
   return {code, size, true};
 }
 
-/// Whether a character is a control character of ASCII or Latin-1, line feed and tab among them.
+/// True for control characters of ASCII and Latin-1, including line feed and tab.
 constexpr bool is_control(std::uint32_t code) noexcept { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Whether a character is shown as itself: no control character, line or paragraph separator, mark of the direction of
-/// writing or of the order of bytes.
+/// True for printable characters: not a control character, line or paragraph separator, bidirectional or byte order
+/// mark.
 constexpr bool is_shown(std::uint32_t code) noexcept {
   const bool is_mark =
       (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F);
   return !is_control(code) && !is_mark && code != 0xFEFF && (code & 0xFFFEu) != 0xFFFE;
 }
 
-/// A text for a message: at most `most` characters, then "..."; characters that are not shown, and bytes that are no
-/// UTF-8, as in
-/// "\n", "\x1b", "\u202e". `kept` is a character that stays as it is.
+/// Text for a message, truncated at a maximum length with "...". Unprintable characters and invalid UTF-8 are escaped
+/// as in "\n", "\x1b", "\u202e", except the character `kept`.
 inline std::string excerpt(std::string_view text, std::size_t most = longest_excerpt, char kept = ' ') {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string shown;
@@ -82,7 +81,7 @@ inline std::string excerpt(std::string_view text, std::size_t most = longest_exc
   return shown;
 }
 
-/// A whole message, whose lines stay lines.
+/// A whole message; line breaks are kept.
 inline std::string message_text(std::string_view text) { return excerpt(text, longest_message, '\n'); }
 
 }  // namespace pounding::laws

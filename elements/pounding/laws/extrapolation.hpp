@@ -1,5 +1,5 @@
 #pragma once
-/// One step of an ordinary differential equation by extrapolation: order 12 from the explicit midpoint rule.
+/// One step of an ordinary differential equation by extrapolation: order 12, from the explicit midpoint rule.
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace pounding::laws {
 
-/// State at the end of a step, and how good it is.
+/// State at the end of a step, with its error.
 template <std::size_t N>
 struct ExtrapolatedStep {
   std::array<double, N> state;
-  double error = 0;  ///< largest error estimate over its tolerance; acceptable up to 1
+  double error = 0;  ///< maximum ratio of error estimate to tolerance; acceptable up to 1
 };
 
 /// y' = f(x, y) from x to x + h. Gragg's midpoint rule with 2, 4 ... 12 substeps, extrapolated in the square of the
@@ -23,8 +23,8 @@ template <std::size_t N, class F>
 ExtrapolatedStep<N> extrapolated_step(F&& f, double x, const std::array<double, N>& y, double h, double tolerance) {
   constexpr std::size_t columns = 6;
   using State = std::array<double, N>;
-  std::array<State, columns> row;  // of the Neville table, newest first
-  State diagonal{};                // the result with one column less
+  std::array<State, columns> row;  // row of the Neville table, newest first
+  State diagonal{};                // result with one column fewer
   const State slope = f(x, y);
   for (std::size_t j = 0; j < columns; ++j) {
     const int substeps = 2 * static_cast<int>(j + 1);
@@ -48,7 +48,7 @@ ExtrapolatedStep<N> extrapolated_step(F&& f, double x, const std::array<double, 
     row[j] = carried;
   }
   ExtrapolatedStep<N> step{row[columns - 1]};
-  // Two estimates: at a corner of f one of them can vanish by accident.
+  // Two estimates: at a corner of f one of them can vanish by coincidence.
   for (std::size_t i = 0; i < N; ++i) {
     const double spread =
         std::max(std::abs(step.state[i] - row[columns - 2][i]), std::abs(step.state[i] - diagonal[i]));

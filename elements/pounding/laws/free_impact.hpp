@@ -1,5 +1,5 @@
 #pragma once
-/// Two free bodies and one contact law: what the law gives, in closed form where one exists, else integrated.
+/// Free impact of two bodies with a contact law: in closed form if there is one, otherwise integrated.
 
 #include <stdexcept>
 #include <string>
@@ -12,8 +12,9 @@
 
 namespace pounding::laws {
 
-/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s]. Values that have
-/// no closed form are integrated to 1e-10. Throws std::invalid_argument unless mass and speed are finite and positive.
+/// Free impact of two bodies with reduced mass m1 m2/(m1+m2) [kg] and this closing speed [m/s]. Values without a closed
+/// form are integrated with tolerance 1e-10. Throws std::invalid_argument unless mass and speed are finite and
+/// positive.
 template <class L>
 FreeImpact free_impact(const L& law, double reduced_mass, double closing_speed) {
   require_positive("reduced_mass", reduced_mass);
@@ -35,13 +36,13 @@ FreeImpact free_impact(const L& law, double reduced_mass, double closing_speed) 
   return known;
 }
 
-/// free_impact for a law chosen by name; throws as it does.
+/// free_impact for a law selected by name; throws the same exceptions.
 template <class... L>
 FreeImpact free_impact(const std::variant<L...>& law, double reduced_mass, double closing_speed) {
   return std::visit([&](const auto& chosen) { return free_impact(chosen, reduced_mass, closing_speed); }, law);
 }
 
-/// integrated_free_impact for a law chosen by name; throws std::invalid_argument for an instantaneous law.
+/// integrated_free_impact for a law selected by name; throws std::invalid_argument for an instantaneous law.
 template <class... L>
 FreeImpact integrated_free_impact(const std::variant<L...>& law, double reduced_mass, double closing_speed) {
   return std::visit(

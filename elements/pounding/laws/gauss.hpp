@@ -1,5 +1,5 @@
 #pragma once
-/// Gauss's rule with five points.
+/// Five-point Gauss rule.
 
 namespace pounding::laws {
 
@@ -9,7 +9,7 @@ inline constexpr double gauss_points[] = {0.0469100770306680, 0.2307653449471585
 inline constexpr double gauss_weights[] = {0.1184634425280945, 0.2393143352496832, 0.2844444444444444,
                                            0.2393143352496832, 0.1184634425280945};
 
-/// The integral of f between two limits by these points.
+/// Integral of f between two limits by this rule.
 template <class Function>
 constexpr double gauss_integral(const Function& f, double from, double to) {
   double sum = 0;

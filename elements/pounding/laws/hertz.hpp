@@ -14,12 +14,11 @@ namespace pounding::laws {
 /// k [N/m^n], n >= 1 [-], d [m] penetration. Jing & Young 1991; Chau & Wei 2001. Any penetration.
 struct Hertz {
   static constexpr std::string_view name = "hertz", shape = "F = k d^n";
-  static constexpr std::string_view summary = "nonlinear elastic spring of Hertz, loses no energy";
+  static constexpr std::string_view summary = "nonlinear elastic Hertz spring, dissipates no energy";
   static constexpr std::string_view source = "Hertz 1882; Jing & Young 1991; Chau & Wei 2001";
   static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent";
-  static constexpr std::string_view range = "any penetration, n >= 1; n = 1.5 is Hertz's contact of spheres";
-  static constexpr std::string_view beware =
-      "restitution 1 whatever the bodies: energy is lost in the structures alone";
+  static constexpr std::string_view range = "any penetration, n >= 1; n = 1.5 is the Hertz contact of spheres";
+  static constexpr std::string_view beware = "restitution 1 for any bodies: only the structures dissipate energy";
 
   double stiffness = 0;   ///< k [N/m^n]
   double exponent = 1.5;  ///< n [-]

@@ -1,5 +1,5 @@
 #pragma once
-/// Two free bodies and one contact law, integrated in time from the touch to the end of the force: works for any law.
+/// Free impact of two bodies, integrated in time from the touch to the end of the force; works for any law.
 
 #include <algorithm>
 #include <array>
@@ -18,32 +18,31 @@ namespace pounding::laws {
 
 /// Result of a free impact of two bodies.
 struct FreeImpact {
-  double restitution = 0;       ///< separation speed over closing speed [-]
+  double restitution = 0;       ///< ratio of separation speed to closing speed [-]
   double peak_force = 0;        ///< [N]; infinite for an instantaneous law
-  double time_of_peak = 0;      ///< of the force, after the touch [s]
+  double time_of_peak = 0;      ///< time of the peak force, from the touch [s]
   double peak_penetration = 0;  ///< [m]
-  double duration = 0;          ///< touch until the force is gone for good [s]
-  double energy_lost = 0;       ///< work done on the link and not given back [J]
+  double duration = 0;          ///< from the touch to the final release of the force [s]
+  double energy_lost = 0;       ///< work done on the link and not recovered [J]
   double impulse = 0;           ///< integral of the force [N s]
 
   /// True for values in closed form; the others are integrated.
   struct Known {
     bool restitution = false, peak_force = false, time_of_peak = false, peak_penetration = false, duration = false;
-    /// True when nothing has to be integrated.
+    /// True if no value has to be integrated.
     bool all() const noexcept { return restitution && peak_force && time_of_peak && peak_penetration && duration; }
   } closed_form{};
 };
 
-/// The integration behind integrated_free_impact; penetration, rate, impulse and work over their scales D, v, m v, m
-/// v^2.
+/// Integrator behind integrated_free_impact. Penetration, rate, impulse and work are scaled by D, v, m v and m v^2.
 template <class L>
 class ImpactIntegration {
  public:
   ImpactIntegration(const L& law, double reduced_mass, double closing_speed)
       : law_(law), mass_(reduced_mass), speed_(closing_speed), impact_(touch(law, closing_speed)), length_(scale()) {}
 
-  /// From the touch to the end of the force. Throws std::runtime_error when the steps do not end, std::domain_error
-  /// when a number of the impact is too large to be one.
+  /// Integrates from the touch to the end of the force. Throws std::runtime_error if the maximum number of steps is
+  /// reached, and std::domain_error on overflow.
   FreeImpact run() {
     note_peak({0, 1, 0, 0}, 0);
     approach();
@@ -66,7 +65,8 @@ class ImpactIntegration {
   static constexpr int max_steps = 20000;
 
   [[noreturn]] static void beyond_numbers() {
-    throw std::domain_error(std::string(L::name) + ": forces of a free impact are beyond the range of numbers");
+    throw std::domain_error(std::string(L::name) +
+                            ": the forces of a free impact exceed the range of floating-point numbers");
   }
 
   /// Penetration at which the force stops the bodies, to a factor of two [m].
@@ -100,8 +100,8 @@ class ImpactIntegration {
     if (const double f = force(y); f > peak_) peak_ = f, time_of_peak_ = time;
   }
 
-  // Advances to the end of a phase. `ended` looks at a trial step and gives the part of it at which the phase ends, if
-  // it does. The independent variable x gives the time clock(x) with the slope clock_slope(x).
+  // Advances to the end of a phase. `ended` examines a trial step and returns the length at which the phase ends, or
+  // `nullopt`. The independent variable x corresponds to the time clock(x), with derivative clock_slope(x).
   template <class Clock, class ClockSlope, class Ended>
   void advance(double step, Clock&& clock, ClockSlope&& clock_slope, Ended&& ended) {
     const auto f = [&](double at, const State& y) { return slope(y, clock_slope(at)); };
@@ -114,10 +114,10 @@ class ImpactIntegration {
         return to.has_value();
       };
       bool landed = shorten(ended(state_, step, trial.state, try_step));
-      // Up to a corner the force may have been released and not pressed again yet.
+      // Before the corner the force may have been released without pressing again.
       if (shorten(corner_inside(trial.state, step, try_step)))
         landed = shorten(ended(state_, step, trial.state, try_step));
-      // Below this step rounding, not the method, makes the error.
+      // For shorter steps, round-off dominates the error of the method.
       if (trial.error > 1 && step > 1e-12) {
         step *= std::clamp(0.8 * std::pow(trial.error, -1.0 / 11), 0.1, 0.7);
         continue;
@@ -132,17 +132,18 @@ class ImpactIntegration {
       if (!std::isfinite(state_[1])) beyond_numbers();
       note_peak(state_, clock(x));
       if (landed) {
-        // Within a phase the penetration only grows or only falls, so a memory needs no earlier update.
+        // Within a phase the penetration is monotonic, so the memory of the law needs no earlier update.
         keep(law_, state_[0] * length_, state_[1] * speed_, impact_);
         time_ = clock(x);
         return;
       }
       step *= std::clamp(0.8 * std::pow(std::max(trial.error, 1e-12), -1.0 / 11), 0.5, 3.0);
     }
-    throw std::runtime_error(std::string(L::name) + ": the contact of a free impact does not end");
+    throw std::runtime_error(std::string(L::name) +
+                             ": the contact of a free impact does not end within the maximum number of steps");
   }
 
-  // A step ends at a corner of the law, where its slopes jump: the method's error estimate can overlook one.
+  // Steps end at corners of the law, where its slopes jump: the error estimate can miss one.
   template <class TryStep>
   std::optional<double> corner_inside(const State& end, double step, TryStep&& try_step) const {
     if constexpr (requires { law_.corner(0.0, 0.0, impact_); }) {
@@ -156,7 +157,7 @@ class ImpactIntegration {
     return std::nullopt;
   }
 
-  // Some forces start with an infinite slope in time (d^0.25 of Jankowski). With t = x^4 they are smooth.
+  // Some forces start with an infinite slope in time (d^0.25 of Jankowski). They are smooth in x with t = x^4.
   void approach() {
     const auto reversal = [](const State&, double step, const State& end, auto&& try_step) -> std::optional<double> {
       if (end[1] > 0) return std::nullopt;
@@ -166,19 +167,19 @@ class ImpactIntegration {
     state_[1] = 0;
   }
 
-  // Until the force is released or the penetration is zero; true when it was released earlier than that.
+  // Advances until the force is released or the penetration is zero; true if the release comes first.
   bool restitution() {
     bool released = false;
     const auto end_of_force = [&](const State& start, double step, const State& end,
                                   auto&& try_step) -> std::optional<double> {
-      released = false;  // an earlier trial may have been thrown away
+      released = false;  // an earlier trial may have been rejected
       if (start[0] <= 0) return 0.0;
       const auto penetration = [&](double h) { return try_step(h).state[0]; };
       const auto pressing = [&](double h) { return uncut_force(try_step(h).state); };
       double until = step;
       if (end[0] <= 0) until = find_root(penetration, 0, state_[0], step, end[0]);
       if constexpr (!may_pull<L>) {
-        // A release shortly before the separation shows only close to it.
+        // A release shortly before the separation is visible only close to it.
         double low = 0;
         for (int j = 0; j <= 48; ++j) {
           const double h = end[0] <= 0 ? until * (1 - std::ldexp(1.0, -j)) : step;
@@ -226,10 +227,10 @@ class ImpactIntegration {
   double time_ = 0, peak_ = 0, time_of_peak_ = 0, deepest_ = 0;
 };
 
-/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s], integrated to
-/// 1e-10 whatever the law. Throws std::invalid_argument unless mass and speed are finite and positive, and
-/// std::runtime_error when the contact does not end. kelvin_voigt with a damping ratio of 1 or more creeps back for
-/// ever; rounding ends it, with a restitution of 0 and a duration that means nothing.
+/// Free impact of two bodies with reduced mass m1 m2/(m1+m2) [kg] and this closing speed [m/s], integrated with
+/// tolerance 1e-10 for any law. Throws std::invalid_argument unless mass and speed are finite and positive, and
+/// std::runtime_error if the contact does not end. With kelvin_voigt and a damping ratio of 1 or more, the bodies never
+/// separate: round-off ends the contact, with restitution 0 and a meaningless duration.
 template <class L>
   requires(!instantaneous<L>)
 FreeImpact integrated_free_impact(const L& law, double reduced_mass, double closing_speed) {
@@ -238,9 +239,9 @@ FreeImpact integrated_free_impact(const L& law, double reduced_mass, double clos
   return ImpactIntegration<L>(law, reduced_mass, closing_speed).run();
 }
 
-/// The damping number that gives a restitution e in (0, 1], to 1e-12, found on integrated impacts of unit mass and
-/// speed. `law_with(number)` makes the law in the units where its stiffness, its mass and the closing speed are one;
-/// its restitution falls from 1 as the number grows from 0.
+/// Damping number for a restitution e in (0, 1], to 1e-12, from integrated impacts of unit mass and speed.
+/// `law_with(number)` creates the law in units in which its stiffness, the mass and the closing speed are one. The
+/// restitution must decrease from 1 as the number increases from 0.
 template <class MakeLaw>
 double number_of_restitution(double e, MakeLaw&& law_with) {
   if (e >= 1) return 0;
@@ -250,7 +251,7 @@ double number_of_restitution(double e, MakeLaw&& law_with) {
     low = std::exchange(high, 4 * high), at_low = at_high;
     at_high = miss(high);
   }
-  if (at_high > 0) refuse("restitution", e, "larger: no damping of this law brings the bodies to it");
+  if (at_high > 0) refuse("restitution", e, "larger: no damping of this law yields this value");
   return find_root(miss, low, at_low, high, at_high);
 }
 

@@ -15,11 +15,11 @@ namespace pounding::laws {
 /// F = k d^1.5 + c d' in approach (d' > 0), k d^1.5 in restitution; c = 2 xi sqrt(k sqrt(d) m).
 ///
 /// k [N/m^1.5], xi [-], m [kg] reduced mass, d [m], d' [m/s], c [N s/m]. The nonlinear viscoelastic model, Jankowski
-/// 2005, EESD 34:595; paper Eqs. 8-10. Kept as prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25].
-/// CalibrationTarget 0.50, the formula of 2005 gives 0.558, that of 2006 gives 0.495.
+/// 2005, EESD 34:595; paper Eqs. 8-10. Stored as a prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25]. For a
+/// target of 0.50, the formula of 2005 yields 0.558 and that of 2006 yields 0.495.
 ///
-/// The law's own slope by d is infinite at d = 0 (d^0.25); there the slope is bounded by its value at shallowest_slope,
-/// the force is not altered. The slope by d' jumps at the reversal, and at d' = 0 is that of the restitution. Never
+/// dF/dd is infinite at d = 0 (d^0.25); it is bounded there by its value at shallowest_slope, while the
+/// force is exact. dF/dd' jumps at the reversal; at d' = 0 it is that of the restitution phase. Never
 /// pulls.
 struct Jankowski {
   static constexpr std::string_view
@@ -30,19 +30,19 @@ struct Jankowski {
   static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, xi [-] damping ratio, c [N s/m]";
   static constexpr std::string_view range = "any xi >= 0";
   static constexpr std::string_view beware =
-      "the slope by d' jumps at the reversal; the slope by d is infinite at the touch, where the law gives a bounded "
-      "one, and the force is not altered; it never pulls";
+      "dF/dd' jumps at the reversal. dF/dd is infinite at the touch and is bounded there, while the "
+      "force is exact. The force never pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^1.25"};
 
   static constexpr std::array formulas{
       Formula{"exact", "xi = sqrt(5) z/2, z the root of e = exp(-z arccos(z)/sqrt(1-z^2))",
-              "closed form: a linear oscillator in stretched time", "gives what is asked", &exact_jankowski},
+              "closed form: a linear oscillator in stretched time", "reaches the target restitution", &exact_jankowski},
       Formula{"jankowski_2005", "xi = sqrt(5) (1-e^2)/(2 pi e)", "Jankowski 2005, EESD 34:595; paper Eq. 10",
-              "0.50 asked gives 0.558", &jankowski_2005},
+              "yields 0.558 for a target of 0.50", &jankowski_2005},
       Formula{"jankowski_2006", "xi = 9 sqrt(5)/2 (1-e^2)/{e [e (9 pi-16) + 16]}", "Jankowski 2006, EESD 35:517",
-              "0.50 asked gives 0.495", &jankowski_2006},
+              "yields 0.495 for a target of 0.50", &jankowski_2006},
       Formula{"naderpour_2015_eq38", "xi = [2 (1-e^2)/(e sqrt(pi))]^2", "Naderpour, Barros & Khatami 2015, Eq. 38",
-              "far too much damping below 0.85", &naderpour_2015_eq38}};
+              "much too high below a target of 0.85", &naderpour_2015_eq38}};
 
   double stiffness = 0;                   ///< k [N/m^1.5]
   std::optional<double> restitution{};    ///< e in (0, 1], or

@@ -6,7 +6,7 @@ namespace pounding::laws {
 /// Texts and formulas of the law below.
 struct KelvinVoigtTraits {
   static constexpr std::string_view name = "kelvin_voigt", shape = "F = k d + c d', c = 2 zeta sqrt(k m)";
-  static constexpr std::string_view summary = "linear spring and dashpot as published: pulls near separation";
+  static constexpr std::string_view summary = "linear spring and dashpot as published, with tension near separation";
   static constexpr std::string_view source = "Anagnostopoulos 1988, EESD 16:443";
   static constexpr std::string_view range = "zeta < 1; from 1 on, which is e = 0, free bodies never part";
   static constexpr std::string_view beware =
@@ -16,7 +16,7 @@ struct KelvinVoigtTraits {
 
   static constexpr std::array formulas{
       Formula{"exact", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "closed form, contact until d = 0",
-              "the same as anagnostopoulos", &anagnostopoulos},
+              "identical to anagnostopoulos", &anagnostopoulos},
       Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
               "exact for this law", &anagnostopoulos}};
 };

@@ -10,35 +10,37 @@
 
 namespace pounding::laws {
 
-/// A v/D that gives a restitution: one universal curve, integrated. D = (m v^2/k)^(2/5).
-double exact_kuwabara_kono(const CalibrationTarget& asked);
+/// A v/D for a restitution: one universal curve, from integrated impacts. D = (m v^2/k)^(2/5).
+double exact_kuwabara_kono(const CalibrationTarget& target);
 
-/// F = max(0, k d^1.5 + (3/2) A k d^0.5 d'): viscoelastic spheres; the restitution falls with the closing speed.
+/// F = max(0, k d^1.5 + (3/2) A k d^0.5 d'): viscoelastic spheres; the restitution decreases with the closing speed.
 ///
 /// k [N/m^1.5], A [s] dissipation time of the material, d [m], d' [m/s]. Kuwabara & Kono 1987; Brilliantov et al. 1996.
-/// The pull near separation is cut. A restitution is met at each impact by an A of its own, A = A* D/v with D = (m
-/// v^2/k)^(2/5); with a fixed impact_velocity or a given dissipation_time the law keeps its speed dependence.
+/// Tension near separation is cut off. A given restitution is reached at each impact with its own A = A* D/v, D = (m
+/// v^2/k)^(2/5); with a fixed impact_velocity or a given dissipation_time, the restitution depends on the speed.
 ///
-/// The slope by d is infinite at d = 0; there it is bounded by its value at shallowest_slope, the force is not altered.
+/// dF/dd is infinite at d = 0; it is bounded there by its value at shallowest_slope, while the force is
+/// exact.
 struct KuwabaraKono {
   static constexpr std::string_view name = "kuwabara_kono", shape = "F = max(0, k d^1.5 + (3/2) A k d^0.5 d')";
-  static constexpr std::string_view summary = "viscoelastic Hertz contact, restitution falls with speed";
+  static constexpr std::string_view summary = "viscoelastic Hertz contact, restitution decreases with speed";
   static constexpr std::string_view source = "Kuwabara & Kono 1987; Brilliantov et al. 1996";
   static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, A [s] dissipation time";
   static constexpr std::string_view range = "spheres, any A >= 0";
   static constexpr std::string_view beware =
-      "with a given dissipation_time, or a fixed impact_velocity, the restitution falls with the closing speed; with "
-      "a restitution alone A is found at each impact; the pull near separation is cut; the slope by d is infinite at "
-      "the touch, where the law gives a bounded one";
+      "with a given dissipation_time, or a fixed impact_velocity, the restitution decreases with the closing speed. "
+      "With only a restitution, A is computed at each impact. Tension near separation is cut off. dF/dd is infinite at "
+      "the touch and is bounded there";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
 
   static constexpr std::array formulas{Formula{"exact", "A = A* D/v, D = (m v^2/k)^(2/5), A* the root of e(A*) = e",
-                                               "integrated impact", "gives what is asked", &exact_kuwabara_kono}};
+                                               "integrated impact", "reaches the target restitution",
+                                               &exact_kuwabara_kono}};
 
   double stiffness = 0;                      ///< k [N/m^1.5]
   std::optional<double> restitution{};       ///< e in (0, 1], or
   std::optional<double> dissipation_time{};  ///< A >= 0 [s]
-  std::optional<double> impact_velocity{};   ///< fixed design velocity instead of the fresh closing speed [m/s]
+  std::optional<double> impact_velocity{};   ///< fixed design velocity; default: closing speed of each impact [m/s]
   double reduced_mass = 0;                   ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
@@ -74,8 +76,8 @@ struct KuwabaraKono {
   }
 };
 
-inline double exact_kuwabara_kono(const CalibrationTarget& asked) {
-  return number_of_restitution(asked.restitution, [](double number) {
+inline double exact_kuwabara_kono(const CalibrationTarget& target) {
+  return number_of_restitution(target.restitution, [](double number) {
     return KuwabaraKono{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
   });
 }

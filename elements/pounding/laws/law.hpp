@@ -1,24 +1,27 @@
 #pragma once
-/// Shared by all contact laws: their answer, the history of an impact that they may use, the no-tension rule, and how
-/// that history begins and moves.
+/// Common parts of all contact laws: their response, the history of an impact, the no-tension rule, and how that
+/// history begins and is updated.
 ///
 /// A law is a plain struct with parameters as members and
 ///
 ///     static constexpr std::string_view name;
-///     void check() const;                                            // std::invalid_argument for a wrong value
-///     double damping_for(double closing_speed) const;                // dissipative laws only
-///     Response contact(double penetration, double rate, const Impact&) const noexcept;  // the formula, uncut
-///     Response respond(double penetration, double rate, const Impact&) const noexcept;  // what acts on the bodies
-///     double corner(double penetration, double rate, const Impact&) const noexcept;  // optional: changes sign where
-///     slopes jump void keep(double penetration, double rate, Impact&) const noexcept;               // laws with
-///     memory only double stored_energy(double penetration, const Impact&) const noexcept;  // optional, see
-///     stored_energy() below double crushed(const Impact&) const noexcept;                                     // laws
-///     that crush only, see crushes double indentation(const Impact&) const noexcept; bool needs_closing_speed() const
-///     noexcept;                        // optional, see designed_for_speed below double softening(double penetration,
-///     const Impact&) const noexcept;
+///     void check() const;  // throws std::invalid_argument for an invalid value
+///     Response contact(double penetration, double rate, const Impact&) const noexcept;  // formula without the cut-off
+///     Response respond(double penetration, double rate, const Impact&) const noexcept;  // force on the bodies
 ///
-/// `contact` continues the formula smoothly past its end, and its sign tells where the force is released; `respond` is
-/// zero for an open gap and never pulls, unless the law says `static constexpr bool may_pull = true`.
+/// and optionally
+///
+///     double damping_for(double closing_speed) const;  // dissipative laws
+///     double corner(double penetration, double rate, const Impact&) const noexcept;  // changes sign at slope jumps
+///     void keep(double penetration, double rate, Impact&) const noexcept;  // laws with memory
+///     double stored_energy(double penetration, const Impact&) const noexcept;  // see stored_energy() below
+///     double crushed(const Impact&) const noexcept;  // see crushes
+///     double indentation(const Impact&) const noexcept;  // see crushes
+///     bool needs_closing_speed() const noexcept;  // see designed_for_speed
+///     double softening(double penetration, const Impact&) const noexcept;  // see designed_for_speed
+///
+/// `contact` extends the formula smoothly beyond the end of contact; its sign changes where the force is released.
+/// `respond` is zero for an open gap and never pulls, unless the law has `static constexpr bool may_pull = true`.
 ///
 /// Sign: penetration d > 0 [m] is overlap, rate d' > 0 [m/s] closes, force > 0 [N] pushes apart. SI units.
 
@@ -35,43 +38,44 @@
 
 namespace pounding::laws {
 
-/// x where `kept`, else +0. A bit mask: on arrays of unordered states a mispredicted branch would cost more than most
-/// laws.
+/// x if `kept`, else +0. A bit mask: for arrays of unordered states, branch misprediction would cost more than
+/// evaluating a typical law.
 constexpr double only_if(bool kept, double x) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & -std::uint64_t{kept});
 }
 
-/// Force and its two slopes, from one call.
+/// Force and its two derivatives.
 struct Response {
   double force = 0;           ///< [N]
   double by_penetration = 0;  ///< dF/dd [N/m]
   double by_rate = 0;         ///< dF/dd' [N s/m]
 };
 
-/// The answer where `kept`, else all zeros.
+/// The response if `kept`, else all zeros.
 constexpr Response only_if(bool kept, const Response& r) noexcept {
   return {only_if(kept, r.force), only_if(kept, r.by_penetration), only_if(kept, r.by_rate)};
 }
 
-/// History of the present impact, all that a law may use beside the state. The link writes it, at kept states only.
+/// History of the current impact: all data that a law may use in addition to the state. Links update it at accepted
+/// states only.
 struct Impact {
   double closing_speed = 0;        ///< rate at the touch, or the fixed design velocity [m/s]
-  double damping = 0;              ///< the law's coefficient for this impact, in the law's own unit
-  double largest_penetration = 0;  ///< so far in this impact [m]
+  double damping = 0;              ///< coefficient of the law for this impact, in the law's own unit
+  double largest_penetration = 0;  ///< running maximum in this impact [m]
   double slip = 0;                 ///< plastic slip of laws that have one [m]
-  double crushed = 0;  ///< deepest penetration of all impacts before, from the sound surface, of laws that crush [m]
+  double crushed = 0;              ///< maximum penetration in earlier impacts, for laws that crush [m]
 };
 
-/// The no-tension rule, for a force [N]: contact cannot pull, so a force that is not positive becomes +0.
+/// No-tension rule for a force [N]: contact cannot pull, so a force that is not positive becomes +0.
 constexpr double no_tension(double force) noexcept { return only_if(force > 0, force); }
-/// The no-tension rule, for force and slopes: all are zero where the force is not positive.
+/// No-tension rule for force and derivatives: all are zero if the force is not positive.
 constexpr Response no_tension(const Response& r) noexcept { return only_if(r.force > 0, r); }
 
 /// Lower bound of the closing speed in damping formulas, which divide by it [m/s].
 inline constexpr double slowest_closing_speed = 1e-6;
 
-/// The speed that calibrates an impact [m/s]: the fixed design velocity when there is one, else the fresh closing
-/// speed, never below slowest_closing_speed.
+/// Closing speed used for calibration [m/s]: the fixed design velocity if there is one, otherwise the closing speed of
+/// the impact; never below slowest_closing_speed.
 constexpr double calibration_speed(const std::optional<double>& impact_velocity, double closing_speed) noexcept {
   return std::max(impact_velocity.value_or(closing_speed), slowest_closing_speed);
 }
@@ -80,29 +84,29 @@ constexpr double calibration_speed(const std::optional<double>& impact_velocity,
 template <class L>
 inline constexpr bool may_pull = requires { requires L::may_pull; };
 
-/// True for a law with F = k d + c d', whose k and c change with the phase of an impact only.
+/// True for a law with F = k d + c d' whose k and c change only with the phase of an impact.
 template <class L>
 inline constexpr bool is_linear = requires { requires L::is_linear; };
 
-/// True where the contact ends as the force reaches zero, and the penetration left then is added to the gap.
+/// True if the contact ends when the force reaches zero, and the remaining penetration is added to the gap.
 template <class L>
 inline constexpr bool leaves_indentation = requires { requires L::leaves_indentation; };
 
-/// True for a law of soil, whose stiffness follows from no pair of bodies.
+/// True for a soil law, whose stiffness does not follow from two bodies.
 template <class L>
 inline constexpr bool presses_soil = requires { requires L::presses_soil; };
 
-/// True for a law that is a jump of the velocity at the touch; it has no force history.
+/// True for a law that is a velocity jump at the touch, without a force history.
 template <class L>
 inline constexpr bool instantaneous = requires { requires L::instantaneous; };
 
-/// True for a law that takes a restitution of 0: the bodies stay together after the touch until something pulls them
+/// True for a law that accepts a restitution of 0: after the touch the bodies stay together until they are pulled
 /// apart.
 template <class L>
 inline constexpr bool sticks_at_zero = requires { requires L::sticks_at_zero; };
 
-/// True for a law that remembers how deep the bodies were crushed: `crushed` is the deepest penetration so far, this
-/// impact included, from the sound surface [m], and `indentation` what this impact has added to the gap [m].
+/// True for a law with permanent crushing. `crushed` is the maximum penetration up to and including this impact, from
+/// the undamaged surface [m]; `indentation` is the increase of the gap in this impact [m].
 template <class L>
 inline constexpr bool crushes = requires(const L& law, const Impact& impact) {
   law.crushed(impact);
@@ -114,40 +118,41 @@ template <class L>
 inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
 
 /// True for a law whose stiffness is designed for the closing speed of each impact. `needs_closing_speed` is false if a
-/// fixed design speed or the stiffness itself is given. `softening` is the stiffness of an undamped contact at a
-/// penetration over that of the design [-].
+/// fixed design speed or the stiffness itself is given. `softening` is the ratio of the stiffness of an undamped
+/// contact at a penetration to the design stiffness [-].
 template <class L>
 inline constexpr bool designed_for_speed = requires(const L& law, const Impact& impact) {
   law.needs_closing_speed();
   law.softening(1.0, impact);
 };
 
-/// Largest softening of an impact. It is reached at a hundred times the design penetration for an exponent of 1.5; a
+/// Maximum softening of an impact. For an exponent of 1.5 it corresponds to a hundred times the design penetration; a
 /// free impact stays below the design penetration.
 inline constexpr double max_softening = 10;
 
-/// A contact was pressed so deep that the design of its stiffness no longer holds. The text says what to give instead.
+/// Thrown if a contact is pressed so deep that its design stiffness is no longer valid. The message states which
+/// parameters to give instead.
 class BeyondDesign : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// Throws BeyondDesign for a contact that is softer than max_softening allows at this penetration: bodies that touch
-/// nearly at rest and are pressed together by other forces.
+/// Throws BeyondDesign for a contact that is softer than max_softening allows at this penetration. This happens if
+/// bodies touch almost at rest and other forces press them together.
 template <class L>
 void require_design(const L& law, double penetration, const Impact& impact) {
   if constexpr (designed_for_speed<L>) {
     if (!law.needs_closing_speed() || !(law.softening(penetration, impact) > max_softening)) return;
-    throw BeyondDesign(std::string(L::name) + " takes its stiffness from the closing speed, " +
-                       short_text(impact.closing_speed) + " m/s in this impact, and is " +
+    throw BeyondDesign(std::string(L::name) + " designs its stiffness for the closing speed, " +
+                       short_text(impact.closing_speed) + " m/s in this impact; it is " +
                        short_text(law.softening(penetration, impact)) + " times too soft at the penetration of " +
                        short_text(penetration) + " m; give a design speed, such as " +
                        "impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and yield_penetration");
   }
 }
 
-/// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s], `crushed` that of the
-/// impact before.
+/// Initial history of an impact. closing_speed is the rate at the touch [m/s]; `crushed` is that of
+/// the previous impact [m].
 template <class L>
 Impact touch(const L& law, double closing_speed, double crushed = 0) {
   Impact impact{.closing_speed = closing_speed, .crushed = crushed};
@@ -156,23 +161,23 @@ Impact touch(const L& law, double closing_speed, double crushed = 0) {
   return impact;
 }
 
-/// A state was kept: the largest penetration grows, and a law with memory moves it.
+/// Updates the history with an accepted state: the maximum penetration, and the memory of laws that have one.
 template <class L>
 void keep(const L& law, double penetration, double rate, Impact& impact) noexcept {
   impact.largest_penetration = std::max(impact.largest_penetration, penetration);
   if constexpr (requires { law.keep(penetration, rate, impact); }) law.keep(penetration, rate, impact);
 }
 
-/// Energy [J] that the contact gives back when the bodies part slowly from this penetration [m]: the integral of the
-/// force at rate zero. A law whose force has corners there answers by a member of its own. The integral of a force in
-/// proportion to d^n is exact for n = 1, 1.5, 2, ... up to 4, and right to 1e-7 between them.
+/// Energy [J] recovered from the contact if the bodies separate slowly from this penetration [m]: the integral of the
+/// force at rate zero. Laws whose force has corners there provide a member function. The integral of a force
+/// proportional to d^n is exact for n = 1, 1.5, 2, ... 4, and accurate to 1e-7 between.
 template <class L>
 double stored_energy(const L& law, double penetration, const Impact& impact) noexcept {
   if (!(penetration > 0)) return 0;
   if constexpr (requires { law.stored_energy(penetration, impact); }) {
     return law.stored_energy(penetration, impact);
   } else {
-    // Gauss's rule with five points in t, where x = penetration t^2.
+    // Five-point Gauss rule in t, with x = penetration t^2.
     double sum = 0;
     for (int i = 0; i < 5; ++i) {
       const double t = gauss_points[i];
@@ -182,9 +187,9 @@ double stored_energy(const L& law, double penetration, const Impact& impact) noe
   }
 }
 
-/// Force on the bodies, and slopes: zero across an open gap, and without tension unless the law may pull. The formula
-/// is evaluated in any case: in a loop over states the part of it that depends on the impact alone is then computed
-/// once.
+/// Force on the bodies and derivatives: zero across an open gap, and without tension unless the law may pull. The
+/// formula is always evaluated, so that compilers can hoist the terms that depend only on the impact out of loops over
+/// states.
 template <class L>
 Response pressed(const L& law, double penetration, double rate, const Impact& impact) noexcept {
   const Response r = law.contact(penetration, rate, impact);

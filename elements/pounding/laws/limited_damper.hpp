@@ -11,34 +11,34 @@
 
 namespace pounding::laws {
 
-/// c D/(m v) that gives a restitution: one curve for each exponent, integrated. D = (m v^2/k)^(1/(n+1)).
-double exact_limited_damper(const CalibrationTarget& asked);
+/// c D/(m v) for a restitution: one curve per exponent, from integrated impacts. D = (m v^2/k)^(1/(n+1)).
+double exact_limited_damper(const CalibrationTarget& target);
 
-/// F = k d^n + clamp(c d', -k d^n, k d^n): a dashpot whose force is limited to that of the spring.
+/// F = k d^n + clamp(c d', -k d^n, k d^n): the dashpot force is limited to the spring force.
 ///
 /// k [N/m^n], n >= 1 [-], c [N s/m], d [m], d' [m/s]. Modelica ElastoGap; MapleSim contact. The force starts from zero
-/// and never pulls. A restitution is met at each impact by c = c* m v/D with D = (m v^2/k)^(1/(n+1)). Where the dashpot
-/// outweighs the spring in the approach the force is 2 k d^n; the slopes jump at the corner.
+/// and never pulls. A given restitution is reached at each impact with c = c* m v/D, D = (m v^2/k)^(1/(n+1)). If the
+/// dashpot force reaches the limit in the approach, the force is 2 k d^n; the slopes jump there.
 struct LimitedDamper {
   static constexpr std::string_view name = "limited_damper", shape = "F = k d^n + clamp(c d', -k d^n, k d^n)";
-  static constexpr std::string_view summary = "power-law spring, dashpot limited to the spring's force";
+  static constexpr std::string_view summary = "power-law spring, dashpot force limited to the spring force";
   static constexpr std::string_view source = "Modelica ElastoGap; MapleSim contact";
   static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent, c [N s/m]";
   static constexpr std::string_view range = "n >= 1, any c >= 0";
   static constexpr std::string_view beware =
-      "where the dashpot outweighs the spring in the approach the force is 2 k d^n, and in restitution zero: the "
-      "slopes jump there; with a given c the restitution depends on the closing speed";
+      "where the dashpot force is limited, the force is 2 k d^n in the approach and zero in the restitution phase, and "
+      "the slopes jump. With a given c, the restitution depends on the closing speed";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
-  static constexpr std::array formulas{Formula{"exact",
-                                               "c = c* m v/D, D = (m v^2/k)^(1/(n+1)), c* the root of e(c*) = e",
-                                               "integrated impact", "gives what is asked", &exact_limited_damper}};
+  static constexpr std::array formulas{
+      Formula{"exact", "c = c* m v/D, D = (m v^2/k)^(1/(n+1)), c* the root of e(c*) = e", "integrated impact",
+              "reaches the target restitution", &exact_limited_damper}};
 
   double stiffness = 0;                         ///< k [N/m^n]
   double exponent = 1.5;                        ///< n [-]
   std::optional<double> restitution{};          ///< e in (0, 1], or
   std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
-  std::optional<double> impact_velocity{};      ///< fixed design velocity instead of the fresh closing speed [m/s]
+  std::optional<double> impact_velocity{};      ///< fixed design velocity; default: closing speed of each impact [m/s]
   double reduced_mass = 0;                      ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
@@ -60,7 +60,8 @@ struct LimitedDamper {
     return restitution ? damping_number(closing_speed) * coefficient_scale(closing_speed) : *damping_coefficient;
   }
 
-  /// In restitution the lower limit is left out, so that the sign tells where the force is gone; `respond` cuts there.
+  /// Without the lower limit in the restitution phase, so that the sign changes at the release; `respond` applies the
+  /// cut-off.
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
     const Power p = power(penetration, exponent);
     const double spring = stiffness * p.value, slope = stiffness * p.slope, dashpot = impact.damping * rate;
@@ -80,9 +81,9 @@ struct LimitedDamper {
   }
 };
 
-inline double exact_limited_damper(const CalibrationTarget& asked) {
-  return number_of_restitution(asked.restitution, [&](double number) {
-    return LimitedDamper{.stiffness = 1, .exponent = asked.exponent, .damping_coefficient = number, .reduced_mass = 1};
+inline double exact_limited_damper(const CalibrationTarget& target) {
+  return number_of_restitution(target.restitution, [&](double number) {
+    return LimitedDamper{.stiffness = 1, .exponent = target.exponent, .damping_coefficient = number, .reduced_mass = 1};
   });
 }
 

@@ -13,12 +13,11 @@ namespace pounding::laws {
 /// k [N/m] contact stiffness, d [m] penetration. Maison & Kasai 1990; paper Eq. 3. Any penetration.
 struct LinearSpring {
   static constexpr std::string_view name = "linear_spring", shape = "F = k d";
-  static constexpr std::string_view summary = "linear elastic spring, loses no energy";
+  static constexpr std::string_view summary = "linear elastic spring, dissipates no energy";
   static constexpr std::string_view source = "Maison & Kasai 1990";
   static constexpr std::string_view symbols = "k [N/m] contact stiffness";
   static constexpr std::string_view range = "any penetration";
-  static constexpr std::string_view beware =
-      "restitution 1 whatever the bodies: energy is lost in the structures alone";
+  static constexpr std::string_view beware = "restitution 1 for any bodies: only the structures dissipate energy";
   static constexpr bool is_linear = true;
 
   double stiffness = 0;  ///< k [N/m]

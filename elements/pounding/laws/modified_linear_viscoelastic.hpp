@@ -16,11 +16,12 @@ struct ModifiedLinearViscoelasticTraits {
   static constexpr bool damps_approach_only = true;
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of e = exp(-zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form", "gives what is asked",
-              &exact_approach_ratio},
+      Formula{"exact", "root of e = exp(-zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form",
+              "reaches the target restitution", &exact_approach_ratio},
       Formula{"mahmoud_jankowski_2011", "zeta = (1-e^2)/{e [e (pi-2) + 2]}", "Mahmoud & Jankowski 2011",
-              "0.50 asked gives 0.506", &mahmoud_jankowski_2011},
-      Formula{"simple", "zeta = (1-e^2)/(pi e)", "paper Table 4", "0.50 asked gives 0.558", &simple_approach},
+              "yields 0.506 for a target of 0.50", &mahmoud_jankowski_2011},
+      Formula{"simple", "zeta = (1-e^2)/(pi e)", "paper Table 4", "yields 0.558 for a target of 0.50",
+              &simple_approach},
       Formula{"naderpour_2015_eq38", "zeta = [2 (1-e^2)/(e sqrt(pi))]^2", "Naderpour, Barros & Khatami 2015, Eq. 38",
               "0.50 asked gives 0.161; near only at 0.88", &naderpour_2015_eq38}};
 };

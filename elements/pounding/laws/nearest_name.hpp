@@ -1,5 +1,5 @@
 #pragma once
-/// The name that was probably meant: one spell checker for inputs, programs, C and Python.
+/// Suggestions for mistyped names, shared by inputs, programs, C and Python.
 
 #include <algorithm>
 #include <array>
@@ -14,18 +14,18 @@
 
 namespace pounding::laws {
 
-/// A letter for comparison: names that differ only in case or in the separator (`-`, blank, `_`) are equal.
+/// Normalises a letter for comparison: names that differ only in case or separator (`-`, blank, `_`) are equal.
 constexpr char folded(char c) noexcept {
   if (c == '-' || c == ' ') return '_';
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Whether two names are equal for comparison.
+/// True if two names are equal after normalisation.
 constexpr bool is_same_name(std::string_view a, std::string_view b) noexcept {
   return std::ranges::equal(a, b, {}, folded, folded);
 }
 
-/// Number of letters to insert, delete, replace, or swap with their neighbour that turns one name into the other.
+/// Edit distance with transpositions: number of insertions, deletions, replacements and swaps of neighbouring letters.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -44,12 +44,12 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// A word of other programs, papers and languages, and the name of the same thing here.
+/// A term used by other programs, papers and languages, and its name here.
 struct OtherWord {
   std::string_view word, name;
 };
 
-/// Contact materials are OpenSees's; `gap` is the contact of most programs for structures.
+/// Contact materials are those of OpenSees; `gap` is the contact element of many structural programs.
 inline constexpr std::array other_words{OtherWord{"ImpactMaterial", "bilinear_hertz"},
                                         OtherWord{"Hertzdamp", "hertz_damped"},
                                         OtherWord{"JankowskiImpact", "jankowski"},
@@ -94,22 +94,21 @@ inline constexpr std::array other_words{OtherWord{"ImpactMaterial", "bilinear_he
                                         OtherWord{"tonnes", "t"},
                                         OtherWord{"newton", "N"}};
 
-/// Letters of a name up to which a slip is looked for.
+/// Maximum length of names that are compared by edit distance.
 inline constexpr std::size_t longest_name_compared = 64;
 
-/// The allowed name that `read` says in another word, else the one nearest to it by edit distance; an empty view when
-/// none is near.
+/// The allowed name for which `read` is another term, otherwise the nearest by edit distance; empty if none is near.
 inline std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed) {
   if (read.size() > longest_name_compared) return {};
   if (std::find(allowed.begin(), allowed.end(), read) == allowed.end())
     for (const OtherWord& other : other_words)
       if (is_same_name(read, other.word) && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end())
         return other.name;
-  // One slip in three letters is a typing mistake; more is another word.
+  // One error per three letters counts as a typing mistake; more is a different name.
   std::size_t nearest_distance = std::max<std::size_t>(1, read.size() / 3) + 1;
   std::string_view nearest;
   for (const std::string_view name : allowed) {
-    // As many letters as one is longer are at least to insert.
+    // The difference in length is a lower bound on the distance.
     const std::size_t longer = std::max(read.size(), name.size()) - std::min(read.size(), name.size());
     if (name.size() > longest_name_compared || longer >= nearest_distance) continue;
     const std::size_t distance = edit_distance(read, name);
@@ -121,7 +120,7 @@ inline std::string_view nearest_name(std::string_view read, std::span<const std:
   return nearest;
 }
 
-/// ` Did you mean "hertz_damped"?` when a near name exists; otherwise ` Allowed: a, b, c.`; empty when nothing is
+/// ` Did you mean "hertz_damped"?` if there is a near name; otherwise ` Allowed: a, b, c.`; empty if no names are
 /// allowed.
 inline std::string suggestion(std::string_view read, std::span<const std::string_view> allowed) {
   if (const std::string_view name = nearest_name(read, allowed); !name.empty())

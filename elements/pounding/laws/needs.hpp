@@ -1,5 +1,5 @@
 #pragma once
-/// Which parameters of a law go with which.
+/// Which parameters of a law are required, and which exclude each other.
 
 #include <algorithm>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace pounding::laws {
 
-/// Whether a parameter must be given, where `has(name)` tells of each name whether it is.
+/// True if a parameter is required; `has(name)` is true for the given ones.
 template <class Has>
 bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInfo& parameter, Has&& has) {
   const bool together =
@@ -18,8 +18,8 @@ bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInf
   return parameter.need == (together ? Need::together : Need::required);
 }
 
-/// Throws std::invalid_argument for a parameter that has no effect beside those that are given together; `has` as
-/// above.
+/// Throws std::invalid_argument for a parameter that has no effect together with parameters of kind `together`; `has`
+/// as above.
 template <class Has>
 void refuse_beside_together(std::span<const ParameterInfo> parameters, Has&& has) {
   const auto other =
@@ -27,8 +27,8 @@ void refuse_beside_together(std::span<const ParameterInfo> parameters, Has&& has
   const auto first =
       std::ranges::find_if(parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
   if (first != parameters.end() && other != parameters.end())
-    throw std::invalid_argument(std::string(other->name) + " has no effect beside " + std::string(first->name) +
-                                "; leave one of them out");
+    throw std::invalid_argument(std::string(other->name) + " has no effect together with " + std::string(first->name) +
+                                "; remove one of them");
 }
 
 }  // namespace pounding::laws

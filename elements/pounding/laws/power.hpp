@@ -1,21 +1,21 @@
 #pragma once
-/// d^n and its slope, zero for an open gap; the usual exponents without std::pow.
+/// d^n and its derivative, zero for an open gap; common exponents avoid std::pow.
 
 #include <algorithm>
 #include <cmath>
 
 namespace pounding::laws {
 
-/// Where a law's own slope is infinite at the touch (an exponent below 1), the slope is taken at least this deep [m].
-/// The force is never altered.
+/// Minimum depth [m] at which a slope that is infinite at the touch (exponent below 1) is evaluated. The force is
+/// exact.
 inline constexpr double shallowest_slope = 1e-9;
 
-/// d^n and its slope.
+/// d^n and its derivative.
 struct Power {
   double value = 0, slope = 0;
 };
 
-/// power() for d > 0 and exponents other than 1.5; apart from it, so that the usual exponent is inlined.
+/// power() for d > 0 and exponents other than 1.5; a separate function, so that the most common exponent is inlined.
 [[gnu::noinline]] inline Power other_power(double d, double n) noexcept {
   if (n == 1) return {d, 1};
   const double value = n == 0.5 ? std::sqrt(d) : n == 0.25 ? std::sqrt(std::sqrt(d)) : std::pow(d, n);
@@ -31,7 +31,7 @@ inline Power power(double d, double n) noexcept {
   return {d * root, 1.5 * root};
 }
 
-/// Penetration scale of a power law, (m v^2/k)^(1/(n+1)) [m]: the unit of length in which every impact looks alike.
+/// Penetration scale of a power law, (m v^2/k)^(1/(n+1)) [m]: in this unit of length all impacts are similar.
 inline double impact_length(double reduced_mass, double speed, double stiffness, double exponent) noexcept {
   return std::pow(reduced_mass * speed * speed / stiffness, 1 / (exponent + 1));
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Values of a made law with their units, for reports.
+/// Values of a law with their units, for reports.
 
 #include <string>
 #include <string_view>
@@ -9,14 +9,14 @@
 
 namespace pounding::laws {
 
-/// One resolved value of a made law.
+/// A resolved value of a law.
 struct ResolvedValue {
   std::string name;
   double value = 0;
   std::string unit;
 };
 
-/// A unit of the tables with the exponent n filled in: "N/m^n" with 1.5 is "N/m^1.5", with 1 "N/m".
+/// Substitutes the exponent n in a unit of the tables: "N/m^n" becomes "N/m^1.5" for 1.5 and "N/m" for 1.
 inline std::string resolved_unit(std::string_view unit, double exponent) {
   const std::pair<std::string_view, double> forms[] = {
       {"^((n+1)/2)", (exponent + 1) / 2}, {"^(n+1)", exponent + 1}, {"^n", exponent}};

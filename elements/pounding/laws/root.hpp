@@ -1,5 +1,5 @@
 #pragma once
-/// Root of a function in a bracket, to the last digits of double precision.
+/// Root of a function in a bracket, to double precision.
 
 #include <cmath>
 #include <limits>
@@ -8,10 +8,9 @@
 
 namespace pounding::laws {
 
-/// A root of f in [a, b], where f(a) and f(b) are given and differ in sign. Brent, Algorithms for Minimization without
-/// Derivatives (1973), chapter 4: bisection that is replaced by an interpolation while this gains. The point returned
-/// is the end of the last bracket with the smaller |f|.
-/// Throws std::domain_error when the signs do not differ.
+/// Root of f in [a, b]; f(a) and f(b) are passed and must differ in sign. Brent, Algorithms for Minimization without
+/// Derivatives (1973), chapter 4: interpolation, with bisection as fallback. Returns the end of the last bracket with
+/// the smaller |f|. Throws std::domain_error if the signs do not differ.
 template <class F>
 double find_root(F&& f, double a, double fa, double b, double fb) {
   if (!(fa * fb <= 0)) throw std::domain_error("no sign change in the bracket");

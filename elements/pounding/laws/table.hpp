@@ -1,5 +1,5 @@
 #pragma once
-/// The tables in which a law describes itself, for parser, reports, tests and documentation.
+/// Tables that describe a law, for parser, reports, tests and documentation.
 
 #include <array>
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace pounding::laws {
 
 /// Necessity of a parameter.
 enum class Need : unsigned char {
-  required,  ///< no default: it must be given
+  required,  ///< no default
   optional,  ///< has a default
   damping,   ///< gives the damping directly, instead of a restitution
   together,  ///< with the others marked so it is all that the law needs: nothing else is given beside them
@@ -18,14 +18,14 @@ enum class Need : unsigned char {
   extra      ///< may be left out, and has no default
 };
 
-/// One parameter of a law. In a unit, `n` is the law's exponent.
+/// A parameter of a law. In a unit, `n` is the exponent of the law.
 struct ParameterInfo {
   std::string_view name, unit, meaning;
   double typical = 0;  ///< SI
   Need need = Need::required;
 };
 
-/// A parameter and the member of the law that holds it: exactly one of the two pointers is set.
+/// A parameter and the corresponding member of the law: exactly one of the two pointers is set.
 template <class L>
 struct Parameter {
   constexpr Parameter(const ParameterInfo& of, double L::* member) : info(of), value(member) {}
@@ -60,14 +60,14 @@ struct CalibrationTarget {
   double stiffness = 1;      ///< k [N/m^n]
   double exponent = 1.5;     ///< n
   double reduced_mass = 1;   ///< m [kg]
-  double depth = 1;          ///< penetration of full damping (adams_impact) [m]
-  double yield_ratio = 0.1;  ///< yield over design penetration (bilinear_hertz)
+  double depth = 1;          ///< penetration at which damping is full (adams_impact) [m]
+  double yield_ratio = 0.1;  ///< ratio of yield penetration to design penetration (bilinear_hertz)
 };
 
-/// The dimensionless damping number of a law (its `number`: a, zeta, xi ...) for a restitution.
+/// Dimensionless damping number of a law (its `number`: a, zeta, xi ...) for a restitution.
 using DampingFormula = double (*)(const CalibrationTarget&);
 
-/// A published damping formula, or the exact calibration: the number that gives the restitution e.
+/// A published damping formula, or the exact calibration: damping number for a restitution e.
 struct Formula {
   std::string_view name, equation, source, note;
   DampingFormula function = nullptr;

@@ -12,34 +12,34 @@
 
 namespace pounding::laws {
 
-/// F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d'): damping in both phases, so that the restitution is the same at
-/// every speed.
+/// F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d'): damping in both phases; the restitution does not depend on the
+/// speed.
 ///
 /// k [N/m^n], n >= 1 [-], alpha [-], m [kg] reduced mass, d [m], d' [m/s]. Tsuji et al. 1992; Antypov & Elliott 2011.
-/// In stretched time it is a linear oscillator of ratio alpha/sqrt(2 (n+1)). The published alpha assumes contact until
-/// d = 0, where the force pulls; this law cuts the pull and then gives 0.55 for 0.50 asked. `exact` accounts for the
-/// cut.
+/// In stretched time it is a linear oscillator with damping ratio alpha/sqrt(2 (n+1)). The published alpha assumes
+/// contact until d = 0, where the force pulls; this law cuts off the tension, so it yields 0.55 for a target of 0.50.
+/// `exact` accounts for the cut-off.
 ///
-/// Given as damping_ratio, the value is alpha. The slope by d is infinite at d = 0 for n < 3; there it is bounded by
-/// its value at shallowest_slope, the force is not altered.
+/// The parameter damping_ratio is alpha. For n < 3, dF/dd is infinite at d = 0; it is bounded there by its
+/// value at shallowest_slope, while the force is exact.
 struct ViscousHertz {
   static constexpr std::string_view name = "viscous_hertz",
                                     shape = "F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d')";
-  static constexpr std::string_view summary = "Hertz spring, dashpot of speed-independent restitution, pull cut off";
+  static constexpr std::string_view summary = "Hertz spring, dashpot with speed-independent restitution, no tension";
   static constexpr std::string_view source = "Tsuji et al. 1992; Antypov & Elliott 2011";
   static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent, alpha [-] damping ratio";
   static constexpr std::string_view range = "n >= 1, any alpha >= 0";
   static constexpr std::string_view beware =
-      "the pull near separation is cut, so that the published alpha, made for contact until d = 0, gives more than "
-      "asked; the slope by d is infinite at the touch for n < 3, where the law gives a bounded one, and the force is "
-      "not altered";
+      "tension near separation is cut off, so the published alpha, which assumes contact until d = 0, yields a higher "
+      "restitution than its target. For n < 3, dF/dd is infinite at the touch and is bounded there, while the "
+      "force is exact";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^((n+1)/2)"};
 
   static constexpr std::array formulas{
       Formula{"exact", "alpha = sqrt(2 (n+1)) z, z the root of e = exp(-2 z arccos(z)/sqrt(1-z^2))",
-              "closed form in stretched time, contact until F = 0", "gives what is asked", &exact_viscous},
+              "closed form in stretched time, contact until F = 0", "reaches the target restitution", &exact_viscous},
       Formula{"antypov_elliott", "alpha = sqrt(2 (n+1)) (-ln e)/sqrt(pi^2 + ln^2 e)",
-              "Antypov & Elliott 2011; Feng 2026", "assumes contact until d = 0; 0.50 asked gives 0.55 here",
+              "Antypov & Elliott 2011; Feng 2026", "assumes contact until d = 0; yields 0.55 for a target of 0.50",
               &antypov_elliott}};
 
   double stiffness = 0;                   ///< k [N/m^n]

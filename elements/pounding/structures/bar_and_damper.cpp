@@ -35,13 +35,13 @@ double Damper::slip_rate(double stretch) const noexcept {
   return std::copysign(is_linear() ? force / coefficient : std::pow(force / coefficient, 1 / exponent), stretch);
 }
 
-// Newton's method from above: the left side grows and is convex, so it falls to the root.
+// Newton's method from above: the left side is increasing and convex, so the iteration descends to the root.
 double Damper::stretch(double length, double lag) const noexcept {
   if (std::isinf(lag) || length == 0) return 0;
   if (lag == 0) return length;
   const double whole = std::abs(length);
   if (is_linear()) return length / (1 + lag * stiffness / coefficient);
-  // Either term alone.
+  // Upper bound from each term separately.
   double s = std::min(whole, coefficient / stiffness * std::pow(whole / lag, exponent));
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const double slipped = lag * slip_rate(s), next = s - (s + slipped - whole) / (1 + slipped / (exponent * s));
@@ -54,7 +54,7 @@ double Damper::stretch(double length, double lag) const noexcept {
 double Damper::stretch_slope(double stretch, double lag) const noexcept {
   if (std::isinf(lag)) return 0;
   const double s = std::abs(stretch);
-  // The rate is a power of the stretch, from 1 on.
+  // The rate is a power >= 1 of the stretch.
   const double slope = is_linear() ? stiffness / coefficient : s == 0 ? 0 : slip_rate(s) / (exponent * s);
   return 1 / (1 + lag * slope);
 }
@@ -62,7 +62,7 @@ double Damper::stretch_slope(double stretch, double lag) const noexcept {
 void Damper::check() const {
   if (!is_positive(coefficient)) throw std::invalid_argument("the coefficient of a damper must be positive and finite");
   if (!(exponent >= least_exponent && exponent <= largest_exponent))
-    throw std::invalid_argument(fmt::format("the exponent of a damper lies in [{:g}, {:g}]; {:g} was given",
+    throw std::invalid_argument(fmt::format("the exponent of a damper must be in [{:g}, {:g}], but is {:g}",
                                             least_exponent, largest_exponent, exponent));
   if (!is_positive(rounding_velocity))
     throw std::invalid_argument("the rounding_velocity of a damper must be positive and finite");
@@ -70,7 +70,7 @@ void Damper::check() const {
     throw std::invalid_argument("the stiffness of a damper must be positive and finite");
   if (has_stiffness() && exponent > 1)
     throw std::invalid_argument(fmt::format(
-        "the exponent of a damper with a stiffness lies in [{:g}, 1]; {:g} was given", least_exponent, exponent));
+        "the exponent of a damper with a stiffness must be in [{:g}, 1], but is {:g}", least_exponent, exponent));
   if (has_stiffness() && exponent * coefficient / stiffness < shortest_relaxation)
     throw std::invalid_argument(
         fmt::format("the spring in series with the damper is far too stiff: with {:.3g} N/m its force follows the "

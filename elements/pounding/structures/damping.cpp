@@ -15,25 +15,25 @@
 namespace pounding {
 namespace {
 
-// A pivot below this part of its diagonal entry is that of a singular matrix.
+// Relative size of a pivot below which the matrix is singular.
 constexpr double no_pivot = 1e-12;
-// Rounding of the quotient and of the entries of K itself, of the sum of magnitudes |phi|^T |K| |phi|.
+// Round-off of Rayleigh's quotient and of the entries of K, relative to the sum of magnitudes |phi|^T |K| |phi|.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-// Components that differ by less count as equally large: those of a symmetric structure do but for rounding.
+// Components of almost the same size are treated as equal, as those of a symmetric structure are up to round-off.
 constexpr double equally_large = 1 - 1e-6;
 
-// Factors K over the unknowns without mass.
+// Factorizes K for the massless degrees of freedom.
 void factor(Eigen::SimplicialLDLT<SparseMatrix>& ldlt, const SparseMatrix& k, const std::vector<int>& unknowns) {
   if (unknowns.empty()) return;
   ldlt.compute(k);
   const Eigen::VectorXd pivots = ldlt.vectorD();
-  // In the order of elimination: a pivot that is exactly zero ends it.
+  // In the order of elimination, which ends at a pivot of exactly zero.
   for (int step = 0; step < pivots.size(); ++step) {
     const int i = ldlt.permutationPinv().indices()[step];
     if (!(pivots[step] > no_pivot * k.coeff(i, i)))
       throw std::invalid_argument(
-          fmt::format("the stiffness at the unknowns without mass is singular or not positive "
-                      "definite: a motion with unknown {} meets nothing",
+          fmt::format("the stiffness of the massless degrees of freedom is singular or not positive definite: a motion "
+                      "that involves {} has no stiffness",
                       unknowns[i]));
   }
 }
@@ -50,7 +50,7 @@ bool turned(const Eigen::VectorXd& shape) {
 void require_mode_count(int count, std::size_t available) {
   if (count < 0 || static_cast<std::size_t>(count) > available)
     throw std::invalid_argument(
-        fmt::format("{} modes asked for; there are {}, as many as unknowns with mass", count, available));
+        fmt::format("{} modes requested, but only {} degrees of freedom have mass", count, available));
 }
 
 void require_static_stiffness(const SparseMatrix& mass, const SparseMatrix& stiffness) {
@@ -71,7 +71,7 @@ Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffne
     squares[j] = shape.dot(stiffness * shape);
     if (squares[j] < -noise)
       throw std::invalid_argument(fmt::format(
-          "the stiffness is negative for some motion (w^2 = {:.4g} (rad/s)^2): the structure buckles", squares[j]));
+          "the stiffness is negative in some mode (w^2 = {:.4g} (rad/s)^2): the structure buckles", squares[j]));
     if (squares[j] <= noise) squares[j] = 0;
     scaled.col(j) = shape;
   }
@@ -100,10 +100,11 @@ Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, 
 }
 
 Eigenpairs eigenpairs(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
-  // The solver does not look whether its own factor of the mass matrix exists.
+  // The solver does not check that the mass matrix has a Cholesky factor.
   if (mass.llt().info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
-  if (solver.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
+  if (solver.info() != Eigen::Success)
+    throw std::invalid_argument("the eigenvalue solver for the modes of a structure did not converge");
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
@@ -124,8 +125,10 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& mod
 SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio) {
   const int count = static_cast<int>(split_by_mass(mass).dynamic.size());
   if (count > max_for_modal_damping)
-    throw std::invalid_argument(fmt::format(
-        "fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
+    throw std::invalid_argument(
+        fmt::format("modal damping would fill a dense {0} x {0} matrix; type damping: {{rayleigh: {{ratio: 5 "
+                    "%, modes: [1, 2]}}}}",
+                    count));
   return SparseMatrix(modal_damping(Eigen::MatrixXd(mass), dense_modes(mass, stiffness, count), ratio).sparseView());
 }
 

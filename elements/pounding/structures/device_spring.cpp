@@ -7,8 +7,8 @@
 
 namespace pounding {
 void DeviceParts::check() const {
-  if (!bar && !law && !damper) throw std::invalid_argument("a device needs a bar, a law of yielding or a damper");
-  if (bar && law) throw std::invalid_argument("a device has a bar or a law of yielding, not both");
+  if (!bar && !law && !damper) throw std::invalid_argument("a device needs a bar, a hysteretic law or a damper");
+  if (bar && law) throw std::invalid_argument("a device takes a bar or a hysteretic law, not both; remove one of them");
   if (bar) bar->check();
   if (law) make_spring(*law);
   if (damper) damper->check();
@@ -73,14 +73,14 @@ void DeviceSpring::accept(const LinkStep& step) {
   damped_ += damper_work(step, 1);
 }
 
-// Power that the damper turns into heat.
+// Power dissipated by the damper.
 double DeviceSpring::damper_power(const LinkMotion& motion) const noexcept {
   if (!damper_->has_stiffness()) return damper_->force(motion.rate) * motion.rate;
   const double stretch = motion.penetration - motion.slip;
   return damper_->stiffness * stretch * damper_->slip_rate(stretch);
 }
 
-// With the slip on the cubic through both ends.
+// The slip is interpolated by the cubic through both ends.
 LinkMotion DeviceSpring::motion_inside(const LinkStep& step, double s) const noexcept {
   LinkMotion motion = interpolate(step, s);
   if (!slips()) return motion;
@@ -90,10 +90,10 @@ LinkMotion DeviceSpring::motion_inside(const LinkStep& step, double s) const noe
   return motion;
 }
 
-// Until this part of the step, from 0 to 1.
+// Up to this fraction of the step, from 0 to 1.
 double DeviceSpring::damper_work(const LinkStep& step, double until) const noexcept {
   if (!damper_) return 0;
-  // Exact for a linear damper in the motion that interpolate() gives.
+  // Exact for a linear damper and the motion of interpolate().
   return (step.end - step.begin) *
          laws::gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
 }
@@ -103,7 +103,7 @@ Spring::Instant DeviceSpring::inside(const LinkStep& step, double s, double defo
   motion.penetration = deformation;
   Spring::Instant answer{evaluate(motion).force, damped_before_ + damper_work(step, s)};
   if (yielding_) {
-    // The law has gone on since: its answer in the step instead of that from the kept state.
+    // The law has been updated since: replace its current response by that inside the step.
     const Spring::Instant yielded = yielding_->inside(step, s, deformation);
     answer.force += yielded.force - yielding_->evaluate(motion).force;
     answer.lost += yielded.lost;

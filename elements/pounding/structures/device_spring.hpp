@@ -1,5 +1,5 @@
 #pragma once
-/// A device as a spring between two points: a bar or what yields by a law, a damper, or both beside each other.
+/// A device as a spring between two points: a bar or a hysteretic law, a damper, or both in parallel.
 
 #include <memory>
 #include <optional>
@@ -10,21 +10,22 @@
 
 namespace pounding {
 
-/// The parts of a device, which stand beside each other.
+/// Components of a device, in parallel.
 struct DeviceParts {
   std::optional<Bar> bar{};
-  std::optional<hysteresis::Settings> law{};  ///< of yielding, with its stiffness; instead of a bar
+  std::optional<hysteresis::Settings> law{};  ///< hysteretic law including its stiffness, instead of a bar
   std::optional<Damper> damper{};
 
-  /// Throws std::invalid_argument for nothing at all, for a bar beside a law, and for numbers that a part refuses.
+  /// Throws std::invalid_argument for a device without components, for a bar together with a law, and for invalid
+  /// values of a component.
   void check() const;
 };
 
-/// Deformation and force are elongation and tension. No structure is assembled with its stiffness: the force is all of
-/// it.
+/// Deformation and force are elongation and tension. The stiffness matrix does not contain the device, so evaluate()
+/// returns the whole force.
 class DeviceSpring final : public Spring {
  public:
-  /// Undeformed. Throws as DeviceParts::check() does.
+  /// Undeformed. Throws like DeviceParts::check().
   explicit DeviceSpring(const DeviceParts& parts);
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override;
@@ -45,19 +46,19 @@ class DeviceSpring final : public Spring {
   bool has_corners() const noexcept override { return yielding_ && yielding_->has_corners(); }
   bool slips() const noexcept override { return damper_ && damper_->has_stiffness(); }
   double slip_rate(const LinkMotion& motion) const noexcept override;
-  /// A damper in series with a spring has come to rest.
+  /// Slip at which a damper in series with a spring is at rest.
   double first_slip(const LinkMotion& motion) const noexcept override { return motion.penetration; }
   void start(const LinkMotion& motion) override;
   void accept(const LinkStep& step) override;
-  /// The loss is that of yielding and of the damper.
+  /// The loss includes that of the damper.
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
   double lost() const noexcept override { return yielding_ ? yielding_->lost() : 0; }
   double damped() const noexcept override { return damped_; }
-  /// All that it stores, for it has no k [J].
+  /// The whole stored energy, because k is zero [J].
   double stored_correction() const noexcept override;
   void archive(Archive& archive) override;
 
-  /// Elongation at the last kept state [m].
+  /// Elongation at the last accepted state [m].
   double elongation() const noexcept { return elongation_; }
 
  private:
@@ -68,9 +69,9 @@ class DeviceSpring final : public Spring {
 
   std::optional<Bar> bar_;
   std::optional<Damper> damper_;
-  std::unique_ptr<Spring> yielding_;  // its force on top of k d, with k of the law
+  std::unique_ptr<Spring> yielding_;  // its force in addition to k d, with the k of the law
   double elongation_ = 0, stretch_ = 0, damped_ = 0;
-  double damped_before_ = 0;  // at the beginning of the last kept step, for inside()
+  double damped_before_ = 0;  // at the beginning of the last accepted step, for inside()
 };
 
 }  // namespace pounding

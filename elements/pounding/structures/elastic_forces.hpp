@@ -1,14 +1,14 @@
 #pragma once
-/// The elastic forces of a structure that turns: not proportional to its displacements.
+/// Elastic forces of a structure with large rotations: not proportional to its displacements.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 namespace pounding {
 
-/// Forces that follow from the displacements u of the unknowns without any memory, as the gradient of an energy. u
-/// counts from the state at rest: there energy and force are exactly zero, what acts at rest included, and the tangent
-/// is the stiffness K of the structure. Every function is pure.
+/// Path-independent forces as the gradient of an energy of the displacements u, which are relative to the state at
+/// rest. There energy and force are exactly zero, loads at rest included, and the tangent is the stiffness K of the
+/// structure. All functions are pure.
 class ElasticForces {
  public:
   virtual ~ElasticForces() = default;
@@ -17,7 +17,7 @@ class ElasticForces {
   virtual const Eigen::VectorXd& at_rest() const = 0;
   virtual double energy(const Eigen::VectorXd& u) const = 0;          ///< [J]
   virtual Eigen::VectorXd force(const Eigen::VectorXd& u) const = 0;  ///< [N], [N m]
-  /// Symmetric and compressed, its entries always at the same places.
+  /// Symmetric and compressed, with a constant sparsity pattern.
   virtual Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& u) const = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A storey, a hinge or a device that yields by one of the laws of hysteresis/.
+/// Storeys, hinges and devices with a hysteretic law.
 
 #include <cmath>
 #include <type_traits>
@@ -9,15 +9,15 @@
 
 namespace pounding {
 
-/// A spring that follows a law of yielding. Its k is that of the law.
+/// A spring with a hysteretic law. Its k is that of the law.
 ///
-/// As a Spring it answers the force of the law minus k u. The law follows straight ways; where the deformation turns
-/// within a step, accept() goes to the turning point of the cubic through both ends of the step first. There is no
+/// As a Spring it returns the force of the law minus k u. The law follows straight paths: if the deformation reverses
+/// within a step, accept() first advances to the reversal of the cubic through both ends of the step. Without a
 /// dashpot.
 template <hysteresis::Law L>
 class HystereticSpring : public Spring {
  public:
-  /// Undeformed. Throws std::invalid_argument for a parameter that is out of range.
+  /// Undeformed. Throws std::invalid_argument for a parameter out of range.
   explicit HystereticSpring(const L& law) : law_(law) { law_.check(); }
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override {
@@ -33,8 +33,7 @@ class HystereticSpring : public Spring {
       return law_.yield_deformation();
   }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
-  /// The slope behind the turn is asked for: it is not k where a force that came back elastically is pressed again on a
-  /// curve.
+  /// Evaluates the slope after the reversal: it differs from k where an elastically unloaded force reloads on a curve.
   double slope_lost(double deformation) const noexcept override {
     const double back =
         deformation + std::copysign(turned_part * law_.yield_deformation(), kept_.deformation - deformation);
@@ -54,7 +53,7 @@ class HystereticSpring : public Spring {
     given_before_ = given_;
     kept_.deformation = deformation;
   }
-  /// A spring that was never deformed is brought to where the run begins, which loses nothing that is counted.
+  /// Brings an undeformed spring to the initial motion of the run; this counts no loss.
   void start(const LinkMotion& motion) override {
     if (kept_.deformation == 0 && motion.penetration != 0) {
       kept_ = law_.advance(kept_, motion.penetration);
@@ -89,16 +88,16 @@ class HystereticSpring : public Spring {
     archive(given_);
   }
 
-  /// With its parameters.
+  /// The law with its parameters.
   const L& law() const noexcept { return law_; }
-  /// State at the last kept step.
+  /// State at the last accepted step.
   const typename L::State& kept() const noexcept { return kept_; }
 
  private:
-  /// A way back by this part of the yield deformation is a turn, and no more.
+  /// Relative size of a reversal that determines the slope behind it, as a fraction of the yield deformation.
   static constexpr double turned_part = 1e-9;
-  /// Whether the law says itself what it loses. Else the loss is the work less what is stored, which is asked for less
-  /// often.
+  /// True if the law computes its loss itself. Otherwise the loss is the work minus the stored energy, which is
+  /// evaluated less often.
   static constexpr bool counts_loss =
       requires(const L& law, const typename L::State& kept, double d) { law.lost(kept, d); };
 
@@ -119,8 +118,8 @@ class HystereticSpring : public Spring {
 
   L law_;
   typename L::State kept_{};
-  double given_ = 0;  // energy that was lost, or all work done on it [J]
-  // At the beginning of the last kept step. Who asks for it does so before the next one, and after accept().
+  double given_ = 0;  // dissipated energy, or all work done on the spring [J]
+  // State at the beginning of the last accepted step. It must be read after accept() and before the next one.
   typename L::State before_{};
   double given_before_ = 0;
 };

@@ -23,7 +23,7 @@ void add(const Factors& more, double times, Factors& sum) {
   for (const auto& [unknown, factor] : more) sum[unknown] += times * factor;
 }
 
-// Replaces an unknown by what it is.
+// Substitutes a linear combination for an unknown.
 void replace(int unknown, const Factors& by, Factors& in) {
   const auto found = in.find(unknown);
   if (found == in.end()) return;
@@ -32,12 +32,12 @@ void replace(int unknown, const Factors& by, Factors& in) {
   add(by, times, in);
 }
 
-// The numbers of the law, and those of the velocity.
+// Parameters of the law combined with those of the velocity dependence.
 SlidingFriction sliding(const IsolatorOptions::Velocity& velocity, const std::vector<YieldingPart::Parameter>& law) {
   const auto number = [&](const char* name) {
     const auto found = std::ranges::find(law, name, &YieldingPart::Parameter::name);
     if (found == law.end())
-      throw std::invalid_argument("friction that depends on the velocity belongs to a friction_pendulum");
+      throw std::invalid_argument("velocity-dependent friction requires the law friction_pendulum");
     return found->value;
   };
   return {.weight = number("weight"),
@@ -92,14 +92,15 @@ SparseMatrix stiffness_of_isolators(const Structure& s) {
 
 SparseMatrix motions_on_fixed_base(const Structure& s) {
   constexpr double rounding = 1e-12;
-  std::map<int, Factors> given;  // unknowns that the others determine
+  std::map<int, Factors> given;  // unknowns that depend on the others
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
     Factors row;
     for (Row::InnerIterator it(part.deformation); it; ++it) row[static_cast<int>(it.index())] = it.value();
     for (const auto& [unknown, by] : given) replace(unknown, by, row);
     const auto largest = std::ranges::max_element(row, {}, [](const auto& entry) { return std::abs(entry.second); });
-    if (largest == row.end() || std::abs(largest->second) < rounding) continue;  // tied to one that is held already
+    if (largest == row.end() || std::abs(largest->second) < rounding)
+      continue;  // depends on isolators that are already fixed
     const int unknown = largest->first;
     const double factor = largest->second;
     row.erase(largest);
@@ -113,7 +114,7 @@ SparseMatrix motions_on_fixed_base(const Structure& s) {
   for (int i = 0; i < s.size(); ++i)
     if (!given.contains(i)) column[i] = count++;
   if (count == 0)
-    throw std::invalid_argument("nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
+    throw std::invalid_argument("only the isolators deform, so there is nothing to damp; type damping: 0");
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < s.size(); ++i)
     if (column[i] >= 0) entries.emplace_back(i, column[i], 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// Isolators between the ground and a structure: parts that yield by a law, and what they are left out of.
+/// Isolators between the ground and a structure: yielding parts that are exempt from some forms of damping.
 
 #include <optional>
 #include <string>
@@ -10,44 +10,45 @@
 
 namespace pounding {
 
-/// One isolator, or all of them together, by its law: `{.law = {.law = "lead_rubber", .values = {{"strength", 375e3},
-/// {"post_yield_stiffness", 3.5e6}, {"yield_displacement", 12e-3}}}}`. SI units.
+/// One isolator, or all isolators combined, with a hysteretic law: `{.law = {.law = "lead_rubber", .values =
+/// {{"strength", 375e3}, {"post_yield_stiffness", 3.5e6}, {"yield_displacement", 12e-3}}}}`. SI units.
 struct IsolatorOptions {
-  /// Law and numbers. A `weight` that the law takes is the load at rest unless it is given.
+  /// Law and parameters. The parameter `weight`, if the law takes it, defaults to the load at rest.
   hysteresis::Settings law;
-  std::optional<double> capacity{};  ///< deformation that it can bear, for reports [m]
-  /// Of a friction_pendulum: its coefficient when it slides slowly, and how fast it comes to that of the law [s/m], see
+  std::optional<double> capacity{};  ///< deformation capacity, for reports [m]
+  /// For a friction_pendulum: coefficient of slow sliding, and rate of the transition to that of the law [s/m], see
   /// SlidingFriction.
   struct Velocity {
     double slow_friction = 0, rate = 0;
   };
   std::optional<Velocity> velocity{};
-  bool is_coupled = true;  ///< in space each axis by itself asks for false: laws of two axes in one are not there yet
+  bool is_coupled =
+      true;  ///< frames in space accept only false, for independent axes: coupled laws are not implemented
 };
 
-/// Whether the law takes a weight and none is given. False for an unknown law.
+/// True if the law takes a weight and none is given. False for an unknown law.
 bool needs_weight(const IsolatorOptions& isolator);
 
-/// An isolator with this deformation as factors of the unknowns, under this weight [N]. Throws std::invalid_argument,
-/// in the words of the law, for what make_spring() refuses, and for a capacity that is not positive.
+/// Creates an isolator from its deformation, as factors of the unknowns, and its weight [N]. Throws
+/// std::invalid_argument like make_spring(), and for a capacity that is not positive.
 YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOptions& isolator, double weight);
 
-/// Whether a part is an isolator: a length between the ground and a structure, which damping by ratios leaves out. Its
-/// parameter `capacity` is the deformation that it can bear [m], infinite where nothing is said of it.
+/// True for an isolator: a part between the ground and a structure that is exempt from damping by ratios. Its parameter
+/// `capacity` is the deformation capacity [m], infinite if not given.
 inline bool isolates(const YieldingPart& part) { return part.kind == YieldingPart::Kind::isolator; }
 
-/// Whether a structure stands on isolators.
+/// True if a structure has isolators.
 bool is_isolated(const Structure& s);
 
-/// The part of K that is that of the isolators, n x n [N/m].
+/// Contribution of the isolators to K, n x n [N/m].
 SparseMatrix stiffness_of_isolators(const Structure& s);
 
-/// T, n x (n - isolators): all motions in which no isolator deforms are T times its columns' unknowns. T^T K T is the
-/// structure on its fixed base. Throws std::invalid_argument where nothing else can move.
+/// T, n x (n - isolators): maps reduced unknowns to all motions in which no isolator deforms. T^T K T is the stiffness
+/// of the structure on a fixed base. Throws std::invalid_argument if no other motion is possible.
 SparseMatrix motions_on_fixed_base(const Structure& s);
 
-/// Period of the structure as one body on its isolators after the yield, along x: 2 pi sqrt(m/sum k2) [s]; infinite
-/// where they do not harden.
+/// Period of the structure as a rigid body on its isolators after yield, along x: 2 pi sqrt(m/sum k2) [s]; infinite if
+/// they do not harden.
 double isolated_period(const Structure& s);
 
 }  // namespace pounding

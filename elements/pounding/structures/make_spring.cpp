@@ -13,7 +13,7 @@
 namespace pounding {
 namespace {
 
-/// Words of a law and of a hinge; none of the first is a part of one that follows it. `hardening` of a hinge is the
+/// Parameter names of a law and of a hinge; no name may be contained in a later one. `hardening` of a hinge is the
 /// ratio of the member end.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> moments{
     {{"hardening", "spring_hardening"},
@@ -46,7 +46,7 @@ std::unique_ptr<Spring> make_hinge(const hysteresis::Settings& settings) {
   hysteresis::Settings forces = settings;
   for (const auto& [force, moment] : moments) {
     if (settings.values.contains(force))
-      throw std::invalid_argument("a hinge has a " + std::string(moment) + " instead of a " + std::string(force));
+      throw std::invalid_argument("a hinge takes " + std::string(moment) + ", not " + std::string(force));
     if (auto given = forces.values.extract(std::string(moment)); !given.empty()) {
       given.key() = force;
       forces.values.insert(std::move(given));

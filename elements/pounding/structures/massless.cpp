@@ -5,7 +5,7 @@
 namespace pounding {
 namespace {
 
-// Calls add(row, column, value), both counted in the submatrix, for each entry of it.
+// Calls add(row, column, value) for each entry of the submatrix, with indices of the submatrix.
 template <class Add>
 void for_each_entry(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
                     int first, Add&& add) {

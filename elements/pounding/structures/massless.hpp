@@ -1,6 +1,6 @@
 #pragma once
-/// Degrees of freedom with and without mass. Only those with mass are dynamic: they have inertia and modes of their
-/// own. The massless ones follow them by the stiffness, K_ss u_s = -K_sm u_m.
+/// Degrees of freedom with and without mass. Only those with mass are dynamic: they have inertia and modes. The
+/// massless ones follow by static condensation, K_ss u_s = -K_sm u_m.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace pounding {
 
-/// The matrices of structures, column by column.
+/// Matrices of structures, in compressed column format.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// The matrix of these entries; entries at the same place are added.
@@ -26,18 +26,18 @@ struct MassSplit {
   std::vector<int> massless;  ///< without
 };
 
-/// Whether a degree of freedom has mass. One without has an empty column in the mass matrix, or one of zeros.
+/// True if a degree of freedom has mass. The mass matrix column of a massless one is empty or zero.
 bool has_mass(const SparseMatrix& mass, int dof);
-/// The split of the degrees of freedom first .. first + count - 1, numbered from 0 at `first`.
+/// Splits the degrees of freedom first .. first + count - 1, numbered from 0 at `first`.
 MassSplit split_by_mass(const SparseMatrix& mass, int first, int count);
-/// The split of all degrees of freedom.
+/// Splits all degrees of freedom.
 MassSplit split_by_mass(const SparseMatrix& mass);
 
-/// The entries of a matrix at these rows and columns, in their order. Both count from `first`, the first row and column
-/// of a block on the diagonal: entries above the block are left out.
+/// Submatrix of these rows and columns, in their order. Indices are relative to `first`, the first row and column of a
+/// diagonal block; entries above the block are omitted.
 SparseMatrix submatrix(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns,
                        int first = 0);
-/// As submatrix, as a dense matrix.
+/// submatrix() as a dense matrix.
 Eigen::MatrixXd dense_submatrix(const SparseMatrix& matrix, const std::vector<int>& rows,
                                 const std::vector<int>& columns, int first = 0);
 

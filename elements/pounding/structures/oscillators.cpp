@@ -18,16 +18,15 @@
 namespace pounding {
 namespace {
 
-constexpr const char* needs_yielding = "hardening belongs to storeys that yield; give the yield_force beside it";
-constexpr const char* one_law =
-    "a spring says how the storeys yield; leave out the yield_force and the hardening beside it";
+constexpr const char* needs_yielding = "hardening requires yield_force; give both";
+constexpr const char* one_law = "spring defines how the storeys yield; remove yield_force and hardening";
 
 void require_positive(double value, const char* what) {
   if (!(value > 0) || std::isinf(value))
     throw std::invalid_argument(std::string(what) + " must be positive and finite");
 }
 
-// Floors above each other that move along x only: the unknowns themselves.
+// Floors of a stick model that move only along x: the unknowns themselves.
 class FloorSurface final : public Surface {
  public:
   explicit FloorSurface(std::vector<double> masses) : masses_(std::move(masses)) {}
@@ -54,7 +53,7 @@ class WallSurface final : public Surface {
   }
 };
 
-// Storeys from the ground up; a free mass has a stiffness of zero and no storey.
+// Storeys from the ground up; a free mass has zero stiffness and no storey.
 Structure make_stick(const std::vector<double>& masses, const std::vector<double>& stiffnesses,
                      const std::vector<double>& heights) {
   const int n = static_cast<int>(masses.size());
@@ -120,7 +119,7 @@ double stiffness_of_period(double mass, double period) {
 Structure make_oscillator(const OscillatorOptions& options) {
   require_positive(options.mass, "mass");
   if (options.period.has_value() == options.stiffness.has_value())
-    throw std::invalid_argument("an oscillator takes its period or its stiffness, one of the two");
+    throw std::invalid_argument("an oscillator needs exactly one of period and stiffness");
   if (options.period) require_positive(*options.period, "period");
   const double stiffness = options.stiffness ? *options.stiffness : stiffness_of_period(options.mass, *options.period);
   require_positive(stiffness, "stiffness");
@@ -158,16 +157,17 @@ YieldingPart isolators_under(const std::vector<double>& masses, const IsolatorOp
   }
 }
 
-// The motion of the soft storeys is round-off if others are stiffer by more digits than a number has: six of 16 remain.
+// With larger ratios of stiffness, the motion of soft storeys is lost to round-off; this limit preserves six of 16
+// digits.
 void require_digits_of_storeys(const std::vector<double>& stiffnesses) {
   constexpr double largest_ratio = 1e10;
   if (stiffnesses.empty()) return;
   const auto [softest, stiffest] = std::ranges::minmax(stiffnesses);
   if (stiffest > largest_ratio * softest)
-    throw std::invalid_argument(fmt::format(
-        "stiffness: storeys of {:.3g} and {:.3g} N/m differ by more than {:g} times, and the motion of the soft one "
-        "is round-off; look at the unit, or type at most {:.3g} N/m for the stiff one",
-        softest, stiffest, largest_ratio, largest_ratio * softest));
+    throw std::invalid_argument(
+        fmt::format("stiffness: storeys of {:.3g} and {:.3g} N/m differ by a factor above {:g}, so the motion of the "
+                    "soft one is lost to round-off; check the unit, or type at most {:.3g} N/m for the stiff one",
+                    softest, stiffest, largest_ratio, largest_ratio * softest));
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ std::vector<double> stiffness_of_storeys(const Structure& s) {
 void let_storeys_yield(Structure& s, const std::vector<double>& yield_forces, const std::vector<double>& hardening) {
   const std::size_t storeys = stiffness_of_storeys(s).size();
   if (yield_forces.size() != storeys || hardening.size() != storeys)
-    throw std::invalid_argument("one yield force and one hardening a storey");
+    throw std::invalid_argument("yield_forces and hardening need one value per storey");
   let_storeys_yield(s, {.law = "bilinear", .values = {{"yield_force", yield_forces}, {"hardening", hardening}}});
 }
 

@@ -9,9 +9,9 @@
 namespace pounding {
 namespace {
 
-// A slider this part below the limit of friction has reached it: its slip alone says whether it slides on.
+// Within this relative distance of the friction limit, only the slip decides whether the slider slides.
 constexpr double at_limit = 1e-9;
-// A phase is over where a function changes its sign between two of so many instants.
+// A phase ends at a sign change of a function between two of these instants.
 constexpr int looks = 8;
 constexpr int most_phases = 16;
 
@@ -22,7 +22,7 @@ void SlidingFriction::check() const {
   laws::require_positive("radius", radius);
   laws::require_positive("friction", fast);
   if (!(slow > 0 && slow <= fast))
-    laws::refuse("friction", slow, "positive and, the first of two, at most the second, " + laws::number_text(fast));
+    laws::refuse("friction", slow, "positive, with the first value at most the second, " + laws::number_text(fast));
   laws::require_positive("rate", rate);
   laws::require_positive("yield_displacement", sliding_deformation);
 }
@@ -35,7 +35,7 @@ double SlidingFriction::slope_of_coefficient(double velocity) const noexcept {
   return std::copysign((fast - slow) * rate * std::exp(-rate * std::abs(velocity)), velocity);
 }
 
-// The force q where the way from the kept state on ends with this motion.
+// Force q if the path from the accepted state ends with this motion.
 double SlidingSpring::friction(const State& state, const LinkMotion& motion) const noexcept {
   const double most = law_.coefficient(motion.rate) * law_.weight;
   return std::clamp(law_.stick() * (motion.penetration - state.slip), -most, most);
@@ -63,7 +63,7 @@ SlidingSpring::State SlidingSpring::slid(State state, const LinkMotion& motion) 
   return state;
 }
 
-// Where it begins to stick it moves along the limit of friction for a while, to rounding.
+// At the onset of sticking it follows the friction limit for a while, to within round-off.
 bool SlidingSpring::slides(const State& state, const Jet& at) const noexcept {
   constexpr double rounding = 1e-13;
   const double limit = reach(at.v);
@@ -74,7 +74,7 @@ double SlidingSpring::balanced_slip_rate(const Jet& at, double way) const noexce
   return at.v - way * law_.weight / law_.stick() * law_.slope_of_coefficient(at.v) * at.a;
 }
 
-// Its phase from one instant on, and until when on the way to another; until that one where it goes on.
+// Phase that begins at one instant, and its end on the path to another; that other one if the phase continues.
 SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, double from, double to) const noexcept {
   const Jet first = path.at(from);
   const double way = std::copysign(1.0, first.x - state.slip), limit = reach(first.v);
@@ -101,8 +101,8 @@ SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, doub
   return {sliding, to};
 }
 
-// Each stage finds by itself that it slides. Where it sticks it does not: what it slipped before, in the same step, is
-// missing in all stages.
+// Each stage detects sliding independently. It does not detect sticking: the earlier slip in the same step is missing
+// in all stages.
 std::optional<double> SlidingSpring::bend(const Quintic& path, double near) const noexcept {
   constexpr double near_onset = 1e-3;
   const Phase now = phase(kept_, path, 0, 1);
@@ -110,7 +110,7 @@ std::optional<double> SlidingSpring::bend(const Quintic& path, double near) cons
   return now.end > least && now.end < 1 - least ? std::optional(now.end) : std::nullopt;
 }
 
-// Along a kept step from its beginning on.
+// Follows an accepted step from its beginning.
 SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, double to) const noexcept {
   const double k0 = law_.stick();
   const Quintic way = path(step);
@@ -123,7 +123,7 @@ SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, do
     const auto [sliding, until] = phase(state, way, from, to);
     const LinkMotion begin = motion(from), end = motion(until);
     if (sliding) {
-      // Loss: work of q less what its spring takes.
+      // Loss: work of q minus the energy stored in its spring.
       const auto power = [&](double s) {
         const LinkMotion at = motion(s);
         return friction(state, at) * at.rate;
@@ -143,7 +143,7 @@ void SlidingSpring::accept(const LinkStep& step) {
   kept_ = follow(kept_, step, 1);
 }
 
-// Up to some r |v| friction changes with the velocity.
+// The friction depends on the velocity up to a value of r |v|.
 bool SlidingSpring::bends_sharply(const LinkStep& step) const noexcept {
   constexpr double saturated = 10;
   return law_.rate * std::min(std::abs(step.motion_begin.rate), std::abs(step.motion_end.rate)) < saturated;

@@ -1,5 +1,5 @@
 #pragma once
-/// A slider in a dish whose friction depends on the velocity.
+/// A slider on a spherical surface with velocity-dependent friction.
 
 #include <optional>
 
@@ -7,9 +7,10 @@
 
 namespace pounding {
 
-/// f = W d/R + q, |q| <= mu(v) W behind a spring k0 = mu_fast W/u_y; mu = mu_fast - (mu_fast - mu_slow) exp(-r |v|).
+/// f = W d/R + q, |q| <= mu(v) W in series with a spring k0 = mu_fast W/u_y; mu = mu_fast - (mu_fast - mu_slow) exp(-r
+/// |v|).
 ///
-/// v is the rate of d. Constantinou, Mokha & Reinhorn 1990, J. Struct. Eng. 116:455. The weight stays that at rest.
+/// v is the rate of d. Constantinou, Mokha & Reinhorn 1990, J. Struct. Eng. 116:455. W is the static weight.
 struct SlidingFriction {
   double weight = 0;                    ///< W > 0 [N]
   double radius = 0;                    ///< R > 0 [m]
@@ -17,7 +18,7 @@ struct SlidingFriction {
   double rate = 0;                      ///< r > 0 [s/m]
   double sliding_deformation = 0.5e-3;  ///< u_y > 0 [m]
 
-  /// Throws std::invalid_argument for a number out of its range.
+  /// Throws std::invalid_argument for a value out of range.
   void check() const;
   double coefficient(double velocity) const noexcept;                            ///< mu [-]
   double slope_of_coefficient(double velocity) const noexcept;                   ///< d mu/d v [s/m]
@@ -25,12 +26,12 @@ struct SlidingFriction {
   double stick() const noexcept { return fast * weight / sliding_deformation; }  ///< k0 [N/m]
 };
 
-/// The slider as a spring. Its k is W/R + k0. At the turns of the deformation it slides at mu_slow. It sticks where its
-/// slip stops, which is at the turn or, where the friction rises faster than k0 could press on, before. Its deformation
-/// must be one of unknowns with mass.
+/// The slider as a spring. Its k is W/R + k0. At reversals of the deformation it slides with mu_slow. It sticks when
+/// its slip stops: at the reversal, or earlier if the friction increases faster than the force of k0 can. Its
+/// deformation must consist of unknowns with mass.
 class SlidingSpring final : public Spring {
  public:
-  /// Undeformed. Throws std::invalid_argument as check().
+  /// Undeformed. Throws std::invalid_argument like check().
   explicit SlidingSpring(const SlidingFriction& friction) : law_(friction) { law_.check(); }
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override;
@@ -41,19 +42,19 @@ class SlidingSpring final : public Spring {
   void start(const LinkMotion& motion) override;
   void accept(const LinkStep& step) override;
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
-  /// True where it comes to rest.
+  /// True if it comes to rest.
   bool bends_sharply(const LinkStep& step) const noexcept override;
   double lost() const noexcept override { return kept_.lost; }
   double stored_correction() const noexcept override;
   void archive(Archive& archive) override { archive(kept_); }
 
  private:
-  // The last kept state; by itself undeformed.
+  // Last accepted state; by default undeformed.
   struct State {
     double deformation = 0, rate = 0, slip = 0, lost = 0;  // [m], [m/s], [m], [J]
   };
 
-  // Sticks or slides up to this part of a step.
+  // Sticks or slides up to this fraction of a step.
   struct Phase {
     bool slides = false;
     double end = 1;
@@ -68,7 +69,7 @@ class SlidingSpring final : public Spring {
   State follow(State state, const LinkStep& step, double to) const noexcept;
 
   SlidingFriction law_;
-  State kept_{}, before_{};  // and that at the beginning of the last kept step
+  State kept_{}, before_{};  // last accepted state, and the one at the beginning of that step
 };
 
 }  // namespace pounding

@@ -47,13 +47,15 @@ Side side_of(const Eigen::Vector3d& direction) {
 }
 
 ContactPoint Surface::column(double, Side, double) const {
-  throw std::invalid_argument("it has no columns that could be hit between the floors; name a floor");
+  throw std::invalid_argument("this structure has no columns for contact between floors; name a floor");
 }
 
-ContactPoint Surface::node(const std::string&) const { throw std::invalid_argument("it has no nodes; name a floor"); }
+ContactPoint Surface::node(const std::string&) const {
+  throw std::invalid_argument("this structure has no nodes; name a floor");
+}
 
 Row Surface::displacement(const std::string&, const std::string&) const {
-  throw std::invalid_argument("it has no nodes; name a floor");
+  throw std::invalid_argument("this structure has no nodes; name a floor");
 }
 
 SparseMatrix Structure::formed_damping() const {

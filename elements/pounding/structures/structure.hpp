@@ -1,5 +1,5 @@
 #pragma once
-/// One structure: its matrices, its floors, where others can touch it, what is reported of it.
+/// A structure: its matrices, floors, contact points and reported quantities.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -21,60 +21,61 @@
 
 namespace pounding {
 
-/// How the unknowns of a structure make one quantity: their factors.
+/// A quantity as factors of the unknowns.
 using Row = Eigen::SparseVector<double>;
 
-/// A part of a structure that yields, in parallel to the stiffness that K has for it: a storey, a hinge at the end of a
-/// member. Or a device between two of its points, which K has nothing of.
+/// A yielding part of a structure, in parallel with its stiffness in K: a storey, or a hinge at the end of a member. Or
+/// a device between two points, which K does not contain.
 struct YieldingPart {
-  /// A device adds to the stiffness, the others are in it.
+  /// The stiffness of a device is additional to K; that of the others is contained in K.
   enum class Kind { storey, hinge, isolator, device };
-  /// A number that its law was made with, for reports.
+  /// A parameter of the law, for reports.
   struct Parameter {
-    std::string name;  ///< the word of the input: "yield_force"
+    std::string name;  ///< the input key: "yield_force"
     double value;
   };
 
   std::string name;  ///< "storey 1", "beam 0.1 start"
-  /// The deformation that its law follows, as factors of the unknowns [m] or [rad]. Unknowns without mass may be among
-  /// them.
+  /// Deformation of the law as factors of the unknowns [m] or [rad], which may be massless.
   Row deformation;
   double at_rest = 0;  ///< deformation under gravity, to be added
-  std::string law;     ///< the word of the input: "bilinear"
+  std::string law;     ///< the input keyword: "bilinear"
   std::vector<Parameter> parameters;
   std::unique_ptr<Spring> spring;
-  YieldLimits limits;            ///< deformations at which it first yields
-  std::vector<std::byte> fresh;  ///< archive of the spring as it was given
+  YieldLimits limits;            ///< deformations at first yield
+  std::vector<std::byte> fresh;  ///< archive of the undeformed spring
   Kind kind = Kind::storey;
-  std::string device{};  ///< of a device: its parts and its ends, for reports
+  std::string device{};  ///< of a device: its components and ends, for reports
 
-  bool is_device() const noexcept { return kind == Kind::device; }  ///< whether it is one
-  /// The number of a parameter; NaN for one that it does not have.
+  bool is_device() const noexcept { return kind == Kind::device; }  ///< true for a device
+  /// Value of a parameter; NaN if there is none of this name.
   double parameter(std::string_view parameter_name) const;
 
-  /// Takes a spring that has not been deformed.
+  /// The spring must be undeformed.
   YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers,
                std::unique_ptr<Spring> undeformed);
 };
 
-/// A force that acts on a structure over time.
+/// A time-dependent force on a structure.
 struct AppliedForce {
   std::string place;     ///< "floor 3 ux", for reports
-  Row direction;         ///< the displacement on which it works
+  Row direction;         ///< displacement that the force does work on
   GroundMotion history;  ///< [N], or [N m] for a moment
 };
 
-/// Supports that the ground moves alike.
+/// Supports with a common ground motion.
 struct Support {
-  std::string name;                                    ///< for messages; empty where the structure has one support only
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< where a travelling wave arrives [m]
-  double delay = 0;                                    ///< the ground moves later here [s]
-  std::optional<GroundComponents> motion;              ///< of its own instead of the model's
-  /// n x 3: where the unknowns go when the ground moves by one here along x, y, z and rests at the other supports.
+  std::string name;                                    ///< for messages; empty if the structure has one support only
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< position at which a travelling wave arrives [m]
+  double delay = 0;                                    ///< delay of the ground motion [s]
+  std::optional<GroundComponents> motion;              ///< separate motion, instead of that of the model
+  /// n x 3: displacements of the unknowns for a unit displacement of the ground here along x, y, z, with the other
+  /// supports at rest.
   Eigen::MatrixX3d influence;
-  Eigen::MatrixX3d load;  ///< n x 3 [kg]: mass times influence, and what couples the unknowns to the support
+  Eigen::MatrixX3d load;  ///< n x 3 [kg]: mass times influence, and the mass coupling of the unknowns to the support
 
-  // Response to such a motion while the unknowns rest; empty in a structure with one support, which all is relative to.
+  // Response to such a motion with the unknowns at rest; empty in a structure with one support, to which all is
+  // relative.
   Eigen::MatrixX3d enforced;  ///< displacements of the nodes, see ContactPoint::supported
   Eigen::MatrixX3d nodes;     ///< rows of NodeReport, node by node
   Eigen::MatrixX3d shears;    ///< storey shears, floor by floor [N/m]
@@ -83,162 +84,163 @@ struct Support {
 
 /// One floor.
 struct Floor {
-  std::string label;                ///< "1" at the lowest
-  double mass = 0;                  ///< that moves along x with it [kg]
-  std::optional<double> elevation;  ///< above the common datum [m]; nothing where heights were not given
-  double beam_depth = 0;            ///< of its deepest beam [m]; 0 for a floor without beams
-  /// Displacements that are reported: x; and y and the turn about z in a structure in space.
+  std::string label;                ///< "1" for the lowest
+  double mass = 0;                  ///< mass moving along x with the floor [kg]
+  std::optional<double> elevation;  ///< above the common datum [m]; `nullopt` if heights were not given
+  double beam_depth = 0;            ///< of its deepest beam [m]; 0 without beams
+  /// Reported displacements: x; in space also y and the rotation about z.
   std::vector<Row> motion;
-  /// Extent of a rigid floor in space, relative to the point whose motion is reported: smallest x, largest x, smallest
-  /// y, largest y [m]. nullopt for other floors.
+  /// Extent of a rigid floor in space, relative to the point whose motion is reported: minimum x, maximum x, minimum
+  /// y, maximum y [m]. nullopt for other floors.
   std::optional<std::array<double, 4>> plan{};
   /// Shear forces of the storey below, along x, and y in space [N]; empty in a structure without storeys.
   std::vector<Row> storey_shear;
-  /// The part of each of them that yielding parts add directly, as factors of their forces; empty for none.
+  /// Direct contribution of yielding parts to each of them, as factors of their forces; empty if there is none.
   std::vector<Row> storey_shear_by_yielding;
 };
 
-/// A point where a structure can be touched.
+/// A possible contact point of a structure.
 struct ContactPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
   std::array<Row, 3> motion;                           ///< displacements along x, y, z
-  /// Displacements by what supports enforce (Support::enforced), of a point on a member that ends at one. Else empty.
+  /// Displacements due to the enforced motion of supports (Support::enforced), for a point on a member that ends at
+  /// one. Otherwise empty.
   std::array<Row, 3> supported;
-  double mass = 0;  ///< that the damping of a link is calibrated with: of the floor or of the node [kg]
-  int member = -1;  ///< that is met between its ends
-  /// Forces on the ends of the member by a unit force along x, y, z at the point, local axes, its nodes held.
+  double mass = 0;  ///< mass for the calibration of link damping: of the floor or of the node [kg]
+  int member = -1;  ///< member that is hit between its ends
+  /// End forces of the member due to a unit force along x, y, z at the point, local axes, with fixed nodes.
   Eigen::Matrix<double, 12, 3> fixed_ends = Eigen::Matrix<double, 12, 3>::Zero();
-  /// Reactions to such a force, which goes straight into a support that holds an end: in the order of InternalForces.
-  /// Empty for none.
+  /// Reactions to the share of such a force that goes directly into a support at the end of the member, in the order of
+  /// InternalForces. Empty if there is none.
   Eigen::MatrixX3d reactions;
-  /// Distance of a point on a column to the nearer joint, and size of the column along the contact [m].
+  /// Distance of a point on a column to the nearer joint, and depth of the column along the contact [m].
   double to_joint = std::numeric_limits<double>::infinity(), column_depth = 0;
 };
 
-/// Horizontal direction, along or against x or y, in which a side faces.
+/// Horizontal direction, along or against x or y, that a side faces.
 enum class Side { plus_x, minus_x, plus_y, minus_y };
 Eigen::Vector3d outward(Side side);
 Side opposite(Side side);
-/// The side that faces along a horizontal direction of contact.
+/// Side that faces a horizontal direction of contact.
 Side side_of(const Eigen::Vector3d& direction);
 
 /// Outer surface of the columns in line with a point.
 struct ColumnFace {
-  double distance = 0;        ///< from the point outwards [m]
-  std::string column;         ///< name of the member whose surface is outermost
-  bool is_estimated = false;  ///< whether its section is given by numbers: the size is that of a rectangle with them
+  double distance = 0;  ///< outwards from the point [m]
+  std::string column;   ///< name of the column with the outermost surface
+  bool is_estimated =
+      false;  ///< true if the section is given by its properties: the depth is that of an equivalent rectangle
 };
 
-/// Distance from the axes by which a structure is drawn outwards to the face at which it is hit.
+/// Outward distance from the axes of a structure to the face of contact.
 struct Face {
   double distance = 0;      ///< [m]
   bool by_columns = false;  ///< that of the columns, see Surface::column_face, instead of the distance
 };
 
-/// Points at which a structure can be touched. Made by the kind of structure; floors count from 0 at the lowest. What
-/// is asked for and does not exist throws std::invalid_argument with what there is.
+/// Possible contact points of a structure. Implemented by each kind of structure; floors are numbered from 0 at the
+/// lowest. Throws std::invalid_argument, listing what exists, for a floor, column or node that does not exist.
 class Surface {
  public:
   virtual ~Surface() = default;
-  /// In plan [m]: {least x, largest x, least y, largest y}; nothing for a structure that has no place of its own.
+  /// Extent in plan [m]: {minimum x, maximum x, minimum y, maximum y}; `nullopt` for a structure without a position.
   virtual std::optional<std::array<double, 4>> plan() const { return {}; }
-  /// Ends of the edge of a floor on this side, measured along it (y for sides that face x); a point where there is no
-  /// width.
+  /// Ends of the edge of a floor on this side, measured along it (y for sides that face x); equal if it has no width.
   virtual std::array<double, 2> edge(int /*floor*/, Side /*side*/) const { return {0, 0}; }
-  /// The point of a floor on this side at `along` on the edge.
+  /// Point of a floor on this side at the coordinate `along` of its edge.
   virtual ContactPoint floor(int floor, Side side, double along) const = 0;
-  /// The point of the column on this side at this elevation [m]; in space of the column nearest to `along`.
+  /// Point of the column on this side at this elevation [m]; in space, of the column nearest to `along`.
   virtual ContactPoint column(double elevation, Side side, double along) const;
   virtual ContactPoint node(const std::string& name) const;
-  /// Outermost surface on this side of all columns in line with a point: a facade is flat, whatever the columns of
-  /// single storeys measure. Nullopt if no column is in line.
+  /// Outermost surface on this side of all columns in line with a point: facades are flat, whatever the column depths
+  /// of individual storeys. `nullopt` if no column is in line.
   virtual std::optional<ColumnFace> column_face(const Eigen::Vector3d& /*point*/, Side /*side*/) const { return {}; }
-  /// The displacement of a node by its name, "ux" ... "rz".
+  /// Displacement of a node by name, "ux" ... "rz".
   virtual Row displacement(const std::string& node, const std::string& dof) const;
 };
 
-/// Nodes whose motion is reported, in the order of `directions` ("x", "z", "ry" ...).
+/// Nodes with reported motion, in the order of `directions` ("x", "z", "ry" ...).
 struct NodeReport {
   std::vector<std::string> names, directions;
   std::vector<std::vector<Row>> motion;  ///< of each node in each direction
 };
 
-/// End forces of all members, in their local axes, and reactions of the ground at the nodes that it holds, in global
-/// axes: what it exerts on the structure, without the forces of damping.
+/// End forces of all members, in their local axes, and reactions of the ground at supported nodes, in global axes: the
+/// forces that it exerts on the structure, without damping forces.
 struct InternalForces {
   std::vector<std::string> members, components;  ///< "start N", "start Vz", "start My", "end N" ...
-  std::vector<int> places;                       ///< of each component among the twelve of a member
-  bool with_gravity = false;                     ///< the weights of the masses are included
-  std::string included;  ///< loads and geometry that are included, for reports: "gravity, P-Delta"
+  std::vector<int> places;                       ///< index of each component among the twelve of a member
+  bool with_gravity = false;                     ///< true if the weights of the masses are included
+  std::string included;  ///< included loads and geometric effects, for reports: "gravity, P-Delta"
   std::vector<std::string> supports, directions;  ///< names of the nodes; "x", "z", "ry" ...
   /// As factors of the unknowns: member by member and component by component, then node by node and direction by
   /// direction.
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows;
-  Eigen::VectorXd at_rest;  ///< what loads add while the unknowns rest, one a row [N], [N m]
-  /// [row, part]: the part that yielding parts add directly, as factors of their forces; empty for none.
+  Eigen::VectorXd at_rest;  ///< contribution of loads with the unknowns at rest, per row [N], [N m]
+  /// [row, part]: direct contribution of yielding parts, as factors of their forces; empty if there is none.
   Eigen::SparseMatrix<double, Eigen::RowMajor> by_yielding;
-  /// Forces of members that turn, to be added to the two above, by q + at_rest of the structure; empty for none.
+  /// Forces of members with large rotations, to be added to the two above, as a function of q + at_rest of the
+  /// structure; empty if there are none.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> turned;
 };
 
-/// For pictures, and for warnings of the implausible.
+/// For pictures and plausibility warnings.
 struct Geometry {
   std::vector<std::string> node_names, member_names;
   std::vector<Eigen::Vector3d> positions;   ///< of the nodes [m]
   std::vector<std::array<int, 2>> members;  ///< nodes of each
-  std::vector<double> depths, moduli;  ///< of each: the larger of those of a square and of a rectangle of its area and
+  std::vector<double> depths, moduli;  ///< of each: the larger depth of a square and of a rectangle with its area and
                                        ///< inertia [m]; Young's modulus [Pa]
   std::vector<int> floor_of_node;      ///< -1 for none
 };
 
-/// The unknowns q are displacements relative to the ground, and to where the structure rests under gravity. With
-/// several supports that move differently they are relative to where the ground takes the structure statically,
-/// influence times the displacements of the supports. A wall has no unknown at all.
+/// The unknowns q are displacements relative to the ground and to the equilibrium under gravity. With several supports
+/// that move differently, they are relative to the quasi-static response, influence times the displacements of the
+/// supports. A wall has no unknowns.
 struct Structure {
   Structure() = default;
-  Structure(Structure&&) = default;  // not noexcept: Eigen 3.4 copies sparse matrices, for which memory may be lacking
+  Structure(Structure&&) = default;  // not noexcept: Eigen 3.4 copies sparse matrices, which may throw std::bad_alloc
   Structure& operator=(Structure&&) = default;
 
   std::string name;
-  std::string kind;                              ///< the word of the input: oscillator, shear_building, frame ...
+  std::string kind;                              ///< the input keyword: oscillator, shear_building, frame ...
   int dimension = 1;                             ///< 1: along x only; 2: in x and z; 3: in space
   SparseMatrix mass, stiffness;                  ///< n x n, symmetric [kg], [N/m]
-  SparseMatrix damping;                          ///< n x n, beside the Rayleigh and the modal damping [N s/m]
-  std::shared_ptr<const ElasticForces> elastic;  ///< where they are not K q; nothing else
+  SparseMatrix damping;                          ///< n x n, in addition to Rayleigh and modal damping [N s/m]
+  std::shared_ptr<const ElasticForces> elastic;  ///< nonlinear elastic forces that replace K q; null if linear
   double by_mass = 0, by_stiffness = 0;          ///< Rayleigh damping: by_mass M + by_stiffness K [1/s], [s]
-  double modal_ratio = 0;             ///< modal damping: part of critical damping in every mode of M and K [-]
-  SparseMatrix modal_damping;         ///< its matrix, which is full [N s/m]; empty where nothing has needed it
-  std::vector<std::string> unknowns;  ///< what each unknown is, for messages
-  /// The supports as a wave along a horizontal direction reaches them one after the other; empty where they are at one
-  /// place.
+  double modal_ratio = 0;             ///< modal damping: fraction of critical damping in every mode of M and K [-]
+  SparseMatrix modal_damping;         ///< its matrix, which is dense [N s/m]; empty until needed
+  std::vector<std::string> unknowns;  ///< description of each unknown, for messages
+  /// Supports in the order in which a wave along a horizontal direction arrives; empty if all are at one position.
   std::function<std::vector<Support>(const Eigen::Vector3d& direction)> supports_along;
-  std::vector<Support> supports;         ///< one at least; displacements are relative to the ground at the first
+  std::vector<Support> supports;         ///< at least one; displacements are relative to the ground at the first
   std::vector<Floor> floors;             ///< from the ground up
   std::vector<double> storey_stiffness;  ///< of a structure whose storeys are springs, from the ground up [N/m]
-  /// Storeys that are springs, from the ground up, or hinges, then isolators of a frame; then devices. Empty when all
-  /// stays elastic.
+  /// Storeys that are springs, from the ground up, or hinges followed by isolators of a frame; then devices. Empty if
+  /// the structure is elastic.
   std::vector<YieldingPart> yielding;
-  /// [part, part], symmetric: by how much the forces of the yielding parts shorten their deformations at once, on top
-  /// of the unknowns without mass that give way to them, [m/N] or [rad/(N m)]. A hinge in series with a member gives
-  /// way like this. Empty for none.
+  /// [part, part], symmetric: instantaneous decrease of the deformations of yielding parts per unit of their forces,
+  /// [m/N] or [rad/(N m)], in addition to the compliance of massless degrees of freedom. Used for a hinge in series
+  /// with a member. Empty if there is none.
   SparseMatrix yielding_flexibility;
-  bool is_free = false;      ///< nothing holds it to the ground: a body
-  std::optional<Face> face;  ///< at which links meet it; nullopt: the axes by which it is drawn
-  int rigid_motions = 0;     ///< of a frame that nothing holds, which has this many modes of frequency 0: 3 or 6
-  std::vector<AppliedForce> applied_forces;                ///< over time
-  Eigen::VectorXd at_rest;                                 ///< displacements under gravity [m]; empty for none
+  bool is_free = false;      ///< true without a connection to the ground: a body
+  std::optional<Face> face;  ///< contact face for links; nullopt: the axes of the structure
+  int rigid_motions = 0;     ///< of a frame without supports: its number of rigid-body modes of frequency 0, 3 or 6
+  std::vector<AppliedForce> applied_forces;                ///< time-dependent
+  Eigen::VectorXd at_rest;                                 ///< displacements under gravity [m]; empty if there are none
   Eigen::VectorXd initial_displacement, initial_velocity;  ///< of the unknowns [m], [m/s]
-  Eigen::VectorXd
-      preload_displacement;  ///< by contacts that press from the start, added to the initial one [m]; empty for none
-  /// Of its lowest modes, at least two where it has them, increasing [rad/s]; without rigid motions; 0 for a body.
+  Eigen::VectorXd preload_displacement;  ///< of contacts that are preloaded at the start, added to the initial one [m];
+                                         ///< empty if none
+  /// Lowest frequencies, at least two if available, increasing [rad/s]; without rigid-body modes; 0 for a body.
   Eigen::VectorXd frequencies;
-  std::string damping_note;  ///< how the damping was made, one line
+  std::string damping_note;  ///< description of the damping, one line
   std::shared_ptr<const Surface> surface;
   NodeReport nodes;
   InternalForces forces;              ///< of a frame
-  std::vector<int> reported_members;  ///< numbers of the members whose end forces are kept over time
-  /// Storey shears of members that turn, floor by floor, to be added to those of the floors; by q + at_rest. Empty for
-  /// none.
+  std::vector<int> reported_members;  ///< indices of the members with recorded end forces
+  /// Storey shears of members with large rotations, floor by floor, to be added to those of the floors; function of q +
+  /// at_rest. Empty if there are none.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears;
   Geometry geometry;
   /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.
@@ -246,19 +248,19 @@ struct Structure {
 
   /// Number of unknowns.
   int size() const { return static_cast<int>(mass.rows()); }
-  /// A wall: it moves with the ground.
+  /// True for a wall, which moves with the ground.
   bool is_rigid() const { return size() == 0; }
-  /// Number of parts that are no devices, which come first. Of a shear building its isolators, all storeys above them,
+  /// Number of parts other than devices, which come first. For a shear building: its isolators, all storeys above them,
   /// or both, from the ground up.
   std::size_t members_that_yield() const;
-  /// Whether drift and storey shear mean something.
+  /// True if drift and storey shear are defined.
   bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }
-  /// The damping matrix, without modal damping whose matrix has not been formed.
+  /// Damping matrix, without modal damping if its matrix has not been formed.
   SparseMatrix formed_damping() const;
-  /// The whole damping matrix. Forms that of modal damping where it has not been; throws std::invalid_argument as
+  /// Complete damping matrix. Forms that of modal damping if necessary; throws std::invalid_argument like
   /// modal_damping_matrix().
   SparseMatrix whole_damping() const;
-  /// The mass that the ground moves along x, y, z, by all supports together [kg].
+  /// Mass excited by ground motion along x, y, z, for all supports together [kg].
   Eigen::Vector3d total_mass() const;
 };
 

@@ -20,11 +20,12 @@ struct TwoFrequencies {
 
 void check_ratio(double ratio) {
   if (!(ratio >= 0 && ratio < 1))
-    throw std::invalid_argument(fmt::format("the damping ratio must lie in [0, 1); {} was given", ratio));
+    throw std::invalid_argument(fmt::format("the damping ratio must be in [0, 1), but is {}", ratio));
 }
 
 TwoFrequencies points_of(const RayleighDamping& rayleigh, const Structure& s, const ModeSolver& solver) {
-  if (rayleigh.modes && rayleigh.periods) throw std::invalid_argument("give modes or periods of the damping, not both");
+  if (rayleigh.modes && rayleigh.periods)
+    throw std::invalid_argument("give either modes or periods of the damping, not both");
   if (rayleigh.periods) {
     const auto [t1, t2] = *rayleigh.periods;
     if (!(t1 > 0 && t2 > 0)) throw std::invalid_argument("the periods of the damping must be positive");
@@ -33,8 +34,7 @@ TwoFrequencies points_of(const RayleighDamping& rayleigh, const Structure& s, co
   const int count = count_of_modes(s);
   const auto [first, second] = rayleigh.modes.value_or(std::array{1, std::min(2, count)});
   if (std::min(first, second) < 1 || std::max(first, second) > count)
-    throw std::invalid_argument(
-        fmt::format("modes {} and {} of the damping: there are the modes 1 to {}", first, second, count));
+    throw std::invalid_argument(fmt::format("modes {} and {} of the damping must be in 1 to {}", first, second, count));
   const int highest = std::max(first, second);
   const Eigen::VectorXd w =
       highest <= s.frequencies.size() ? s.frequencies : solver(s.mass, s.stiffness, highest).frequencies;
@@ -48,8 +48,8 @@ void use_rayleigh(Structure& s, double ratio, const TwoFrequencies& points) {
   s.damping_note = fmt::format("Rayleigh, {:.4g} % in {}", 100 * ratio, points.note);
 }
 
-// b K without the part of the isolators, with the ratio in the first mode on a fixed base: forces of the mass would
-// brake the isolators.
+// b K without the contribution of the isolators, with the ratio in the first mode on a fixed base. Mass-proportional
+// damping would damp the isolators.
 void damp_above_isolators(Structure& s, double ratio, const ModeSolver& solver) {
   s.damping_note = "none";
   if (ratio == 0) return;
@@ -59,7 +59,7 @@ void damp_above_isolators(Structure& s, double ratio, const ModeSolver& solver) 
   s.by_stiffness = 2 * ratio / w;
   s.damping -= s.by_stiffness * stiffness_of_isolators(s);
   s.damping_note = fmt::format(
-      "{:.4g} % in the first mode on a fixed base, period {:.6g} s, in proportion to the stiffness without the "
+      "{:.4g} % in the first mode on a fixed base, period {:.6g} s, proportional to the stiffness without the "
       "isolators",
       100 * ratio, 2 * M_PI / w);
 }
@@ -69,8 +69,7 @@ void damp(Structure& s, double ratio, const ModeSolver& solver) {
   if (is_isolated(s)) return damp_above_isolators(s, ratio, solver);
   if (s.rigid_motions > 0) {
     s.by_stiffness = 2 * ratio / s.frequencies[0];
-    s.damping_note =
-        fmt::format("{:.4g} % in the first mode that bends it, in proportion to the stiffness", 100 * ratio);
+    s.damping_note = fmt::format("{:.4g} % in the first bending mode, proportional to the stiffness", 100 * ratio);
     return;
   }
   if (count_of_modes(s) == 1 && s.size() == 1) {
@@ -86,11 +85,11 @@ void damp(Structure& s, const RayleighDamping& rayleigh, const ModeSolver& solve
   check_ratio(rayleigh.ratio);
   if (s.rigid_motions > 0)
     throw std::invalid_argument(
-        "without supports Rayleigh damping would brake the motion as a rigid body; type damping: 5 %, or damping: "
+        "without supports, Rayleigh damping would damp the rigid-body motion; type damping: 5 %, or damping: "
         "{modal: {ratio: 5 %}}");
   if (is_isolated(s))
     throw std::invalid_argument(
-        "on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the "
+        "on isolators, Rayleigh damping would damp their motion; type damping: 2 %, which is proportional to the "
         "stiffness above them, or damping: {modal: {ratio: 2 %}}");
   use_rayleigh(s, rayleigh.ratio, points_of(rayleigh, s, solver));
 }
@@ -119,16 +118,16 @@ void set_frequencies(Structure& s, const ModeSolver& modes) {
   s.frequencies = modes(s.mass, s.stiffness, count).frequencies;
   if (rigid == 0) return;
   if (count <= rigid)
-    throw std::invalid_argument(
-        "without supports it has no mode that bends it; take a body, or give more nodes a mass");
+    throw std::invalid_argument("without supports and without a bending mode, use a body, or give mass to more nodes");
   if (!(s.frequencies[rigid] > 0))
     throw std::invalid_argument(
-        "without supports its parts move in other ways than those of one rigid body; connect or brace them");
+        "without supports, the parts must not move relative to each other as rigid bodies; connect or brace them");
   s.frequencies = s.frequencies.tail(count - rigid).eval();
 }
 
 void set_damping(Structure& s, const Damping& damping, const ModeSolver& modes) {
-  if (s.frequencies.size() == 0) throw std::logic_error("the frequencies of a structure come before its damping");
+  if (s.frequencies.size() == 0)
+    throw std::logic_error("the frequencies of a structure must be set before its damping");
   if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
   std::visit([&](const auto& how) { damp(s, how, modes); }, damping.how());
 }

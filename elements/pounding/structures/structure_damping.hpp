@@ -1,5 +1,5 @@
 #pragma once
-/// The first frequencies of a structure, and its damping from ratios of critical damping.
+/// Lowest frequencies of a structure, and its damping from fractions of critical damping.
 
 #include <array>
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace pounding {
 
-/// Lowest modes that are found of every structure.
+/// Number of lowest modes computed for every structure.
 inline constexpr int modes_of_a_structure = 6;
 
-/// The ratio in two modes of the structure, or at two periods. Modes 1 and 2 unless something is given.
+/// Damping ratio in two modes of the structure, or at two periods. Default: modes 1 and 2.
 struct RayleighDamping {
   double ratio = 0;                                ///< in [0, 1)
-  std::optional<std::array<int, 2>> modes{};       ///< counted from 1
+  std::optional<std::array<int, 2>> modes{};       ///< numbered from 1
   std::optional<std::array<double, 2>> periods{};  ///< [s]
 };
 
-/// One ratio in every mode.
+/// A single damping ratio for all modes.
 struct ModalDamping {
   double ratio = 0;  ///< in [0, 1)
 };
 
-/// How a structure is damped. A bare ratio is that of an oscillator's critical damping, and with several modes
-/// Rayleigh's in the first two.
+/// Damping of a structure. A plain ratio is the fraction of critical damping of an oscillator, and for structures with
+/// several modes Rayleigh damping in modes 1 and 2.
 class Damping {
  public:
   Damping(double ratio) : how_(ratio) {}
@@ -38,17 +38,17 @@ class Damping {
   std::variant<double, RayleighDamping, ModalDamping> how_;
 };
 
-/// Number of modes of a structure: of unknowns with mass.
+/// Number of modes of a structure: its unknowns with mass.
 int count_of_modes(const Structure& structure);
 
-/// Finds the lowest frequencies of a structure, modes_of_a_structure of them where there are so many; zero for a body.
-/// Throws std::invalid_argument as `modes` does.
+/// Computes the lowest frequencies of a structure, at most modes_of_a_structure; zero for a body. Throws
+/// std::invalid_argument like `modes`.
 void set_frequencies(Structure& structure, const ModeSolver& modes = dense_modes);
 
-/// Adds the damping to a structure whose frequencies have been set, and notes it in damping_note.
-/// Of modal damping it notes the ratio alone, without a matrix, but on isolators, which it leaves out.
-/// Throws std::invalid_argument for a ratio outside [0, 1), modes that it has not, periods that are not positive, both
-/// of them, and modal damping of too many modes on isolators.
+/// Adds damping to a structure with known frequencies, and describes it in damping_note. Modal damping stores only the
+/// ratio, except on isolators, which are not damped: there it forms the matrix. Throws std::invalid_argument for a
+/// ratio outside [0, 1), nonexistent modes, periods that are not positive, modes given together with periods, and modal
+/// damping of too many modes on isolators.
 void set_damping(Structure& structure, const Damping& damping, const ModeSolver& modes = dense_modes);
 
 }  // namespace pounding

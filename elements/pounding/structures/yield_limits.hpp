@@ -1,5 +1,5 @@
 #pragma once
-/// How far a part that yields has gone beyond its first yield.
+/// Ductility of a yielding part.
 
 #include <algorithm>
 
@@ -7,17 +7,17 @@
 
 namespace pounding {
 
-/// Smallest and largest value of a quantity.
+/// Minimum and maximum of a quantity.
 struct ValueRange {
   double lowest = 0, highest = 0;
 };
 
-/// The deformations at which a part first yields, and its ductility from them.
+/// Deformations at first yield of a part, and its ductility.
 struct YieldLimits {
-  double positive = 0, negative = 0;  ///< sizes [m] or [rad]
-  /// Of a hinge: elastic rotation of the end of the whole member less the elastic part of the deformation, per moment
-  /// [rad/(N m)], and the yield moments in both directions [N m]. So the same plastic rotation is the same ductility
-  /// for a spring in series, a rigid-plastic hinge and one on a part of a cut member.
+  double positive = 0, negative = 0;  ///< magnitudes [m] or [rad]
+  /// For a hinge: elastic rotation at the end of the whole member per moment, minus the elastic part of the deformation
+  /// [rad/(N m)], and the yield moments in both directions [N m]. With these, the ductility for a given plastic
+  /// rotation is the same for a spring in series, a rigid-plastic hinge, and a hinge of a subdivided member.
   double flexibility = 0;
   double positive_force = 0, negative_force = 0;
 
@@ -25,10 +25,10 @@ struct YieldLimits {
   explicit YieldLimits(const Spring& spring)
       : positive(spring.yields_towards(1)), negative(spring.yields_towards(-1)) {}
 
-  /// Whether a deformation lies beyond.
+  /// True if a deformation exceeds a limit.
   bool exceeded_by(double deformation) const { return deformation > positive || -deformation > negative; }
-  /// Largest deformation over the yield deformation of its direction; of a hinge, rotation of the member end over its
-  /// yield rotation.
+  /// Maximum ratio of deformation to yield deformation in its direction; for a hinge, of the rotation of the member end
+  /// to its yield rotation.
   double ductility(const ValueRange& deformation, const ValueRange& force) const {
     return std::max(rotation(deformation.highest, force.highest) / rotation(positive, positive_force),
                     -rotation(deformation.lowest, force.lowest) / rotation(negative, negative_force));

@@ -10,7 +10,7 @@ namespace pounding {
 
 hysteresis::Settings SpringOptions::of_storey(int storey, const std::vector<double>& stiffness) const {
   if (values.contains("stiffness"))
-    throw std::invalid_argument("the stiffness of a spring is that of its storey; leave it out");
+    throw std::invalid_argument("the stiffness of a spring is that of its storey; remove stiffness");
   hysteresis::Settings settings{.law = law, .words = words};
   for (const auto& [name, each] : values)
     settings.values.emplace(name, each.of_each(static_cast<int>(stiffness.size()), name)[storey]);

@@ -1,5 +1,5 @@
 #pragma once
-/// Parts that yield by one of the laws of hysteresis/, by its name.
+/// Yielding parts by the name of their hysteretic law.
 
 #include <map>
 #include <string>
@@ -11,26 +11,25 @@
 
 namespace pounding {
 
-/// A law of yielding for the storeys of a structure, without its stiffness, which is that of the storey: `{.law =
-/// "bouc_wen", .values =
-/// {{"yield_force", {1.6e6, 1.2e6}}, {"exponent", 1}}}`. SI units.
+/// A hysteretic law for the storeys of a structure, without its stiffness, which is that of the storey: `{.law =
+/// "bouc_wen", .values = {{"yield_force", {1.6e6, 1.2e6}}, {"exponent", 1}}}`. SI units.
 struct SpringOptions {
   std::string law;  ///< name of the law
   std::map<std::string, OneOrEach, std::less<>>
-      values{};  ///< its numbers by their names: one for all storeys, or a list
-  std::map<std::string, std::string, std::less<>> words{};  ///< its choices, as in {"memory", "last"}
+      values{};  ///< numeric parameters by name: one value for all storeys, or a list
+  std::map<std::string, std::string, std::less<>> words{};  ///< keyword parameters, as in {"memory", "last"}
 
-  /// Settings of the law in storey `storey`, counted from 0, of as many as `stiffness` has entries [N/m]. Throws
-  /// std::invalid_argument for a list of another length, and for a stiffness that is given.
+  /// Settings of the law in storey `storey`, numbered from 0; `stiffness` has one entry per storey [N/m]. Throws
+  /// std::invalid_argument for a list of a different length, and if a stiffness is given.
   hysteresis::Settings of_storey(int storey, const std::vector<double>& stiffness) const;
 };
 
-/// Every number and choice of a law with these settings but its stiffness, defaults included; numbers that nothing
-/// stands for are left out. The value of a choice is the place of its word in the law's table, from 0. Throws as
-/// make_spring() does.
+/// Numbers and choices of a law with these settings except its stiffness, including defaults; parameters without a
+/// value are omitted. The value of a choice is the index of its keyword in the table of the law. Throws like
+/// make_spring().
 std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings);
 
-/// Slope of Spring::evaluate() at a thousand yield deformations [N/m], without a damper beside the law.
+/// Slope of Spring::evaluate() at a thousand yield deformations [N/m], without a damper in parallel.
 double slope_far_behind_yield(const Spring& spring);
 
 }  // namespace pounding

@@ -1,10 +1,10 @@
-/// BHRC, the strong-motion network of Iran's Road, Housing and Urban Development Research Center, as published files
-/// have it; no description is published.
+/// BHRC: strong-motion network of Iran's Road, Housing and Urban Development Research Center. Based on published files,
+/// in the absence of a published description.
 ///
-/// Three components, each ended by "/&", with 13 lines of text, the first "* VOL1DS FILE:  5522/01", then 7 of
-/// integers, 7 of reals and the accelerations (10E13.6). Used are: text line 5, the component; line 11, points and
-/// duration; line 12, the unit; real 7, the first on the second line of reals, the sampling rate [Hz], which must fit
-/// the duration.
+/// Three components, each terminated by "/&", with 13 lines of text, the first "* VOL1DS FILE:  5522/01", then 7 of
+/// integers, 7 of reals and the accelerations (10E13.6). Fields read: text line 5, the component; line 11, points and
+/// duration; line 12, the unit; real 7, the first on the second line of reals, the sampling rate [Hz], which must agree
+/// with the duration.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -25,11 +25,11 @@ bool recognises(const Lines& lines) {
   return lines.size() > 6 && begins_with(trimmed(lines[0]), title) && begins_with(trimmed(lines[6]), "COMP");
 }
 
-/// Component "L", "T" or "V", with the azimuth of "Azimuth L 324   T 54" as its place.
+/// Component "L", "T" or "V"; its place is the azimuth of "Azimuth L 324   T 54".
 Channel read_channel(const Lines& lines, std::size_t begin) {
   static const std::regex azimuths = pattern(R"(azimuth\s+L\s*([0-9]+)\s+T\s*([0-9]+))");
   const std::string component = single_spaced(lines.at(begin + 4, "the line of the component"));
-  if (component.empty()) lines.fail(begin + 4, "is no component such as L, T or V");
+  if (component.empty()) lines.fail(begin + 4, "is not a component such as L, T or V");
   const auto azimuth = captured(lines.at(begin + 7, "the line of the station"), azimuths);
   std::string place;
   if (azimuth && (component == "L" || component == "T"))
@@ -55,10 +55,10 @@ double read_step(const Lines& lines, std::size_t begin, std::size_t values_begin
   const auto words = split_at_blanks(lines.at(i, "the reals of its header"));
   const double rate =
       checked_positive(lines, i, "the sampling rate", words.empty() ? 0 : lines.number(i, words.front()), "a number");
-  // The duration counts the samples, or the spaces between them, and is rounded.
+  // The duration refers to the samples, or to the intervals between them, and is rounded.
   if (std::abs(static_cast<double>(count) / rate - duration) > std::max(2 / rate, 0.001 * duration))
-    lines.fail(i, fmt::format("states {:g} samples a second, which do not fit {} points in {:g} s on line {}", rate,
-                              count, duration, begin + 11));
+    lines.fail(i, fmt::format("states {:g} samples per second, which disagrees with {} points in {:g} s on line {}",
+                              rate, count, duration, begin + 11));
   return 1 / rate;
 }
 
@@ -79,8 +79,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
     record.format = "BHRC V2";
     if (!volumes::read_stated(lines, begin, end_of(lines, begin), {8, 10}, options, record))
       lines.fail(begin,
-                 "is no file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in ...\"; "
-                 "take the V1 file");
+                 "is not a file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in "
+                 "...\"; use the V1 file");
     return record;
   }
   record.format = "BHRC V1";

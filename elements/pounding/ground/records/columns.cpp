@@ -1,5 +1,5 @@
-/// Numbers in columns, as text or CSV: a column of times and one or more of values; or, at a step that the user states,
-/// values alone, one or several a line in the order of reading, or one column of them. A column that counts the rows is
+/// Numbers in columns, as text or CSV: a column of times and one or more of values; or, with a step given by the user,
+/// only values, one or several per line in reading order, or a column of them. A column that numbers the rows is
 /// skipped, as are lines that state the number of values and the step.
 
 #include <pounding/ground/records/format.hpp>
@@ -19,16 +19,16 @@ namespace pounding::records {
 namespace {
 
 constexpr std::size_t longest_line_of_names = 10'000;
-constexpr std::string_view comma_advice = "where commas are decimal ones, part the columns by semicolons or blanks";
+constexpr std::string_view comma_advice = "for decimal commas, separate the columns by semicolons or blanks";
 constexpr std::string_view step_advice = "values at a fixed step need \"step:\", such as step: 0.01 s";
 
-/// Name of a column: "acc (m/s^2)" is "acc" in m/s^2, and "acc (NS)" is all name.
+/// Name of a column: "acc (m/s^2)" is "acc" in m/s^2, but "acc (NS)" is a name without a unit.
 struct Name {
   std::string name, unit;
-  std::string bracket;  ///< what stands in brackets
+  std::string bracket;  ///< text in brackets
 };
 
-/// Splits the bracket off that holds a unit, or what is meant as one.
+/// Splits off a bracket that contains a unit or a similar formula.
 Name read_name(std::string text, const RecordOptions& options) {
   std::erase(text, '"');
   const std::size_t begin = text.find_first_of("(["), end = text.find_last_of(")]");
@@ -39,13 +39,13 @@ Name read_name(std::string text, const RecordOptions& options) {
   return {std::string(trimmed(std::string_view(text).substr(0, begin))), inside, inside};
 }
 
-/// The header of a table, whose last line may name the columns.
+/// Header of a table; its last line may name the columns.
 struct Header {
-  std::vector<Name> columns;  ///< one a column; without names where no line names them
+  std::vector<Name> columns;  ///< one per column; empty names if no line names them
   std::size_t line = 0;       ///< of the names
   bool is_comment = false;
 
-  /// Whether the columns surely have these names: one states a unit, or marks part them.
+  /// True if the names are certain: a column states a unit, or separators delimit the names.
   bool is_sure(const Lines& lines) const {
     const auto states = [](const Name& name) { return !name.unit.empty(); };
     const auto is_named = [](const Name& name) { return !name.name.empty(); };
@@ -55,8 +55,8 @@ struct Header {
   }
 };
 
-/// Whether a comment with as many words as there are columns names them: it states no units, or that of a time in front
-/// of times, or of what is wanted; "# depth 5 (km)" and "# acc (g), smoothed" do not.
+/// True if a comment with one name per column names them: it states no units, or a unit of time for a leading column of
+/// times, or a unit of the values; "# depth 5 (km)" and "# acc (g), smoothed" do not.
 bool names_columns(const std::vector<Name>& columns, const RecordOptions& options) {
   const auto states = [](const Name& name) { return !name.unit.empty(); };
   const auto fits = [&](const Name& name) { return unit_of_values(name.unit, options).has_value(); };
@@ -83,7 +83,7 @@ Header read_header(const Lines& lines, const NumberTable& table, const RecordOpt
   return header;
 }
 
-/// Seconds in the unit that the name of a column of times states.
+/// Seconds per unit stated in the name of a column of times.
 double time_unit(const Lines& lines, const Header& header, std::size_t column) {
   const std::string& stated = header.columns[column].bracket;
   if (stated.empty() || (header.is_comment && header.columns[column].unit.empty())) return 1;
@@ -92,14 +92,14 @@ double time_unit(const Lines& lines, const Header& header, std::size_t column) {
   return *unit;
 }
 
-/// Refuses rows of another length than the first; the last may be shorter where values follow each other.
+/// Rejects rows of a different length than the first; the last may be shorter if values are in reading order.
 void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_be_shorter,
                    std::string_view advice = {}) {
   const std::size_t count = table.columns(0);
   for (std::size_t row = 1; row < table.rows(); ++row) {
     const std::size_t here = table.columns(row);
     if (here == count || (last_may_be_shorter && row + 1 == table.rows() && here < count)) continue;
-    lines.fail(table.line(row), fmt::format("{} number{}; the line{} before {} {}{}", here, here == 1 ? "" : "s",
+    lines.fail(table.line(row), fmt::format("{} number{}; the previous line{} {} {}{}", here, here == 1 ? "" : "s",
                                             row == 1 ? "" : "s", row == 1 ? "has" : "have", count, advice));
   }
 }
@@ -115,15 +115,15 @@ std::vector<double> read_times(const Lines& lines, const NumberTable& table, std
                                                                   : "";
     if (times[row] < 0)
       lines.fail(table.line(row),
-                 fmt::format("time {} is before 0, where every run begins{}", times[row], row == 0 ? "" : advice));
+                 fmt::format("time {} is negative, but a run starts at 0{}", times[row], row == 0 ? "" : advice));
     if (row > 0 && !(times[row] > times[row - 1]))
-      lines.fail(table.line(row), fmt::format("time {} does not come after the one before it{}", times[row], advice));
+      lines.fail(table.line(row), fmt::format("time {} is not later than the previous one{}", times[row], advice));
   }
   for (double& time : times) time *= unit;
   return times;
 }
 
-/// Refuses a step beside a column that increases as times do.
+/// Rejects the option `step` if a column increases like times.
 void refuse_times(const Lines& lines, const NumberTable& table, double unit) {
   const std::vector<double> first = table.column(0);
   if (table.columns(0) < 2 || first.size() < 3) return;
@@ -131,10 +131,11 @@ void refuse_times(const Lines& lines, const NumberTable& table, double unit) {
   for (std::size_t i = 1; i < first.size(); ++i)
     if (!(first[i] > first[i - 1]) || (table.columns(0) > 2 && std::abs(first[i] - first[i - 1] - mean) > 0.1 * mean))
       return;
-  lines.fail(table.line(0), fmt::format("the first column holds times, every {:g} s; remove \"step\"", mean * unit));
+  lines.fail(table.line(0),
+             fmt::format("the first column contains times with a step of {:g} s; remove \"step\"", mean * unit));
 }
 
-/// The columns of values that may be meant: those that do not state the unit of something else.
+/// Candidate columns of values: those that do not state a unit of another quantity.
 std::vector<Channel> channels_of(const Header& header, const std::vector<std::size_t>& values,
                                  const RecordOptions& options) {
   std::vector<Channel> all, fitting;
@@ -146,7 +147,7 @@ std::vector<Channel> channels_of(const Header& header, const std::vector<std::si
   return fitting.empty() ? all : fitting;
 }
 
-/// The column of times: the one that says so, else the first behind a counter, else the first.
+/// Column of times: the one with a matching name, otherwise the first after a counter, otherwise the first.
 std::size_t time_column(const Lines& lines, const NumberTable& table, const Header& header) {
   const auto is_time = [&](const Name& name) {
     const bool by_name = name.unit.empty() && names_times(name.name);
@@ -157,12 +158,13 @@ std::size_t time_column(const Lines& lines, const NumberTable& table, const Head
   if (!counts_rows(table, 0)) return 0;
   if (table.columns(0) > 2 && ascends(table, 1)) return 1;
   if (names_counter(header.columns.front().name))
-    lines.fail(table.line(0), fmt::format("the first column, \"{}\", counts the rows, and no column holds times; {}",
-                                          excerpt(header.columns.front().name), step_advice));
+    lines.fail(table.line(0),
+               fmt::format("the first column, \"{}\", numbers the rows, and a column of times is missing; {}",
+                           excerpt(header.columns.front().name), step_advice));
   return 0;
 }
 
-/// All columns but that of the times and, where others remain, counters.
+/// All columns except that of the times and, if others remain, counters.
 std::vector<std::size_t> value_columns(const NumberTable& table, const Header& header,
                                        std::optional<std::size_t> times) {
   std::vector<std::size_t> all, values;
@@ -174,7 +176,7 @@ std::vector<std::size_t> value_columns(const NumberTable& table, const Header& h
   return values.empty() ? all : values;
 }
 
-/// Drops the lines that state the number of values and the step. Returns what they state, for the remark.
+/// Removes the lines that state the number of values and the step. Returns their statement, for the remark.
 std::string drop_count_rows(const Lines& lines, NumberTable& table, const RecordOptions& options) {
   const CountRows found = find_count_rows(table, options.step);
   if (found.rows == 0) return {};
@@ -185,14 +187,14 @@ std::string drop_count_rows(const Lines& lines, NumberTable& table, const Record
                                          found.step > 0 ? fmt::format(" and a step of {:g} s", found.step) : "");
   NumberTable rest = table;
   rest.drop(found.rows);
-  // Times below the lines, as in "400 0.01" above "0 0.1", need no step.
+  // Times below these lines, as in "400 0.01" above "0 0.1", need no step.
   const bool has_times = rest.columns(0) > 1 && std::abs(even_spacing(rest, 0) - found.step) <= 1e-3 * found.step;
   if (found.step > 0 && options.step == 0 && !has_times)
     lines.fail(table.line(0), fmt::format("{}; type step: {:g} s", stated, found.step));
   if (found.step > 0 && options.step > 0 && std::abs(found.step - options.step) > 1e-6 * options.step)
     lines.fail(table.line(0),
-               fmt::format("{}, but \"step\" says {:g} s; type step: {:g} s, or delete what is no sample", stated,
-                           options.step, found.step));
+               fmt::format("{}, but \"step\" is {:g} s; type step: {:g} s, or delete lines that are not samples",
+                           stated, options.step, found.step));
   table = std::move(rest);
   return stated;
 }
@@ -209,23 +211,22 @@ void require_samples(const Lines& lines, std::size_t count, std::string_view wha
     throw InputError(fmt::format("{}: {} samples; a record has at most {}", lines.name(), count, most_samples));
   if (count >= 2) return;
   throw InputError(
-      fmt::format("{}: {} sample{}; a record has two or more {}", lines.name(), count, count == 1 ? "" : "s", what));
+      fmt::format("{}: {} sample{}; a record needs at least two {}", lines.name(), count, count == 1 ? "" : "s", what));
 }
 
-/// Refuses lines of integers above values with decimals, as headers of numbers have them.
+/// Rejects lines of integers above values with decimals, a typical numeric header.
 void refuse_integer_header(const Lines& lines, const NumberTable& table) {
   const std::size_t header = integer_header(table);
   if (header == 0) return;
   const std::size_t first = table.line(0) + 1, last = table.line(header - 1) + 1;
-  lines.fail(table.line(0), fmt::format("{} integers alone, as a header such as the number of values does, and all "
-                                        "values below have decimals; delete {}, or "
-                                        "begin {} with #",
-                                        first == last ? fmt::format("line {} holds", first)
-                                                      : fmt::format("lines {} to {} hold", first, last),
+  lines.fail(table.line(0), fmt::format("{} only integers, like a header with the number of values, but all values "
+                                        "below have decimals; delete {}, or put # in front of {}",
+                                        first == last ? fmt::format("line {} contains", first)
+                                                      : fmt::format("lines {} to {} contain", first, last),
                                         first == last ? "it" : "them", first == last ? "it" : "each"));
 }
 
-/// Warns of values that stand out at the begin, as the numbers of a header do.
+/// Warns of exceptional values at the start, which may be numbers of a header.
 void warn_of_header(const NumberTable& table, const RecordOptions& options, Record& record) {
   constexpr std::size_t fewest = 100, head = 10;
   const std::vector<double>& values = record.samples.accelerations;
@@ -235,7 +236,7 @@ void warn_of_header(const NumberTable& table, const RecordOptions& options, Reco
   const std::size_t place = static_cast<std::size_t>(peak - values.begin());
   if (place < head)
     record.warnings.push_back(
-        fmt::format("the largest value, {:g}, is number {} of {}; if a line above the values states their number or "
+        fmt::format("the maximum value, {:g}, is number {} of {}; if a line above the values states their number or "
                     "the step, delete it",
                     *peak, place + 1, values.size()));
   else if (table.columns(0) == 1 && values.front() == options.step)
@@ -244,10 +245,10 @@ void warn_of_header(const NumberTable& table, const RecordOptions& options, Reco
                     table.line(0) + 1));
 }
 
-/// The columns of values at a step. Counters are left out; times must have the step.
+/// Columns of values at a step, without counters; times must agree with the step.
 std::vector<std::size_t> columns_at_step(const Lines& lines, const NumberTable& table, const Header& header,
                                          const RecordOptions& options) {
-  // Integers without a unit may count milliseconds or samples: the step of the user holds.
+  // Integers without a unit may be milliseconds or sample numbers: the step of the user applies.
   const bool counts = counts_rows(table, 0) || (header.columns.front().unit.empty() && integer_spacing(table, 0) > 0);
   if (table.columns(0) == 1 || !counts) {
     refuse_times(lines, table, unit_of_time(header.columns.front().unit).value_or(1));
@@ -259,7 +260,8 @@ std::vector<std::size_t> columns_at_step(const Lines& lines, const NumberTable& 
   const double spacing =
       table.columns(0) > 2 ? even_spacing(table, 1) * unit_of_time(header.columns[1].unit).value_or(1) : 0;
   if (spacing > 0 && std::abs(spacing - options.step) > 1e-3 * options.step)
-    lines.fail(table.line(0), fmt::format("the second column holds times, every {:g} s; remove \"step\"", spacing));
+    lines.fail(table.line(0),
+               fmt::format("the second column contains times with a step of {:g} s; remove \"step\"", spacing));
   std::vector<std::size_t> values =
       value_columns(table, header, spacing > 0 ? std::optional<std::size_t>(1) : std::nullopt);
   std::erase(values, std::size_t{0});
@@ -270,17 +272,16 @@ Record read_at_step(const Lines& lines, const NumberTable& table, const Header& 
   const std::size_t count = table.columns(0);
   const std::vector<std::size_t> values = columns_at_step(lines, table, header, options);
   if (table.commas_are_ambiguous() && !header.is_sure(lines))
-    lines.fail(table.line(0),
-               fmt::format("\"{}\" may be one value with a decimal comma or two values; write decimal points, or part "
-                           "the values by semicolons",
-                           excerpt(trimmed(lines[table.line(0)]))));
+    lines.fail(table.line(0), fmt::format("\"{}\" may be one value with a decimal comma or two values; use decimal "
+                                          "points, or separate the values by semicolons",
+                                          excerpt(trimmed(lines[table.line(0)]))));
   refuse_integer_header(lines, table);
   Record record;
   std::size_t column = 0;
   if (count == 1 || (values.size() == count && options.channel.empty() && !header.is_sure(lines))) {
     refuse_channel(lines, options);
     check_lengths(lines, table, true);
-    record.format = count == 1 ? "one column" : fmt::format("{} values a line", count);
+    record.format = count == 1 ? "one column" : fmt::format("{} values per line", count);
     record.samples.accelerations = table.values();
   } else {
     check_lengths(lines, table, false);
@@ -302,7 +303,7 @@ Record read_with_times(const Lines& lines, const NumberTable& table, const Heade
                        const RecordOptions& options) {
   const std::size_t count = table.columns(0);
   if (count == 1)
-    lines.fail(table.line(0), fmt::format("one column; time and acceleration are two, and {}", step_advice));
+    lines.fail(table.line(0), fmt::format("only one column; time and acceleration need two, and {}", step_advice));
 
   Record record;
   check_lengths(lines, table, false, count > 2 ? fmt::format("; {}", step_advice) : "");
@@ -312,8 +313,7 @@ Record read_with_times(const Lines& lines, const NumberTable& table, const Heade
   record.samples.times = read_times(lines, table, times, seconds);
   if (seconds == 1 && counts_rows(table, times))
     record.warnings.push_back(fmt::format(
-        "the times count {:g}, {:g}, {:g}, ... and were read in s; if they are an index of the samples, type the "
-        "step, as in step: 0.01 s",
+        "the times {:g}, {:g}, {:g}, ... were read in s; if they are sample numbers, type the step, as in step: 0.01 s",
         table.at(0, times), table.at(1, times), table.at(2, times)));
   std::size_t column = values.front();
   if (count == 2) {

@@ -1,9 +1,9 @@
 /// COSMOS V1 and V2 (COSMOS Strong Motion Data Format, version 1.20, 2001).
 ///
-/// One or more series, each with a text header of 13 lines or as many as its first line says, integers, reals, comments
-/// and samples. Each of these parts begins with a line that states how much follows and in which columns. Used are:
-/// real 62, the spacing [ms]; real 63, the length [s], which must fit; from the line above the samples their number,
-/// quantity and unit. Series of velocity and displacement, which some networks put between, are skipped.
+/// One or more series, each with a text header (13 lines unless its first line states another number), integers, reals,
+/// comments and samples. Each of these parts starts with a line that states the number of values and their columns.
+/// Fields read: real 62, the spacing [ms]; real 63, the length [s], which must agree; from the line above the samples
+/// their number, quantity and unit. Series of velocity and displacement, which some networks include, are skipped.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -19,10 +19,10 @@ namespace {
 
 bool recognises(const Lines& lines) { return lines.size() > 0 && contains(lines[0], "(FORMAT V"); }
 
-/// A part of a series: its number of values or lines, and where these are.
+/// A part of a series: its number of values or lines, and their location.
 struct Part {
   std::size_t count = 0;
-  std::size_t line = 0;  ///< that states it
+  std::size_t line = 0;  ///< line that states it
   Columns columns{1, 1};
 
   std::size_t next() const { return line + 1 + columns.lines_for(count); }
@@ -35,27 +35,27 @@ struct Series {
   Part reals, samples;
 };
 
-/// The line that states a part: "100 Real-header values follow on  17 lines, Format= (6F13.6)".
+/// Line that states a part: "100 Real-header values follow on  17 lines, Format= (6F13.6)".
 Part read_part(const Lines& lines, std::size_t i, std::string_view name, bool in_columns) {
   static const std::regex number = pattern(R"(^\s*([0-9]{1,9})\s)");
   const std::string_view line = lines.at(i, fmt::format("the line that states {}", name));
   const auto count = captured(line, number);
   if (!count || !contains(line, upper(name)))
-    lines.fail(i, fmt::format("is not the line that states how many {} follow", name));
+    lines.fail(i, fmt::format("is not the line that states the number of {}", name));
   Part part{.count = std::stoul(count->front()), .line = i};
   if (!in_columns) return part;
   const auto columns = fortran_columns(line);
-  if (!columns) lines.fail(i, "states no columns such as \"Format= (8F10.5)\"");
+  if (!columns) lines.fail(i, "does not state columns such as \"Format= (8F10.5)\"");
   part.columns = *columns;
   return part;
 }
 
 Series read_series(const Lines& lines, std::size_t begin) {
   static const std::regex text_lines = pattern(R"(with\s+([0-9]{1,4})\s+text lines)");
-  // The unit may carry its code: "units=cm/sec2(04)", "units=g.     (02)", "units=counts (50)", "units=cm/s^2".
+  // The unit may be followed by its code: "units=cm/sec2(04)", "units=g.     (02)", "units=counts (50)",
+  // "units=cm/s^2".
   static const std::regex stated = pattern(R"(^\s*[0-9]+\s+([a-z]+).*units\s*=\s*([^(,]*))");
-  if (!contains(lines[begin], "(FORMAT V"))
-    lines.fail(begin, "a series begins here, but not with \"(Format v01.20 ...\"");
+  if (!contains(lines[begin], "(FORMAT V")) lines.fail(begin, "a series must start with \"(Format v01.20 ...\"");
   Series series{.begin = begin, .quantity = {}, .unit = {}, .reals = {}, .samples = {}};
   const auto text = captured(lines[begin], text_lines);
   const Part integers =
@@ -65,7 +65,7 @@ Series read_series(const Lines& lines, std::size_t begin) {
   series.samples = read_part(lines, comments.next(), "pts", true);
   const std::size_t i = series.samples.line;
   const auto parts = captured(lines[i], stated);
-  if (!parts) lines.fail(i, "states no quantity and unit such as \"acceleration pts, ... units=cm/sec2\"");
+  if (!parts) lines.fail(i, "does not state quantity and unit such as \"acceleration pts, ... units=cm/sec2\"");
   series.quantity = (*parts)[0];
   series.unit = trimmed((*parts)[1]);
   if (series.unit.ends_with('.')) series.unit.pop_back();
@@ -75,7 +75,8 @@ Series read_series(const Lines& lines, std::size_t begin) {
 std::vector<Series> find_series(const Lines& lines) {
   std::vector<Series> all;
   for (std::size_t i = 0; i < lines.size();) {
-    // The standard ends a series by "End-of-data for ..."; its own sample by "/&  ---  End of data for channel  1 ---".
+    // In the standard, a series ends with "End-of-data for ..."; in its sample file, with "/&  ---  End of data for
+    // channel  1 ---".
     if (trimmed(lines[i]).empty() || begins_with(trimmed(lines[i]), "END-OF-DATA") || lines[i].starts_with("/&")) {
       ++i;
       continue;
@@ -83,18 +84,18 @@ std::vector<Series> find_series(const Lines& lines) {
     all.push_back(read_series(lines, i));
     i = all.back().samples.next();
   }
-  if (all.empty()) lines.fail(0, "comes before no samples: the file holds \"END-OF-DATA\" alone");
+  if (all.empty()) lines.fail(0, "contains no samples, only \"END-OF-DATA\"");
   return all;
 }
 
-/// "Sta Chan  1: 340 deg (Rcrdr Chan  1) Location: roof"; a number that is not known is "?".
+/// "Sta Chan  1: 340 deg (Rcrdr Chan  1) Location: roof"; an unknown number is "?".
 Channel read_channel(const Lines& lines, std::size_t begin) {
   static const std::regex words = pattern(R"(^\s*sta cha\w*:?\s*([^:\s]*)\s*:([^(]*?)(\(.*|location.*)?$)");
   static const std::regex location = pattern(R"(location\s*:(.*)$)");
   const std::size_t i = begin + 8;
   const std::string_view line = lines.at(i, "the line of the channel");
   const auto parts = captured(line, words);
-  if (!parts) lines.fail(i, "is no line \"Sta Chan  1: 90 deg\"");
+  if (!parts) lines.fail(i, "is not a line such as \"Sta Chan  1: 90 deg\"");
   const auto place = captured(line, location);
   return {.number = (*parts)[0] == "?" ? std::string() : (*parts)[0],
           .component = single_spaced((*parts)[1]),
@@ -107,18 +108,19 @@ double read_step(const Lines& lines, const Series& series) {
   const auto real = [&](std::size_t number) {
     const Part& reals = series.reals;
     if (number > reals.count)
-      lines.fail(reals.line, fmt::format("states {} values; number {} is needed", reals.count, number));
+      lines.fail(reals.line, fmt::format("states {} values, but number {} is needed", reals.count, number));
     return lines.number(reals.line + 1 + (number - 1) / reals.columns.per_line,
                         column_field(lines, reals.line + 1, reals.columns, number - 1));
   };
   const std::size_t i = series.reals.line + 1 + 61 / series.reals.columns.per_line;
   const double dt = checked_positive(lines, i, "real 62, the spacing in ms,", real(62), "a time") / 1000;
-  // The length counts the samples, or the spaces between them, and is rounded.
+  // The length refers to the samples, or to the intervals between them, and is rounded.
   const double length = real(63), points = static_cast<double>(series.samples.count);
   if (length > 0 && std::abs(points * dt - length) > std::max(2 * dt, 0.001 * length))
     lines.fail(
-        i, fmt::format("real 62 states a spacing of {:g} ms and real 63 a length of {:g} s, which do not fit {} points",
-                       1000 * dt, length, series.samples.count));
+        i,
+        fmt::format("real 62 states a spacing of {:g} ms and real 63 a length of {:g} s, which disagree with {} points",
+                    1000 * dt, length, series.samples.count));
   return dt;
 }
 
@@ -129,7 +131,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
     if (begins_with(series.quantity, "ACC")) channels.push_back(read_channel(lines, series.begin));
   if (channels.empty())
     lines.fail(all.front().samples.line,
-               fmt::format("holds {}; take the file of accelerations", excerpt(all.front().quantity)));
+               fmt::format("contains {}; use the file of accelerations", excerpt(all.front().quantity)));
   const Channel channel = chosen(lines, channels, options);
   std::size_t k = 0;
   while (all[k].begin != channel.begin) ++k;

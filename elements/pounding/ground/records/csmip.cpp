@@ -1,7 +1,7 @@
 /// CSMIP (CDMG) V1 and V2 (Shakal & Huang 1985, Standard tape format for CSMIP strong-motion data tapes, OSMS 85-03).
 ///
-/// One or more channels, each ended by a line that begins with "/&". V1: 13 lines of text, 7 of integers, 7 of reals;
-/// then a line that states points, rate or spacing, unit and columns, or, in older files, pairs of time and
+/// One or more channels, each terminated by a line that starts with "/&". V1: 13 lines of text, 7 of integers, 7 of
+/// reals; then a line that states points, rate or spacing, unit and columns, or, in older files, pairs of time and
 /// acceleration (10F7.3). V2: 25 lines of text, 7 of integers, 13 of reals; then acceleration, velocity and
 /// displacement, each after a line that states points, spacing and unit. Only accelerations are read.
 
@@ -26,13 +26,13 @@ bool is_v1(const Lines& lines, std::size_t begin) { return begins_with(trimmed(l
 bool recognises(const Lines& lines) {
   if (lines.size() < 2) return false;
   if (is_v1(lines, 0)) return true;
-  // Other networks use the first line of a V2 file with another second line.
+  // Other networks use the first line of a V2 file with a different second line.
   const std::string_view first = trimmed(lines[0]);
   return (begins_with(first, v2_title) && begins_with(trimmed(lines[1]), v1_title)) ||
          (begins_with(first, v3_title) && begins_with(trimmed(lines[1]), v2_title));
 }
 
-/// A line of the text header; a V2 header is that of V1 after one line of its own.
+/// A line of the text header; a V2 header is that of V1 after one additional line.
 std::size_t text_line(const Lines& lines, std::size_t begin, std::size_t number) {
   return begin + number - (is_v1(lines, begin) ? 1 : 0);
 }
@@ -44,7 +44,7 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
   const std::size_t i = text_line(lines, begin, 7);
   const std::string_view line = lines.at(i, "the line of the channel");
   const auto parts = captured(line, words);
-  if (!parts) lines.fail(i, "is no line \"Chan  1: 90 Deg\"");
+  if (!parts) lines.fail(i, "is not a line such as \"Chan  1: 90 Deg\"");
   const auto place = captured(line, location);
   return {.number = single_spaced((*parts)[0]),
           .component = single_spaced((*parts)[1]),
@@ -60,8 +60,7 @@ std::vector<Channel> find_channels(const Lines& lines) {
       between = true;
     } else if (between && !trimmed(lines[i]).empty()) {
       if (!begins_with(trimmed(lines[i]), v1_title) && !begins_with(trimmed(lines[i]), v2_title))
-        lines.fail(
-            i, "a channel begins here, but not with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
+        lines.fail(i, "a channel must start with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
       channels.push_back(read_channel(lines, i));
       between = false;
     }
@@ -90,12 +89,12 @@ void read_v1(const Lines& lines, std::size_t begin, const RecordOptions& options
 void read_v2(const Lines& lines, std::size_t begin, const RecordOptions& options, Record& record) {
   if (!volumes::read_stated(lines, begin, end_of(lines, begin), {8, 10}, options, record))
     lines.fail(begin,
-               "the channel that begins here has no line \"points of accel data equally spaced at ... sec, in ...\"");
+               "the channel that starts here has no line \"points of accel data equally spaced at ... sec, in ...\"");
 }
 
 Record read(const Lines& lines, const RecordOptions& options) {
   if (begins_with(trimmed(lines[0]), v3_title))
-    lines.fail(0, "holds spectra (V3); take the file of accelerations, V1 or V2");
+    lines.fail(0, "contains spectra (V3); use the file of accelerations, V1 or V2");
   const Channel channel = chosen(lines, find_channels(lines), options);
   const std::size_t begin = channel.begin;
   const bool v1 = is_v1(lines, begin);

@@ -1,6 +1,7 @@
 /// ESM and ITACA ASCII (DYNA 1.2; Luzi et al. 2016, Engineering Strong-Motion database, esm-db.eu).
 ///
-/// 64 lines "KEY: value", then one value a line. DATA_TYPE must be ACCELERATION.
+/// 64 lines "KEY: value", then one value per line. DATA_TYPE must be ACCELERATION, or DISPLACEMENT if displacements are
+/// read.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -36,7 +37,7 @@ Entry entry(const Lines& lines, std::string_view key) {
   return *found;
 }
 
-/// Empty when there is none.
+/// Empty if there is none.
 std::string value(const Lines& lines, std::string_view key) { return find_entry(lines, key).value_or(Entry{}).value; }
 
 Record read(const Lines& lines, const RecordOptions& options) {
@@ -44,7 +45,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const Entry type = entry(lines, "DATA_TYPE");
   const std::string_view wanted = options.displacement ? "DISPLACEMENT" : "ACCELERATION";
   if (upper(type.value) != wanted)
-    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of {}s", excerpt(type.value),
+    lines.fail(type.line, fmt::format("contains \"{}\"; use the file of {}s", excerpt(type.value),
                                       options.displacement ? "displacement" : "acceleration"));
   Record record;
   record.format = "ESM";

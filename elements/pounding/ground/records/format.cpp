@@ -21,7 +21,7 @@ constexpr char zero = '\0', end_of_file = '\x1A';
 
 char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 
-/// Text without the zero bytes and the DOS end-of-file mark that pad a file behind its last line.
+/// Text without padding of zero bytes and DOS end-of-file marks after the last line.
 std::string_view without_padding(std::string_view text) {
   constexpr std::string_view padding("\0\x1A\f\v \t\r\n", 8);
   const std::size_t last = text.find_last_not_of(padding);
@@ -29,7 +29,7 @@ std::string_view without_padding(std::string_view text) {
   return text.substr(0, std::min({text.find(zero, begin), text.find(end_of_file, begin), text.size()}));
 }
 
-/// Line without the page breaks and end-of-file marks of printed and joined files at its ends.
+/// Line without page breaks and end-of-file marks at its ends, as in printed and joined files.
 std::string_view without_breaks(std::string_view line) {
   constexpr std::string_view breaks("\f\v\x1A\r");
   const std::size_t begin = line.find_first_not_of(breaks);
@@ -50,7 +50,7 @@ std::span<const Format* const> formats() {
 
 Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
   if (text.size() > longest_record)
-    throw InputError(fmt::format("{}: has more than {} MB, and a record has at most that; is it the right file?", name_,
+    throw InputError(fmt::format("{}: has more than {} MB, the maximum for a record; check the file name", name_,
                                  longest_record / 1'000'000));
   text = without_padding(without_mark(text));
   const char mark = text.find('\n') == std::string_view::npos ? '\r' : '\n';
@@ -58,13 +58,12 @@ Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
     const std::size_t end = std::min(text.find(mark, begin), text.size());
     const std::string_view line = without_breaks(text.substr(begin, end - begin));
     if (line.size() > longest_line)
-      fail(size(), fmt::format("has {} bytes, and a line has at most {}", line.size(), longest_line));
-    if (size() == most_lines)
-      fail(size(), fmt::format("the file goes on after {} lines; a record has at most that many", most_lines));
+      fail(size(), fmt::format("has {} bytes; a line has at most {}", line.size(), longest_line));
+    if (size() == most_lines) fail(size(), fmt::format("too many lines; a record has at most {}", most_lines));
     if (line.find(zero) != std::string_view::npos)
       fail(size(),
-           "holds zero bytes, as UTF-16, workbooks of Excel and files that are no text do; save the file as text in "
-           "UTF-8, a sheet as CSV");
+           "contains zero bytes, as in UTF-16, Excel workbooks and binary files; save the file as UTF-8 text, or a "
+           "sheet as CSV");
     lines_.push_back(line);
     begin = end + 1;
   }
@@ -88,7 +87,7 @@ double Lines::number(std::size_t i, std::string_view text) const {
 double Lines::sample(std::size_t i, std::string_view text) const {
   const double value = number(i, text);
   if (std::abs(value) > largest_value)
-    fail(i, fmt::format("\"{}\" is larger than any time or sample can be ({:g})", excerpt(text), largest_value));
+    fail(i, fmt::format("\"{}\" exceeds the maximum of times and samples ({:g})", excerpt(text), largest_value));
   return value;
 }
 
@@ -115,7 +114,7 @@ bool begins_with(std::string_view text, std::string_view part) { return upper(te
 std::regex pattern(const char* text) { return std::regex(text, std::regex::ECMAScript | std::regex::icase); }
 
 std::optional<std::vector<std::string>> captured(std::string_view line, const std::regex& pattern) {
-  // A header line is short. std::regex recurses by the character and would exhaust the stack on a long one.
+  // Header lines are short. std::regex is recursive and would overflow the stack on a long line.
   if (line.size() > 500) return std::nullopt;
   std::cmatch match;
   if (!std::regex_search(line.data(), line.data() + line.size(), match, pattern)) return std::nullopt;
@@ -140,14 +139,14 @@ double checked_positive(const Lines& lines, std::size_t i, std::string_view name
 namespace {
 
 [[noreturn]] void fail_early(const Lines& lines, std::size_t i, std::size_t read, const Stated& stated) {
-  lines.fail(i, fmt::format("the values end here, after {}; {} states {}", read, stated.by, stated.count));
+  lines.fail(i, fmt::format("the values end here, after {}, but {} states {}", read, stated.by, stated.count));
 }
 
 [[noreturn]] void fail_late(const Lines& lines, std::size_t i, const Stated& stated) {
   lines.fail(i, fmt::format("more values than the {} that {} states", stated.count, stated.by));
 }
 
-/// Whether a line ends the numbers: it is blank or has a word in it. "NaN" and "***" count as numbers.
+/// True if a line ends the numbers: it is blank or contains four consecutive letters. "NaN" and "***" count as numbers.
 bool ends_numbers(std::string_view line) {
   if (trimmed(line).empty() || line.starts_with('/')) return true;
   int letters = 0;
@@ -167,7 +166,7 @@ std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const St
   for (std::size_t i = begin; i < lines.size(); ++i) {
     has_ended = has_ended || ends_data(lines[i]);
     if (has_ended) {
-      // A line that says where the data end may be followed by words, not by more values.
+      // An end mark may be followed by text, but not by more values.
       double value = 0;
       if (const auto words = split_at_blanks(lines[i]); !words.empty() && parse_number(words.front(), value))
         fail_late(lines, i, stated);
@@ -216,7 +215,7 @@ std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Co
     if (rest_is_blank(i, fields)) continue;
     if (fields < columns.per_line) fail_late(lines, i, stated);
     lines.fail(
-        i, fmt::format("goes on after {} numbers of {} characters, which {} allows", fields, columns.width, stated.by));
+        i, fmt::format("has more than {} numbers of {} characters, as {} states", fields, columns.width, stated.by));
   }
   if (i < lines.size() && !ends_numbers(lines[i])) fail_late(lines, i, stated);
   return values;
@@ -245,21 +244,22 @@ Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOp
   const auto fail = [&](const std::string& what) {
     throw InputError(fmt::format("{}: {}: {}", lines.name(), what, fmt::join(texts, "; ")));
   };
-  const std::string asked = upper(single_spaced(options.channel));
-  if (asked.empty()) {
+  const std::string requested = upper(single_spaced(options.channel));
+  if (requested.empty()) {
     if (channels.size() > 1)
-      fail(fmt::format("{} channels; add \"channel:\" with the number or the component of one", channels.size()));
+      fail(fmt::format("{} channels; add \"channel:\" with the number or component of one", channels.size()));
     return channels.front();
   }
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (upper(channels[i].number) == asked) return channels[i];
-    if (upper(channels[i].component) == asked) found.push_back(i);
+    if (upper(channels[i].number) == requested) return channels[i];
+    if (upper(channels[i].component) == requested) found.push_back(i);
   }
   if (found.empty())
-    fail(fmt::format("no channel has the number or the component \"{}\"; the file has", excerpt(options.channel)));
+    fail(fmt::format("no channel with number or component \"{}\"; channels in the file", excerpt(options.channel)));
   if (found.size() > 1)
-    fail(fmt::format("{} channels are \"{}\"; type the number of one", found.size(), excerpt(options.channel)));
+    fail(fmt::format("{} channels have the component \"{}\"; type the number of one", found.size(),
+                     excerpt(options.channel)));
   return channels[found.front()];
 }
 

@@ -2,10 +2,10 @@
 /// geonet.org.nz/data/supplementary/strong_motion_file_formats).
 ///
 /// Three components, each with 16 lines of text, 4 of integers (10I8), 6 of reals (10F8.0) and the accelerations
-/// (10F8.1); V2A files continue with velocities and displacements. Used are: text line 10, the number of points; line
-/// 11, the unit of raw readings; line 13, the component; line 14, the unit; integers 34 to 36, the samples of
-/// acceleration, velocity and displacement; real 26, the interval [s]. Nines in all digits stand for a missing sample:
-/// those at the begin and end are left out, and `remark` says so.
+/// (10F8.1); V2A files continue with velocities and displacements. Fields read: text line 10, the number of points;
+/// line 11, the unit of raw readings; line 13, the component; line 14, the unit; integers 34 to 36, the numbers of
+/// samples of acceleration, velocity and displacement; real 26, the interval [s]. All nines mark a missing sample:
+/// those at the start and end are omitted, as stated in `remark`.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -35,7 +35,7 @@ bool recognises(const Lines& lines) {
 Channel read_channel(const Lines& lines, std::size_t begin) {
   static const std::regex words = pattern(R"(^\s*component\s+(\S+)\s*(.*)$)");
   const auto parts = captured(lines.at(begin + 12, "the line of the component"), words);
-  if (!parts) lines.fail(begin + 12, "is no line \"Component N28W\"");
+  if (!parts) lines.fail(begin + 12, "is not a line such as \"Component N28W\"");
   return {.number = {}, .component = (*parts)[0], .place = single_spaced((*parts)[1]), .begin = begin};
 }
 
@@ -58,7 +58,7 @@ std::size_t stated_count(const Lines& lines, std::size_t begin) {
   return checked_count(lines, begin + 9, "the number of points", lines.number(begin + 9, count->front()));
 }
 
-/// Refuses a component whose lines of values are not as many as its header states.
+/// Rejects a component whose number of value lines differs from that stated in its header.
 void check_lines(const Lines& lines, std::size_t begin, std::size_t count) {
   std::size_t end = begin + values_line;
   while (end < lines.size() && !begins_component(lines[end])) ++end;
@@ -72,11 +72,12 @@ void check_lines(const Lines& lines, std::size_t begin, std::size_t count) {
     stated += fields.lines_for(static_cast<std::size_t>(others));
   }
   if (end - begin - values_line != stated)
-    lines.fail(end - 1, fmt::format("{} lines of values end here; line {} and integers 35 and 36 state {}",
+    lines.fail(end - 1, fmt::format("the values end here, after {} lines, but line {} and integers 35 and 36 state {}",
                                     end - begin - values_line, begin + 10, stated));
 }
 
-/// Sampling interval [s]: real 26, which has four decimals. A rate in whole Hz that rounds to it is meant.
+/// Sampling interval [s]: real 26, with four decimals. It is replaced by that of a rate in whole Hz if this rounds to
+/// it.
 double read_interval(const Lines& lines, std::size_t begin) {
   const double stated = header_number(lines, begin + reals_line, 26);
   const double dt =
@@ -87,20 +88,20 @@ double read_interval(const Lines& lines, std::size_t begin) {
 
 bool is_missing(std::string_view field) { return field == "999999.9" || field == "9999.999" || field == "99.99999"; }
 
-/// Accelerations in the unit of the file, without those that are missing at both ends.
+/// Accelerations in the unit of the file, without missing samples at the ends.
 std::vector<double> read_values(const Lines& lines, std::size_t begin, std::size_t count, Record& record) {
   const std::size_t values_begin = begin + values_line;
   const auto field = [&](std::size_t k) { return column_field(lines, values_begin, fields, k); };
   std::size_t first = 0, end = count;
   while (first < count && is_missing(field(first))) ++first;
   while (end > first && is_missing(field(end - 1))) --end;
-  if (end - first < 2) lines.fail(values_begin, "the component has no two samples that are not missing");
+  if (end - first < 2) lines.fail(values_begin, "the component needs at least two samples that are not missing");
   if (end - first < count)
-    record.remark += fmt::format(", {} missing samples at the ends left out", count - (end - first));
+    record.remark += fmt::format(", {} missing samples at the ends omitted", count - (end - first));
   std::vector<double> values;
   for (std::size_t k = first; k < end; ++k) {
     const std::size_t i = values_begin + k / fields.per_line;
-    if (is_missing(field(k))) lines.fail(i, fmt::format("{} stands for a missing sample amid the others", field(k)));
+    if (is_missing(field(k))) lines.fail(i, fmt::format("{} marks a missing sample between others", field(k)));
     values.push_back(lines.sample(i, field(k)));
   }
   return values;

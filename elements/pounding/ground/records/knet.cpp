@@ -1,8 +1,8 @@
-/// K-NET and KiK-net ASCII, as NIED describes it (https://www.kyoshin.bosai.go.jp/kyoshin/man/knetform_en.html).
+/// K-NET and KiK-net ASCII, described by NIED (https://www.kyoshin.bosai.go.jp/kyoshin/man/knetform_en.html).
 ///
-/// A header of lines whose name takes 18 characters, from "Origin Time" to "Memo."; then counts. Acceleration in gal is
-/// (count - mean) times the scale factor "3920(gal)/6182761": the logger's zero is not at 0. KiK-net numbers its
-/// channels: 1 to 3 are N-S, E-W and U-D in the borehole, 4 to 6 the same at the surface.
+/// A header of lines with names of 18 characters, from "Origin Time" to "Memo."; then counts. The acceleration in gal
+/// is (count - mean) times the scale factor "3920(gal)/6182761", because the logger has a zero offset. KiK-net numbers
+/// its channels: 1 to 3 are N-S, E-W and U-D in the borehole, 4 to 6 the same at the surface.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -22,7 +22,7 @@ constexpr std::size_t header_lines = 30;
 
 bool recognises(const Lines& lines) { return lines.size() > 0 && begins_with(lines[0], "ORIGIN TIME"); }
 
-/// The line of the header that begins with this name, which is in capitals.
+/// Header line that starts with this name, given in capitals.
 std::size_t find_line(const Lines& lines, std::string_view name) {
   for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i)
     if (begins_with(lines[i], name)) return i;
@@ -44,13 +44,13 @@ Channel read_channel(const Lines& lines) {
   return {.number = {}, .component = direction, .place = {}, .begin = i};
 }
 
-/// gal for a count.
+/// gal per count.
 double read_scale(const Lines& lines) {
   static const std::regex fraction = pattern(R"(^([0-9.]+)\s*\(gal\)\s*/\s*([0-9.]+)$)");
   const std::size_t i = find_line(lines, "SCALE FACTOR");
   const auto parts = captured(value(lines, i), fraction);
   if (!parts)
-    lines.fail(i, fmt::format("\"{}\" is no scale factor such as 3920(gal)/6182761", excerpt(value(lines, i))));
+    lines.fail(i, fmt::format("\"{}\" is not a scale factor such as 3920(gal)/6182761", excerpt(value(lines, i))));
   return checked_positive(lines, i, "the scale factor", lines.number(i, (*parts)[0]) / lines.number(i, (*parts)[1]),
                           "a number");
 }

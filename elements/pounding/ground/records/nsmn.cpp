@@ -1,8 +1,8 @@
-/// AFAD (TR-NSMN), the strong-motion network of Turkey: text files as published until 2019. Later files of AFAD are
-/// those of ESM.
+/// AFAD (TR-NSMN), the strong-motion network of Turkey: text files published until 2019. Later files of AFAD are in the
+/// ESM format.
 ///
 /// "STRONG GROUND MOTION RECORDS OF TURKIYE", lines "KEY : value", a line with the names of the components, and lines
-/// with a value each. The unit stands in "RAW PGA VALUES (gal)".
+/// with one value for each. The unit is in "RAW PGA VALUES (gal)".
 
 #include <pounding/ground/records/format.hpp>
 
@@ -21,7 +21,7 @@ bool recognises(const Lines& lines) {
   return lines.size() > 0 && begins_with(trimmed(lines[0]), "STRONG GROUND MOTION RECORDS OF T");
 }
 
-/// The line of the header that begins with this key, which is in capitals.
+/// Header line that starts with this key, given in capitals.
 std::size_t find_line(const Lines& lines, std::string_view key) {
   const std::size_t end = std::min(lines.size(), header_lines);
   for (std::size_t i = 0; i < end; ++i)
@@ -59,7 +59,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const std::size_t columns = split_at_blanks(lines[begin]).size();
   if (channels.size() != columns)
     lines.fail(names_line,
-               fmt::format("names {} components; the lines below have {} values", channels.size(), columns));
+               fmt::format("names {} components, but the lines below have {} values", channels.size(), columns));
   const Channel channel = chosen(lines, channels, options);
 
   Record record;

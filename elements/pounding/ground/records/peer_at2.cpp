@@ -1,5 +1,5 @@
-/// PEER AT2: a header that states NPTS and DT [s], or DT in MSEC, in either order of word and number, and "UNITS OF G";
-/// then the values.
+/// PEER AT2: a header that states NPTS and DT [s], or DT in MSEC, with key and number in either order, and "UNITS OF
+/// G"; then the values.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t header_lines = 10;
 
-/// The line that states NPTS and DT.
+/// Line that states NPTS and DT.
 std::optional<std::size_t> find_npts(const Lines& lines) {
   for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i) {
     const std::string line = upper(lines[i]);
@@ -29,7 +29,7 @@ struct Size {
   double dt;
 };
 
-/// Seconds in the unit that follows DT; 1 if the word there is another key of the line.
+/// Seconds per unit that follows DT; 1 if the next item is another key of the line.
 double unit_of_dt(const Lines& lines, std::size_t i, const std::string& unit, bool is_key) {
   if (unit.empty() || is_key || unit == "NPTS" || unit == "UNITS") return 1;
   const std::optional<double> seconds = unit_of_time(unit);
@@ -53,7 +53,7 @@ Size read_size(const Lines& lines, std::size_t i) {
   std::replace_if(separated.begin(), separated.end(), [](char c) { return c == '=' || c == ','; }, ' ');
   for (const std::string_view word : split_at_blanks(separated))
     if (double value = 0; parse_number(word, value)) numbers.push_back(value);
-  if (numbers.size() < 2) lines.fail(i, "NPTS and DT need a number each, as in \"NPTS= 5372, DT= .0100 SEC\"");
+  if (numbers.size() < 2) lines.fail(i, "NPTS and DT must each have a number, as in \"NPTS= 5372, DT= .0100 SEC\"");
   return {checked_count(lines, i, "NPTS", numbers[0]), checked_positive(lines, i, "DT", numbers[1], "a time")};
 }
 

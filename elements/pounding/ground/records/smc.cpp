@@ -1,8 +1,9 @@
 /// USGS SMC, time series of versions 1 and 2 of the format (smcfmt, USGS National Strong-Motion Program).
 ///
-/// 11 lines of text, the first with what the file holds; 48 integers (8I10), of which number 16 counts the comments and
-/// 17 the samples; 50 reals (5E15.7), of which number 1 stands for "unknown" and 2 is the sampling rate; comments;
-/// samples in cm/s^2 (8E10.4, or 5E14.7 where integer 47 is 8, as D. Boore's programs write for more digits).
+/// 11 lines of text, the first with the type of data; 48 integers (8I10), of which number 16 is the number of comments
+/// and 17 that of samples; 50 reals (5E15.7), of which number 1 marks "unknown" and 2 is the sampling rate; comments;
+/// samples in cm/s^2 (8E10.4, or 5E14.7 if integer 47 is 8, as written by the programs of D. Boore for higher
+/// precision).
 
 #include <pounding/ground/records/format.hpp>
 
@@ -36,14 +37,14 @@ double header_number(const Lines& lines, std::size_t begin, const Columns& colum
 double read_rate(const Lines& lines) {
   const double unknown = header_number(lines, reals_line, reals, 1), rate = header_number(lines, reals_line, reals, 2);
   if (rate == unknown || rate <= 0)
-    lines.fail(reals_line, "states no sampling rate; files of uneven samples are not read");
+    lines.fail(reals_line, "does not state a sampling rate; uneven samples are not supported");
   return rate;
 }
 
 Record read(const Lines& lines, const RecordOptions& options) {
   const std::string_view kind = trimmed(lines[0]);
   if (!begins_with(kind, uncorrected) && !begins_with(kind, corrected))
-    lines.fail(0, fmt::format("holds \"{}\"; take the file of accelerations", excerpt(kind)));
+    lines.fail(0, fmt::format("contains \"{}\"; use the file of accelerations", excerpt(kind)));
   Record record;
   record.format = "USGS SMC";
   record.title = single_spaced(lines.at(3, "the end of its header"));
@@ -64,8 +65,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   for (; begin < lines.size() && lines[begin].starts_with('|'); ++begin) {
   }
   if (comments >= 0 && static_cast<double>(begin - comments_line) != comments)
-    lines.fail(integers_line + 1, fmt::format("integer 16 states {:g} comments; {} lines begin with \"|\"", comments,
-                                              begin - comments_line));
+    lines.fail(integers_line + 1, fmt::format("integer 16 states {:g} comments, but {} lines start with \"|\"",
+                                              comments, begin - comments_line));
   const bool many_digits = header_number(lines, integers_line, integers, 47) == 8;
   record.samples.accelerations =
       read_columns(lines, begin, many_digits ? Columns{5, 14} : Columns{8, 10}, {count, "integer 17 of its header"});

@@ -1,10 +1,10 @@
 /// UNAM, "archivo estandar de aceleracion" 2.0 of Mexico's strong-motion networks (Base Mexicana de Datos de Sismos
 /// Fuertes, Instituto de Ingenieria, UNAM; Quaas et al. 1995).
 ///
-/// Some 109 lines of text, most of them "KEY : value", where lists of channels are "/V/N00E/N90E"; below "DATOS DE
-/// ACELERACION" the names of the channels between two rules, then a line of values each (3F10.4). Used are:
-/// orientations, intervals [s], numbers of samples and durations of channels 1 to 6 and 7 to 12, the unit, and the
-/// columns.
+/// About 109 lines of text, usually "KEY : value", with lists of channels such as "/V/N00E/N90E"; below "DATOS DE
+/// ACELERACION" the names of the channels between two rules, then lines with one value per channel (3F10.4). Fields
+/// read: orientations, intervals [s], numbers of samples and durations of channels 1 to 6 and 7 to 12, the unit, and
+/// the columns.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -27,7 +27,7 @@ bool recognises(const Lines& lines) {
   return false;
 }
 
-/// The line of the header that begins with this key, which is in capitals.
+/// Header line that starts with this key, given in capitals.
 std::optional<std::size_t> find_line(const Lines& lines, std::string_view key) {
   for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i)
     if (begins_with(trimmed(lines[i]), key)) return i;
@@ -45,7 +45,7 @@ std::string value(const Lines& lines, std::size_t i) {
   return colon == std::string_view::npos ? std::string() : single_spaced(lines[i].substr(colon + 1));
 }
 
-/// Entries of "/V/N00E/N90E" for one channel each, the key ending in C1-C6 or C7-C12.
+/// Entries of "/V/N00E/N90E", one per channel, for keys that end in C1-C6 or C7-C12.
 std::vector<std::string> list(const Lines& lines, std::string_view key) {
   std::vector<std::string> entries;
   for (const std::string_view range : {"C1-C6", "C7-C12"})
@@ -64,7 +64,7 @@ std::vector<std::string> list(const Lines& lines, std::string_view key) {
   return entries;
 }
 
-/// The number of a list that belongs to a channel.
+/// Number of a list for a channel.
 double number(const Lines& lines, std::string_view key, std::size_t channel) {
   const std::vector<std::string> entries = list(lines, key);
   const std::size_t i = line_of(lines, key);
@@ -76,8 +76,8 @@ Columns columns_of(const Lines& lines, std::size_t channels) {
   const std::size_t i = line_of(lines, "FORMATO DATOS");
   const auto columns = fortran_columns("(" + value(lines, i) + ")");
   if (!columns || columns->per_line < channels)
-    lines.fail(
-        i, fmt::format("\"{}\" states no columns for {} channels, as 3F10.4 does", excerpt(value(lines, i)), channels));
+    lines.fail(i, fmt::format("\"{}\" does not state columns for {} channels, such as 3F10.4", excerpt(value(lines, i)),
+                              channels));
   return *columns;
 }
 
@@ -89,7 +89,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
                         .component = single_spaced(orientation.substr(0, orientation.find(';'))),
                         .place = {},
                         .begin = channels.size()});
-  if (channels.empty()) lines.fail(line_of(lines, "ORIENTACION C"), "names no channel, as /V/N00E/N90E does");
+  if (channels.empty()) lines.fail(line_of(lines, "ORIENTACION C"), "does not name channels, as in /V/N00E/N90E");
   const Channel channel = chosen(lines, channels, options);
   const std::size_t k = channel.begin;
 
@@ -110,19 +110,19 @@ Record read(const Lines& lines, const RecordOptions& options) {
       checked_count(lines, count_line, "the number of samples", number(lines, "NUM. TOTAL DE MUESTRAS", k));
   const double dt =
       checked_positive(lines, step_line, "the interval", number(lines, "INTERVALO DE MUESTREO", k), "a time");
-  // Where samples were left out ("factor de decimacion"), the interval may be that of the instrument.
+  // With "factor de decimacion", the interval may be that of the instrument before decimation.
   const double duration = number(lines, "DURACION DEL REGISTRO", k);
   if (std::abs(static_cast<double>(count) * dt - duration) > std::max(2 * dt, 0.01 * duration))
-    lines.fail(step_line, fmt::format("{} samples every {:g} s do not fit the duration of {:g} s on line {}", count, dt,
-                                      duration, line_of(lines, "DURACION DEL REGISTRO") + 1));
+    lines.fail(step_line, fmt::format("{} samples every {:g} s disagree with the duration of {:g} s on line {}", count,
+                                      dt, duration, line_of(lines, "DURACION DEL REGISTRO") + 1));
 
   std::size_t begin = line_of(lines, values_title) + 1;
   for (std::size_t rules = 0; rules < 2; ++begin)
     if (lines.at(begin, "the values").starts_with("---")) ++rules;
   const Columns columns = columns_of(lines, channels.size());
   if (begin + count > lines.size())
-    lines.fail(lines.size() - 1, fmt::format("the values end here, after {}; line {} states {}", lines.size() - begin,
-                                             count_line + 1, count));
+    lines.fail(lines.size() - 1, fmt::format("the values end here, after {}, but line {} states {}",
+                                             lines.size() - begin, count_line + 1, count));
   for (std::size_t i = 0; i < count; ++i)
     record.samples.accelerations.push_back(
         unit * lines.sample(begin + i, column_field(lines, begin, columns, i * columns.per_line + k)));
@@ -130,12 +130,12 @@ Record read(const Lines& lines, const RecordOptions& options) {
   while (begin + count + more < lines.size() &&
          !column_field(lines, begin, columns, (count + more) * columns.per_line + k).empty())
     ++more;
-  // Files of the network end with a few repeated samples.
+  // Files of the network may end with a few repeated samples.
   if (more > count / 100)
     lines.fail(begin + count, fmt::format("more values than the {} that line {} states", count, count_line + 1));
   if (more > 0)
     record.warnings.push_back(
-        fmt::format("{} more rows than the {} that line {} states are left out", more, count, count_line + 1));
+        fmt::format("{} rows in excess of the {} stated on line {} are omitted", more, count, count_line + 1));
   record.samples.times = even_times(count, dt);
   return record;
 }

@@ -2,9 +2,9 @@
 /// Trifunac and V. W. Lee, Routine Computer Processing of Strong-Motion Accelerograms, EERL 73-03, 1973).
 ///
 /// Volume I: 13 lines of text, the first "FILE 0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", 7 of integers, 7 of
-/// reals; then pairs of time and acceleration (1X,10F7.3). Volume II: one line of text more in front, 25 in all;
-/// accelerations after a line that states points, spacing and unit. Columns 73 to 80 of the text hold the lengths of
-/// the lines. A file has one component or more.
+/// reals; then pairs of time and acceleration (1X,10F7.3). Volume II: 25 lines of text, those of Volume I after one
+/// additional line; accelerations after a line that states points, spacing and unit. Columns 73 to 80 of the text
+/// contain the lengths of the lines. A file has one or more components.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -26,7 +26,7 @@ bool is_v2(const Lines& lines, std::size_t i) {
 
 bool recognises(const Lines& lines) { return lines.size() > 0 && (is_v1(lines[0]) || is_v2(lines, 0)); }
 
-/// A line of the text header, from 1 as in Volume I.
+/// A line of the text header, numbered from 1 as in Volume I.
 std::size_t text_line(const Lines& lines, std::size_t begin, std::size_t number) {
   return begin + number - (is_v1(lines[begin]) ? 1 : 0);
 }
@@ -38,7 +38,7 @@ std::string text(const Lines& lines, std::size_t begin, std::size_t number) {
 /// "COMP S05W"
 Channel read_channel(const Lines& lines, std::size_t begin) {
   const std::string line = text(lines, begin, 7);
-  if (!begins_with(line, "COMP ")) lines.fail(text_line(lines, begin, 7), "is no line \"COMP S05W\"");
+  if (!begins_with(line, "COMP ")) lines.fail(text_line(lines, begin, 7), "is not a line such as \"COMP S05W\"");
   return {.number = {}, .component = line.substr(5), .place = {}, .begin = begin};
 }
 
@@ -76,7 +76,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
     if (!volumes::read_stated(lines, begin, end_of(lines, begin), {8, 10}, options, record))
       lines.fail(
           begin,
-          "the component that begins here has no line \"POINTS OF ACC DATA EQUALLY SPACED AT ... SEC. IN UNITS ...\"");
+          "the component that starts here has no line \"POINTS OF ACC DATA EQUALLY SPACED AT ... SEC. IN UNITS ...\"");
   }
   return record;
 }
