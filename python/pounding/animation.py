@@ -35,9 +35,9 @@ from pounding.errors import InputError
 from pounding.outputs import PICTURE, cannot_read, destination, output_for, replaced, tell
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
-from pounding.results import RunData
 from pounding.pictures.scene import Motion, Scene
 from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
+from pounding.results import RunData
 
 DPI = 110
 SLOWEST, FASTEST = 5, 25  #: frames a second

@@ -11,7 +11,6 @@ import numpy as np
 
 from pounding.texts import text, texts
 
-
 #: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan
 #: along y, then along y.
 EDGES = ("x at smallest y", "x at largest y", "y at smallest x", "y at largest x")

@@ -6,7 +6,6 @@ import reprlib
 import unicodedata
 from typing import Any
 
-
 #: Characters of a message, at most, as in the program; and those that it quotes of one value.
 LONGEST_MESSAGE, LONGEST_EXCERPT = 1800, 200
 

@@ -25,10 +25,10 @@ from pounding.checked_file import NotResults
 from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import Kind, cannot_read, output_for, replaced, tell
-from pounding.results import RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import BadRequest
+from pounding.results import RunData
 from pounding.texts import text
 
 #: By which an export knows the data of an earlier one.

@@ -19,6 +19,7 @@ from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
+from pounding.pictures.figures import PANELS, WHOLE, figure
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
 from pounding.pictures.model_picture import model_figure
 from pounding.pictures.panels import label_time
@@ -49,11 +50,6 @@ __all__ = [
     "profiles_figure",
     "standard_figure",
 ]
-
-#: Pictures that show the run without links wherever it is there.
-BESIDE = {"profiles": profiles_figure, "plan": plan_figure}
-#: Pictures of what yields, and what the run without links has none of.
-YIELDING = {"loops": (loops_figure, "a picture of loops"), "hinges": (hinges_figure, "a map")}
 
 
 def _pushover(options: argparse.Namespace) -> Figure:
@@ -86,10 +82,11 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--title", help="title instead of that of the run")
     parser.add_argument(
         "--picture",
-        choices=("run", "model", "profiles", "plan", "loops", "hinges"),
+        choices=(*WHOLE, *PANELS),
         default="run",
-        help="the standard picture, the structures at rest, extreme values over the height, a map of drifts and impacts in plan, "
-        "the loops or the map of what yields",
+        help="run (histories and impacts), model (the structures at rest), profiles (extremes over the height), plan (a "
+        "map of drifts and impacts), loops (of the six parts that lose most energy, or of contacts), hinges (a map of "
+        "yielded parts), or one panel",
     )
     parser.add_argument(
         "--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2"
@@ -104,19 +101,7 @@ def main(arguments: list[str] | None = None) -> int:
             run = RunData.read(options.results)
         except HoldsPushover:
             return write_picture(_pushover(options), output_for(options.results, options.output, ".png"))
-        if options.picture == "run":
-            figure = standard_figure(run, options.title, options.floors, compare=options.compare)
-        elif options.picture in BESIDE:
-            figure = BESIDE[options.picture](run, options.title, compare=options.compare or None)
-        elif options.picture in YIELDING:
-            draw, name = YIELDING[options.picture]
-            if options.compare:
-                raise BadRequest(f"{name} of the run without links is not drawn; leave --compare out")
-            figure = draw(run, options.title)
-        elif options.compare:
-            raise BadRequest("the structures at rest are the same without links; leave --compare out")
-        else:
-            figure = model_figure(run, options.title)
+        picture = figure(run, options.picture, options.title, compare=options.compare or None, floors=options.floors)
     except (OSError, NotResults) as error:
         print(cannot_read(options.results, error), file=sys.stderr)
         return 2
@@ -126,7 +111,7 @@ def main(arguments: list[str] | None = None) -> int:
     output = output_for(
         options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png"
     )
-    return write_picture(figure, output)
+    return write_picture(picture, output)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ figures, tables, verdicts}]}, as lib/reproduce/report.hpp describes them.
 """
 
 import argparse
-import html
 import json
 import re
 import sys
@@ -22,7 +21,7 @@ from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import Kind, cannot_read, replaced
 from pounding.paper import page
-from pounding.paper.mathematics import data_uri, rich, svg_of
+from pounding.paper.mathematics import data_uri, svg_of
 from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION, DrawnOnce
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")

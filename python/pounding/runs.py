@@ -68,16 +68,18 @@ class Run(RunData):
         *,
         compare: bool | None = None,
     ) -> Figure:
-        """A picture: "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
-        "force", "loops", "energy", "model" (the structures at rest), "profiles" (extreme values over the height),
-        "plan" (a map of drifts and impacts of frames in space), "springs" (loops of the six parts that lose most
-        energy) or "hinges" (a map of what yielded).
+        """A picture of the run, as a figure of matplotlib. A notebook displays it; `.savefig("NAME.pdf")` saves it.
 
-        `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is
-        width and height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture;
-        save it with `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare:
-        no_pounding` keeps; profiles and plan do so whenever it is there, unless it is False. Raises InputError for
-        another name, ImportError without matplotlib."""
+                `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space),
+        "gap", "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map
+        of drifts and impacts of frames in space), "hinges" (a map of yielded parts), "loops" (force over deformation
+        of the six parts and devices that lose most energy, or contact loops if there are none) or "contact_loops"
+        (force over penetration).
+
+                `title` replaces that of the run; "" omits all titles, for a picture with a caption. `size` is width
+        and height [in]: (3.3, 2.4) fits a column of a paper, with 8-point type. `compare` also draws the run without
+        links, dashed; None draws it in profiles and plan if the run has it (`compare: no_pounding`). Raises
+        InputError for another name, ImportError without matplotlib."""
         return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)
 
     def spectrum(

@@ -11,7 +11,6 @@ import numpy as np
 from pounding import told
 from pounding.texts import texts
 
-
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
 _HINGES = re.compile(r".+ (start|end)( [yz])?")

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-
 #: Words for MemberForces.gravity_included.
 GRAVITY = {None: "", True: "; gravity is included", False: "; gravity is not included"}
 

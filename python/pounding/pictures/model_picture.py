@@ -12,11 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, label_axes, project
-from pounding.results import RunData
 from pounding.pictures.geometry import floor_heights
 from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import MM, NARROW, STYLE, Picture, head, structure_colour
+from pounding.results import RunData
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
 

@@ -13,7 +13,6 @@ from matplotlib.figure import Figure
 from pounding.pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
 from pounding.results import Link, RunData
 
-
 #: Begins the words behind a structure that no link along the direction of a panel joins to another.
 NO_LINK = " (no link along"
 

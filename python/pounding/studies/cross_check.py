@@ -1,4 +1,4 @@
-"""Rows of the kernel that the solver runs, too: a sample that shows in every table how far both are apart."""
+"""Cross-check of the engines: a sample of the rows of the kernel also runs with the solver."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ import numpy as np
 
 #: One row in so many is checked, and no fewer than LEAST.
 ONE_IN, LEAST = 1000, 3
-#: Relative difference beyond which a row is named.
+#: Relative difference above which the report names a row.
 LARGE = 1e-3
 
 
 def rows_to_check(count: int) -> np.ndarray:
-    """Numbers of the rows of a plan that both engines run, evenly over all of them."""
+    """Indices of the rows of a plan that run with both engines, evenly spaced."""
     return np.unique(np.linspace(0, count - 1, min(count, max(LEAST, count // ONE_IN))).astype(np.int64))
 
 
 def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
-    """|a - b| relative to the larger one; 0 where both are the same, or neither is a number."""
+    """|a - b| relative to the larger absolute value; 0 if both are equal or both are NaN."""
     larger = np.maximum(np.abs(kernel), np.abs(solver))
     with np.errstate(invalid="ignore", divide="ignore"):
         apart = np.abs(kernel - solver) / larger
@@ -27,7 +27,7 @@ def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
 
 
 def told(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[str]) -> list[str]:
-    """Lines of a report: how many rows, and how far apart; `values` are those of the table."""
+    """Lines of the report: number of compared rows and their differences. `values` are those of the table."""
     if not check or not columns:
         return []
     rows = sorted(check)

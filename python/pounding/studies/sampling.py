@@ -14,18 +14,13 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.factors import Factor, check_units, find
 from pounding.studies.scipy_stats import stats
 
 _DECIMAL = re.compile(
     r"[ \t\r]*[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|nan|inf)[ \t\r]*", re.IGNORECASE | re.ASCII
 )
-_WAYS = ("sobol", "latin_hypercube", "random", "saltelli", "table")
-
-
-#: Samples of a study, at most.
-MOST_SAMPLES = 10_000_000
 
 
 @dataclass(frozen=True)
@@ -58,28 +53,28 @@ class Points:
         return found
 
 
-def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping[str, Any], folder: Path) -> Points:
-    """The points that `sampling:` asks for; files are named from `folder`. Raises InputError."""
+def read_points(
+    factors: Sequence[Factor], sampling: Any, seed: int, model: Mapping[str, Any], folder: Path
+) -> Points:
+    """The points of `sampling:`, a dict with its method or "grid". Relative names of files start from `folder`. Raises
+    InputError."""
     columns = [factor for factor in factors if factor.column]
-    if columns or isinstance(given, Mapping) and "table" in given:
-        return _from_table(factors, given, model, folder)
+    if columns or "table" in sampling:
+        return _from_table(factors, sampling, model, folder)
     distributed = [factor for factor in factors if factor.distribution is not None]
     grid = tuple(len(factor.values) for factor in factors if factor.values is not None)
-    if given is None or given == "grid":
+    if sampling == "grid":
         if distributed:
             raise InputError(
-                f"study.factors.{distributed[0].name} has a distribution: say how many samples, as in sampling: {{sobol: 128}} or "
-                "{latin_hypercube: 100}"
+                f"study.factors.{distributed[0].name} has a distribution, and the number of samples is missing; type sampling: "
+                "{sobol: 128} or {latin_hypercube: 100}"
             )
         return Points(tuple(factors), grid, np.empty((1, 0)), "grid")
-    one = words.only(given, _WAYS, "study.sampling")
-    if len(one) != 1:
-        raise InputError(f"study.sampling: takes one of {', '.join(_WAYS)}, as in {{sobol: 128}}")
-    way, count = next((way, words.whole(value, f"study.sampling.{way}", 1, MOST_SAMPLES)) for way, value in one.items())
+    ((way, count),) = sampling.items()
     if not distributed:
         raise InputError(
-            "study.sampling: no factor has a distribution to take samples from; lists and ranges make a grid by themselves, so leave "
-            "sampling out, or write a factor as uniform: {from: 10 mm, to: 40 mm}"
+            "study.sampling: no factor has a distribution to sample, and lists and ranges form a grid; remove sampling, or "
+            "write a factor as uniform: {from: 10 mm, to: 40 mm}"
         )
     if way in ("sobol", "saltelli") and count & (count - 1):
         below = 1 << (count.bit_length() - 1)
@@ -93,22 +88,22 @@ def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping
     return Points(tuple(factors), grid, sample, way)
 
 
-def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any], folder: Path) -> Points:
+def _from_table(factors: Sequence[Factor], sampling: Any, model: Mapping[str, Any], folder: Path) -> Points:
     """Samples that somebody else has made, all factors of a sample in one row: a file of columns, or arrays by their
     names."""
     other = [factor for factor in factors if factor.distribution is not None]
     columns = [factor for factor in factors if factor.column]
-    if not isinstance(given, Mapping) or "table" not in given or not columns or other:
+    if "table" not in sampling or not columns or other:
         named = f"study.factors.{(columns or other or list(factors))[0].name}" if factors else "study.factors"
         raise InputError(
             f"{named}: a table of samples has the values of all factors without a list: write column: NAME in each of them, and "
             "sampling: {table: FILE.csv}"
         )
-    table = words.only(given, ("table",), "study.sampling")["table"]
+    table = sampling["table"]
     found = (
         {name: (_array(values, name), "") for name, values in table.items()}
         if isinstance(table, Mapping)
-        else _read_table(folder / str(table))
+        else _read_table(folder / table)
     )
     made, sample = [], []
     for factor in factors:
@@ -116,7 +111,7 @@ def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any],
             if factor.column not in found:
                 raise InputError(
                     f'study.factors.{factor.name}.column: the table has no column "{factor.column}"; it has {", ".join(found)}.'
-                    f"{words.meant(factor.column, found)}"
+                    f"{reading.did_you_mean(factor.column, found)}"
                 )
             values, unit = found[factor.column]
             if factor.times is not None and unit:
@@ -166,7 +161,7 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     factors, units = [], []
     for cell in head.removeprefix("\ufeff").split(","):
         name, _, unit = cell.strip().removesuffix(")").partition("(")
-        factor, si = words.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
+        factor, si = reading.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
         if name.strip() in names:
             raise InputError(f'{path}:1: two columns are called "{name.strip()}"; give each column its own name')
         names.append(name.strip())

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from os import PathLike, fspath
 from dataclasses import replace
+from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +15,10 @@ from pounding import arguments
 from pounding.arguments import takes
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.models import check
-from pounding.studies import words
 from pounding.studies.percentiles import finite
 from pounding.studies.plan import Plan, plan_of, read_given
+from pounding.studies.reading import shortened
 from pounding.studies.study import Study, records_folder, run_plan
-from pounding.studies.words import few
 
 #: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest
 #: displacements; the second factor counts where the floors of both structures align. Displacements are those of the
@@ -44,7 +43,7 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
     if not given.model.links:
         check(given.model)
         raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
-    one = dict(words.only(given.words or {}, words.STUDY_WORDS, f"{path}: study"))
+    one = dict(given.keys or {})
     for word in one:
         if word not in _USED:
             raise InputError(
@@ -58,7 +57,7 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
     }
     if records:
         used["records"] = {"files": [fspath(Path(one).resolve()) for one in records]}
-    plan = plan_of(replace(given, words=used), records_folder(Path(Path(path).name)))
+    plan = plan_of(replace(given, keys=used), records_folder(Path(Path(path).name)))
     varied = [factor.name for factor in plan.points.factors if factor.values is not None and len(factor.values) > 1]
     if varied:
         raise InputError(
@@ -161,7 +160,7 @@ def table_of(found: Mapping[str, Any]) -> str:
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
     if found["collapsed"]:
         lines.append(
-            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({few(found['collapsed'])}): no gap is "
+            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({shortened(found['collapsed'])}): no gap is "
             "enough for them, and the rules have no mean."
         )
     return "\n".join(

@@ -16,18 +16,14 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.records import data_folder, is_bare, record
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.files import Files
 from pounding.studies.motions import Motion, factor_of, joined, read_file
 from pounding.studies.record_sets import read_set
 
 #: Axes of components.
 AXES = ("x", "y", "z")
-#: Records of a study, at most.
-MOST_RECORDS = 100_000
-_RECORDS = ("set", "files", "x", "y", "z", "units", "channel", "step", "skip", "synthetic")
 _OPTIONS = ("units", "channel", "step")
-_EXAMPLES = {"x": "records/*-hor1.AT2", "y": "records/*-hor2.AT2", "z": "records/*-up.AT2"}
 #: Keys of a ground motion that belong to its source; the others hold for any source.
 _OF_SOURCE = (
     "record",
@@ -53,22 +49,30 @@ def kept_beside(ground: Any) -> dict[str, Any]:
 
 
 def read_motions(
-    given: Any, ground: Mapping[str, Any] | None, folder: Path, seed: int, store: Path | None, files: Files
+    one: Mapping[str, Any] | None,
+    synthetic: Mapping[str, Any],
+    ground: Mapping[str, Any] | None,
+    folder: Path,
+    seed: int,
+    store: Path | None,
+    files: Files,
 ) -> list[Motion]:
-    """The ground motions of a study, unscaled, for a model with the section `ground`. Relative names start from
-    `folder`; records of packages are written into `store`. Raises InputError with every record that cannot be read, for
-    motions that do not fit the model, and what to type."""
-    if given is None:
+    """The unscaled ground motions of a study.
+
+    `one` is `records:` of the study, `synthetic` its artificial earthquakes as typed, and `ground` the ground motion of
+    the model. Relative names start from `folder`; records of packages are written into `store`. Raises InputError,
+    which lists every unreadable record."""
+    if one is None:
         return [_own(ground or {})]
-    one = words.only(given, _RECORDS, "study.records")
     if isinstance(one.get("files"), Mapping):
-        one |= words.only(one.pop("files"), AXES, "study.records.files")
+        one = {**one, **one["files"]}
+        del one["files"]
     axes = [axis for axis in AXES if axis in one]
     ways = [way for way in ("set", "files", "synthetic") if way in one] + ([", ".join(axes)] if axes else [])
     if len(ways) != 1:
         raise InputError(
             "study.records: takes files: records/*.AT2, x: and y: for motions with components, set: far_field, or "
-            f"synthetic: {{count: 50, duration: 20 s, pga: 0.3 g}}; {' and '.join(ways) or 'none of them'} was read"
+            f"synthetic: {reading.EXAMPLES['records']['synthetic']}; {' and '.join(ways) or 'none of them'} was read"
         )
     sections = _sections(ground)
     if axes:
@@ -79,7 +83,7 @@ def read_motions(
         _require_axes(sections, axes)
         return _with_components({axis: _along(axis, one, sections.get(axis, {}), folder, files) for axis in axes})
     if "set" in one and set(sections) == {"x", "y"}:
-        return _pairs_of_set(read_set(str(one["set"]), store, files), sections)
+        return _pairs_of_set(read_set(one["set"], store, files), sections)
     if len(sections) > 1:
         raise InputError(
             f"study.records: the model has components along {', '.join(sections)}, and {ways[0]} gives one motion for each row; name a file for "
@@ -87,9 +91,9 @@ def read_motions(
         )
     axis, section = next(iter(sections.items()))
     if ways[0] == "synthetic":
-        found = _synthetic(one["synthetic"], seed)
+        found = _synthetic(one["synthetic"], synthetic, seed)
     elif ways[0] == "set":
-        found = [_with_strength(motion, section) for motion in read_set(str(one["set"]), store, files)]
+        found = [_with_strength(motion, section) for motion in read_set(one["set"], store, files)]
     else:
         found = [
             _with_strength(motion, section)
@@ -110,7 +114,8 @@ def _sections(ground: Mapping[str, Any] | None) -> dict[str, Mapping[str, Any]]:
 
 
 def _example(axes: Iterable[str]) -> str:
-    return f"records: {{{', '.join(f'{axis}: {_EXAMPLES[axis]}' for axis in axes)}}}"
+    examples = reading.EXAMPLES["records"]
+    return f"records: {{{', '.join(f'{axis}: {examples[axis]}' for axis in axes)}}}"
 
 
 def _require_axes(sections: Mapping[str, Any], axes: Sequence[str]) -> None:
@@ -137,7 +142,7 @@ def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
             raise InputError(
                 f"study.records: {motion.name} is zero throughout, and ground_motion.pga of the model cannot scale it; leave it out"
             )
-        factor = words.quantity(section["pga"], "ground_motion.pga")[0] / motion.pga
+        factor = reading.quantity(section["pga"], "ground_motion.pga")[0] / motion.pga
     else:
         factor = factor_of(section)
     return (
@@ -148,15 +153,14 @@ def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
 
 
 def _along(
-    axis: str, given: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files
+    axis: str, records: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files
 ) -> list[tuple[Motion, tuple[str, ...] | None]]:
-    place = f"study.records.{axis}"
-    one = given[axis]
-    options = {key: given[key] for key in _OPTIONS if key in given}
-    if isinstance(one, Mapping):
-        options |= words.only(one, ("files", *_OPTIONS, "skip"), place)
-        one = options.pop("files", None)
-    return [(_with_strength(motion, section), key) for motion, key in _files(one, options, folder, files, place)]
+    own = records[axis] if isinstance(records[axis], Mapping) else {"files": records[axis]}
+    options = {key: records[key] for key in _OPTIONS if key in records} | own
+    return [
+        (_with_strength(motion, section), key)
+        for motion, key in _files(options["files"], options, folder, files, f"study.records.{axis}")
+    ]
 
 
 def _with_components(every: Mapping[str, Sequence[tuple[Motion, tuple[str, ...] | None]]]) -> list[Motion]:
@@ -245,7 +249,7 @@ def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str,
 def _own(ground: Mapping[str, Any]) -> Motion:
     inner = ground.get("synthetic")
     pga = (
-        words.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0]
+        reading.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0]
         if isinstance(inner, Mapping)
         else math.nan
     )
@@ -297,13 +301,13 @@ def _files(
 ) -> list[tuple[Motion, tuple[str, ...] | None]]:
     named = _named(given, folder, place)
     asked = {key: str(options[key]) for key in _OPTIONS if key in options}
-    skipped = options.get("skip", [])
-    skip = [str(name) for name in ([skipped] if isinstance(skipped, str) else skipped or [])]
+    skip = options.get("skip", [])
+    skip = [skip] if isinstance(skip, str) else skip
     motions, wrong = [], []
     known = [Path(name).name for name, _ in named]
     unknown = [name for name in skip if name not in known]
     if unknown:
-        raise InputError(f"study.records.skip: {unknown[0]} is none of the files.{words.meant(unknown[0], known)}")
+        raise InputError(f"study.records.skip: {unknown[0]} is none of the files.{reading.did_you_mean(unknown[0], known)}")
     for name, key in named:
         if Path(name).name in skip:
             continue
@@ -322,19 +326,12 @@ def _files(
     return motions
 
 
-def _synthetic(given: Any, seed: int) -> list[Motion]:
-    if not isinstance(given, Mapping) or "count" not in given:
-        raise InputError("study.records.synthetic: takes {count: 50, duration: 20 s, pga: 0.3 g, soil: firm}")
-    one = {key: value for key, value in given.items() if key != "count"}
-    count = words.whole(given["count"], "study.records.synthetic.count", 1, MOST_RECORDS)
-    pga, unit = words.quantity(one.get("pga"), "study.records.synthetic.pga")
-    words.same_unit(unit, "m/s^2", "study.records.synthetic.pga", "0.3 g")
-    words.no_percent(one.get("pga"), "study.records.synthetic.pga", "m/s^2", "0.3 g")
+def _synthetic(one: Mapping[str, Any], typed: Mapping[str, Any], seed: int) -> list[Motion]:
+    keys = {key: value for key, value in typed.items() if key != "count"}
     made = []
-    for i in range(count):
-        # A number that depends on the seed of the study and on i alone.
+    for i in range(one["count"]):
+        # The seed of each motion depends on the seed of the study and on i only.
         number = int(np.random.SeedSequence(seed, spawn_key=(i,)).generate_state(1)[0]) >> 1
-        made.append(
-            Motion(f"artificial {i + 1}", {"synthetic": {**one, "seed": str(number)}}, f"artificial {i + 1}", pga=pga)
-        )
+        name = f"artificial {i + 1}"
+        made.append(Motion(name, {"synthetic": {**keys, "seed": str(number)}}, name, pga=one["pga"]))
     return made

@@ -231,7 +231,7 @@ def study(
         destination(arguments.file("output", output), STUDY)
     path = None if output is None else Path(output)
     read = None if isinstance(model, Model) else read_given(model)
-    if read is not None and read.words is not None:
+    if read is not None and read.keys is not None:
         others = {"without_links": without_links, "seed": seed != 1, "stop_after": str(stop_after) != "5 %"}
         typed = [*given, *(name for name, is_typed in others.items() if is_typed)]
         if typed:

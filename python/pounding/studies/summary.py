@@ -9,8 +9,8 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies.engines import STATUSES
-from pounding.studies.quantities import COLLAPSED_COLUMN
 from pounding.studies.percentiles import finite, order_statistic
+from pounding.studies.quantities import COLLAPSED_COLUMN
 from pounding.studies.rows import Rows
 
 PERCENTS = (16, 50, 84)

@@ -19,8 +19,8 @@ import numpy as np
 from pounding.checked_file import STUDY, NotResults, require_whole_study, write_study
 from pounding.errors import InputError
 from pounding.outputs import destination
-from pounding.studies.cross_check import differences
 from pounding.studies.batches import COMPLETE
+from pounding.studies.cross_check import differences
 from pounding.studies.engines import DIED, ENGINES, NOT_RUN, STATUSES, Done
 from pounding.studies.files import by_content, relative
 from pounding.studies.parts import Parts
