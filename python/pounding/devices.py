@@ -1,4 +1,4 @@
-"""Bars and dampers between two structures, as results files hold them."""
+"""Bars and dampers between two structures in results files."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ class Device(told.Told, lines=told.device):
     exponent: float  #: of the velocity
     elongation: np.ndarray  #: [time] at the output times [m]
     force: np.ndarray  #: [time] [N]
-    #: least and largest elongation and force over all steps; elongation_time and force_time [s]
+    #: minimum and maximum elongation and force over all steps; elongation_time and force_time [s]
     largest: dict[str, np.ndarray]
 
 
 def read_devices(file: h5py.Group) -> dict[str, Device]:
-    """The devices of a results file in the order of the input; none in a file without them."""
+    """The devices of a results file in the order of the input; empty if there are none."""
     return {name: _device(name, group) for name, group in file["devices"].items()} if "devices" in file else {}
 
 

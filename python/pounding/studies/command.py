@@ -70,7 +70,7 @@ def _until_terminated() -> Iterator[None]:
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command line, whose first argument is the name of the command.
 
-        Returns 0, 2 for wrong input, or 3 for failed rows, a full disk and insufficient memory."""
+    Returns 0, 2 for wrong input, or 3 for failed rows, a full disk and insufficient memory."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     name, rest = (given[0], given[1:]) if given else ("study", [])
     try:
@@ -117,9 +117,7 @@ def main(arguments: list[str] | None = None) -> int:
         )
         return 3
     except KeyboardInterrupt:
-        print(
-            "pounding: stopped; finished rows are kept. Type the same command again to resume", file=sys.stderr
-        )
+        print("pounding: stopped; finished rows are kept. Type the same command again to resume", file=sys.stderr)
         return 3
 
 
@@ -423,9 +421,13 @@ def _told(done: Study) -> str:
     lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
     if collapsed := done.collapsed:
         row = min(collapsed)
-        lines.append(f"  rows {shortened(list(collapsed))} collapsed and exceed every limit; row {row}: {collapsed[row]}")
+        lines.append(
+            f"  rows {shortened(list(collapsed))} collapsed and exceed every limit; row {row}: {collapsed[row]}"
+        )
     if alone := _collapsed_without_links(done):
-        lines.append(f"  rows {shortened(alone)} collapsed without links: their columns are infinite, and no gap is sufficient")
+        lines.append(
+            f"  rows {shortened(alone)} collapsed without links: their columns are infinite, and no gap is sufficient"
+        )
     reasons: dict[str, list[int]] = {}
     for row, why in done.failed.items():
         reasons.setdefault(why, []).append(row)

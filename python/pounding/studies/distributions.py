@@ -136,7 +136,9 @@ def _bounds(truncate: Sequence[str] | None, unit: str, place: str) -> tuple[floa
     (low, high), own = reading.quantities(truncate, f"{place}: truncate")
     reading.require_unit(own, unit, f"{place}: truncate", "20 mm")
     if unit and not own:
-        raise InputError(f"{place}: truncate takes limits in {unit}, the unit of the values; bare numbers were read: {truncate}")
+        raise InputError(
+            f"{place}: truncate takes limits in {unit}, the unit of the values; bare numbers were read: {truncate}"
+        )
     if low >= high:
         raise InputError(f"{place}: truncate takes a lower and an upper limit")
     return low, high

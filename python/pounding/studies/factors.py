@@ -84,7 +84,7 @@ def read_factors(given: Mapping[str, Any], model: Mapping[str, Any]) -> list[Fac
 def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
     """Indices of the factors, each after the factor that sets the base of its ratio.
 
-        If a factor sets its own base, the base is the number in the model. Raises InputError for circular ratios."""
+    If a factor sets its own base, the base is the number in the model. Raises InputError for circular ratios."""
     setter = {
         keys: j for j, factor in enumerate(factors) for path in factor.of for keys in find(model, path, factor.name)
     }
@@ -198,7 +198,9 @@ def check_units(
     for keys in places:
         held = at(model, keys)
         if isinstance(held, (Mapping, list)):
-            raise InputError(f"{place}.of: {dotted(keys)} is not a single value; it contains {', '.join(map(str, held))}")
+            raise InputError(
+                f"{place}.of: {dotted(keys)} is not a single value; it contains {', '.join(map(str, held))}"
+            )
         try:
             _, own = reading.quantity(held, "")
         except InputError:

@@ -45,7 +45,7 @@ class Files(dict[str, bytes]):
 def absolute(parts: Mapping[str, Any], folder: Path, files: Files) -> tuple[dict[str, Any], dict[str, bytes]]:
     """The parts of a model with absolute file names, and the contents of the files by the names in the model.
 
-        Names of unreadable files are kept, so that the reader of models reports their position."""
+    Names of unreadable files are kept, so that the reader of models reports their position."""
     typed: dict[str, bytes] = {}
 
     def named(part: Any, key: str = "") -> Any:

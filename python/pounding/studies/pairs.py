@@ -48,7 +48,7 @@ class Pairs:
     def of(cls, prepared: Prepared, texts: Sequence[str], row: core.LinearRow) -> Pairs | None:
         """The pairs of a template with these texts for its varied values; None if the model is not such a pair.
 
-                `row` is a model with these texts. The answer holds for all rows: no value of a column changes it."""
+        `row` is a model with these texts. The answer holds for all rows: no value of a column changes it."""
         model = copy.deepcopy(prepared.template.model)
         for keys, text in zip(prepared.places.keys, texts):
             put(model, keys, text)

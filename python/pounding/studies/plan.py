@@ -1,4 +1,4 @@
-"""The plan of a study: every row, fixed by file, records and seed before anything runs."""
+"""The plan of a study: all rows, determined by the file, the records and the seed before any of them runs."""
 
 from __future__ import annotations
 
@@ -30,38 +30,37 @@ from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import kept_beside, read_motions
 from pounding.studies.template import Template
 
-#: Rows of a study, at most.
+#: Maximum number of rows.
 MOST_ROWS = 1_000_000_000
-#: Labels of one factor that are checked before rows run.
+#: Maximum number of labels of one factor that are checked before rows run.
 MOST_LABELS = 100
 
 
 @dataclass(frozen=True)
 class Plan:
-    """All rows of a study. Row i depends on the file, the records and the seed alone: on no number of workers, no
-    chunk, no time.
+    """All rows of a study. A row depends on the file, the records and the seed only, not on workers, chunks or time.
 
-    Rows follow each other by record, point of the factors, and level, the last one fastest: one chunk shares a
-    record."""
+        Rows are ordered by record, point of the factors and level, with the level varying fastest, so that a chunk
+    shares a record."""
 
     template: Template
     points: Points
     intensity: Intensity | None
     seed: int
-    stop_after: float  #: share of failed rows after which the study stops
-    text: str  #: the study as given
+    stop_after: float  #: fraction of failed rows that stops the study
+    text: str  #: the study as typed
     warnings: tuple[str, ...] = field(default=(), compare=False)
     files: Files = field(default_factory=Files, compare=False, repr=False)  #: contents of all files that it names
-    options: tuple[str, ...] = ()  #: of PETSC_OPTIONS that change runs of the solver
+    options: tuple[str, ...] = ()  #: options in PETSC_OPTIONS that affect the solver
 
     @property
     def levels(self) -> tuple[float, ...]:
-        """Intensities to which every motion is scaled [m/s^2]; none for motions as they are."""
+        """Intensities to which every motion is scaled [m/s^2]; empty for motions as recorded."""
         return self.intensity.levels if self.intensity else ()
 
     @property
     def shape(self) -> tuple[int, int, int]:
-        """Records, points, levels."""
+        """Number of records, points and levels."""
         return len(self.template.motions), self.points.count, max(1, len(self.levels))
 
     @property
@@ -95,11 +94,11 @@ class Plan:
         return yaml_text.emit(self.case(row))
 
     def files_of(self, records: np.ndarray) -> dict[str, bytes]:
-        """Contents of the files of some records, by the names that their motions give them."""
+        """Contents of the files of some records, by name."""
         return self.files.named_by([self.template.motions[record].words for record in np.unique(records)])
 
     def description(self) -> dict[str, Any]:
-        """Everything that the rows follow from, for the table and for comparing plans."""
+        """Everything that determines the rows, for the table and for comparisons of plans."""
         sample = np.ascontiguousarray(self.points.sample)
         found = {
             "model": self.template.model,
@@ -120,17 +119,17 @@ class Plan:
             "version": core.version,
             "kernel": core.kernel_version,
         }
-        # Tables of studies without options stay as they are.
+        # Without options the digest is that of earlier tables.
         return {**found, **({"options": self.options} if self.options else {}), "files": self.files.digests(found)}
 
     def digest(self) -> str:
-        """A checksum of the description, with contents of files in place of their names."""
+        """A checksum of the description with the contents of files instead of their names."""
         return hashlib.sha256(json.dumps(by_content(self.description()), sort_keys=True).encode()).hexdigest()
 
 
 @dataclass(frozen=True)
 class Given:
-    """A model, and the words of a study of it."""
+    """A model and the keys of a study of it."""
 
     name: str
     text: str
@@ -139,7 +138,7 @@ class Given:
 
     @property
     def folder(self) -> Path:
-        """Folder from which relative names of files start."""
+        """Folder of relative file names."""
         return Path(self.name).parent
 
 
@@ -172,13 +171,13 @@ def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
     given = read_given(study)
     if given.keys is None:
         raise InputError(
-            f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {reading.EXAMPLES['study']['factors']}}}"
+            f"{study}: has no study: and is a single model; type pounding run {study}, or add study: {{factors: {reading.EXAMPLES['study']['factors']}}}"
         )
     return plan_of(given, store)
 
 
 def plan_of(given: Given, store: Path | None = None) -> Plan:
-    """The plan of a file that was read. Raises InputError with its name."""
+    """The plan of a file that was read. Raises InputError with the name of the file."""
     try:
         return make_plan(given.model, given.keys or {}, given.folder, given.text, store)
     except InputError as error:
@@ -188,7 +187,7 @@ def plan_of(given: Given, store: Path | None = None) -> Plan:
 def make_plan(
     model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None
 ) -> Plan:
-    """The plan of a model and of the words of `study:`. Raises InputError."""
+    """The plan of a model and of the keys of `study:`. Raises InputError."""
     given = yaml_text.plain(given)
     one = reading.read_study(given)
     files = Files()
@@ -198,7 +197,7 @@ def make_plan(
     parts = {key: value for key, value in parts.items() if key in PARTS}
     ground = parts.get("ground_motion")
     has_records = "records" in one
-    # A model that leaves its motion and its duration to the records is whole with one of them.
+    # A model without motion and duration is complete with the first record.
     beside = kept_beside(ground)
     lacks_motion = has_records and (
         ground is None and "duration" not in (model.analysis or {}) or bool(beside) and beside == ground
@@ -257,9 +256,9 @@ def make_plan(
     )
     if plan.count > MOST_ROWS:
         raise InputError(
-            f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records"
+            f"study: has {plan.count} rows, and at most {MOST_ROWS} are allowed; use fewer values, samples, levels or records"
         )
-    # A wrong unit or bound in the first row is told here, not by a thousand rows.
+    # Errors in units and bounds are reported once for the first row instead of in every row.
     of_first = core.check(
         core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))})
     )[2]
@@ -275,7 +274,7 @@ def make_plan(
 
 
 def _refused_labels(plan: Plan) -> Iterator[str]:
-    """Warnings of labels, such as names of laws, that the model of the first row does not take."""
+    """Warnings for labels, such as names of laws, that the model of the first row rejects."""
     template, first = plan.template, plan.columns(np.array([0]))
     values = [float(first[factor.name][0]) for factor in template.factors]
     files = {**template.files, **plan.files_of(np.array([0]))}
@@ -289,7 +288,7 @@ def _refused_labels(plan: Plan) -> Iterator[str]:
 
 
 def _require_one_ground(parts: Mapping[str, Any]) -> None:
-    """Raises InputError if a structure or support has a motion that neither the records nor the levels change."""
+    """Raises InputError if a structure or support has its own motion, which records and levels do not change."""
 
     def find(part: Any, place: str) -> None:
         for key, value in part.items() if isinstance(part, Mapping) else ():
@@ -305,7 +304,7 @@ def _require_one_ground(parts: Mapping[str, Any]) -> None:
 
 
 def _require_kept(factors: Mapping[str, Mapping[str, Any]]) -> None:
-    """Raises InputError for a factor of the model's own motion, which the records replace."""
+    """Raises InputError for a factor of the ground motion of the model if records replace it."""
     for name, one in factors.items():
         paths = one.get("of", [])
         for path in [paths] if isinstance(paths, str) else paths:
@@ -317,8 +316,7 @@ def _require_kept(factors: Mapping[str, Mapping[str, Any]]) -> None:
 
 
 def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], intensity: Intensity | None) -> None:
-    """Raises InputError for a factor that sets the strength of the model's motion, which the intensity sets or
-    measures."""
+    """Raises InputError for a factor that sets the strength of the ground motion if the study has an intensity."""
     strength = ("ground_motion", "synthetic", "pga")
     for factor in factors if intensity else ():
         if any(keys == strength for path in factor.of for keys in find(parts, path, "")):
@@ -329,17 +327,17 @@ def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], i
 
 
 def _require_free_names(factors: list[Factor]) -> None:
-    """A factor is a column of the table and needs a name of its own there."""
+    """Raises InputError if the name of a factor is that of another column of the table."""
     taken = (*UNITS, COLLAPSED_COLUMN, "point", "record", "scale", "im", "status", "engine")
     for factor in factors:
         if factor.name in taken:
             raise InputError(
-                f"study.factors.{factor.name}: the table has a column of this name already; call the factor, for example, {factor.name}_factor"
+                f"study.factors.{factor.name}: the table already has a column of this name; rename the factor, for example to {factor.name}_factor"
             )
 
 
 def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> None:
-    """Raises InputError where no factor brings a motion to a level."""
+    """Raises InputError if no finite factor scales a motion to a level."""
     levels = intensity.levels if intensity else ()
     for motion in motions if levels else ():
         if (

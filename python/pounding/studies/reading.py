@@ -59,7 +59,8 @@ def quantities(values: Any, place: str) -> tuple[list[float], str]:
     for i, (_, unit) in enumerate(read):
         if unit != read[0][1]:
             first, other = (
-                f'"{values[j]}" is {"in " + read[j][1] if read[j][1] else "a bare number, which is in SI"}' for j in (0, i)
+                f'"{values[j]}" is {"in " + read[j][1] if read[j][1] else "a bare number, which is in SI"}'
+                for j in (0, i)
             )
             raise InputError(
                 f"{place}[{i}]: {other}, and {first}; write every value of the list with a unit of one kind, or all of "

@@ -1,5 +1,4 @@
-"""Points of the factors: a grid of those with values, times a sample of those with distributions, or a table that has
-the samples."""
+"""Points of the factors: a grid of lists and ranges, times a sample of the distributions or a table of samples."""
 
 from __future__ import annotations
 
@@ -25,13 +24,13 @@ _DECIMAL = re.compile(
 
 @dataclass(frozen=True)
 class Points:
-    """Values of all factors. The sample is the same for every point of the grid: differences between grid points are
-    then no noise, and confidence bands of different grid points are not independent."""
+    """Values of all factors. The sample is the same at every grid point, so that differences between grid points
+    contain no sampling noise, and their confidence bands are not independent."""
 
     factors: tuple[Factor, ...]
     grid: tuple[int, ...]  #: lengths of the lists, in the order of their factors
-    sample: np.ndarray  #: [point, sampled factor]; one point without columns where nothing is sampled
-    way: str  #: "grid", or one of those of `sampling:`
+    sample: np.ndarray  #: [point, sampled factor]; one point without columns if no factor is sampled
+    way: str  #: "grid", or the method of `sampling:`
 
     @property
     def count(self) -> int:
@@ -39,7 +38,7 @@ class Points:
         return math.prod(self.grid) * len(self.sample)
 
     def columns(self, points: np.ndarray) -> dict[str, np.ndarray]:
-        """Values of the factors at some points, by their names."""
+        """Values of the factors at some points, by name."""
         grid_point, sample_point = np.divmod(points, len(self.sample))
         on_grid = np.unravel_index(grid_point, self.grid) if self.grid else ()
         found, i, j = {}, 0, 0
@@ -53,9 +52,7 @@ class Points:
         return found
 
 
-def read_points(
-    factors: Sequence[Factor], sampling: Any, seed: int, model: Mapping[str, Any], folder: Path
-) -> Points:
+def read_points(factors: Sequence[Factor], sampling: Any, seed: int, model: Mapping[str, Any], folder: Path) -> Points:
     """The points of `sampling:`, a dict with its method or "grid". Relative names of files start from `folder`. Raises
     InputError."""
     columns = [factor for factor in factors if factor.column]
@@ -89,8 +86,7 @@ def read_points(
 
 
 def _from_table(factors: Sequence[Factor], sampling: Any, model: Mapping[str, Any], folder: Path) -> Points:
-    """Samples that somebody else has made, all factors of a sample in one row: a file of columns, or arrays by their
-    names."""
+    """Points from a table of samples: a file, or arrays by name, with one sample per row."""
     other = [factor for factor in factors if factor.distribution is not None]
     columns = [factor for factor in factors if factor.column]
     if "table" not in sampling or not columns or other:
@@ -139,7 +135,7 @@ def _from_table(factors: Sequence[Factor], sampling: Any, model: Mapping[str, An
 
 
 def _array(values: Any, name: str) -> np.ndarray:
-    """A column that is given as a list. Raises InputError for what is none of numbers."""
+    """A column given as a list. Raises InputError for values that are not numbers."""
     every = values if isinstance(values, list) else [values]
     numbers = [_number(value) if isinstance(value, str) else None for value in every]
     if None in numbers:
@@ -150,7 +146,7 @@ def _array(values: Any, name: str) -> np.ndarray:
 
 
 def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
-    """Columns of numbers in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
+    """Columns in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
     if not os.path.isfile(path):
         raise InputError(f"study.sampling.table: there is no file {path}")
     try:
@@ -180,7 +176,7 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
 
 
 def _number(cell: str) -> float | None:
-    """A decimal number; None for any other text, also for those that Python takes: 1_0, digits of other scripts."""
+    """A decimal number; None for other texts, including Python's 1_0 and digits of other scripts."""
     return float(cell) if _DECIMAL.fullmatch(cell) else None
 
 

@@ -1,4 +1,4 @@
-"""`pounding separation`: the gap that one project needs, from its records, beside the rules of codes."""
+"""`pounding separation`: the required gap of a model under its records, compared with the rules of codes."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from pounding.studies.plan import Plan, plan_of, read_given
 from pounding.studies.reading import shortened
 from pounding.studies.study import Study, records_folder, run_plan
 
-#: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest
-#: displacements; the second factor counts where the floors of both structures align. Displacements are those of the
-#: model under the records, not reduced by a behaviour factor.
+#: Rule, clause, combination of the peak displacements (abs: sum, srss: root of the sum of squares), and factors on it
+#: for floors that are not aligned and for aligned ones. Displacements are those of the model under the records, without
+#: a behaviour factor.
 CODES = (
     ("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0),
     ("Eurocode 8 (EN 1998-1)", "4.4.2.7", "srss", 1.0, 0.7),
@@ -31,18 +31,20 @@ CODES = (
 )
 
 
-#: Keys of `study:` that a separation uses; the last two add columns that it does not print.
+#: Keys of `study:` that a separation uses; the last two add columns that are not printed.
 _USED = ("seed", "factors", "sampling", "records", "intensity", "engine", "stop_after", "keep", "without_links")
 _GAPS = ("required_gap", "gap_abs", "gap_srss", "gap_ddc")
 
 
 def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None) -> Plan:
-    """The plan of a separation: of the file of a model or of a study; `records` are used instead of those of the file.
-    Raises InputError, also for what a separation cannot use."""
+    """The plan of a separation from the file of a model or study; `records` replace those of the file. Raises
+    InputError, also for keys that a separation does not use."""
     given = read_given(path)
     if not given.model.links:
         check(given.model)
-        raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
+        raise InputError(
+            f"{path}: a separation needs at least one link, for the floors that can touch; its law is not used"
+        )
     one = dict(given.keys or {})
     for word in one:
         if word not in _USED:
@@ -78,9 +80,10 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
 def separation(
     model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None
 ) -> dict[str, Any]:
-    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A
-    gap is None, and has no mean, if structures collapse without links: no gap is enough. Raises InputError, and
-    SolverError where a record fails; emits the warnings of the plan (ImplausibleWarning)."""
+    """Required gap of every record, gaps by rules, and gaps by codes from the mean over the records [m].
+
+        A gap is None, without a mean, if structures collapse without links, when no gap is sufficient. Raises
+    InputError, and SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
     plan = read_separation(model, records)
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
@@ -88,7 +91,7 @@ def separation(
 
 
 def run_separation(plan: Plan, workers: int | None = None) -> dict[str, Any]:
-    """As `separation`, of its plan."""
+    """Same as `separation`, for a plan."""
     done = run_plan(plan, None, workers=0 if plan.count < 4 and workers is None else workers, progress=None)
     if done.failed:
         raise SolverError(next(iter(done.failed.values())))
@@ -134,7 +137,7 @@ def _found(done: Study, align: bool) -> dict[str, Any]:
 
 
 def table_of(found: Mapping[str, Any]) -> str:
-    """The printed table, in mm."""
+    """The table to print, in mm."""
 
     def mm(value: float | None) -> str:
         return f"{'-':>9}" if value is None else f"{1e3 * value:9.1f}"

