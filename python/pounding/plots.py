@@ -1,9 +1,8 @@
-"""Pictures of a run, or of a pushover: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
+"""Pictures of a run or a pushover: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
 
-`standard_figure` is the whole picture; the functions `draw_...` draw one panel each on given axes, for notebooks and
-papers. Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the
-model and the profiles over its height (`--picture`). The file of a pushover has one picture, its curve.
-"""
+`standard_figure` is the complete picture; each function `draw_...` draws one panel on given axes, for notebooks and
+papers. Lengths are in mm, forces and energies in a unit that suits their size. `--picture` selects other pictures. A
+pushover has one picture, its curve."""
 
 from __future__ import annotations
 
@@ -53,16 +52,14 @@ __all__ = [
 
 
 def _pushover(options: argparse.Namespace) -> Figure:
-    """The curve in a results file that holds no run."""
+    """The curve in a results file of a pushover."""
     if options.picture != "run" or options.compare or options.floors:
-        raise BadRequest(
-            "this is the file of a pushover, of which there is one picture; leave --picture, --compare and --floors out"
-        )
+        raise BadRequest("this file is a pushover, which has one picture; remove --picture, --compare and --floors")
     return read_pushover(options.results).plot(options.title)
 
 
 def _floor_choice(text: str) -> dict[str, str]:
-    """{structure: label} of "A.3,B.2"; argparse reports what is not of this form."""
+    """{structure: label} of "A.3,B.2"; argparse reports other formats."""
     pairs = [part.strip().partition(".") for part in text.split(",")]
     if not all(name and label for name, _, label in pairs):
         raise argparse.ArgumentTypeError(f'"{text}" should name structures and floors, as in A.3,B.2')
@@ -70,7 +67,8 @@ def _floor_choice(text: str) -> dict[str, str]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
+    """Command line. Returns 0, or 2 after a message if the results cannot be read or the picture cannot be
+    written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` or `pounding pushover` wrote")
     parser.add_argument(

@@ -44,7 +44,7 @@ MATH: dict[Any, Any] = {
 
 
 def draw(figure: dict[str, Any]) -> Figure:
-    """One figure of the report, its panels side by side, the legends below them. A label has one colour in all
+    """One figure of the report, with panels side by side and legends below. A label has the same colour in all
     panels."""
     columns = {column["name"]: np.array(column["values"], float) for column in figure["columns"]}
     panels = figure["panels"]
@@ -89,13 +89,13 @@ def _share_labels(panels: list[dict[str, Any]]) -> bool:
 
 
 def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
-    """One legend for all panels that have curves in common, else one each."""
+    """One legend for all panels if they share curves, else one per panel."""
     if _share_labels(panels):
         lines: dict[str, Any] = {}
         for axes in figure.axes:
             handles: tuple[list[Any], list[str]] = axes.get_legend_handles_labels()
             for line, label in zip(*handles):
-                # Where a line and points share a label, the legend shows the line.
+                # If a line and points share a label, the legend shows the line.
                 if label not in lines or line.get_linestyle() != "None":
                     lines[label] = line
         longest = max(map(len, lines))
@@ -112,7 +112,7 @@ def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
 
 
 def build(report: dict[str, Any], directory: Path) -> str:
-    """The page as text; writes the pictures beside it."""
+    """The page as text; writes its pictures into the same folder."""
     parts = [page.contents(report["items"])]
     for item in report["items"]:
         parts.append(page.item_head(item))
@@ -127,7 +127,7 @@ def build(report: dict[str, Any], directory: Path) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the data cannot be read or the page not written."""
+    """Command line. Returns 0, or 2 after a message if the data cannot be read or the page cannot be written."""
     parser = argparse.ArgumentParser(
         prog="python3 -m pounding.reproduce", description="Set the report of a reproduction."
     )

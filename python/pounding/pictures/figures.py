@@ -1,4 +1,4 @@
-"""The pictures of a run by their names, as figures that are returned, not shown."""
+"""Pictures of a run by name, returned as figures."""
 
 from __future__ import annotations
 
