@@ -79,7 +79,7 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
         return table(["mode", *(f"{name}: T [s], damping" for name in names)], rows)
 
     def plot(self, title: str | None = None) -> Figure:
-        """A picture of the first shapes of every structure. Raises InputError if there are no modes."""
+        """A picture of the first shapes of every structure. Raises InputError if all structures are walls."""
         from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
         structures = [

@@ -230,13 +230,13 @@ def check_output(path: str | PathLike[str]) -> None:
             f"cannot write {path}: .mp4 needs ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or "
             f"`-o {Path(path).with_suffix('.gif')}`"
         )
-    if suffix != ".png":  # whose frames have names of their own
+    if suffix != ".png":  # its frames have other names
         destination(path, PICTURE)
 
 
 def _save_gif(pictures: list[Image.Image], path: Path, speed: float) -> None:
-    """Writes an endless loop. All frames share the 256 most frequent colours of four of them, since a palette per
-    frame would take most of the time. The nearest-colour search of Pillow would turn white into grey."""
+    """Writes an endless loop. All frames share the 256 dominant colours of four of them, since a palette per frame
+    would take too long. The nearest-colour search of Pillow would turn white into grey."""
     numbers = np.linspace(0, len(pictures) - 1, 4).round().astype(int)
     counts = np.sum([np.bincount(_coarse(pictures[number]).ravel(), minlength=64**3) for number in numbers], axis=0)
     levels = np.linspace(0, 255, 64).round()

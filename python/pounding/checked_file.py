@@ -54,7 +54,7 @@ def block(size: int, crc: int, first_line: bytes = FIRST_LINE) -> bytes:
 def require_whole(path: str | PathLike[str]) -> None:
     """Raises NotResults unless the file is an undamaged results file; OSError if it cannot be read."""
     if not Path(path).is_file():
-        raise FileNotFoundError(f"there is no file {path}")
+        raise FileNotFoundError(f"no such file: {path}")
     with open(path, "rb") as file:
         _require_whole(file, str(path))
 
@@ -65,7 +65,7 @@ def require_whole_study(path: Path) -> None:
         start = file.read(BLOCK)
         if not start.startswith(FIRST_LINE_OF_STUDY):
             raise NotResults(
-                f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged"
+                f"{path} is not a table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged"
             )
         if start != _block_before(file, FIRST_LINE_OF_STUDY):
             raise NotResults(
@@ -128,7 +128,7 @@ def _foreign(name: str, start: bytes) -> str:
     if start.startswith(_HDF5):
         return (
             f"{name}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program wrote it. "
-            f'Run the model again, or read results of your own as they stand: pounding.read("{name}", checked=False)'
+            f'Run the model again, or skip the check: pounding.read("{name}", checked=False)'
         )
     if Path(name).suffix.lower() in (".yaml", ".yml"):
         results = Path(name).with_suffix(".h5")

@@ -57,7 +57,7 @@ class SolverError(RuntimeError):
 
     def __init__(self, text: str, results: Any = None) -> None:
         super().__init__(text)
-        self.results = results  #: a `pounding.Run` with what was computed until then; None where there is nothing
+        self.results = results  #: a `pounding.Run` with the results until then, or None
 
 
 class Interrupted(KeyboardInterrupt):
@@ -65,7 +65,7 @@ class Interrupted(KeyboardInterrupt):
 
     def __init__(self, text: str, results: Any = None) -> None:
         super().__init__(text)
-        self.results = results  #: a `pounding.Run` with what was computed until then
+        self.results = results  #: a `pounding.Run` with the results until then
 
 
 class AccuracyWarning(UserWarning):

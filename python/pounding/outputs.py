@@ -68,7 +68,7 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
         found = os.stat(name)
     except FileNotFoundError:
         if not place.parent.is_dir():
-            refuse(path, f"there is no directory {place.parent}", f"First type: mkdir -p {place.parent}")
+            refuse(path, f"no such directory: {place.parent}", f"First type: mkdir -p {place.parent}")
         if name.endswith(os.sep):
             refuse(path, "the name ends as that of a directory", f"Name a file, such as {name.rstrip(os.sep)}")
         return place

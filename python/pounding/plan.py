@@ -78,7 +78,7 @@ def row(
         frame = _frame(name, placed[name])
         is_plane = not _is_spatial(frame)
         if is_plane and along == "y":
-            raise InputError(f"structures.{name}: is a plane frame, and these stand in rows along x")
+            raise InputError(f"structures.{name}: is a plane frame, which can be placed in rows along x only")
         height = list(frame.pop("origin", ()))[1 if is_plane else 2 :]
         own = _extent(name, placed[name])
         corner = [place[0] - own.x0, place[1] - own.y0][: 1 if is_plane else 2]

@@ -90,7 +90,7 @@ class Pushover(told.Told, lines=_lines):
             points = {name: np.array(values, float) for name, values in found["points"].items()}
             return cls._of({name: value for name, value in found.items() if name != "points"}, points)
         except (AttributeError, KeyError, TypeError, ValueError) as error:
-            raise InputError(f"this is no object of a pushover: {error}") from error
+            raise InputError(f"this is not an object of a pushover: {error}") from error
 
     @classmethod
     def _of(cls, summary: dict[str, Any], points: dict[str, np.ndarray]) -> Pushover:

@@ -1,9 +1,8 @@
 """The page and the figures of `pounding reproduce`: `python3 -m pounding.reproduce REPORT.json -o REPORT.html`.
 
-Draws every figure of the JSON object that the program writes, as NAME.png beside the page and inside it, and sets
-equations, tables and verdicts. The object: {"items": [{name, title, sections, seconds, paragraphs, equations, matrices,
-figures, tables, verdicts}]}, as lib/reproduce/report.hpp describes them.
-"""
+Draws every figure of the JSON object that the program writes, as NAME.png next to the page and embedded in it, and
+sets equations, tables and verdicts. The object: {"items": [{name, title, sections, seconds, paragraphs, equations,
+matrices, figures, tables, verdicts}]}, see lib/reproduce/report.hpp."""
 
 import argparse
 import json
@@ -132,7 +131,7 @@ def main(arguments: list[str] | None = None) -> int:
         prog="python3 -m pounding.reproduce", description="Set the report of a reproduction."
     )
     parser.add_argument("report", help="report.json that `pounding reproduce` wrote")
-    parser.add_argument("-o", "--output", required=True, help="page to write; the figures are written beside it")
+    parser.add_argument("-o", "--output", required=True, help="page to write; figures are written to the same folder")
     options = parser.parse_args(arguments)
     try:
         report = json.loads(Path(options.report).read_text(encoding="utf-8"))

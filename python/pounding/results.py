@@ -241,7 +241,7 @@ class RunData(told.Told, lines=told.run):
         if checked:
             require_whole(path)
         elif not Path(path).is_file():
-            raise FileNotFoundError(f"there is no file {path}")
+            raise FileNotFoundError(f"no such file: {path}")
         with _opened(path, str(path)) as file:
             return cls._of(file, str(path), Path(path))
 
@@ -271,7 +271,7 @@ class RunData(told.Told, lines=told.run):
     def impacts_of(self, link: str) -> np.ndarray:
         """The rows of `impacts` of one link. Raises InputError for an unknown link."""
         if link not in self.links:
-            raise InputError(f"there is no link {excerpt(link)}; there is {', '.join(self.links) or 'none'}")
+            raise InputError(f"unknown link {excerpt(link)}; known: {', '.join(self.links) or 'none'}")
         return self.impacts[self.impacts["link"] == link]
 
     @takes(path=arguments.file)

@@ -123,10 +123,10 @@ def _results(ran: core.RunOutcome, output: str) -> Run:
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
     if text and output:
-        text += f'\nTo go on: pounding.resume("{output}")' if ran.resumable else f"\nWhat was computed is in {output}"
+        text += f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nThe results so far are in {output}"
     # An interactive session has no other access to the results.
     elif text and hasattr(sys, "ps1"):
-        text += "\nWhat was computed is sys.last_value.results"
+        text += "\nThe results so far are sys.last_value.results"
     if raised is not None:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:

@@ -95,7 +95,7 @@ def floor_spectrum(
         or not 1 <= int(place) <= len(run.structures[name].floors)
     ):
         known = ", ".join(f"{key}.1 to {key}.{len(one.floors)}" for key, one in run.structures.items() if one.floors)
-        raise InputError(f"there is no floor {excerpt(floor)}; there is {known}")
+        raise InputError(f"unknown floor {excerpt(floor)}; known: {known}")
     structure, i = run.structures[name], int(place) - 1
     if direction not in ("x", "y") or direction not in structure.along:
         raise InputError(
@@ -132,7 +132,7 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
 
     spectra = arguments.listed(_spectrum, "a list of spectra")("spectra", spectra)
     if not spectra:
-        raise InputError("there is no spectrum to draw")
+        raise InputError("no spectrum to draw")
     size = size or (6.5, 3.0)
     narrow = size[0] < 4.5
     with rc_context(STYLE):
@@ -185,7 +185,7 @@ def read_spectra(data: dict[str, Any]) -> tuple[str, list[Spectrum]]:
             for one in data["spectra"]
         ]
     except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"this is no object of spectra: {error}") from error
+        raise InputError(f"this is not an object of spectra: {error}") from error
 
 
 def main(arguments: list[str] | None = None) -> int:

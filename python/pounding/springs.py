@@ -29,7 +29,7 @@ class Springs(told.Told, lines=told.springs):
     negative_yield_deformation: np.ndarray  #: [part] absolute value in the negative direction [m] or [rad]
     deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
     force: np.ndarray  #: [time, part] [N] or [N m]
-    hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
+    hysteretic: np.ndarray  #: [time, part] cumulative energy lost by yielding [J]
     #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility (of a hinge:
     #: rotation of the member end over its yield rotation), peak_plastic (largest size of the plastic part of the
     #: deformation), cycles, residual, hysteretic [J], first_yield [s] (NaN where it stayed elastic), damping_shear

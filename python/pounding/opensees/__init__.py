@@ -87,7 +87,7 @@ class Link(told.Told, lines=told.opensees_link):
             "gap": gap,
             "values": {name: value for name, value in values.items() if value is not None},
         }
-        # In a session of its own, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
+        # In a separate session, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
         # ever. By its file, because by its name it would load this package first.
         self._process = subprocess.Popen(
             [sys.executable, str(LINK_PROCESS)],
@@ -208,7 +208,7 @@ def link(
     nodes = set(ops.getNodeTags())
     for node in (node_i, node_j):
         if node not in nodes:
-            raise InputError(f"element {tag}: there is no node {node}")
+            raise InputError(f"element {tag}: unknown node {node}")
         if not 1 <= dof <= ops.getNDF(node)[0]:
             raise InputError(f"element {tag}: node {node} has no degree of freedom {dof}")
     if tag in ops.getEleTags():

@@ -84,7 +84,7 @@ class Frames:
                     f"node {node} has {ops.getNDF(node)[0]} degrees of freedom; nodes of frames have {len(self.dofs)}"
                 )
         for tag in self.without - set(ops.getEleTags()):
-            raise InputError(f"without: there is no element {tag}")
+            raise InputError(f"without: unknown element {tag}")
         ours = {link.tag for link in links()}
         transformations = {each["name"]: each for each in self.printed.model["properties"]["crdTransformations"]}
         for element in self.printed.model["geometry"]["elements"]:

@@ -68,7 +68,7 @@ def from_opensees(
         damping = rayleigh_words(rayleigh)
     elif damping is None and printed.alpha_m != 0:
         raise InputError(
-            f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not tell the other "
+            f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not return the other "
             "factors, so give rayleigh=(alphaM, betaK, betaKinit, betaKcomm), or damping="
         )
     parts = frames.parts()
@@ -79,7 +79,7 @@ def from_opensees(
     structures = {name: frames.structure(part, damping) for name, part in zip(names, parts)}
     for name, distance in (face if isinstance(face, Mapping) else dict.fromkeys(structures, face)).items():
         if name not in structures:
-            raise InputError(f"face: there is no frame {name!r} among {', '.join(structures)}")
+            raise InputError(f"face: unknown frame {name!r} among {', '.join(structures)}")
         if distance is not None:
             structures[name]["face"] = distance
     home = {node: name for name, part in zip(names, parts) for node in part}

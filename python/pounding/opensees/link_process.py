@@ -74,7 +74,7 @@ class Law:
         )
 
     def touch(self, contact: _Contact, closing_speed: float) -> None:
-        """Begins a contact with this closing speed [m/s]."""
+        """Marks the start of contact at this closing speed [m/s]."""
         self._check(self._library.pnd_touch(self._law, ctypes.c_double(closing_speed), ctypes.byref(contact)))
 
     def respond(self, contact: _Contact, penetration: float, rate: float) -> Answer:
@@ -204,8 +204,7 @@ class Link:
             row.peak_force, row.t_peak = force, now.time
 
     def _end(self, now: State, indentation: float) -> None:
-        """Ends an impact at the separation within the step, found backwards in time from the open state without
-        contact force."""
+        """Locates the separation within the step, backwards in time from the open state without contact force."""
         row = self.impacts[-1]
         back = time_to_close(max(0.0, indentation - now.penetration), -now.rate, now.acceleration)
         back = back if math.isfinite(back) else 0.0

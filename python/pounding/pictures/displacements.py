@@ -200,7 +200,7 @@ def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
     chosen = {}
     for name, label in labels.items():
         if name not in run.structures:
-            raise BadRequest(f"there is no structure {name}; there is {', '.join(run.structures)}")
+            raise BadRequest(f"unknown structure {name}; known: {', '.join(run.structures)}")
         floors = run.structures[name].floors
         if label not in floors:
             raise BadRequest(f"{name} has no floor {label}; it has {', '.join(floors) or 'none'}")
@@ -312,7 +312,7 @@ def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarra
 
 
 def _sign(link: Link, direction: np.ndarray) -> int:
-    """1 for a link along a direction, -1 for the opposite direction, 0 for a link that is not parallel to it."""
+    """1 if a link is parallel to a direction, -1 if antiparallel, else 0."""
     share = float(link.direction[:2] @ direction[:2])
     return int(np.sign(share)) if abs(share) > (1 - 1e-6) * np.hypot(*link.direction[:2]) > 0 else 0
 

@@ -28,13 +28,12 @@ VIEWS = {
 }
 
 
-#: With more structures names would stand on each other, colours repeat, and in a view from above those behind would be
-#: seen through those in front.
+#: Number of structures above which names overlap, colours repeat, and views from above need hidden lines.
 FEW = 12
 
 
 def are_many(scene: Scene) -> bool:
-    """True if there are so many structures that views are drawn back to front, with small marks and few names."""
+    """True above the number of structures at which views are drawn back to front, with small marks and few names."""
     return len(scene.line_models) > FEW
 
 

@@ -82,9 +82,9 @@ def figure(
     if picture in WHOLE:
         return WHOLE[picture](run, title, size=size)
     if picture not in PANELS:
-        raise BadRequest(f'there is no picture "{picture}"; there is {", ".join([*WHOLE, *PANELS])}')
+        raise BadRequest(f'unknown picture "{picture}"; known: {", ".join([*WHOLE, *PANELS])}')
     if picture == "rotation" and not turning(run):
-        raise BadRequest("there is no rotation to draw: no structure of this run has rigid floors in space")
+        raise BadRequest("no rotation to draw: no structure of this run has rigid floors in space")
     # In space there is a panel of displacements for each direction.
     directions: list[dict[str, Any]] = (
         [{"direction": each} for each in directions_of(run)] if picture == "displacement" else [{}]

@@ -24,7 +24,7 @@ def time_unit(run: RunData) -> tuple[float, str]:
 
 
 def plot_time(axes: Axes, run: RunData, time: np.ndarray, values: np.ndarray, **style: Any) -> None:
-    """Plots a line over the whole time of the run; `time` [s]."""
+    """Line over the whole time of the run; `time` [s]."""
     axes.plot(time / time_unit(run)[0], values, **style)
     axes.margins(x=0)
 

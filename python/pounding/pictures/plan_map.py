@@ -55,7 +55,7 @@ def plan_figure(
     ]
     if not drawn or not run.envelopes:
         raise BadRequest(
-            'there is no plan to draw: no structure of this run is a frame in space. Draw --picture profiles, in Python "profiles"'
+            'no plan to draw: no structure of this run is a frame in space. Draw --picture profiles, in Python "profiles"'
         )
     if compare:
         require_comparison(run, "plan")

@@ -152,14 +152,14 @@ def _draw_curve(axes: Axes, deformation: np.ndarray, force: np.ndarray, colour: 
 
 def _springs(structure: Structure) -> Springs:
     if structure.springs is None:
-        raise BadRequest(f"{structure.name} stays elastic; there is no loop of it")
+        raise BadRequest(f"{structure.name} stays elastic and has no loop")
     return structure.springs
 
 
 def _found(run: RunData, structure: str, part: str) -> tuple[int, Structure, int]:
     names = list(run.structures)
     if structure not in names:
-        raise BadRequest(f'there is no structure "{structure}"; there is {", ".join(names)}')
+        raise BadRequest(f'unknown structure "{structure}"; known: {", ".join(names)}')
     springs = _springs(run.structures[structure])
     if part not in springs.names:
         raise BadRequest(f'{structure} has no part "{part}"; there is {", ".join(springs.names)}')

@@ -57,11 +57,11 @@ STYLE: dict[Any, Any] = {
     "ytick.major.width": 0.6,
     "savefig.dpi": 200,
     "text.parse_math": False,
-    # TrueType, which journals ask for.
+    # TrueType, as journals require.
     "pdf.fonttype": 42,
 }
 MM = 1e3
-#: Below this width of a figure a legend stands under the axes, not beside them, and one panel is enough [in].
+#: Width of a figure below which legends are below the axes, and small figures have one panel [in].
 NARROW = 4.5
 FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
 IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-#: One row in so many is checked, and no fewer than LEAST.
+#: Interval of checked rows, and their minimum number.
 ONE_IN, LEAST = 1000, 3
-#: Relative difference above which the report names a row.
+#: Relative difference above which a row is listed.
 LARGE = 1e-3
 
 

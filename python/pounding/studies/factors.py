@@ -110,7 +110,7 @@ def _read(name: str, one: Mapping[str, Any], model: Mapping[str, Any]) -> Factor
         raise InputError(
             f'{place}: a factor\'s name is a column of the table: letters, digits and _; "{name}" was read'
         )
-    # A factor that sets nothing in the model is a column of the results.
+    # A factor without a path is a column of the results only.
     of = one.get("of", [])
     if not of and "column" not in one:
         raise InputError(f"{place}: of is missing; type the path of a value, as in of: links.*.gap")

@@ -28,7 +28,7 @@ class Fragility:
     count: np.ndarray  #: trials at each
     exceeded: np.ndarray  #: exceedances at each
     bounds: tuple[float, float] = (np.nan, np.nan)  #: bounds of theta for separated data
-    problem: str = ""  #: why there is no finite fit
+    problem: str = ""  #: reason for a missing fit
     boot: np.ndarray | None = None  #: [sample, 2] theta and beta of the bootstrap
     failed: int = 0  #: rows without numbers, excluded from the fit
     undefined: int = 0  #: rows with an undefined quantity, such as a ratio with a collapse, excluded from the fit
@@ -46,9 +46,9 @@ class Fragility:
     def band(self, im: np.ndarray | float, percent: tuple[float, float] = (5, 95)) -> np.ndarray:
         """[2, im] confidence band of the curve, from bootstrap over events. Raises InputError without a bootstrap."""
         if self.boot is None or not len(self.boot):
-            raise InputError("there is no band: the curve has no bootstrap over records")
+            raise InputError("no band: the curve has no bootstrap over records")
         x = np.log(np.atleast_1d(np.asarray(im, dtype=float)))
-        # Of a draw of which nearly all rows exceed theta may be 0: its curve is 1.
+        # theta may be 0 if nearly all rows of a sample exceed: its curve is 1.
         with np.errstate(divide="ignore"):
             curves = special().ndtr((x - np.log(self.boot[:, :1])) / self.boot[:, 1:])
         return np.percentile(curves, percent, axis=0)
@@ -95,7 +95,7 @@ def _without_fit(
 def _problem(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[str, tuple[float, float]] | None:
     """Why the likelihood has no maximum at finite theta and beta > 0, with bounds of theta."""
     if k.sum() == 0:
-        return f"nothing is exceeded up to {x.max():.4g}: theta is above; add higher levels", (float(x.max()), np.inf)
+        return f"no row exceeds up to {x.max():.4g}: theta is above; add higher levels", (float(x.max()), np.inf)
     if k.sum() == n.sum():
         return f"everything is exceeded from {x.min():.4g} on: theta is below; add lower levels", (0.0, float(x.min()))
     if x.min() == x.max():

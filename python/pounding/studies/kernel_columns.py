@@ -47,7 +47,7 @@ def column_of(column: str, found: Found) -> np.ndarray:
     if quantity in OF_GAPS:
         return np.maximum(0, found.gaps[quantity].max(axis=1, initial=0)) if found.links else np.zeros(_rows(found))
     if rest and rest not in found.links:
-        raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(found.links)}')
+        raise InputError(f'study.keep: unknown link "{rest}"; known: {", ".join(found.links)}')
     values = found.contacts[quantity]
     if rest:
         values = values[:, [i for i, name in enumerate(found.links) if name == rest]]

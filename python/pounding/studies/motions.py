@@ -68,7 +68,7 @@ def factor_of(part: Mapping[str, Any]) -> float:
 
 
 def mean_of_horizontal(values: Mapping[str, float]) -> float:
-    """Geometric mean of the values along x and y; the value along z if there is no other."""
+    """Geometric mean of the values along x and y, or the value along z without them."""
     found = [value for axis, value in values.items() if axis != "z"] or list(values.values())
     return found[0] if len(found) == 1 else float(np.prod(found) ** (1 / len(found)))
 

@@ -90,7 +90,7 @@ class Pairs:
         duration = self._duration or motion.duration
         record = motion.accelerations
         options: dict[str, Any] = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
-        # One row at least stands in a column, for the number of rows.
+        # At least one column has the length of the number of rows.
         pairs["gap"] = np.broadcast_to(pairs["gap"], count)
         ran = core.study_pairs(
             pairs, self.law, self.formula, parameters, record, motion.step, required_gap=False, **options

@@ -27,7 +27,7 @@ class Percentiles:
         given the quantity."""
         if percent not in self.percent:
             raise InputError(
-                f"there is no percentile {percent:g}; there is {', '.join(f'{one:g}' for one in self.percent)}"
+                f"unknown percentile {percent:g}; known: {', '.join(f'{one:g}' for one in self.percent)}"
             )
         curve = self.values[self.percent.index(percent)]
         above = np.flatnonzero(curve >= value)

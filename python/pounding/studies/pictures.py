@@ -27,7 +27,7 @@ def study_figure(
     """A picture of a study. Options are those of the data: limit for a fragility, across and along for a map, and
     values of factors except for map and tornado. Raises InputError."""
     if picture not in PICTURES:
-        raise InputError(f'there is no picture "{picture}"; there is {", ".join(PICTURES)}')
+        raise InputError(f'unknown picture "{picture}"; known: {", ".join(PICTURES)}')
     if column is None and picture != "gap":
         raise InputError(f"say of which column; there is {', '.join(study.columns)}")
     from matplotlib import rc_context
@@ -106,7 +106,7 @@ def _fragility(axes: Axes, study: Rows, column: str, limit: float | str | None =
 def _ida(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     chosen = study.choose(**values)
     divisor, label = _axis(study, column)
-    # Levels of one record are joined for each point of the factors by themselves.
+    # Lines join the levels of one record, separately for each point of the factors.
     curves = np.unique(np.column_stack([study["record"][chosen], study["point"][chosen]]), axis=0)
     found = study.percentiles(column, **values)
     edge = _edge(study[column][chosen])

@@ -40,8 +40,7 @@ MOST_LABELS = 100
 class Plan:
     """All rows of a study. A row depends on the file, the records and the seed only, not on workers, chunks or time.
 
-        Rows are ordered by record, point of the factors and level, with the level varying fastest, so that a chunk
-    shares a record."""
+        Rows are ordered by record, point of the factors and level, the last fastest, so that chunks share records."""
 
     template: Template
     points: Points

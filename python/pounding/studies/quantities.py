@@ -107,7 +107,7 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
             raise InputError(
-                f'study.{place}: there is no quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+                f'study.{place}: unknown quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
         if quantity in OF_STRUCTURES or quantity in OF_TORSION:
             for each in _structures_with(quantity, name, structures, f"study.{place}"):
@@ -125,7 +125,7 @@ def _structures_with(quantity: str, name: str, structures: Mapping[str, core.Mov
     """The structures with a quantity, or the one named."""
     if name and name not in structures:
         raise InputError(
-            f'{place}: {quantity}.{name}: there is no structure "{name}" that moves; there is {", ".join(structures)}'
+            f'{place}: {quantity}.{name}: unknown structure "{name}", or a wall; known: {", ".join(structures)}'
         )
     among = [one for one in structures.values() if name in ("", one.name)]
     having = [
@@ -153,7 +153,7 @@ def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[st
     """Raises InputError if links do not have a quantity."""
     if name and name not in links:
         raise InputError(
-            f'{place}: there is no link "{name}".{reading.did_you_mean(name, links)} There is {", ".join(links) or "none"}'
+            f'{place}: unknown link "{name}".{reading.did_you_mean(name, links)} Known: {", ".join(links) or "none"}'
         )
     if quantity in OF_GAPS and not links:
         raise InputError(
@@ -196,7 +196,7 @@ def read_limits(given: Mapping[str, str]) -> tuple[tuple[str, float], ...]:
         quantity = word.partition(".")[0]
         if quantity not in UNITS:
             raise InputError(
-                f'study.limits: there is no quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+                f'study.limits: unknown quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
         number, unit = reading.quantity(value, f"study.limits.{word}")
         if not math.isfinite(number):
@@ -234,7 +234,7 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
     links = [one for one in summary["links"] if not rest or one["name"] == rest]
     if rest and not links:
         raise InputError(
-            f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}'
+            f'study.keep: unknown link "{rest}"; known: {", ".join(one["name"] for one in summary["links"])}'
         )
     values = [_number(one[_KEYS.get(quantity, quantity)]) for one in links]
     # fsum: the result does not depend on the order of the links.

@@ -39,7 +39,7 @@ def _of_version_0_2_0(path: str | PathLike[str], description: Mapping[str, Any])
 
 
 class Rows:
-    """A table of rows and its evaluations. None of them runs a model."""
+    """A table of rows and its evaluations, which do not run models."""
 
     def __init__(
         self,
@@ -105,7 +105,7 @@ class Rows:
         if column == COLLAPSED_COLUMN and column not in self.columns:
             return (self.columns["status"] == COLLAPSED).astype(float)
         if not isinstance(column, str) or column not in self.columns:
-            raise InputError(f"there is no column {excerpt(column)}; there is {', '.join(self.columns)}")
+            raise InputError(f"unknown column {excerpt(column)}; known: {', '.join(self.columns)}")
         return self.columns[column]
 
     @property

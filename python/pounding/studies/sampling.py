@@ -148,7 +148,7 @@ def _array(values: Any, name: str) -> np.ndarray:
 def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     """Columns in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
     if not os.path.isfile(path):
-        raise InputError(f"study.sampling.table: there is no file {path}")
+        raise InputError(f"study.sampling.table: no such file: {path}")
     try:
         head, *lines = path.read_text(encoding="utf-8").strip().splitlines() or [""]
     except (OSError, UnicodeDecodeError) as error:

@@ -276,7 +276,7 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
         matching = sorted(filter(os.path.isfile, glob.glob(whole))) if has_magic else [one]
         if not matching:
             raise InputError(
-                f"{place}: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2"
+                f"{place}: no such file: {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2"
             )
         found += [(name, _wild(whole, name) if has_magic else None) for name in matching]
     if not found:

@@ -35,7 +35,7 @@ def summary(study: Rows, column: str | None = None, limit: float | str | None = 
         found["warnings"] = list(study.warnings)
     if column is not None:
         if column not in (*kept, COLLAPSED_COLUMN):
-            raise InputError(f'there is no column "{column}"; there is {", ".join(kept)}')
+            raise InputError(f'unknown column "{column}"; known: {", ".join(kept)}')
         curve = study.fragility(column, limit)
         found["fragility"] = {
             "theta": finite(curve.theta),

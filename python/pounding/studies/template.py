@@ -29,7 +29,7 @@ class Template:
     files: Mapping[str, bytes] = field(default_factory=dict)  #: contents of files named by the model
 
     def begin(self, values: np.ndarray) -> None:
-        """Called with the values of the factors before the solver runs a row."""
+        """Called with the values of the factors before each run of the solver."""
 
     def case(self, values: list[float], record: int, scale: float) -> dict[str, Any]:
         """The model of one row."""
