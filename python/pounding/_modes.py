@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding._native import core
 from pounding.arguments import takes, whole
 from pounding.models import Model, as_model
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class Mode(told.Told, lines=told.mode):
+class Mode(printing.ReportLines, lines=printing.mode):
     """One mode of a structure."""
 
     period: float  #: [s]; infinite for a free body
@@ -41,7 +41,7 @@ class _Drawn(NamedTuple):
     node_shapes: list[np.ndarray]  #: [mode] displacements of the nodes, to the scale of the mode
 
 
-class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
+class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes):
     """Modes of every structure, longest period first: `modes["left"][0].period`."""
 
     def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:

@@ -27,7 +27,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from pounding import told
+from pounding import printing
 from pounding.checked_file import NotResults
 from pounding.ended import exit_code
 from pounding.errors import InputError
@@ -104,7 +104,7 @@ def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
 
 
 @dataclass(frozen=True, repr=False)
-class Film(told.Told, lines=told.film):
+class Film(printing.ReportLines, lines=printing.film):
     """Frames of an animation, drawn in order."""
 
     figure: Figure

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from pounding import arguments, told
+from pounding import arguments, printing
 from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
 from pounding.errors import InputError, excerpt
@@ -54,7 +54,7 @@ class Response(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class FreeImpact(told.Told, lines=told.free_impact):
+class FreeImpact(printing.ReportLines, lines=printing.free_impact):
     """Result of free impacts of two bodies; every array has the shape of the closing speeds."""
 
     restitution: Values  #: separation speed over closing speed [-]
@@ -207,7 +207,7 @@ class Law:
         return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
 
     def __str__(self) -> str:
-        return "\n".join(told.law(self))
+        return "\n".join(printing.law(self))
 
     def __repr__(self) -> str:
         given = {

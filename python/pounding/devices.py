@@ -8,12 +8,12 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding.texts import text
 
 
 @dataclass(frozen=True, repr=False)
-class Device(told.Told, lines=told.device):
+class Device(printing.ReportLines, lines=printing.device):
     """A bar, a damper or both between two structures. Elongation and force are positive in tension."""
 
     name: str

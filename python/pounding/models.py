@@ -11,7 +11,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from pounding import arguments, told, yaml_text
+from pounding import arguments, printing, yaml_text
 from pounding._native import core
 from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
@@ -21,7 +21,7 @@ from pounding.records import POUNDING_RECORDS, data_folder
 PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis", "checkpoint", "compare", "accept")
 
 
-class Model(told.Told, lines=told.model):
+class Model(printing.ReportLines, lines=printing.model):
     """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with
     units ("20 mm") or numbers in SI.
 

@@ -16,9 +16,9 @@ from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
+from pounding.pictures.figures import PANELS, WHOLE, figure
 from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
-from pounding.pictures.figures import PANELS, WHOLE, figure
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
 from pounding.pictures.model_picture import model_figure
 from pounding.pictures.panels import label_time

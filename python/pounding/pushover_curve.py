@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding import arguments, told
+from pounding import arguments, printing
 from pounding.arguments import optional, takes
 from pounding.checked_file import NotResults, require_whole
 from pounding.ended import exit_code
@@ -49,13 +49,13 @@ def _lines(found: Any) -> list[str]:
     )
     return [
         f"pushover of {found.structure} along {found.direction}: {found.status}, to {end}",
-        f"first yields: {told.few(events, 4)}",
+        f"first yields: {printing.few(events, 4)}",
         f"{mechanism}; overstrength {found.overstrength:.4g}",
     ]
 
 
 @dataclass(frozen=True, repr=False)
-class Pushover(told.Told, lines=_lines):
+class Pushover(printing.ReportLines, lines=_lines):
     """Results of a pushover. The path is straight between points if the laws of the parts are piecewise linear."""
 
     structure: str
@@ -210,7 +210,7 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
         x, y = MM * event.displacement, event.base_shear / size
         axes.plot(x, y, "o", color=BLUE, markersize=3.5, zorder=4)
         if place <= MOST:
-            words = "\n".join(textwrap.wrap(told.few(event.parts, 3), letters, subsequent_indent="    "))
+            words = "\n".join(textwrap.wrap(printing.few(event.parts, 3), letters, subsequent_indent="    "))
             axes.plot([], [], linestyle="none", label=f"{number}  {words}")
         # Overlapping numbers share a position.
         if together and _is_near(axes, together[-1][:2], (x, y)):

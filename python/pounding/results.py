@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import h5py
 import numpy as np
 
-from pounding import arguments, told
+from pounding import arguments, printing
 from pounding.arguments import takes
 from pounding.checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
@@ -26,7 +26,7 @@ Data = TypeVar("Data", bound="RunData")
 
 
 @dataclass(frozen=True, repr=False)
-class Geometry(told.Told, lines=told.geometry):
+class Geometry(printing.ReportLines, lines=printing.geometry):
     """Nodes and members of a frame at rest."""
 
     nodes: np.ndarray  #: [node, 3] x, y, z [m], z up
@@ -37,7 +37,7 @@ class Geometry(told.Told, lines=told.geometry):
 
 
 @dataclass(frozen=True, repr=False)
-class NodeMotion(told.Told, lines=told.node_motion):
+class NodeMotion(printing.ReportLines, lines=printing.node_motion):
     """Motion of the nodes requested in the input."""
 
     names: list[str]
@@ -48,7 +48,7 @@ class NodeMotion(told.Told, lines=told.node_motion):
 
 
 @dataclass(frozen=True, repr=False)
-class MemberForces(told.Told, lines=told.member_forces):
+class MemberForces(printing.ReportLines, lines=printing.member_forces):
     """End forces of the members requested in the input, in local axes."""
 
     names: list[str]
@@ -83,7 +83,7 @@ class Reactions:
 
 
 @dataclass(frozen=True, repr=False)
-class FloorMotion(told.Told, lines=told.floor_motion):
+class FloorMotion(printing.ReportLines, lines=printing.floor_motion):
     """Motion of the floors in one direction."""
 
     displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz all quantities are angular
@@ -95,7 +95,7 @@ class FloorMotion(told.Told, lines=told.floor_motion):
 
 
 @dataclass(frozen=True, repr=False)
-class Structure(told.Told, lines=told.structure):
+class Structure(printing.ReportLines, lines=printing.structure):
     """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other
     directions are in `along`, as in `along["y"].drift`."""
 
@@ -173,7 +173,7 @@ class Structure(told.Told, lines=told.structure):
 
 
 @dataclass(frozen=True, repr=False)
-class Link(told.Told, lines=told.link):
+class Link(printing.ReportLines, lines=printing.link):
     """A link. Its output times are dense within contacts."""
 
     name: str
@@ -196,7 +196,7 @@ class Link(told.Told, lines=told.link):
 
 
 @dataclass(frozen=True, repr=False)
-class RunData(told.Told, lines=told.run):
+class RunData(printing.ReportLines, lines=printing.run):
     """Contents of the results file of a run. `pounding.Run` adds pictures and tables."""
 
     title: str

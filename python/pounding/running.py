@@ -123,7 +123,9 @@ def _results(ran: core.RunOutcome, output: str) -> Run:
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
     if text and output:
-        text += f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nThe results so far are in {output}"
+        text += (
+            f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nThe results so far are in {output}"
+        )
     # An interactive session has no other access to the results.
     elif text and hasattr(sys, "ps1"):
         text += "\nThe results so far are sys.last_value.results"

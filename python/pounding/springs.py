@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding.texts import texts
 
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
@@ -18,7 +18,7 @@ _ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 
 @dataclass(frozen=True, repr=False)
-class Springs(told.Told, lines=told.springs):
+class Springs(printing.ReportLines, lines=printing.springs):
     """Yielding parts and devices of one structure. Deformations are storey drifts and device elongations [m] or hinge
     rotations [rad]; forces are shears and tensions [N] or moments [N m]."""
 

@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding._native import core
 from pounding.arguments import quantity, refuse, takes, whole
 from pounding.contact import Law, Quantity, laws
@@ -66,7 +66,7 @@ def openseespy() -> Any:
     return ops
 
 
-class Link(told.Told, lines=told.opensees_link):
+class Link(printing.ReportLines, lines=printing.opensees_link):
     """A gap link in an OpenSees model, created by `link`."""
 
     def __init__(
@@ -107,18 +107,18 @@ class Link(told.Told, lines=told.opensees_link):
 
                 t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link
         received states that are not finite."""
-        told = self._tell()
-        if told["error"]:
-            raise SolverError(f"element {self.tag}: {told['error']}")
-        return np.array([tuple(row[name] for name in IMPACT.names or ()) for row in told["impacts"]], dtype=IMPACT)
+        answer = self._tell()
+        if answer["error"]:
+            raise SolverError(f"element {self.tag}: {answer['error']}")
+        return np.array([tuple(row[name] for name in IMPACT.names or ()) for row in answer["impacts"]], dtype=IMPACT)
 
     def _tell(self) -> dict[str, Any]:
         if self._last is None:
             ops = openseespy()
             if self.tag in ops.getEleTags():
-                told = self._ask("")
-                if not told.get("connected"):
-                    return told
+                answer = self._ask("")
+                if not answer.get("connected"):
+                    return answer
                 # This answer follows everything that the element had sent, so the next request finds it
                 # read.
                 ops.eleResponse(self.tag, "force")

@@ -251,14 +251,14 @@ class Server:
 
     def tell(self) -> None:
         """Writes error, connection and impacts as a line of JSON to the caller."""
-        told = {
+        answer = {
             "error": self.error,
             "connected": self.connected,
             "impacts": [asdict(impact) for impact in self.link.rows()],
         }
         # The caller may be gone.
         with contextlib.suppress(BrokenPipeError):
-            os.write(sys.stdout.fileno(), (json.dumps(told) + "\n").encode())
+            os.write(sys.stdout.fileno(), (json.dumps(answer) + "\n").encode())
 
     def _answer(self, numbers: tuple[float, ...]) -> tuple[float, float, float, float] | None:
         action, link = numbers[0], self.link

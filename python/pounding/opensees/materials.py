@@ -77,9 +77,9 @@ class Material:
 def read_material(printed: Printed, name: str, ask: Callable[[str, float], float]) -> Material:
     """A material of the printed model, with exact values from `ask(parameter, value)`."""
     line = next(each for each in printed.model["properties"]["uniaxialMaterials"] if each["name"] == name)
-    told = {key: ask(word, line[key]) for key, word in EXACT.get(line["type"], {}).items()}
+    exact = {key: ask(word, line[key]) for key, word in EXACT.get(line["type"], {}).items()}
     return Material(
-        name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | told
+        name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | exact
     )
 
 

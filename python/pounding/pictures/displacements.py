@@ -15,7 +15,7 @@ from pounding.pictures.style import MM, STRUCTURE_COLOURS, BadRequest, structure
 from pounding.results import Link, RunData, Structure
 
 #: Maximum number of displacements in one panel.
-MOST_STRUCTURES = len(STRUCTURE_COLOURS)
+MAX_STRUCTURES = len(STRUCTURE_COLOURS)
 #: Line of a structure that no link along the panel's direction joins to another: its distance from them has no meaning.
 APART: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.8}
 #: Place on a structure: the number of a floor, from 1, or the end of a link such as "node b" and "10.5 m up".
@@ -159,8 +159,8 @@ def drawn_rotations(run: RunData, other: RunData) -> Iterator[tuple[np.ndarray, 
 
 
 def turning(run: RunData) -> list[str]:
-    """Names of the structures with rigid floors in space, at most MOST_STRUCTURES."""
-    return [name for name, structure in run.structures.items() if structure.rotation is not None][:MOST_STRUCTURES]
+    """Names of the structures with rigid floors in space, at most MAX_STRUCTURES."""
+    return [name for name, structure in run.structures.items() if structure.rotation is not None][:MAX_STRUCTURES]
 
 
 def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
@@ -176,13 +176,13 @@ def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
     ]
     # Structures with a chosen floor come first, then those that links along the direction join.
     drawn = sorted(moving, key=lambda structure: (structure.name not in chosen, structure.name not in linked))[
-        :MOST_STRUCTURES
+        :MAX_STRUCTURES
     ]
     drawn = [structure for structure in moving if any(structure is one for one in drawn)]
     names = [structure.name for structure in drawn]
     places, facing = _places(run, names, {name: floor + 1 for name, floor in chosen.items()}, along)
     numbers = {name: number for number, name in enumerate(run.structures)}
-    few = len(run.structures) <= MOST_STRUCTURES
+    few = len(run.structures) <= MAX_STRUCTURES
     colours = {name: structure_colour(numbers[name] if few else i) for i, name in enumerate(names)}
     return _View(
         direction,

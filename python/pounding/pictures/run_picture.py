@@ -42,9 +42,9 @@ HEIGHTS = {
 #: Height of each of several panels of displacements: in space there is one per direction.
 OF_SEVERAL = 1.0
 #: Rows omitted in small figures, in order.
-LEAST_WANTED = ("error", "ground", "residuals", "impacts", "openings", "energy", "rotations", "forces")
+MIN_WANTED = ("error", "ground", "residuals", "impacts", "openings", "energy", "rotations", "forces")
 #: Height of a row with relative height 1 [in].
-LEAST_HEIGHT = 1.1
+MIN_HEIGHT = 1.1
 #: Draws one panel.
 Panel = Callable[[Axes, RunData], Any]
 
@@ -61,7 +61,7 @@ def standard_figure(
 
         In space there is a panel of displacements for each direction, and one of the rotations of rigid floors.
     Panels without data are omitted: a still ground, links, impacts. In figures below about 8 inches, panels are
-    omitted in the order of LEAST_WANTED. An unfinished run is marked below the title. `floors` maps names of
+    omitted in the order of MIN_WANTED. An unfinished run is marked below the title. `floors` maps names of
     structures to labels of floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that
     of the figure [in]. `compare` also draws the run without links, dashed."""
     chosen = chosen_floors(run, floors or {})
@@ -104,8 +104,8 @@ def standard_figure(
             heights |= dict.fromkeys(displacements, height if len(displacements) == 1 else OF_SEVERAL)
         elif not missing.get(name):
             heights[name] = height
-    for name in LEAST_WANTED:
-        if size is not None and 0.7 + LEAST_HEIGHT * sum(heights.values()) > size[1]:
+    for name in MIN_WANTED:
+        if size is not None and 0.7 + MIN_HEIGHT * sum(heights.values()) > size[1]:
             heights.pop(name, None)
 
     with rc_context(STYLE):

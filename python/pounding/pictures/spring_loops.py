@@ -34,7 +34,7 @@ from pounding.springs import Springs
 #: Default number of parts.
 SHOWN = 6
 #: Minimum width of a figure for two columns, and minimum height of a loop [in].
-LEAST_OF_TWO, LEAST_HEIGHT = 3.2, 1.6
+MIN_OF_TWO, MIN_HEIGHT = 3.2, 1.6
 #: Colour of devices, which belong to no structure.
 DEVICE = "0.25"
 #: Draws one loop.
@@ -62,10 +62,10 @@ def loops_figure(
             "there are no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
         )
     width = size[0] if size else 7.5
-    columns = min(len(chosen), 3 if width >= 6 else 2 if width >= LEAST_OF_TWO else 1)
+    columns = min(len(chosen), 3 if width >= 6 else 2 if width >= MIN_OF_TWO else 1)
     rows = -(-len(chosen) // columns)
     if size is not None and parts is None:
-        rows = min(rows, max(1, int((size[1] - 0.7) / LEAST_HEIGHT)))
+        rows = min(rows, max(1, int((size[1] - 0.7) / MIN_HEIGHT)))
         chosen = chosen[: rows * columns]
     with rc_context(STYLE):
         figure = Picture(figsize=size or (7.5, 0.7 + 2.2 * rows), layout="constrained")

@@ -28,7 +28,7 @@ _NUMBER = re.compile(r"\s*[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 LOOKED_AT = 1000
 
 
-def doubtful(given: Mapping[str, Any], points: Points, model: Mapping[str, Any]) -> list[str]:
+def bare_number_warnings(given: Mapping[str, Any], points: Points, model: Mapping[str, Any]) -> list[str]:
     """Warnings for the keys of a study, given as typed, and for the factors of this model."""
     accepted = model.get("accept") or []
     found = [] if "pga" in accepted else [*_accelerations(given)]

@@ -283,8 +283,8 @@ def _show(words: list[str]) -> int:
         raise InputError(f"there is no row {options.row}; rows count from 0 to {len(done) - 1}")
     for name, values in done.columns.items():
         value = values[options.row]
-        told = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
-        print(f"# {name}: {f'{value:.10g}' if told is None else told[value]} {done.units.get(name, '')}".rstrip())
+        names = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
+        print(f"# {name}: {f'{value:.10g}' if names is None else names[value]} {done.units.get(name, '')}".rstrip())
     if options.row in done.reasons:
         print(f"# {done.reasons[options.row]}")
     print(done.model_of(options.row), end="")
@@ -439,7 +439,7 @@ def _told(done: Study) -> str:
             if (count := int((done["engine"] == i).sum()))
         )
     columns = done.description["kept"]["columns"]
-    lines += cross_check.told(
+    lines += cross_check.report_lines(
         done.check,
         np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)),
         columns,

@@ -7,14 +7,14 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 #: Interval of checked rows, and their minimum number.
-ONE_IN, LEAST = 1000, 3
+ONE_IN, MIN_ROWS = 1000, 3
 #: Relative difference above which a row is listed.
 LARGE = 1e-3
 
 
 def rows_to_check(count: int) -> np.ndarray:
     """Indices of the rows of a plan that run with both engines, evenly spaced."""
-    return np.unique(np.linspace(0, count - 1, min(count, max(LEAST, count // ONE_IN))).astype(np.int64))
+    return np.unique(np.linspace(0, count - 1, min(count, max(MIN_ROWS, count // ONE_IN))).astype(np.int64))
 
 
 def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
@@ -26,7 +26,7 @@ def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
     return np.where((kernel == solver) | (np.isnan(kernel) & np.isnan(solver)), 0.0, apart)
 
 
-def told(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[str]) -> list[str]:
+def report_lines(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[str]) -> list[str]:
     """Lines of the report: number of compared rows and their differences. `values` are those of the table."""
     if not check or not columns:
         return []

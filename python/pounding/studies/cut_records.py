@@ -19,7 +19,7 @@ MAX_CUT = 0.05
 #: Maximum number of points of the factors whose durations are compared.
 LOOKED_AT = 100_000
 #: Maximum number of motions of the model that are checked.
-MOST_MOTIONS = 100
+MAX_MOTIONS = 100
 #: End of the warning of a model whose duration cuts its record.
 _OF_DURATION = "accept: [duration])"
 
@@ -81,11 +81,11 @@ def _durations(template: Template, values: np.ndarray) -> np.ndarray:
 
 
 def _different_motions(template: Template, values: np.ndarray, durations: np.ndarray) -> list[int]:
-    """Points with different ground motions or durations, at most MOST_MOTIONS."""
+    """Points with different ground motions or durations, at most MAX_MOTIONS."""
     moving = [
         j
         for j, factor in enumerate(template.factors)
         if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of)
     ]
     _, first = np.unique(np.column_stack([durations, values[:, moving]]), axis=0, return_index=True)
-    return [int(point) for point in first[np.unique(np.linspace(0, len(first) - 1, MOST_MOTIONS).astype(int))]]
+    return [int(point) for point in first[np.unique(np.linspace(0, len(first) - 1, MAX_MOTIONS).astype(int))]]

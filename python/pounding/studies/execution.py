@@ -51,7 +51,7 @@ from pounding.studies.worker import begin_worker, run_alone, say_hello
 CHUNK_SECONDS = 0.5
 LARGEST_CHUNK = 20000
 #: Maximum number of processes.
-MOST_WORKERS = 4096
+MAX_WORKERS = 4096
 #: Number of rows before stop_after applies.
 ENOUGH_ROWS = 20
 #: Called after every chunk with the numbers of finished, failed and all rows.
@@ -119,8 +119,8 @@ def require_count(name: str, value: int | None, least: int) -> None:
     """Raises InputError unless the number of workers or of rows per chunk is an integer in the allowed range."""
     if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
         raise InputError(f"{name}: takes an integer of at least {least}, or None; {excerpt(value)} was read")
-    if name == "workers" and value is not None and value > MOST_WORKERS:
-        raise InputError(f"workers: takes at most {MOST_WORKERS}; {value} was read")
+    if name == "workers" and value is not None and value > MAX_WORKERS:
+        raise InputError(f"workers: takes at most {MAX_WORKERS}; {value} was read")
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from pounding._native import core
 from pounding.arguments import number, one_of, takes, text
 from pounding.errors import ImplausibleWarning, InputError
-from pounding.studies.quantities import bare_limit_doubt
+from pounding.studies.quantities import bare_limit_warning
 from pounding.studies.scipy_stats import stats
 
 _CONFIDENCE = number(0, 0.999999)
@@ -83,7 +83,7 @@ class GapCurve:
 def _metres(gap: float | str) -> float:
     """A gap [m]. Raises InputError for another unit, NaN and infinity; warns of a bare number that looks like mm."""
     gap = text("gap", gap) if isinstance(gap, str) else number()("gap", gap)
-    if doubt := bare_limit_doubt("gap", gap, "m"):
+    if doubt := bare_limit_warning("gap", gap, "m"):
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     return core.quantity(gap, "m") if isinstance(gap, str) else gap
 

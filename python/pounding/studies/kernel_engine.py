@@ -26,7 +26,7 @@ from pounding.studies.template import Template
 ANALYSIS = ("duration", "tolerance", "output_step")
 #: Modes times the largest omega h of a model (1 at least), beyond which the solver takes less time: 35 modes of shear
 #: buildings with 93 take the kernel a fifth of the solver's time, 70 modes of two frames with 1150 twice as much.
-MOST_WORK = 400
+MAX_WORK = 400
 #: Number of cached models in modal coordinates; consecutive rows share one at all levels.
 KEPT_MODELS = 256
 
@@ -157,7 +157,7 @@ class _Ready:
         except InputError as error:
             return str(error)
         work = row.model.modes * max(1.0, row.fastest * motion.step)
-        if work > MOST_WORK and template.engine == "auto":
+        if work > MAX_WORK and template.engine == "auto":
             return f"it is faster with {row.model.modes} modes up to {row.fastest / (2 * math.pi):.3g} Hz"
         return Pairs.of(self.prepared, texts, row) or ""
 

@@ -228,7 +228,7 @@ def repeated(motions: Sequence[Motion]) -> list[str]:
     )
 
 
-def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
+def scaling_warnings(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
     """Warnings for records that are scaled by the model or by the intensity."""
     if intensity is None or not intensity.levels:
         scales = [abs(factor_of(part)) for motion in motions for part in motion.parts.values() if "scale" in part]

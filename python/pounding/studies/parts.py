@@ -86,7 +86,7 @@ class Parts:
 
     def add(self, done: Done) -> None:
         """Writes a chunk. Raises OSError."""
-        told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
+        text = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
         written = io.BytesIO()
         np.savez(
             written,
@@ -95,7 +95,7 @@ class Parts:
             status=done.status,
             engine=done.engine,
             seconds=done.seconds,
-            told=np.array(told),
+            text=np.array(text),
         )
         content = written.getvalue()
         self._write(f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz", content)
@@ -128,12 +128,12 @@ def _read_chunk(path: Path) -> Done:
     if not path.stem.endswith(f"-{zlib.crc32(content):08x}"):
         raise NotResults(f"{path} is damaged. Remove it; its rows run again")
     with np.load(io.BytesIO(content), allow_pickle=False) as part:
-        told = json.loads(str(part["told"]))
+        text = json.loads(str(part["told"]))
         return Done(
             part["rows"],
             part["values"],
             part["status"],
             part["engine"],
             part["seconds"],
-            {int(row): why for row, why in told["reasons"].items()},
+            {int(row): why for row, why in text["reasons"].items()},
         )

@@ -26,9 +26,7 @@ class Percentiles:
         infinite if it never does. The p-th percentile of the quantity given im corresponds to the (100 - p)-th of im
         given the quantity."""
         if percent not in self.percent:
-            raise InputError(
-                f"unknown percentile {percent:g}; known: {', '.join(f'{one:g}' for one in self.percent)}"
-            )
+            raise InputError(f"unknown percentile {percent:g}; known: {', '.join(f'{one:g}' for one in self.percent)}")
         curve = self.values[self.percent.index(percent)]
         above = np.flatnonzero(curve >= value)
         if not above.size:

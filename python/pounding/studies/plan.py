@@ -20,27 +20,35 @@ from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model
 from pounding.studies import reading
-from pounding.studies.bare_numbers import doubtful
+from pounding.studies.bare_numbers import bare_number_warnings
 from pounding.studies.cut_records import cut_records, with_cuts
 from pounding.studies.factors import Factor, find, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
-from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity, repeated
+from pounding.studies.motions import (
+    Intensity,
+    Motion,
+    implausible,
+    measured,
+    read_intensity,
+    repeated,
+    scaling_warnings,
+)
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import kept_beside, read_motions
 from pounding.studies.template import Template
 
 #: Maximum number of rows.
-MOST_ROWS = 1_000_000_000
+MAX_ROWS = 1_000_000_000
 #: Maximum number of labels of one factor that are checked before rows run.
-MOST_LABELS = 100
+MAX_LABELS = 100
 
 
 @dataclass(frozen=True)
 class Plan:
     """All rows of a study. A row depends on the file, the records and the seed only, not on workers, chunks or time.
 
-        Rows are ordered by record, point of the factors and level, the last fastest, so that chunks share records."""
+    Rows are ordered by record, point of the factors and level, the last fastest, so that chunks share records."""
 
     template: Template
     points: Points
@@ -253,9 +261,9 @@ def make_plan(
         files,
         tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else (),
     )
-    if plan.count > MOST_ROWS:
+    if plan.count > MAX_ROWS:
         raise InputError(
-            f"study: has {plan.count} rows, and at most {MOST_ROWS} are allowed; use fewer values, samples, levels or records"
+            f"study: has {plan.count} rows, and at most {MAX_ROWS} are allowed; use fewer values, samples, levels or records"
         )
     # Errors in units and bounds are reported once for the first row instead of in every row.
     of_first = core.check(
@@ -265,8 +273,8 @@ def make_plan(
         *with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
         *implausible(motions, parts.get("accept") or ()),
         *repeated(motions),
-        *doubts(motions, intensity),
-        *doubtful(given, points, parts),
+        *scaling_warnings(motions, intensity),
+        *bare_number_warnings(given, points, parts),
         *_refused_labels(plan),
     )
     return replace(plan, warnings=warnings)
@@ -278,7 +286,7 @@ def _refused_labels(plan: Plan) -> Iterator[str]:
     values = [float(first[factor.name][0]) for factor in template.factors]
     files = {**template.files, **plan.files_of(np.array([0]))}
     for j, factor in enumerate(template.factors):
-        for label in range(1, min(len(factor.labels), MOST_LABELS)):
+        for label in range(1, min(len(factor.labels), MAX_LABELS)):
             case = template.case([*values[:j], float(label), *values[j + 1 :]], 0, float(first["scale"][0]))
             try:
                 core.check(core.Source(yaml_text.emit(case), _place(template), files))

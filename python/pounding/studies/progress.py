@@ -40,8 +40,8 @@ class Shown:
 def line_of(done: int, failed: int, count: int, seconds: float) -> str:
     """ "128 of 1024 rows, 2 failed, 41 per second, 22 s left"."""
     rate = done / seconds if seconds > 0 else 0.0
-    told = f"{done} of {count} rows" + (f", {failed} failed" if failed else "")
-    return told + (f", {rate:.3g} per second, {duration_text((count - done) / rate)} left" if rate > 0 else "")
+    text = f"{done} of {count} rows" + (f", {failed} failed" if failed else "")
+    return text + (f", {rate:.3g} per second, {duration_text((count - done) / rate)} left" if rate > 0 else "")
 
 
 def duration_text(seconds: float) -> str:

@@ -169,7 +169,7 @@ def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[st
         )
 
 
-def bare_limit_doubt(place: str, value: Any, unit: str, column: str = "") -> str:
+def bare_limit_warning(place: str, value: Any, unit: str, column: str = "") -> str:
     """Warning for a limit without a unit that is usual in another unit, or for a drift that may be a ratio; empty if
     there is none."""
     try:

@@ -19,7 +19,7 @@ from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
 from pounding.studies.batches import COLLAPSED, COMPLETE, EXCEEDED, NOT_RUN, STATUSES
-from pounding.studies.quantities import COLLAPSED_COLUMN, bare_limit_doubt
+from pounding.studies.quantities import COLLAPSED_COLUMN, bare_limit_warning
 from pounding.studies.table import open_study
 from pounding.texts import text, texts
 
@@ -96,8 +96,10 @@ class Rows:
 
     def __repr__(self) -> str:
         status = self.columns["status"]
-        told = ", ".join(f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum())))
-        return f"<pounding.Study of {len(self)} rows: {told}; columns {', '.join(self.columns)}>"
+        counts = ", ".join(
+            f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum()))
+        )
+        return f"<pounding.Study of {len(self)} rows: {counts}; columns {', '.join(self.columns)}>"
 
     def __getitem__(self, column: str) -> np.ndarray:
         """A column; "collapsed" is 1 in rows that ended at collapse_drift and 0 in others. Raises InputError for an
@@ -157,7 +159,7 @@ class Rows:
         self[column]
         limit = (arguments.text if isinstance(limit, str) else number())(f"limit of {column}", limit)
         unit = self.units.get(column, "")
-        if doubt := bare_limit_doubt(f"limit of {column}", limit, unit, column):
+        if doubt := bare_limit_warning(f"limit of {column}", limit, unit, column):
             warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
         try:
             found = limit if not isinstance(limit, str) else core.quantity(limit, unit) if unit else float(limit)

@@ -11,7 +11,7 @@ import numpy as np
 GRAVITY = {None: "", True: "; gravity is included", False: "; gravity is not included"}
 
 
-class Told:
+class ReportLines:
     """Printed in three lines; at a prompt and in lists as the first of them."""
 
     _lines: Callable[[Any], list[str]]
