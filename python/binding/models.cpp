@@ -54,14 +54,14 @@ std::tuple<std::string, std::string, std::vector<std::string>> checked(const Sou
   });
 }
 
-/// Quantities that a structure has: those of floors, of storeys, and of rigid floors in space.
+/// Available quantities of a structure: of floors, of storeys, and of rigid floors in space.
 struct MovingStructure {
   std::string name;
   std::size_t floors = 0;
   bool has_storeys = false, has_plans = false;
 };
 
-/// Structures that move, links as (name, is rigid), and the latest arrival of the model's ground motion [s].
+/// Moving structures, links as (name, is rigid), and the latest arrival time of the ground motion [s].
 struct Layout {
   std::vector<MovingStructure> structures;
   std::vector<std::pair<std::string, bool>> links;
@@ -83,7 +83,7 @@ Layout layout(const Source& source) {
   });
 }
 
-/// The modes of one structure, and how it is drawn.
+/// Modes of one structure, with its geometry for pictures.
 struct StructureModes {
   std::string name;
   std::vector<Mode> modes;                        ///< longest period first

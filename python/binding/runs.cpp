@@ -31,12 +31,12 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-/// Receives the progress of a run, and may end it.
+/// Progress callback of a run, which can stop it.
 struct Listener {
   py::object progress;  ///< None, or called with time [s], duration [s] and impacts
-  /// Exception of a signal handler or of `progress`; it ends the run.
+  /// Exception of a signal handler or of `progress`, which ends the run.
   std::optional<py::error_already_set> raised = {};
-  /// Text of that exception for the other processes; empty for Ctrl-C, which each process sees by itself.
+  /// Message of that exception for the other processes; empty for Ctrl-C, which every process receives.
   std::string failure = {};
 
   void report(double time, double duration, int impacts) {
@@ -60,14 +60,14 @@ struct Listener {
   }
 };
 
-/// Result of a run that was completed or not.
+/// Result of a complete or incomplete run.
 struct Ran {
-  std::shared_ptr<const Results> results;  ///< in memory, of a run in this process alone; else null
-  std::vector<std::byte> image;            ///< of the results file, where `results` are not there
+  std::shared_ptr<const Results> results;  ///< in memory if the run used one process, else null
+  std::vector<std::byte> image;            ///< of the results file if `results` is null
   std::string summary;                     ///< the object that --json prints
   std::string warning;
-  std::vector<std::string> implausible;  ///< warnings of what the model and the run hold
-  std::string failure;                   ///< empty for a run that came to its end
+  std::vector<std::string> implausible;  ///< warnings about implausible values
+  std::string failure;                   ///< empty for a complete run
   bool resumable = false;                ///< the output can be resumed
 };
 
@@ -82,7 +82,7 @@ std::vector<std::byte> image_for_all(const petsc::Ranks& ranks, const Results& r
 }
 
 Ran ran(const Model& model, Outcome outcome, std::string failure) {
-  // The last one may be of energies, which is a warning of its own here.
+  // The warning about energies, the last one, is reported separately.
   std::vector<std::string> doubts = outcome.summary.warnings;
   std::string of_energies = warning(outcome.summary, model.analysis.tolerance);
   std::erase(doubts, of_energies);
@@ -94,7 +94,7 @@ Ran ran(const Model& model, Outcome outcome, std::string failure) {
           .implausible = std::move(doubts),
           .failure = std::move(failure),
           .resumable = outcome.resumable};
-  // Many processes make the image together, and now; one makes it when somebody asks for a history.
+  // Several processes create the image collectively now; a single one creates it on demand.
   if (const petsc::Ranks ranks(PETSC_COMM_WORLD); ranks.size() > 1)
     ran.image = image_for_all(ranks, outcome.results);
   else
@@ -102,7 +102,7 @@ Ran ran(const Model& model, Outcome outcome, std::string failure) {
   return ran;
 }
 
-Ran run_alike(const Model& model, const RunOptions& options) {
+Ran run_model(const Model& model, const RunOptions& options) {
   try {
     return ran(model, run(model, options), "");
   } catch (const FailedRun& failed) {
@@ -110,8 +110,8 @@ Ran run_alike(const Model& model, const RunOptions& options) {
   }
 }
 
-// An exception that Python raised on one process has ended the run of all.
-void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
+// An exception raised in Python on one process ends the run on all of them.
+void share_exception(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
   try {
     ranks.on_each([&] {
       if (!listener.failure.empty()) throw std::runtime_error(listener.failure);
@@ -124,26 +124,26 @@ void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, R
 Ran run_together(const Model& model, const RunOptions& options, const Listener& listener) {
   Ran ran;
   petsc::run_collectively(
-      options.comm, [&] { ran = run_alike(model, options); },
+      options.comm, [&] { ran = run_model(model, options); },
       [](const std::string&, const std::exception&) { leave_the_others(); });
-  tell_what_was_raised(petsc::Ranks(options.comm), listener, ran);
+  share_exception(petsc::Ranks(options.comm), listener, ran);
   return ran;
 }
 
-// Processes may work in different folders, where a file of the same name may be another one.
+// In different working folders the same name may be a different file.
 void require_one_run(const petsc::Ranks& ranks, const Model& model, const std::vector<std::string>& options,
                      const std::string& name) {
   if (!ranks.same(fmt::format("{}\n{}", model.source_text, fmt::join(options, " "))))
     throw InputError(fmt::format("{}: the processes run different models or options; give all of them the same", name));
 }
 
-/// Raises InputError with this text on every process; does nothing where there is only one.
+/// Throws InputError with this text on every process if there are several.
 void refuse(const std::string& text) {
   if (petsc::launch().value_or(petsc::Launch{}).size > 1)
     with_petsc([&] { petsc::Ranks(PETSC_COMM_WORLD).on_each([&] { throw InputError(text); }); });
 }
 
-/// A run as Python gets it.
+/// A run as returned to Python.
 struct RunOutcome {
   std::shared_ptr<const Results> results;
   std::vector<std::byte> bytes;
@@ -158,7 +158,7 @@ struct RunOutcome {
     FileImage made;
     if (results) {
       const py::gil_scoped_release free;
-      // HDF5 works for one thread at a time; a function that shows the progress of another run has the right already.
+      // HDF5 allows one thread at a time; a progress callback of another run already has the lock.
       std::optional<PetscForThisThread> mine;
       if (!PetscForThisThread::holds()) mine.emplace();
       made = results_image(*results);
@@ -186,7 +186,7 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
           .stop = [&] { return listener.stops(); }};
 }
 
-/// Runs what `read` makes of the words of PETSc's options; these hold from where it hands them over.
+/// Runs the model from `read_input`, which also activates the PETSc options in `words`.
 RunOutcome run_read(
     const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
     const std::string& resumed, const py::object& progress,

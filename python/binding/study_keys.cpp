@@ -121,20 +121,11 @@ py::dict examples() {
   return found;
 }
 
-py::list choices(const std::string& section, const std::string& key) {
-  py::list found;
-  for (const words::Section* each : words::sections_of_studies())
-    if (each->name == section)
-      for (const std::string_view choice : each->find(key)->choices) found.append(py::str(choice));
-  return found;
-}
-
 }  // namespace
 
 void bind_study_keys(py::module_& module) {
   module.def("read_study", &read_study, py::arg("text"), py::arg("name"));
   module.def("study_examples", &examples);
-  module.def("study_choices", &choices, py::arg("section"), py::arg("key"));
 }
 
 }  // namespace pounding::python

@@ -27,7 +27,8 @@ def pushover(
     direction: str = "x",
     output: str | PathLike[str] = "",
 ) -> Pushover:
-    """Pushes a structure of a model or an input file by horizontal floor forces until the roof displacement is `to`.
+    """Pushover analysis of a structure of a model or an input file, by horizontal floor forces until the roof
+    displacement is `to`.
 
         `to` is "250 mm", "2 % roof" of the height, or a number [m]. Parts of the structure must yield. `structure` is
     optional if only one structure of the model yields. Displacements in `cyclic` are reached first, in their order.
@@ -36,7 +37,7 @@ def pushover(
     largest effective mass), the name of a file with one force per floor, or these forces from the ground up, to any
     scale. `direction` is x, or y in space. `output` is a results file to write.
 
-        Raises InputError for a structure that cannot be pushed, and SolverError, with the results so far, for a
+        Raises InputError for a structure that cannot be pushed, and SolverError, with partial results, for a
     collapse."""
     model = as_model(model)
     steps = (

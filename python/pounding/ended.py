@@ -12,10 +12,9 @@ from pounding.errors import InputError, SolverError
 
 
 def exit_code(main: Callable[[], int]) -> int:
-    """Calls a command and returns its exit code: 0 done, 2 wrong input or an unwritable output, 3 other errors and
-    Ctrl-C.
+    """Exit code of a command that it calls: 0 done, 2 wrong input or an unwritable output, 3 other errors and Ctrl-C.
 
-        Every exception is one line on standard error. A closed pipe, as by `head`, is not an error."""
+    Every exception is one line on standard error. A closed pipe, as by `head`, is not an error."""
     before = sys.stdout, sys.stderr
     output, errors = _Stream(sys.stdout), _Stream(sys.stderr)
     sys.stdout, sys.stderr = cast(Any, output), cast(Any, errors)

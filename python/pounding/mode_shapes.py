@@ -93,7 +93,7 @@ def read_modes(values: dict[str, Any]) -> list[DrawnStructure]:
 def plot_modes(structures: Sequence[DrawnStructure], title: str = "Mode shapes") -> Figure:
     """One row per structure and one panel per mode: a profile over the height, or the deformed frame.
 
-    Raises BadRequest if there are no modes, or if shapes do not match the nodes."""
+    Raises BadRequest without modes, or if shapes do not match the nodes."""
     drawn = [structure for structure in structures if structure.modes]
     if not drawn:
         raise BadRequest("no mode to draw: no structure of this model moves against the ground")
@@ -136,7 +136,7 @@ def _draw_structure(row: np.ndarray, structure: DrawnStructure, colour: str) -> 
 
 
 def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | None] | None, colour: str) -> None:
-    """Draws amplitudes over the height, zero at the ground; over floor numbers if there are no elevations."""
+    """Draws amplitudes over the height, zero at the ground; over floor numbers if elevations are unknown."""
     levels = [level for level in elevations or () if level is not None]
     known = elevations is not None and len(elevations) == len(levels) == len(shape)
     heights = np.array([0.0, *levels]) if known else np.arange(len(shape) + 1.0)

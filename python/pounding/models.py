@@ -143,8 +143,8 @@ def as_model(model: Model | str | PathLike[str]) -> Model:
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:
-    """Validates a model or an input file without running it. Raises InputError with the location of an error; warns
-    of implausible values (ImplausibleWarning)."""
+    """Reads and validates an input, a model or its file. Raises InputError with the location of an error; warns of
+    implausible values (ImplausibleWarning)."""
     description, resolved, doubts = core.check(as_model(model)._source())
     for doubt in doubts:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)

@@ -31,7 +31,7 @@ def run(
     options: Mapping[str, Any] | None = None,
     progress: Progress | bool | None = None,
 ) -> Run:
-    """Runs a model or an input file and returns its results.
+    """Time integration of a model or an input file. Returns its results.
 
         Histories become arrays on first access, and no file is used unless `output` names a results file, which is
     updated during the run. `tolerance` [-] overrides that of the model. `options` are those of PETSc without the
@@ -40,9 +40,9 @@ def run(
     released; models run one after another.
 
         Raises InputError for a wrong model, SolverError for a failed run and Interrupted for Ctrl-C; the last two
-    contain the results so far, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and
-    of implausible values (ImplausibleWarning). Under mpirun, all processes call this function with the same
-    arguments, and an error of one is raised in all."""
+    contain partial results, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and of
+    implausible values (ImplausibleWarning). Under mpirun, all processes call this function with the same arguments,
+    and an error of one is raised in all."""
     with _refused_by_all():
         model = as_model(model)
         tolerance = optional(arguments.number(0, open=True))("tolerance", tolerance)
@@ -117,18 +117,16 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
 
 
 def _results(ran: core.RunOutcome, output: str) -> Run:
-    """The results. Raises the error that ended the run, with the results so far."""
+    """The results. Raises the error that ended the run, with its partial results."""
     results = Run._of_outcome(ran)
     raised, text = ran.raised, ran.failure
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
     if text and output:
-        text += (
-            f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nThe results so far are in {output}"
-        )
+        text += f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nPartial results are in {output}"
     # An interactive session has no other access to the results.
     elif text and hasattr(sys, "ps1"):
-        text += "\nThe results so far are sys.last_value.results"
+        text += "\nPartial results are sys.last_value.results"
     if raised is not None:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:

@@ -151,8 +151,8 @@ _FIELDS = frozenset(each.name for each in fields(Run))
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
     """The run in the results file `path`, after a check of the checksum.
 
-        `checked=False` reads a file without a valid checksum, from an earlier version or with additions. Raises
-    OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
+        `checked=False` skips the check, for files from an earlier version or with additions. Raises OSError if the
+    file cannot be opened, NotResults if it is of another kind or damaged."""
     return Run.read(path, checked=checked)
 
 

@@ -34,8 +34,8 @@ def _leave_modules_out() -> None:
 
 
 def _leave_settings_out() -> None:
-    """Imports matplotlib from another folder if the working folder contains a file matplotlibrc, which can name
-    programs to run and modules to load."""
+    """Imports matplotlib from another folder if the working folder contains matplotlibrc, which can name programs to
+    run and modules to load."""
     if "matplotlib" in sys.modules or not os.path.exists("matplotlibrc"):
         return
     here = os.getcwd()

@@ -134,7 +134,7 @@ def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
     if by_mass == by_stiffness == 0:
         return None
     # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is
-    # so far away that what it adds is lost in rounding.
+    # far enough away to be lost in round-off.
     if by_stiffness == 0:
         low, high = max(1.0, 10 * by_mass), 1e15
         ratio = by_mass / (2 * low)

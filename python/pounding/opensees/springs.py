@@ -99,7 +99,7 @@ class End:
     member: int
     end: str  #: start or end
     axis: str  #: y or z, of the member; empty in the plane
-    law: Mapping[str, Any]  #: words
+    law: Mapping[str, Any]  #: input keys
 
 
 class JoinedMember(Protocol):
@@ -163,7 +163,7 @@ def _axis(spring: Spring, member: int, dof: int, local: Sequence[np.ndarray]) ->
     for name, axis in zip("yz", local):
         if abs(abs(float(along @ axis)) - 1) < 1e-9:
             return name
-    raise InputError(f"element {spring.tag}: degree of freedom {dof} is no axis of bending of element {member}")
+    raise InputError(f"element {spring.tag}: degree of freedom {dof} is not an axis of bending of element {member}")
 
 
 def hinge_words(hinges: Sequence[End]) -> dict[str, dict[str, Any]]:

@@ -85,7 +85,7 @@ def contents(items: list[dict[str, Any]]) -> str:
 the CR-factor and impact velocity. Scientia Iranica, Transactions A: Civil Engineering, 2015.</p>
 <p>Every equation, table and figure of the paper, computed by the contact laws of this program and by runs through time, with a
 verdict on each: it <em>agrees</em>, it <em>does not agree</em> (with the printed value, ours and the likely reason), or it
-<em>cannot be checked</em> (with what is missing). The text at hand is a machine extraction of the paper: a missing dot, sign or
+<em>cannot be checked</em> (with the missing information). The text at hand is a machine extraction of the paper: a missing dot, sign or
 exponent may be a loss of the extraction, and the verdicts say so where that is possible. The numbers behind each figure are in the
 CSV file named below it, the whole in report.json.</p>
 <p>{_counts(items)}</p></header>

@@ -66,7 +66,7 @@ def legend_beside(axes: Axes, reverse: bool = False) -> None:
 
 
 def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
-    """Under all panels, in as many columns, up to `most`, as the width of the figure holds."""
+    """Legend under all panels, in as many columns as fit the width of the figure, up to `most`."""
     if not handles:
         return
     canvas: Any = FigureCanvasAgg(figure)

@@ -53,13 +53,13 @@ def loops_figure(
 ) -> Figure:
     """Force over deformation at the output times of `parts`, pairs of a structure and a name ("left", "storey 1").
 
-        The default is the six parts and devices that lose most energy, in descending order, or as many as fit into
-    `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest for a run
-    without such parts and for unknown parts."""
+        The default is the six parts and devices with the largest energy losses, in descending order, or as many as
+    fit into `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest
+    for a run without such parts and for unknown parts."""
     chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
         raise BadRequest(
-            "there are no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
+            "no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
         )
     width = size[0] if size else 7.5
     columns = min(len(chosen), 3 if width >= 6 else 2 if width >= MIN_OF_TWO else 1)
@@ -81,7 +81,7 @@ def loops_figure(
 
 
 def most_energy(run: RunData) -> list[Loop]:
-    """The SHOWN parts and devices that lose most energy; equal ones in input order."""
+    """The SHOWN parts and devices with the largest energy losses; equal ones in input order."""
     lost: list[tuple[float, Loop]] = [
         (springs.largest["hysteretic"][part], _loop(number, structure, part))
         for number, structure in enumerate(run.structures.values())

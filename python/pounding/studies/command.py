@@ -280,7 +280,7 @@ def _show(words: list[str]) -> int:
         print(_told(done))
         return 0
     if not 0 <= options.row < len(done):
-        raise InputError(f"there is no row {options.row}; rows count from 0 to {len(done) - 1}")
+        raise InputError(f"no row {options.row}; rows count from 0 to {len(done) - 1}")
     for name, values in done.columns.items():
         value = values[options.row]
         names = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
@@ -390,7 +390,7 @@ def _table_name(study: str, given: str | None) -> Path:
 
 
 def _at_least(least: int) -> Callable[[str], int]:
-    """A type of argparse: whole numbers from `least` on."""
+    """Type for argparse: integers with a lower bound."""
 
     def read(text: str) -> int:
         if not re.fullmatch(r"\+?[0-9]{1,18}", text) or int(text) < least:

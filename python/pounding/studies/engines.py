@@ -39,7 +39,6 @@ __all__ = [
     "NOT_RUN",
     "REFUSED",
     "STATUSES",
-    "WORDS",
     "Batch",
     "Done",
     "Engine",
@@ -111,8 +110,6 @@ class SolverEngine:
 #: In order of preference; tables store the index of the engine.
 ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
 KERNEL = 0
-#: Words of `engine:` in a study.
-WORDS = ("auto", *(engine.name for engine in ENGINES))
 
 
 def run_kernel(batch: Batch) -> Done:

@@ -169,7 +169,7 @@ class _Work:
         self._failed = 0
 
     def batches(self) -> Iterator[Batch]:
-        """Yields batches of consecutive rows; the size of each follows from the run times so far."""
+        """Yields batches of consecutive rows, sized by the measured run times."""
         begin = 0
         while begin < len(self._rows):
             size = self._chunk or self._size(len(self._rows) - begin)

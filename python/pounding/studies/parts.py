@@ -47,7 +47,7 @@ class Parts:
             except InputError:
                 raise
             except OSError as error:
-                reason = "it is no folder" if isinstance(error, FileExistsError) else error.strerror or str(error)
+                reason = "it is not a folder" if isinstance(error, FileExistsError) else error.strerror or str(error)
                 refuse(given, f"finished rows are kept in {self.folder} meanwhile: {reason}", "Name another table")
         refuse(given, f"{self.folder} is removed repeatedly", "Name another table")
 
@@ -85,7 +85,7 @@ class Parts:
             yield _read_chunk(self.folder / name)
 
     def add(self, done: Done) -> None:
-        """Writes a chunk. Raises OSError."""
+        """Stores finished rows in a new file. Raises OSError."""
         text = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
         written = io.BytesIO()
         np.savez(

@@ -242,9 +242,7 @@ class Rows:
 
     def _im(self) -> np.ndarray:
         if not np.isfinite(self["im"]).any():
-            raise InputError(
-                "this study has no measure of intensity; write intensity: {measure: pga} beside its records"
-            )
+            raise InputError("this study has no measure of intensity; add intensity: {measure: pga} to the study")
         return self["im"]
 
     def _events(self) -> np.ndarray:
