@@ -94,12 +94,12 @@ void add_plot(CLI::App& app) {
   command->add_option("--title", options->title, "title instead of that of the run");
   command
       ->add_option("--picture", options->kind,
-                   "run (histories and impacts), model (the structures at rest), profiles (extremes over the height), "
-                   "plan (a map of drifts and impacts "
-                   "of frames in space), loops (force over deformation of the six parts that yield most) or hinges (a "
-                   "map of what yielded, and the "
-                   "impacts)")
-      ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges"}));
+                   "run (histories and impacts), model (structures at rest), profiles (extremes over the height), plan "
+                   "(a map of drifts and impacts of frames in space), loops (force over deformation of the six parts "
+                   "that lose most energy, or of contacts if there are none), hinges (a map of yielded parts and "
+                   "impacts), or one panel")
+      ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges", "displacement", "rotation", "gap",
+                             "force", "energy", "contact_loops"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
   command->add_flag("--compare", options->compare,
                     "also draw the run without links, dashed; profiles and plan do so whenever it is there");

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/words/studies.hpp>
 #include <pounding/laws/compiled.hpp>
 #include <pounding/laws/nearest_name.hpp>
 #include "commands.hpp"
@@ -116,6 +117,8 @@ void print_everything() {
       fmt::print("\n");
       print_section(*section);
     }
+  fmt::print("\nA study:\n");
+  print_tree(words::study_file, 0, shown);
   fmt::print("\n* required, (*) one of several. pounding words NAME shows one of them, a section or a law.\n");
 }
 

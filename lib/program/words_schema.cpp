@@ -9,6 +9,7 @@
 
 #include <pounding/core/unit_names.hpp>
 #include <pounding/core/version.hpp>
+#include <pounding/input/words/studies.hpp>
 #include <pounding/laws/compiled.hpp>
 #include "words_text.hpp"
 
@@ -55,7 +56,8 @@ std::vector<Json> single_schemas(const words::Word& word) {
     case Takes::integer: all = {number_schema(word.bounds, "integer")}; break;
     case Takes::boolean: all = {Json{{"type", "boolean"}}}; break;
     case Takes::choice: all = {Json{{"enum", word.choices}}}; break;
-    case Takes::text: all = {Json{{"type", Json::array({"string", "number", "boolean"})}}}; break;
+    case Takes::text:
+    case Takes::value: all = {Json{{"type", Json::array({"string", "number", "boolean"})}}}; break;
   }
   if (word.inside) all.push_back(Json{{"$ref", reference_to(*word.inside)}});
   return all;
@@ -162,7 +164,7 @@ Json links_schema() {
 }
 
 std::string name_of(words::Takes takes) {
-  constexpr const char* names[] = {"nothing", "quantity", "integer", "boolean", "choice", "text"};
+  constexpr const char* names[] = {"nothing", "quantity", "integer", "boolean", "choice", "text", "value"};
   return names[static_cast<std::size_t>(takes)];
 }
 
@@ -202,11 +204,18 @@ nlohmann::ordered_json input_schema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "Input of pounding " POUNDING_VERSION}};
   schema.update(section_schema(words::model));
+  // The file of a study has a model, or names the file of one.
+  for (const words::Word& word : words::study_file.words)
+    schema["properties"].emplace(std::string(word.key), word_schema(word, words::study_file));
+  schema["anyOf"] = {{{"required", schema["required"]}}, {{"required", {"study", "model"}}}};
+  schema.erase("required");
   schema["$defs"] = Json::object();
   for (const words::Section* section : words::sections())
     if (section != &words::model && section != &words::link)
       schema["$defs"][std::string(section->name)] = section_schema(*section);
   schema["$defs"][std::string(words::link.name)] = links_schema();
+  for (const words::Section* section : words::sections_of_studies())
+    schema["$defs"][std::string(section->name)] = section_schema(*section);
   return schema;
 }
 

@@ -1,8 +1,12 @@
 #include "words_text.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <pounding/input/words/studies.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding::program {
@@ -32,6 +36,7 @@ std::string single_text(const words::Word& word) {
     case Takes::choice:
       return fmt::format("{}{}", word.choices.size() > 1 ? "one of " : "", fmt::join(word.choices, ", "));
     case Takes::text: return "a text";
+    case Takes::value: return "a number, a quantity or a name";
   }
   return {};
 }
@@ -55,6 +60,7 @@ std::string list_of(const words::Word& word) {
 std::vector<const words::Section*> all_sections() {
   const auto tables = words::sections();
   std::vector<const words::Section*> all(tables.begin(), tables.end());
+  std::ranges::copy(words::sections_of_studies(), std::back_inserter(all));
   for (const laws::Entry& law : laws::catalogue()) all.push_back(&words::parameters_of(law));
   return all;
 }

@@ -9,8 +9,10 @@ namespace pounding::python {
 void bind_hysteresis(pybind11::module_& module);
 void bind_laws(pybind11::module_& module);
 void bind_models(pybind11::module_& module);
+void bind_runs(pybind11::module_& module);
 void bind_spectra(pybind11::module_& module);
 void bind_studies(pybind11::module_& module);
+void bind_study_keys(pybind11::module_& module);
 void bind_study_rows(pybind11::module_& module);
 
 }  // namespace pounding::python

@@ -101,7 +101,7 @@ void start_petsc() {
 void end_petsc(bool failed) {
   ended = ended || session;
   if (has_others()) {
-    // The others may have failed alike, or be done; then all end together.
+    // If the others have failed as well or are done, all processes end together.
     if (others_wait || (failed && !(session && session->leaving.together(petsc::CollectiveExit::patience))))
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
     // Only the owner of MPI has to wait here for the others.

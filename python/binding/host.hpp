@@ -1,5 +1,5 @@
 #pragma once
-/// PETSc inside a Python process, which runs already.
+/// PETSc inside a running Python process.
 
 #include <string>
 #include <vector>
@@ -15,32 +15,32 @@ void start_petsc();
 /// when this process has `failed` and the others do not end soon too, it aborts them.
 void end_petsc(bool failed);
 
-/// Makes this process run its models by itself, also where MPI has started others beside it, as the workers of a study
-/// are. Throws std::logic_error when PETSc runs already for all of them.
+/// Makes this process run models independently of other MPI processes, as workers of a study do. Throws
+/// std::logic_error if PETSc already runs on all of them.
 void run_alone();
 
-/// Notes that this process failed alone in the middle of a run, where the others wait for it: it runs no other model,
-/// and its end aborts the others.
+/// Marks that only this process failed during a collective run: it can run no other model, and its end aborts the
+/// others.
 void leave_the_others();
 
-/// Holds PETSc for this thread, which does not hold the interpreter meanwhile: a process has one PETSc with one table
-/// of options, so one thread at a time may use it.
+/// Lock of PETSc for this thread, taken without the GIL. A process has one PETSc with one options database, so only one
+/// thread may use it at a time.
 class PetscForThisThread {
  public:
-  /// Waits for other threads; a signal handler that raises (Ctrl-C) ends the wait by its exception. Throws
-  /// std::runtime_error in a thread that has PETSc already, which would wait for itself.
+  /// Waits for other threads; an exception of a signal handler (Ctrl-C) ends the wait. Throws std::runtime_error if
+  /// this thread already has the lock.
   PetscForThisThread();
   ~PetscForThisThread();
-  /// Whether this thread has PETSc.
+  /// True if this thread has the lock.
   static bool holds();
   PetscForThisThread(const PetscForThisThread&) = delete;
   PetscForThisThread& operator=(const PetscForThisThread&) = delete;
 };
 
-/// PETSc's options of one run, given as words of a command line; removed by the destructor.
+/// PETSc options of one run, from command-line arguments; removed by the destructor.
 class OptionsOfRun {
  public:
-  /// Throws InputError for a word that is no option with the prefix -pounding_.
+  /// Throws InputError for an argument without the prefix -pounding_.
   explicit OptionsOfRun(const std::vector<std::string>& words);
   ~OptionsOfRun();
   OptionsOfRun(const OptionsOfRun&) = delete;

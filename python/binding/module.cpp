@@ -35,7 +35,9 @@ PYBIND11_MODULE(_core, module) {
   pounding::python::bind_hysteresis(module);
   pounding::python::bind_laws(module);
   pounding::python::bind_models(module);
+  pounding::python::bind_runs(module);
   pounding::python::bind_spectra(module);
   pounding::python::bind_studies(module);
+  pounding::python::bind_study_keys(module);
   pounding::python::bind_study_rows(module);
 }

@@ -29,7 +29,7 @@ namespace {
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// One number a row, or one for all rows.
+/// One number per row, or one for all rows.
 class Column {
  public:
   Column() = default;
@@ -46,7 +46,7 @@ class Column {
   std::size_t step_ = 0;
 };
 
-/// Peaks of rows, with room for all before the first is run.
+/// Peaks of rows, allocated before the first row runs.
 class Columns {
  public:
   Columns(std::size_t rows, std::vector<std::size_t> widths_of_outputs, std::vector<std::string> outputs,
@@ -72,7 +72,7 @@ class Columns {
     }
     data_.back().at(row, 0) = static_cast<double>(peaks.steps);
   }
-  /// A row that could not be run: its numbers are NaN.
+  /// Marks a failed row: its values are NaN.
   void fail(std::size_t row, std::string reason) {
     for (Named& column : data_)
       for (std::size_t k = 0; k < column.width; ++k) column.at(row, k) = std::numeric_limits<double>::quiet_NaN();
@@ -107,7 +107,7 @@ class Columns {
   std::map<std::size_t, std::string> reasons_;
 };
 
-/// Runs one row into its place. What a row refuses is the reason of that row.
+/// Runs one row and stores its result; an exception becomes the reason of the row.
 template <class MakeModel>
 void run_row(Columns& columns, std::size_t row, bool gap, const study::EvenRecord& record,
              const study::Settings& settings, const MakeModel& make) {
@@ -145,7 +145,7 @@ py::dict study_pairs(const py::dict& pairs, const std::string& law, const std::s
                                        "damping_left", "damping_right", "gap",         "factor"};
   for (const auto& [name, column] : of_pair)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::invalid_argument("\"" + name + "\" is no column of a pair");
+      throw std::invalid_argument("\"" + name + "\" is not a column of a pair");
   for (const std::string& name : known)
     if (name != "factor" && !of_pair.contains(name))
       throw std::invalid_argument("the column \"" + name + "\" is missing");

@@ -95,7 +95,7 @@ struct OutputsOfStructure {
   bool has_storeys = false;
 };
 
-/// A link with what the rules of separation need.
+/// A link with the inputs of separation rules.
 struct EndsOfLink {
   std::string name;
   double correlation = 0;  ///< of the displacements of both ends; NaN where a structure has no period
@@ -121,7 +121,7 @@ void add_separations(const Model& model, LinearRow& row) {
   for (std::size_t l = 0; l < model.links.size(); ++l) {
     const Link& link = model.links[l];
     const study::LinkModes& modal = row.model.links[l];
-    // Gravity would add to the approach what it adds to the gap.
+    // Gravity would change the approach as it changes the gap.
     if (modal.gap != link.gap)
       throw std::invalid_argument("this model takes the solver: gravity changes the gap of link " + link.name);
     using Kind = study::Output::Kind;
@@ -194,8 +194,7 @@ class RowModel {
     values_ = values;
   }
 
-  /// The model as the kernel runs it. Throws InputError for a wrong input, std::invalid_argument for what takes the
-  /// solver.
+  /// The model for the kernel. Throws InputError for a wrong input, std::invalid_argument if it needs the solver.
   LinearRow linear(const RowMotion* motion, bool accelerations, bool alone) const {
     Model model = read(motion, dense_modes);
     LinearRow row;
@@ -213,7 +212,7 @@ class RowModel {
     return row;
   }
 
-  /// The numbers of the row's run by the solver. Throws InputError, SolverError, and what a signal handler raises.
+  /// Results of the row from the solver. Throws InputError, SolverError, and exceptions of signal handlers.
   py::dict run(const RowMotion* motion) {
     std::optional<py::error_already_set> raised;
     Summary summary;
@@ -254,7 +253,7 @@ class RowModel {
         kept_->take_back();
         kept_->model.move_otherwise(motion->ground);
       } catch (const ModelError&) {
-        // The reader says where.
+        // The reader reports the location.
         kept_.reset();
         kept_.emplace(read(motion, petsc::lowest_modes));
       }
@@ -262,7 +261,7 @@ class RowModel {
     return kept_->model;
   }
 
-  // A model that is run again and again, and what its contacts were before.
+  // A model that runs repeatedly, with the initial state of its contacts.
   struct Kept {
     explicit Kept(Model read) : model(std::move(read)) {
       Archive archive;
@@ -326,7 +325,7 @@ void bind_study_rows(py::module_& module) {
       .def("run", &RowModel::run, "motion"_a);
   module.def("double_difference", py::vectorize(&double_difference), "period_a"_a, "damping_a"_a, "period_b"_a,
              "damping_b"_a);
-  /// Which numbers the kernel gives: raised when they change in their bits.
+  /// Version of the results of the kernel, incremented if they change bitwise.
   module.attr("kernel_version") = 5;
 }
 

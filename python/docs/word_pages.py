@@ -57,8 +57,8 @@ def row(word):
 
 
 def section(found):
-    title = f"`{found['place']}`" if found["place"] else "The whole file"
     meaning = found["meaning"][0].upper() + found["meaning"][1:].rstrip(".") + "."
+    title = f"`{found['place']}`" if found["place"] else meaning.partition(":")[0].rstrip(".")
     lines = ["", f"## {title}", ""] + ([meaning, ""] if found["place"] else [])
     if (law := found["name"]) and "with law" in found["place"]:
         lines += [f"[Equations and formulas of {law}](../../../elements/pounding/laws/pages/{law}.md)", ""]

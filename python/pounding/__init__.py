@@ -19,13 +19,13 @@ from __future__ import annotations
 import importlib
 import sys
 
-# Python looks for a module to run by `python3 -m pounding...` when the name of the script is not known yet.
+# With `python3 -m pounding...`, the package is imported before the name of the script is known.
 if getattr(sys, "argv", [])[:1] == ["-m"]:
     from pounding.working_folder import leave_working_folder_out
 
     leave_working_folder_out()
 
-# The name is true for type checkers. The module typing alone would make up two thirds of the time of the import.
+# True for type checkers only. Importing typing would take two thirds of the import time.
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -87,7 +87,7 @@ __all__ = [
     "sweep",
 ]
 
-#: Modules that are public themselves: `pounding.opensees.link`.
+#: Public modules: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "plan", "results")
 #: The module of every other public name.
 _MODULES = {

@@ -1,5 +1,6 @@
-"""`python3 -m pounding ...`, and the command `pounding` of the wheel: the program that lies in this package. In a
-folder of sources alone, which holds no program, its parts that draw and convert: plot, animate and export."""
+"""`python3 -m pounding ...` and the command `pounding` of the wheel: start the program in this package.
+
+In a source folder, which has no program, only the Python commands plot, animate and export work."""
 
 from __future__ import annotations
 
@@ -11,16 +12,17 @@ from pathlib import Path
 from pounding.ended import exit_code
 from pounding.working_folder import leave_working_folder_out
 
-#: The program, as the wheel and the build tree hold it.
+#: The program in the wheel and in the build tree.
 PROGRAM = Path(__file__).parent / "bin/pounding"
 MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
-#: Commands that this Python does itself, also as a worker under mpi4py.futures.
+#: Commands that run in this process, also as a worker of mpi4py.futures.
 STUDIES = ("study", "separation")
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Becomes the program with these words, those of the command line unless given. Without a program hands them to one
-    module. Returns its code, or 2 after a message."""
+    """Replaces this process by the program with these arguments, by default those of the command line.
+
+    Without a program, runs the Python command. Returns its exit code, or 2 after a message."""
     leave_working_folder_out()
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and arguments[0] in STUDIES:

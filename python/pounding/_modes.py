@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding._native import core
 from pounding.arguments import takes, whole
 from pounding.models import Model, as_model
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class Mode(told.Told, lines=told.mode):
+class Mode(printing.ReportLines, lines=printing.mode):
     """One mode of a structure."""
 
     period: float  #: [s]; infinite for a free body
@@ -32,16 +32,16 @@ class Mode(told.Told, lines=told.mode):
 
 
 class _Drawn(NamedTuple):
-    """How the shapes of one structure are drawn."""
+    """Geometry and node shapes of one structure for pictures."""
 
     name: str
     elevations: list[float | None]  #: [floor] [m]
     nodes: np.ndarray  #: [node, 3] at rest [m]; none without geometry
-    members: np.ndarray  #: [member, 2] numbers of their nodes
+    members: np.ndarray  #: [member, 2] indices of nodes
     node_shapes: list[np.ndarray]  #: [mode] displacements of the nodes, to the scale of the mode
 
 
-class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
+class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes):
     """Modes of every structure, longest period first: `modes["left"][0].period`."""
 
     def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:
@@ -79,7 +79,7 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
         return table(["mode", *(f"{name}: T [s], damping" for name in names)], rows)
 
     def plot(self, title: str | None = None) -> Figure:
-        """A picture of the first shapes of every structure. Raises InputError when there is none."""
+        """A picture of the first shapes of every structure. Raises InputError if all structures are walls."""
         from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
         structures = [
@@ -98,8 +98,8 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
 
 @takes(count=whole(1, 10_000))
 def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
-    """The natural modes of a model or an input file, longest period first: `count` of a frame, all of other structures,
-    none of a wall. Raises InputError."""
+    """Natural modes of a model or an input file, longest period first. `count` limits the modes of frames; other
+    structures have all of them, walls have none. Raises InputError."""
     model = as_model(model)
     return Modes(core.modes(model._source(), count), str(model.title or ""))
 

@@ -1,5 +1,5 @@
-"""The compiled part of the package, as `core`; ImportError says what to type where it is missing. Pictures and results
-files do without it."""
+"""The compiled part of the package, as `core`. If it is missing, ImportError names the command to install it.
+Pictures and results files do not need it."""
 
 import atexit
 import contextlib
@@ -16,7 +16,7 @@ except ImportError as error:
 
 
 def _end() -> None:
-    """Ends PETSc before the interpreter ends; mpi4py, when it started MPI, ends MPI after this."""
+    """Ends PETSc before the interpreter; if mpi4py started MPI, it ends MPI afterwards."""
     # Python keeps the exception that ended the program; at a prompt (ps1) it keeps those of single lines too.
     failed = hasattr(sys, "last_value") and not hasattr(sys, "ps1")
     for stream in (sys.stdout, sys.stderr):

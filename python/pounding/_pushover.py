@@ -27,16 +27,18 @@ def pushover(
     direction: str = "x",
     output: str | PathLike[str] = "",
 ) -> Pushover:
-    """Pushes a structure of a model or an input file by horizontal forces on its floors until its roof has moved by
-    `to`: "250 mm", "2 % roof" of its height, or a number [m]. Its parts must yield. `structure` may be left out where
-    one structure of the model yields. Displacements in `cyclic` are reached before, one after the other.
+    """Pushover analysis of a structure of a model or an input file, by horizontal floor forces until the roof
+    displacement is `to`.
 
-    `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest
-    effective mass), the name of a file with one force a floor, or these forces, from the ground up and to any scale.
-    `direction` is x, or in space y. `output` is a results file to write.
+        `to` is "250 mm", "2 % roof" of the height, or a number [m]. Parts of the structure must yield. `structure` is
+    optional if only one structure of the model yields. Displacements in `cyclic` are reached first, in their order.
 
-    Raises InputError for what cannot be pushed so; SolverError, with the results until then, for a structure that
-    collapses."""
+        `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the
+    largest effective mass), the name of a file with one force per floor, or these forces from the ground up, to any
+    scale. `direction` is x, or y in space. `output` is a results file to write.
+
+        Raises InputError for a structure that cannot be pushed, and SolverError, with partial results, for a
+    collapse."""
     model = as_model(model)
     steps = (
         arguments.text("cyclic", cyclic)

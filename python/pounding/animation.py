@@ -1,9 +1,8 @@
-"""A run in motion: `python3 -m pounding.animation RESULTS.h5 [-o FILE.gif|.mp4|.png]`.
+"""Animations of runs: `python3 -m pounding.animation RESULTS.h5 [-o FILE.gif|.mp4|.png]`.
 
-Frames move with the displacements of their nodes, or of their floors where the file has no nodes; other structures are
-sticks with masses. All displacements are relative to the ground and drawn larger than they are, as are the gaps, so
-that what touches in the run touches in the picture. A link flashes while it is pressed.
-"""
+Frames move with their nodes, or with their floors if the file has no nodes; other structures are sticks with masses.
+Displacements are relative to the ground. Displacements and gaps are drawn to the same enlarged scale, so that
+contacts of the run are contacts in the picture. A link flashes while it is in contact."""
 
 from __future__ import annotations
 
@@ -28,16 +27,16 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from pounding import told
+from pounding import printing
 from pounding.checked_file import NotResults
 from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import PICTURE, cannot_read, destination, output_for, replaced, tell
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
-from pounding.results import RunData
 from pounding.pictures.scene import Motion, Scene
 from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
+from pounding.results import RunData
 
 DPI = 110
 SLOWEST, FASTEST = 5, 25  #: frames a second
@@ -45,7 +44,7 @@ SUFFIXES = (".gif", ".mp4", ".png")
 
 
 def choose_scale(run: RunData) -> float:
-    """1, 2, 5, 10 ...: the largest with which displacements stay below a twelfth of the size of the picture."""
+    """Largest of 1, 2, 5, 10 ... for which displacements stay below a twelfth of the size of the picture."""
     scene = Scene(run)
     size = float(np.ptp(scene.bounds(), axis=1).max())
     moved = largest(
@@ -66,16 +65,15 @@ def choose_scale(run: RunData) -> float:
 def frame_times(
     run: RunData, frames: int | None = None, start: float | None = None, end: float | None = None
 ) -> np.ndarray:
-    """The times that are drawn, evenly spread: fifteen a second, 30 to 240 in all, unless told otherwise.
-
-    Raises BadRequest for a span that the run does not have or fewer than two frames."""
+    """Times of the frames, evenly spaced: by default 15 per second of film, 30 to 240 in total. Raises BadRequest for
+    times outside the run and for fewer than two frames."""
     if run.time.size < 2:
-        raise BadRequest("there is nothing to animate: the results hold fewer than two times")
+        raise BadRequest("nothing to animate: the results have fewer than two output times")
     first, last = run.time[0], run.time[-1]
     start, end = first if start is None else start, last if end is None else end
     if not (math.isfinite(start) and math.isfinite(end)) or not first <= start < end <= last:
         raise BadRequest(
-            f"--from {start:g} --to {end:g} is not a part of the run, which goes from {first:g} s to {last:g} s"
+            f"--from {start:g} --to {end:g} is not within the run, which lasts from {first:g} s to {last:g} s"
         )
     frames = int(np.clip(round(15 * (end - start)), 30, 240)) if frames is None else frames
     if frames < 2:
@@ -84,8 +82,9 @@ def frame_times(
 
 
 def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
-    """[frame, link]: how hard each link was pressed since the frame before, 0 for not at all, 1 for the hardest of the
-    run. A contact shorter than a frame is seen by this; one without a finite force counts as 1."""
+    """[frame, link] peak force since the frame before, relative to the largest of the run; 0 without contact.
+
+    Includes contacts shorter than a frame. A contact without a finite force counts as 1."""
     strongest = largest([link.force for link in run.links.values()])
     strengths = np.zeros((len(times), len(run.links)))
     since = np.concatenate([[times[0] - (times[1] - times[0])], times[:-1]])
@@ -94,7 +93,7 @@ def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
         for i, (before, now) in enumerate(zip(since, times)):
             first, last = np.searchsorted(link.time, [before, now], side="right")
             inside = link.penetration[first:last] > 0
-            # An impact that lasts has no end yet.
+            # An unfinished impact has no end.
             struck = np.any((impacts["t_start"] <= now) & ~(impacts["t_end"] <= before))
             if not inside.any() and not struck:
                 continue
@@ -105,17 +104,18 @@ def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
 
 
 @dataclass(frozen=True, repr=False)
-class Film(told.Told, lines=told.film):
-    """Frames that are drawn one after the other."""
+class Film(printing.ReportLines, lines=printing.film):
+    """Frames of an animation, drawn in order."""
 
     figure: Figure
-    draw: Callable[[int], None]  #: brings the figure to a frame, from 0
+    draw: Callable[[int], None]  #: updates the figure to a frame, from 0
     moving: list[Artist]  #: changed by `draw`, lowest first, above all that stays
     frames: int
     speed: float  #: frames a second
 
     def pictures(self) -> Iterator[Image.Image]:
-        """One after the other, in RGB. Only what moves is drawn again: axes and legends would take most of the time."""
+        """Yields the frames in RGB. Only moving parts are redrawn, since axes and legends would take most of the
+        time."""
         canvas: Any = FigureCanvasAgg(self.figure)  # without types in matplotlib
         for artist in self.moving:
             artist.set_animated(True)
@@ -139,9 +139,8 @@ class Film(told.Told, lines=told.film):
 
 
 def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
-    """The film over `times` [s]; `scale` as `choose_scale` chooses it unless given.
-
-    Raises BadRequest for a scale that is not above zero."""
+    """The film at `times` [s]; the default of `scale` is that of `choose_scale`. Raises BadRequest for a scale that
+    is not positive."""
     scale = choose_scale(run) if scale is None else scale
     if not (math.isfinite(scale) and scale > 0):
         raise BadRequest(f"--scale {scale:g} should be above zero")
@@ -192,11 +191,11 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
 
 
 def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], None] | None = None) -> None:
-    """Writes .gif, .mp4, or one .png a frame: NAME_0001.png and so on. `progress(done, all)` is called after each
+    """Writes .gif, .mp4, or one .png per frame: NAME_0001.png and so on. Calls `progress(done, all)` after each
     frame.
 
-    Raises InputError for another suffix, for .mp4 without ffmpeg, and if a file would replace something else than a
-    picture; OSError when nothing can be written."""
+        Raises InputError for another suffix, for .mp4 without ffmpeg, and for an existing file that is not a picture;
+    OSError if the file cannot be written."""
     path = Path(path)
     check_output(path)
     with rc_context(STYLE):
@@ -222,7 +221,7 @@ def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], N
 
 
 def check_output(path: str | PathLike[str]) -> None:
-    """Raises InputError when `save` could not write this file."""
+    """Raises InputError if `save` cannot write this file."""
     suffix = Path(path).suffix
     if suffix not in SUFFIXES:
         raise BadRequest(f'cannot write {path}: "{suffix}" is none of {", ".join(SUFFIXES)}')
@@ -231,13 +230,13 @@ def check_output(path: str | PathLike[str]) -> None:
             f"cannot write {path}: .mp4 needs ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or "
             f"`-o {Path(path).with_suffix('.gif')}`"
         )
-    if suffix != ".png":  # whose frames have names of their own
+    if suffix != ".png":  # its frames have other names
         destination(path, PICTURE)
 
 
 def _save_gif(pictures: list[Image.Image], path: Path, speed: float) -> None:
-    """Repeated for ever, all pictures in the 256 colours that four of them use most: finding colours for each would
-    take most of the time. Pillow's own search for the nearest colour makes white grey."""
+    """Writes an endless loop. All frames share the 256 dominant colours of four of them, since a palette per frame
+    would take too long. The nearest-colour search of Pillow would turn white into grey."""
     numbers = np.linspace(0, len(pictures) - 1, 4).round().astype(int)
     counts = np.sum([np.bincount(_coarse(pictures[number]).ravel(), minlength=64**3) for number in numbers], axis=0)
     levels = np.linspace(0, 255, 64).round()
@@ -254,7 +253,7 @@ def _save_gif(pictures: list[Image.Image], path: Path, speed: float) -> None:
 
 
 def _coarse(picture: Image.Image) -> np.ndarray:
-    """The number of each pixel's colour among 64 levels of red, green and blue."""
+    """Index of the colour of each pixel among 64 levels of red, green and blue."""
     red, green, blue = (np.asarray(channel, dtype=np.int32) // 4 for channel in picture.split())
     return red * 4096 + green * 64 + blue
 
@@ -284,7 +283,7 @@ def _size(scene: Scene, room: np.ndarray) -> tuple[float, float]:
 
 
 class Progress:
-    """One line that is written over and over."""
+    """Progress on one line of a terminal."""
 
     def __init__(self, stream: TextIO) -> None:
         self.stream = stream
@@ -298,20 +297,21 @@ class Progress:
 
 
 def _progress(number: int | None) -> Progress | None:
-    """On the open file with this number, else on standard error when that is a terminal, else none."""
+    """Progress on the file descriptor of this number, or on standard error if it is a terminal; otherwise none."""
     if number is not None:
         return Progress(os.fdopen(number, "w"))
     return Progress(sys.stderr) if sys.stderr.isatty() else None
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the results cannot be read or the animation not written."""
+    """Command line. Returns 0, or 2 after a message if the results cannot be read or the animation cannot be
+    written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.animation", description="Animate the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")
     parser.add_argument(
         "-o",
         "--output",
-        help="file to write: .gif, .mp4, or .png for one file a frame (default: RESULTS.gif in the current folder)",
+        help="file to write: .gif, .mp4, or .png for one file per frame (default: RESULTS.gif in the current folder)",
     )
     parser.add_argument("--scale", type=float, help="how many times as large displacements are drawn")
     parser.add_argument("--frames", type=int, help="how many")

@@ -1,9 +1,7 @@
-"""Arguments of public functions: what each takes, checked before anything else sees it. A wrong one raises InputError
-that names it, the value and what is expected.
+"""Checks of the arguments of public functions. An invalid argument raises InputError with its name, its value and the
+allowed values.
 
-    @takes(count=whole(1), periods=optional(numbers))
-    def modes(count, periods=None): ...
-"""
+@takes(count=whole(1), periods=optional(numbers)) def modes(count, periods=None): ..."""
 
 from __future__ import annotations
 
@@ -19,15 +17,15 @@ import numpy as np
 
 from pounding.errors import InputError, excerpt
 
-#: Checks the value of a named argument. Returns it, converted where callers give several types; raises InputError.
+#: Checks a named argument and returns it, converted if several types are allowed. Raises InputError.
 Kind = Callable[[str, Any], Any]
-#: Characters of the name of a file with its folders, on Linux.
+#: Maximum length of a path on Linux.
 LONGEST_PATH = 4095
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def takes(**kinds: Kind) -> Callable[[Function], Function]:
-    """Checks the arguments of a function that have a kind here. The kind of `**parameters` holds for each of them."""
+    """Checks the named arguments of a function. The check of `**parameters` applies to each of them."""
 
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
@@ -52,12 +50,12 @@ def takes(**kinds: Kind) -> Callable[[Function], Function]:
 
 
 def refuse(name: str, expected: str, value: Any) -> InputError:
-    """The error for an argument with a wrong value."""
+    """The error for an invalid argument."""
     return InputError(f"{name}: takes {expected}; {excerpt(value)} was given")
 
 
 def optional(kind: Kind) -> Kind:
-    """None as well."""
+    """Also allows None."""
     return lambda name, value: None if value is None else kind(name, value)
 
 
@@ -71,7 +69,7 @@ def text(name: str, value: Any) -> str:
 
 
 def is_encodable(value: str) -> bool:
-    """False for a text with half of a surrogate pair, as Python reads a file name that is not UTF-8."""
+    """False for a text with an unpaired surrogate, such as a file name that is not UTF-8."""
     try:
         value.encode()
     except UnicodeEncodeError:
@@ -135,7 +133,7 @@ def whole(least: int, most: int | None = None) -> Kind:
 
 
 def quantity(name: str, value: Any) -> float | str:
-    """A finite number in SI, or a text with its unit. Readers of quantities check the text."""
+    """A finite number in SI, or a text with a unit, which is parsed later."""
     if isinstance(value, str):
         return text(name, value)
     found = _real(value)
@@ -145,7 +143,7 @@ def quantity(name: str, value: Any) -> float | str:
 
 
 def numbers(name: str, value: Any) -> np.ndarray:
-    """A number, or an array of numbers of any shape, as floats; NaN and infinity are left to the caller."""
+    """A number, or an array of numbers of any shape, as floats; NaN and infinity are allowed."""
     try:
         found = np.asarray(value)
         if found.dtype.kind in "iuf" or found.size == 0:
@@ -218,8 +216,7 @@ def one_of(words: Iterable[str]) -> Kind:
 
 
 def options_of(function: Callable[..., Any], given: Mapping[str, Any], skipped: int = 0) -> None:
-    """Raises InputError if a function does not take these keywords, or needs others, after `skipped` arguments by
-    position."""
+    """Raises InputError if a function does not accept these keywords after `skipped` positional arguments."""
     try:
         inspect.signature(function).bind(*[None] * skipped, **given)
     except TypeError as error:
@@ -239,7 +236,7 @@ def size(name: str, value: Any) -> tuple[float, float]:
 
 
 def _real(value: Any) -> float | None:
-    """The float of a number; None for anything else, True and False among it."""
+    """A number as float; None for other values, including True and False."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if not isinstance(value, abstract.Real) or isinstance(value, (bool, np.bool_)):

@@ -1,5 +1,6 @@
-"""The text in front of a results file and of the table of a study, by which a reader knows whose file it is and whether
-every byte is as it was written. HDF5 sees a file only afterwards: on a damaged one it may crash or never end."""
+"""The header of results files and tables of studies: the kind of file and a checksum.
+
+It is checked before HDF5 opens the file, since HDF5 may crash or hang on damaged files."""
 
 from __future__ import annotations
 
@@ -12,12 +13,12 @@ from typing import BinaryIO
 from pounding.errors import InputError
 from pounding.outputs import Kind, replaced
 
-#: Bytes in front of the HDF5 data: an HDF5 user block, which h5py, h5dump and others skip.
+#: Bytes of the header: an HDF5 user block, which HDF5 skips.
 BLOCK = 512
 FIRST_LINE = b"results of pounding\n"
 FIRST_LINE_OF_STUDY = b"study of pounding\n"
 _HDF5 = b"\x89HDF\r\n\x1a\n"
-#: Files that results may replace, also those of versions before 0.2, and those that a table of a study may replace.
+#: Files that results and tables of studies may replace, including results of versions before 0.2.
 RESULTS = Kind(
     "results of pounding",
     lambda _, start: (
@@ -30,15 +31,15 @@ STUDY = Kind("table of a study", lambda _, start: start.startswith(FIRST_LINE_OF
 
 
 class NotResults(InputError):
-    """A file that is there, but not one that `pounding run` wrote, or not any more as it was written."""
+    """An existing file that is not a results file, or is damaged."""
 
 
 class HoldsPushover(NotResults):
-    """A file that `pounding pushover` wrote, where one of a run is asked for."""
+    """A pushover file where a file of a run is expected."""
 
 
 def block(size: int, crc: int, first_line: bytes = FIRST_LINE) -> bytes:
-    """The text in front of a file of `size` bytes, this text included, whose other bytes have the CRC-32 `crc`."""
+    """The header of a file of `size` bytes, including the header, whose remaining bytes have the CRC-32 `crc`."""
     text = (
         first_line
         + (
@@ -51,22 +52,20 @@ def block(size: int, crc: int, first_line: bytes = FIRST_LINE) -> bytes:
 
 
 def require_whole(path: str | PathLike[str]) -> None:
-    """Raises NotResults unless the file is a results file with every byte as it was written; OSError when it cannot be
-    read."""
+    """Raises NotResults unless the file is an undamaged results file; OSError if it cannot be read."""
     if not Path(path).is_file():
-        raise FileNotFoundError(f"there is no file {path}")
+        raise FileNotFoundError(f"no such file: {path}")
     with open(path, "rb") as file:
         _require_whole(file, str(path))
 
 
 def require_whole_study(path: Path) -> None:
-    """Raises NotResults unless the file is the table of a study with every byte as it was written; OSError when it
-    cannot be read."""
+    """Raises NotResults unless the file is an undamaged table of a study; OSError if it cannot be read."""
     with open(path, "rb") as file:
         start = file.read(BLOCK)
         if not start.startswith(FIRST_LINE_OF_STUDY):
             raise NotResults(
-                f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged"
+                f"{path} is not a table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged"
             )
         if start != _block_before(file, FIRST_LINE_OF_STUDY):
             raise NotResults(
@@ -76,14 +75,14 @@ def require_whole_study(path: Path) -> None:
 
 
 def write_study(path: Path, image: bytes) -> None:
-    """Writes the table of a study from its HDF5 file in memory, with the text in front. Raises InputError, OSError."""
+    """Writes the table of a study from its HDF5 file in memory, with a header. Raises InputError, OSError."""
     with replaced(path, STUDY) as temporary, open(temporary, "wb") as file:
         file.write(block(BLOCK + len(image), zlib.crc32(image), FIRST_LINE_OF_STUDY))
         file.write(image)
 
 
 def _block_before(file: BinaryIO, first_line: bytes) -> bytes:
-    """The text that belongs in front of the rest of the file."""
+    """The header that matches the rest of the file."""
     size, crc = BLOCK, 0
     while part := file.read(1 << 20):
         size, crc = size + len(part), zlib.crc32(part, crc)
@@ -91,7 +90,7 @@ def _block_before(file: BinaryIO, first_line: bytes) -> bytes:
 
 
 def require_whole_image(image: bytes) -> None:
-    """As `require_whole`, for the bytes of a file."""
+    """Same as `require_whole`, for the bytes of a file."""
     _require_whole(io.BytesIO(image), "what was given")
 
 
@@ -100,9 +99,9 @@ def _require_whole(file: BinaryIO, name: str) -> None:
     signature = file.read(len(_HDF5))
     if start.startswith(FIRST_LINE_OF_STUDY):
         raise NotResults(
-            f"{name} is the table of a study and holds no run; type pounding study show {name}, or pounding.Study.open in Python"
+            f"{name} is the table of a study, not a run; type pounding study show {name}, or pounding.Study.open in Python"
         )
-    # A block whose first line is damaged still has HDF5 behind it.
+    # HDF5 data follow even if the first line of the header is damaged.
     if not start.startswith(FIRST_LINE) and signature != _HDF5:
         raise NotResults(_foreign(name, start))
     size, crc = len(start) + len(signature), zlib.crc32(signature)
@@ -117,19 +116,19 @@ def _require_whole(file: BinaryIO, name: str) -> None:
         else "its checksum is another one"
     )
     raise NotResults(
-        f"{name}: the file is damaged, or another program has changed it: {what}. Take a copy that is whole, or run the model "
+        f"{name}: the file is damaged or was changed by another program: {what}. Take a copy that is whole, or run the model "
         "again"
     )
 
 
 def _foreign(name: str, start: bytes) -> str:
-    """How to get results where a file holds none."""
+    """How to obtain results from a file of another kind."""
     if not start:
         return f"{name}: the file is empty; run the model again"
     if start.startswith(_HDF5):
         return (
             f"{name}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program wrote it. "
-            f'Run the model again, or read results of your own as they stand: pounding.read("{name}", checked=False)'
+            f'Run the model again, or skip the check: pounding.read("{name}", checked=False)'
         )
     if Path(name).suffix.lower() in (".yaml", ".yml"):
         results = Path(name).with_suffix(".h5")

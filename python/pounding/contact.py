@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from pounding import arguments, told
+from pounding import arguments, printing
 from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
 from pounding.errors import InputError, excerpt
@@ -21,7 +21,7 @@ from pounding.errors import InputError, excerpt
 Quantity = float | str
 #: A number or an array of numbers.
 Numbers = npt.ArrayLike
-#: Results: an array, or a number where all arguments were numbers.
+#: Results: an array, or a number if all arguments are numbers.
 Values = npt.NDArray[np.float64]
 
 
@@ -38,7 +38,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Formula:
-    """How damping follows from a restitution."""
+    """A formula for the damping that belongs to a restitution."""
 
     name: str
     source: str
@@ -46,7 +46,7 @@ class Formula:
 
 
 class Response(NamedTuple):
-    """Force and its slopes, of the shape of the states."""
+    """Force and its slopes, with the shape of the states."""
 
     force: Values  #: [N]
     by_penetration: Values  #: dF/dd [N/m]
@@ -54,29 +54,29 @@ class Response(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class FreeImpact(told.Told, lines=told.free_impact):
+class FreeImpact(printing.ReportLines, lines=printing.free_impact):
     """Result of free impacts of two bodies; every array has the shape of the closing speeds."""
 
     restitution: Values  #: separation speed over closing speed [-]
     peak_force: Values  #: [N]; infinite for an instantaneous law
-    time_of_peak: Values  #: time of the peak force, from the touch [s]
+    time_of_peak: Values  #: time of the peak force, from first contact [s]
     peak_penetration: Values  #: [m]
-    duration: Values  #: touch until the force is gone for good [s]
-    energy_lost: Values  #: work done on the link and not given back [J]
+    duration: Values  #: from first contact until the force stays zero [s]
+    energy_lost: Values  #: work on the link that is dissipated [J]
     impulse: Values  #: integral of the force [N s]
     closed_form: tuple[str, ...]  #: names of the quantities with a closed form; the others are integrated to 1e-10
 
 
 @dataclass(frozen=True)
 class LawKind:
-    """A contact law with its tables. Calling it with parameters makes a `Law`."""
+    """A contact law with its tables. Call it with parameters to get a `Law`."""
 
     name: str
     shape: str  #: the force as a formula
     summary: str
     source: str
-    parameters: tuple[Parameter, ...]  #: beside restitution, formula, impact_velocity and reduced_mass
-    formulas: tuple[Formula, ...]  #: "exact" first; none where there is no damping to choose
+    parameters: tuple[Parameter, ...]  #: in addition to restitution, formula, impact_velocity and reduced_mass
+    formulas: tuple[Formula, ...]  #: "exact" first; empty for laws without a choice of damping
     takes_restitution: bool
     takes_impact_velocity: bool
     takes_reduced_mass: bool
@@ -93,12 +93,12 @@ class LawKind:
         reduced_mass: Quantity | None = None,
         **parameters: Quantity | None,
     ) -> Law:
-        """The law with its damping from `restitution` (0, 1] by `formula` ("exact"), or given directly by one of the
-        parameters that are there instead of a restitution. Those marked "together" are given alone. Two laws take a
-        restitution of 0, with which the bodies stick: stereomechanical and kelvin_voigt.
+        """The law with these parameters.
 
-        `impact_velocity` is a fixed design velocity [m/s]; without it every impact takes its own. `reduced_mass` is
-        m1 m2/(m1+m2) [kg] of the bodies, where the damping depends on it. Raises InputError."""
+                Damping follows from `restitution` (0, 1] by `formula` ("exact"), or from one of the parameters that
+        replace a restitution; parameters marked "together" replace all others. stereomechanical and kelvin_voigt also
+        accept a restitution of 0. `impact_velocity` is a fixed design velocity [m/s]; by default each impact has its
+        own. `reduced_mass` is m1 m2/(m1+m2) [kg] of the bodies, if the damping depends on it. Raises InputError."""
         return Law(self, restitution, formula, impact_velocity, reduced_mass, parameters)
 
     def __str__(self) -> str:
@@ -111,7 +111,7 @@ class LawKind:
 
 
 class Law:
-    """One law with its parameters. Holds no history: the same states give the same forces."""
+    """A law with its parameters. Pure: it has no history."""
 
     def __init__(
         self,
@@ -134,8 +134,7 @@ class Law:
         self.reduced_mass = None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
         #: in SI
         self.parameters = {name: _number(name, value, units.get(name, ""), exponent) for name, value in given.items()}
-        # Without a mass of its own the law is checked with another one; every answer asks for the true one, unless none
-        # is needed.
+        # Without reduced_mass the parameters are checked with another mass; functions that need the mass require it.
         self._made: core.Law | None = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
         if self.reduced_mass is None and kind.takes_reduced_mass:
             try:
@@ -144,8 +143,7 @@ class Law:
                 self._made = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # The compiled law is made again from the parameters: copies, and laws sent to other processes, have the same
-        # bits.
+        # Copies and pickles rebuild the compiled law from the parameters, bitwise identical.
         return Law, (
             self.kind,
             self.restitution,
@@ -164,11 +162,11 @@ class Law:
         reduced_mass: Quantity | None = None,
         in_order: bool = False,
     ) -> Values:
-        """Contact force [N] at penetrations [m] and rates [m/s], arrays of any shapes that go together.
+        """Contact force [N] at penetrations [m] and rates [m/s], arrays that broadcast together.
 
-        `approach_velocity`: closing speed of the impact [m/s], where the damping depends on it. Each state is taken as
-        the first of its impact; `in_order` takes those of a row as one impact, with the memory that some laws have. NaN
-        gives NaN. Raises InputError."""
+                `approach_velocity` is the closing speed of the impact [m/s], if the damping depends on it. Each state
+        is the first of its impact; with `in_order` each row is one impact, for laws with memory. NaN gives NaN.
+        Raises InputError."""
         return self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=False)[()]
 
     def respond(
@@ -180,14 +178,15 @@ class Law:
         reduced_mass: Quantity | None = None,
         in_order: bool = False,
     ) -> Response:
-        """As `force`, with the slopes of the force by penetration [N/m] and by rate [N s/m]. Raises InputError."""
+        """Same as `force`, with the slopes of the force by penetration [N/m] and by rate [N s/m]. Raises
+        InputError."""
         answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
         return Response(*(values[()] for values in answer))
 
     @takes(closing_speed=arguments.numbers, reduced_mass=optional(quantity))
     def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
-        """Two free bodies with this reduced mass [kg] that meet at this speed [m/s], one impact an element. The mass is
-        the law's own unless given. Raises InputError unless both are finite and positive."""
+        """Free impacts of two bodies with this reduced mass [kg], by default that of the law, at these closing speeds
+        [m/s]. Raises InputError unless both are finite and positive."""
         mass = self.reduced_mass if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
         if mass is None:
             raise InputError("free_impact needs reduced_mass [kg]: m1 m2/(m1+m2) of the two bodies")
@@ -208,7 +207,7 @@ class Law:
         return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
 
     def __str__(self) -> str:
-        return "\n".join(told.law(self))
+        return "\n".join(printing.law(self))
 
     def __repr__(self) -> str:
         given = {
@@ -256,7 +255,7 @@ class Law:
             except ValueError:
                 shapes = ", ".join(f"{key} {array.shape}" for key, array in zip(given, arrays))
                 raise InputError(
-                    f"the arrays have shapes that do not go together: {shapes}; give arrays of one shape, or numbers"
+                    f"the arrays have shapes that do not broadcast: {shapes}; give arrays of one shape, or numbers"
                 ) from None
         ask = law.responses if slopes else law.forces
         return ask(arrays[0], arrays[1], arrays[2], in_order)
@@ -277,7 +276,7 @@ class Law:
 
 
 class Laws(Mapping[str, LawKind]):
-    """The contact laws by their names: `laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)`."""
+    """The contact laws by name: `laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)`."""
 
     def __init__(self) -> None:
         self._kinds = {entry["name"]: _kind(entry) for entry in core.catalogue()}
@@ -326,12 +325,13 @@ def calibrate(
     exponent: Quantity | None = None,
     **parameters: Quantity,
 ) -> dict[str, Any]:
-    """Damping of a law for a restitution by every formula, and what each really gives in a free impact of bodies of
-    masses `m1` and `m2` [kg] at closing speed `velocity` [m/s]: the object that `pounding calibrate --json` prints.
+    """Damping of a law for a restitution by every formula, and the restitution obtained in a free impact of bodies of
+    masses `m1` and `m2` [kg] at closing speed `velocity` [m/s].
 
-    Typical values stand in for what is not given; "assumed" names them. In "formulas" there is one entry a formula with
-    its restitution, peak_force [N], time_of_peak [s], peak_penetration [m], duration [s], energy_lost [J], impulse [N
-    s] and damping, or why it is "refused". Raises InputError."""
+        Returns the object that `pounding calibrate --json` prints. Missing parameters have typical values and are
+    listed in "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s],
+    peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused". Raises
+    InputError."""
     return core.calibrate(
         law,
         _word(restitution),

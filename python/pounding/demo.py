@@ -1,5 +1,7 @@
-"""`pounding demo`, two frames through a synthetic earthquake, and `pounding lessons`, which copies the models of the
-lessons. Both lie in the wheel; a folder of sources has them in examples/."""
+"""`pounding demo`, two frames in an artificial earthquake, and `pounding lessons`, which copies the models of the
+lessons.
+
+Both are part of the wheel; in a source folder they are in examples/."""
 
 from __future__ import annotations
 
@@ -16,8 +18,7 @@ _PLACES = (Path(__file__).parent / "lessons", Path(__file__).resolve().parents[2
 
 
 def lessons() -> Path:
-    """Folder of the lessons: a folder a lesson, with its model and its page. Raises InputError where neither wheel nor
-    sources have one."""
+    """Folder of the lessons, each with a model and a page. Raises InputError if it does not exist."""
     for place in _PLACES:
         if (place / "demo/synthetic.yaml").is_file():
             return place
@@ -27,8 +28,8 @@ def lessons() -> Path:
 
 
 def demo_words(arguments: list[str]) -> list[str]:
-    """The words of the program that `pounding demo` stands for: the run leaves demo.h5, and demo.png where matplotlib
-    is installed."""
+    """Arguments of the program for `pounding demo`. The run writes demo.h5, and demo.png if matplotlib is
+    installed."""
     parser = argparse.ArgumentParser(
         prog="pounding demo",
         description="Two frames, 10 mm apart, through a synthetic earthquake of 30 s: prints the table, "
@@ -47,7 +48,7 @@ def demo_words(arguments: list[str]) -> list[str]:
 
 
 def copy_lessons(arguments: list[str]) -> int:
-    """`pounding lessons FOLDER`: copies them. Returns 0."""
+    """`pounding lessons FOLDER`: copies the lessons. Returns 0."""
     parser = argparse.ArgumentParser(
         prog="pounding lessons", description="Copies the models of the lessons, each with its page."
     )
@@ -56,7 +57,7 @@ def copy_lessons(arguments: list[str]) -> int:
     if folder.exists():
         raise InputError(f"{folder} exists already; name a folder that does not")
     for file in sorted(lessons().glob("*/*.yaml")):
-        if not (file.parent / "README.md").is_file():  # a study of the guide, whose page is there
+        if not (file.parent / "README.md").is_file():  # a study with a page in the guide
             continue
         place = folder / file.parent.name
         place.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Bars and dampers between two structures, as results files hold them."""
+"""Bars and dampers between two structures in results files."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding.texts import text
 
 
 @dataclass(frozen=True, repr=False)
-class Device(told.Told, lines=told.device):
+class Device(printing.ReportLines, lines=printing.device):
     """A bar, a damper or both between two structures. Elongation and force are positive in tension."""
 
     name: str
@@ -27,12 +27,12 @@ class Device(told.Told, lines=told.device):
     exponent: float  #: of the velocity
     elongation: np.ndarray  #: [time] at the output times [m]
     force: np.ndarray  #: [time] [N]
-    #: least and largest elongation and force over all steps; elongation_time and force_time [s]
+    #: minimum and maximum elongation and force over all steps; elongation_time and force_time [s]
     largest: dict[str, np.ndarray]
 
 
 def read_devices(file: h5py.Group) -> dict[str, Device]:
-    """The devices of a results file in the order of the input; none in a file without them."""
+    """The devices of a results file in the order of the input; empty if there are none."""
     return {name: _device(name, group) for name, group in file["devices"].items()} if "devices" in file else {}
 
 

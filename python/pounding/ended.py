@@ -1,4 +1,4 @@
-"""Exit codes of the commands of Python: those of `pounding`, whatever happens."""
+"""Exit codes of Python commands, the same as those of `pounding`."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ from pounding.errors import InputError, SolverError
 
 
 def exit_code(main: Callable[[], int]) -> int:
-    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else, Ctrl-C
-    included.
+    """Exit code of a command that it calls: 0 done, 2 wrong input or an unwritable output, 3 other errors and Ctrl-C.
 
-    Every exception is one line on standard error. A closed pipe, as by `head`, is no error."""
+    Every exception is one line on standard error. A closed pipe, as by `head`, is not an error."""
     before = sys.stdout, sys.stderr
     output, errors = _Stream(sys.stdout), _Stream(sys.stderr)
     sys.stdout, sys.stderr = cast(Any, output), cast(Any, errors)
@@ -34,8 +33,8 @@ def exit_code(main: Callable[[], int]) -> int:
 
 
 class _Stream:
-    """A standard stream. What it cannot print ends no command: the first error is kept. None where the caller has
-    closed it."""
+    """A standard stream whose write errors do not end the command; the first one is stored. None if the stream is
+    closed."""
 
     def __init__(self, stream: TextIO | None) -> None:
         self._stream = stream
@@ -65,7 +64,7 @@ class _Stream:
 
 
 def _ended(main: Callable[[], int]) -> tuple[int, str]:
-    """Code and message of a command."""
+    """Exit code and message of a command."""
     try:
         return main(), ""
     except SystemExit as ended:  # of argparse, which has printed its message
@@ -83,4 +82,4 @@ def _ended(main: Callable[[], int]) -> tuple[int, str]:
     except OSError as error:
         return 2, str(error)
     except Exception as error:
-        return 3, f"a fault of this program: {type(error).__name__}: {error}. Please report it with what you typed"
+        return 3, f"internal error: {type(error).__name__}: {error}. Please report it with what you typed"

@@ -1,5 +1,6 @@
-"""Extremes of a run: least and largest value of every quantity, with their times. They are tracked in every step of the
-run and inside the steps, so they do not depend on the output times."""
+"""Extremes of a run: minimum and maximum of every quantity, with their times.
+
+They are tracked in every step and within the steps, so they do not depend on the output times."""
 
 from __future__ import annotations
 
@@ -11,44 +12,42 @@ import numpy as np
 
 from pounding.texts import text, texts
 
-
 #: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan
 #: along y, then along y.
 EDGES = ("x at smallest y", "x at largest y", "y at smallest x", "y at largest x")
 
 
 def section_signs(components: list[str]) -> np.ndarray:
-    """[component]: -1 for those of the start of a member, 1 for those of its end: they turn end forces into internal
-    forces."""
+    """[component] -1 for the start of a member and 1 for its end, to convert end forces into internal forces."""
     return np.array([-1.0 if component.startswith("start") else 1.0 for component in components])
 
 
 @dataclass(frozen=True)
 class Extremes:
-    """Least and largest values of one quantity, signed, in the last place of both arrays."""
+    """Minima and maxima of a quantity, signed, along the last axis of both arrays."""
 
     values: np.ndarray  #: [..., 2]
     times: np.ndarray  #: [..., 2] [s]
 
     @property
     def min(self) -> np.ndarray:
-        """[...] least values."""
+        """[...] minima."""
         return self.values[..., 0]
 
     @property
     def max(self) -> np.ndarray:
-        """[...] largest values."""
+        """[...] maxima."""
         return self.values[..., 1]
 
     @property
     def peak(self) -> np.ndarray:
-        """[...] largest absolute values."""
+        """[...] maximum absolute values."""
         return np.abs(self.values).max(axis=-1)
 
 
 @dataclass(frozen=True)
 class StructureEnvelope:
-    """Extremes of one structure. Quantities that it does not have are None."""
+    """Extremes of one structure. Missing quantities are None."""
 
     name: str
     floors: list[str]  #: labels from the ground up
@@ -63,9 +62,9 @@ class StructureEnvelope:
     members: list[str] = field(default_factory=list)  #: names of all members of a frame
     components: list[str] = field(default_factory=list)  #: "start N", "start Vz", "start My", "end N" ...
     member_force: Extremes | None = None  #: [member, component] on the ends of members, local axes [N], [N m]
-    supports: list[str] = field(default_factory=list)  #: names of the nodes that the ground holds
+    supports: list[str] = field(default_factory=list)  #: names of the supported nodes
     support_directions: list[str] = field(default_factory=list)  #: x, z, ry; in space x, y, z, rx, ry, rz
-    #: [support, direction] of the ground on a frame [N], [N m]; along z negative in uplift
+    #: [support, direction] reactions on a frame [N], [N m]; along z negative in uplift
     reaction: Extremes | None = None
     #: whether member_force and reaction include the weights of the masses; None if not known
     gravity_included: bool | None = None
@@ -73,9 +72,8 @@ class StructureEnvelope:
 
     @property
     def section_force(self) -> Extremes | None:
-        """[member, component]: internal forces on the sections at the ends of members, on the face towards the end of
-        the member: N > 0 is tension at either end, and the sign of a component does not depend on the end [N], [N
-        m]."""
+        """[member, component] internal forces at both ends of members, on the face towards the end of the member [N],
+        [N m]. N > 0 is tension at either end."""
         if self.member_force is None:
             return None
         starts = np.array([component.startswith("start") for component in self.components])[:, None]
@@ -84,7 +82,7 @@ class StructureEnvelope:
 
     @property
     def axial_force(self) -> Extremes | None:
-        """[member]: axial force over both ends, positive in tension [N]: the least is the largest compression."""
+        """[member] axial force over both ends, positive in tension [N]; the minimum is the largest compression."""
         sections = self.section_force
         if sections is None:
             return None
@@ -94,13 +92,15 @@ class StructureEnvelope:
         return Extremes(np.take_along_axis(values, at, axis=1)[:, 0], np.take_along_axis(times, at, axis=1)[:, 0])
 
     def member(self, name: str) -> dict[str, tuple[float, float]]:
-        """Least and largest force on the ends of one member, by component: `member("column 1.0")["start My"]` [N], [N
-        m]. The axial force has one sign at the start and the other one at the end; see `section`. Raises KeyError."""
+        """Minimum and maximum of the end forces of a member, by component: `member("column 1.0")["start My"]` [N], [N
+        m].
+
+                The axial force has opposite signs at both ends; see `section`. Raises KeyError."""
         return self._of_member(name, self.member_force)
 
     def section(self, name: str) -> dict[str, tuple[float, float]]:
-        """As `member`, but internal forces: `section("column 1.0")["start N"]` is positive in tension, as is "end N".
-        Raises KeyError."""
+        """Same as `member`, for internal forces: `section("column 1.0")["start N"]` and "end N" are positive in
+        tension. Raises KeyError."""
         return self._of_member(name, self.section_force)
 
     def _of_member(self, name: str, forces: Extremes | None) -> dict[str, tuple[float, float]]:
@@ -113,7 +113,7 @@ class StructureEnvelope:
 
 
 def read_envelopes(file: h5py.Group) -> dict[str, StructureEnvelope]:
-    """The envelopes of all structures in a results file, or in its group of the run without links; none in files of
+    """The envelopes of all structures in a results file, or in its group of the run without links; empty for files of
     version 0.1."""
     place = "envelopes/structures"
     return {name: _envelope(name, group) for name, group in file[place].items()} if place in file else {}
@@ -147,7 +147,7 @@ def _envelope(name: str, group: h5py.Group) -> StructureEnvelope:
 
 
 def included(forces: h5py.Dataset | None) -> dict[str, Any]:
-    """The fields that say what forces of a frame include; none for a file that does not say it."""
+    """Fields with the contents of the forces of a frame; empty if the file does not state them."""
     if forces is None or "gravity_included" not in forces.attrs:
         return {}
     return {"gravity_included": bool(forces.attrs["gravity_included"]), "included": text(forces.attrs["included"])}

@@ -1,4 +1,4 @@
-"""Errors and warnings of the package. Their texts are those of the program `pounding`."""
+"""Errors and warnings of the package, with the messages of the program."""
 
 from __future__ import annotations
 
@@ -6,18 +6,17 @@ import reprlib
 import unicodedata
 from typing import Any
 
-
-#: Characters of a message, at most, as in the program; and those that it quotes of one value.
+#: Maximum length of a message, as in the program, and of a quoted value.
 LONGEST_MESSAGE, LONGEST_EXCERPT = 1800, 200
 
 
 def shortened(text: str) -> str:
-    """The text without its middle if it is longer than a message may be: its end says what to type."""
+    """The text without its middle if it is too long for a message; its end names the remedy."""
     return text if len(text) <= LONGEST_MESSAGE else f"{text[: LONGEST_MESSAGE - 605]} ... {text[-600:]}"
 
 
 def excerpt(value: object) -> str:
-    """A value as a message quotes it: its beginning if it is long."""
+    """A value as quoted in a message: the start of a long one."""
     if isinstance(value, str):
         return f'"{value}"' if len(value) <= LONGEST_EXCERPT else f'"{value[:LONGEST_EXCERPT]}..."'
     if isinstance(value, (bytes, bytearray)):
@@ -31,7 +30,7 @@ def excerpt(value: object) -> str:
 
 
 class InputError(ValueError):
-    """Wrong input. The text says where it is, what was read, what is allowed and what to type."""
+    """Wrong input. The message states the place, the value read, the allowed values and the remedy."""
 
     def __init__(self, text: object = "") -> None:
         super().__init__(
@@ -43,7 +42,7 @@ class InputError(ValueError):
 
 
 def _is_shown(letter: str) -> bool:
-    """Whether a character is shown as itself: what a file quotes may hold characters that move the cursor of a
+    """True if a character is printed as such; quoted files may contain characters that move the cursor of a
     terminal."""
     return (
         letter.isascii()
@@ -54,25 +53,25 @@ def _is_shown(letter: str) -> bool:
 
 
 class SolverError(RuntimeError):
-    """A run that failed. The text says at which time and why."""
+    """A failed run. The message states the time and the reason."""
 
     def __init__(self, text: str, results: Any = None) -> None:
         super().__init__(text)
-        self.results = results  #: a `pounding.Run` with what was computed until then; None where there is nothing
+        self.results = results  #: a `pounding.Run` with the results until then, or None
 
 
 class Interrupted(KeyboardInterrupt):
-    """A run that Ctrl-C, or the stop button of a notebook, ended."""
+    """A run stopped by Ctrl-C or by the stop button of a notebook."""
 
     def __init__(self, text: str, results: Any = None) -> None:
         super().__init__(text)
-        self.results = results  #: a `pounding.Run` with what was computed until then
+        self.results = results  #: a `pounding.Run` with the results until then
 
 
 class AccuracyWarning(UserWarning):
-    """The energies of a run do not close: its results should not be trusted as they are."""
+    """The energy balance of a run does not close: its results may be inaccurate."""
 
 
 class ImplausibleWarning(UserWarning):
-    """A model, or a run of it, holds numbers far from those of buildings, mostly by a unit that is missing. `accept` of
-    the model silences what is meant."""
+    """A model or run has values implausible for buildings, usually because of a missing unit. `accept` of the model
+    suppresses such warnings."""

@@ -1,12 +1,10 @@
-"""A run for ParaView: `python3 -m pounding.export RESULTS.h5 [-o NAME.xdmf]`.
+"""Export of a run to ParaView: `python3 -m pounding.export RESULTS.h5 [-o NAME.xdmf]`.
 
-NAME.xdmf is text that points into HDF5 files. It points into the results where datasets fit as they are; the rest
-(displacements of sticks, of plane frames, of frames with a part of their nodes) is written beside it to NAME.data.h5.
-Every structure is a grid of lines with the point vectors `displacement` [m] and, where the results have end forces of
-members, one cell array per component, such as `start N` [N], [N m], and `axial force`, positive in tension [N]; members
-without are NaN. Displacements are relative to the ground. In ParaView choose the reader "XDMF Reader" and warp by
-`displacement`.
-"""
+NAME.xdmf is a text that refers to datasets in the results file. Data of another shape (displacements of sticks, of
+plane frames, of frames with a subset of their nodes) are written to NAME.data.h5. Every structure is a grid of lines
+with the point vectors `displacement` [m], relative to the ground. If the results have end forces of members, each
+component is a cell array, such as `start N` [N], [N m], as is `axial force`, positive in tension [N]; other members
+are NaN. In ParaView select the reader "XDMF Reader" and warp by `displacement`."""
 
 from __future__ import annotations
 
@@ -25,24 +23,23 @@ from pounding.checked_file import NotResults
 from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import Kind, cannot_read, output_for, replaced, tell
-from pounding.results import RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import BadRequest
+from pounding.results import RunData
 from pounding.texts import text
 
-#: By which an export knows the data of an earlier one.
+#: Attribute that identifies the data of an earlier export.
 MARK = "pounding export"
-#: Times whose displacements are in memory at once.
+#: Number of output times in memory.
 BLOCK = 200
 
 
 def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> Path:
-    """Writes `path` for the run that was read from the file `results`, and the file of data beside it, which is
-    returned.
+    """Writes `path` for the run read from the file `results`, and its data file, whose name is returned.
 
-    Raises InputError when the suffix is not .xdmf, the run has no times, or a file would replace something else than an
-    export; OSError when nothing can be written."""
+        Raises InputError if the suffix is not .xdmf, if the run has no output times, or if an existing file is not an
+    export; OSError if a file cannot be written."""
     path = Path(path)
     if path.suffix != ".xdmf":
         raise BadRequest(f'cannot write {path}: "{path.suffix}" is not .xdmf')
@@ -88,7 +85,7 @@ DATA = Kind("export", _is_data)
 
 
 class _Data:
-    """A dataset [time, item, ...] of one of the two files, and where it is seen from the .xdmf."""
+    """A dataset [time, item, ...] in one of the two files, with its name from the .xdmf."""
 
     def __init__(self, file: Path, place: str, shape: tuple[int, ...], beside: Path) -> None:
         self.shape = shape
@@ -99,7 +96,7 @@ class _Data:
         item.text = self.name
 
     def at(self, parent: ElementTree.Element, step: int, first: int, count: int) -> None:
-        """`count` values of the last axis from `first` on, of one time: [item, count]."""
+        """`count` values of the last axis from `first`, at one time: [item, count]."""
         items = self.shape[1]
         shape = (items, count) if count > 1 else (items,)
         slab = ElementTree.SubElement(
@@ -187,7 +184,7 @@ class _Grid:
         return _Data(self.beside, stored.name, stored.shape, self.beside)
 
     def _store_forces(self, what: str, forces: np.ndarray, members: list[str], names: list[str]) -> _Data:
-        """Forces [time, member, component] of some members among all of these names."""
+        """Stores forces [time, member, component] of some of the named members."""
         values = np.full((len(forces), len(names), forces.shape[2]), np.nan)
         values[:, [names.index(name) for name in members]] = forces
         return self._store(what, values)
@@ -198,7 +195,7 @@ def _numbers(values: Iterable[int]) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the results cannot be read or the export not written."""
+    """Command line. Returns 0, or 2 after a message if the results cannot be read or the export cannot be written."""
     parser = argparse.ArgumentParser(
         prog="python3 -m pounding.export", description="Write the results of a run for ParaView."
     )

@@ -35,7 +35,7 @@ from pounding.outputs import cannot_read
 from pounding.pictures.drawing import project
 from pounding.pictures.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
 
-#: Modes of one structure in a picture.
+#: Maximum number of modes of one structure in a picture.
 MOST = 5
 #: Width of a panel [in].
 PANEL = 1.7
@@ -54,13 +54,13 @@ class DrawnMode:
 
 @dataclass(frozen=True)
 class DrawnStructure:
-    """The modes of one structure. With nodes they are drawn as deformed frames, without as profiles over the floors."""
+    """The modes of one structure, drawn as deformed frames if it has nodes, else as profiles over the floors."""
 
     name: str
     modes: Sequence[DrawnMode]
     elevations: Sequence[float | None] | None = None  #: [floor] [m]
     nodes: np.ndarray = field(default_factory=lambda: np.empty((0, 3)))  #: [node, 3] x, y, z at rest [m]
-    members: np.ndarray = field(default_factory=lambda: np.empty((0, 2), int))  #: [member, 2] numbers of their nodes
+    members: np.ndarray = field(default_factory=lambda: np.empty((0, 2), int))  #: [member, 2] indices of nodes
     node_shapes: Sequence[np.ndarray] = ()  #: [mode] of [node, 3] displacements, to any scale
 
 
@@ -91,12 +91,12 @@ def read_modes(values: dict[str, Any]) -> list[DrawnStructure]:
 
 
 def plot_modes(structures: Sequence[DrawnStructure], title: str = "Mode shapes") -> Figure:
-    """One row a structure, one panel for each of its first modes: a profile over the height, or the deformed frame.
+    """One row per structure and one panel per mode: a profile over the height, or the deformed frame.
 
-    Raises BadRequest when there is no mode, or when shapes do not fit the nodes."""
+    Raises BadRequest without modes, or if shapes do not match the nodes."""
     drawn = [structure for structure in structures if structure.modes]
     if not drawn:
-        raise BadRequest("there is no mode to draw: no structure of this model moves against the ground")
+        raise BadRequest("no mode to draw: no structure of this model moves against the ground")
     columns = max(2, max(min(MOST, len(structure.modes)) for structure in drawn))
     heights = [_height(structure.nodes) for structure in drawn]
     colours = {structure.name: structure_colour(number) for number, structure in enumerate(structures)}
@@ -136,7 +136,7 @@ def _draw_structure(row: np.ndarray, structure: DrawnStructure, colour: str) -> 
 
 
 def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | None] | None, colour: str) -> None:
-    """Amplitudes over the height, zero at the ground; over the numbers of the floors without elevations."""
+    """Draws amplitudes over the height, zero at the ground; over floor numbers if elevations are unknown."""
     levels = [level for level in elevations or () if level is not None]
     known = elevations is not None and len(elevations) == len(levels) == len(shape)
     heights = np.array([0.0, *levels]) if known else np.arange(len(shape) + 1.0)
@@ -149,7 +149,7 @@ def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | Non
 
 
 def draw_deformed(axes: Axes, structure: DrawnStructure, number: int, colour: str) -> None:
-    """The frame at rest in grey, and in mode `number`, from 0, in colour; members as straight lines."""
+    """Draws the frame at rest in grey and in mode `number`, from 0, in colour; members as straight lines."""
     nodes, members = structure.nodes, structure.members
     if len(structure.node_shapes) <= number:
         raise BadRequest(f"{structure.name}: node_shapes of mode {number + 1} are missing")
@@ -168,7 +168,7 @@ def draw_deformed(axes: Axes, structure: DrawnStructure, number: int, colour: st
         axes.add_collection(
             LineCollection(project(points, view)[members], capstyle="round", color=line_colour, linewidth=width)
         )
-    # All modes of a frame have the same scale, whichever way they move.
+    # All modes of a frame have the same scale.
     room = DRAWN_SIZE * size
     flat = project(nodes, view)
     (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
@@ -183,7 +183,7 @@ def _words(mode: DrawnMode) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the modes cannot be read or the picture not written."""
+    """Command line. Returns 0, or 2 after a message if the modes cannot be read or the picture cannot be written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.mode_shapes", description="Draw mode shapes.")
     parser.add_argument("modes", help="file with the JSON object; - for standard input")
     parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")

@@ -1,4 +1,4 @@
-"""Models: built in code with the words of the input files, or read from one."""
+"""Models with the keys of input files, built in code or read from a file."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from pounding import arguments, told, yaml_text
+from pounding import arguments, printing, yaml_text
 from pounding._native import core
 from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
 
-#: The parts of an input, in the order of the examples.
+#: Sections of an input, in the order of the examples.
 PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis", "checkpoint", "compare", "accept")
 
 
-class Model(told.Told, lines=told.model):
+class Model(printing.ReportLines, lines=printing.model):
     """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with
     units ("20 mm") or numbers in SI.
 
@@ -58,27 +58,27 @@ class Model(told.Told, lines=told.model):
         self.devices = devices
         self._file = ""
         self._text = ""
-        # contents of files that were read before, by the names that the parts give them
+        # contents of files read before, by name
         self._files: Mapping[str, bytes] = {}
         self._parts_of_text: dict[str, Any] | None = None
 
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Model:
-        """The model of an input file. Its numbers stay the texts that they are there. Raises InputError for a file that
-        cannot be read or is not YAML; `check` and `run` check its contents."""
+        """The model of an input file, with numbers as typed. Raises InputError if the file cannot be read or is not
+        YAML; `check` and `run` check its contents."""
         name = fspath(arguments.file("path", path))
         return cls._from_text(core.read_file(name), name)
 
     @classmethod
     def from_yaml(cls, text: str) -> Model:
-        """The model of an input's text. Raises InputError for what is not YAML."""
+        """The model of the text of an input file. Raises InputError for invalid YAML."""
         return cls._from_text(arguments.text("text", text), "model")
 
     @classmethod
     def _from_text(cls, text: str, name: str) -> Model:
         parts = core.parse(core.Source(text, name))
         model = cls({})
-        # An input with other parts is left to the program's reader, which says where the mistake stands.
+        # The compiled reader reports unknown sections with their location.
         if isinstance(parts, dict) and set(parts) <= set(PARTS) and None not in parts.values():
             for part in PARTS:
                 setattr(model, part, parts.get(part, [] if part == "links" else None))
@@ -87,16 +87,16 @@ class Model(told.Told, lines=told.model):
         return model
 
     def to_yaml(self) -> str:
-        """The text of an input file. That of an unchanged model from a file is the file's own."""
+        """Text of an input file; for an unchanged model from a file, the text of that file."""
         parts = self._parts()
         return self._text if parts == self._parts_of_text else yaml_text.emit(parts)
 
     def copy(self) -> Model:
-        """Another model of the same parts, which may be changed without changing this one."""
+        """An independent copy."""
         return copy.deepcopy(self)
 
     def __eq__(self, other: object) -> bool:
-        """True for equal words and numbers; the layout of their texts does not count."""
+        """True for equal keys and values, regardless of their layout in files."""
         return isinstance(other, Model) and self._parts() == other._parts()
 
     __hash__ = None  # type: ignore[assignment]
@@ -107,11 +107,11 @@ class Model(told.Told, lines=told.model):
     def _parts(self) -> dict[str, Any]:
         given = {part: getattr(self, part) for part in PARTS}
         plain = yaml_text.plain({part: value for part, value in given.items() if value is not None})
-        # Without links is as without the key.
+        # An empty list is the same as no key.
         return {part: value for part, value in plain.items() if part != "links" or value != []}
 
     def _source(self) -> core.Source:
-        """For the program's reader: the text, and the file that it stands for in messages."""
+        """Text and file name for the compiled reader."""
         text = self.to_yaml()
         if "record" in text and not os.environ.get(POUNDING_RECORDS) and (folder := data_folder()):
             os.environ[POUNDING_RECORDS] = str(folder)
@@ -122,11 +122,11 @@ class Model(told.Told, lines=told.model):
 
 @dataclass(frozen=True)
 class Checked:
-    """A model that holds what it must."""
+    """A valid model."""
 
     description: str  #: ground motions, structures, links and devices, one line each
     resolved: str  #: YAML with every default and calibrated parameter, SI
-    warnings: tuple[str, ...] = ()  #: of numbers far from those of buildings, without those that the model accepts
+    warnings: tuple[str, ...] = ()  #: about implausible values, except those that the model accepts
 
     def __str__(self) -> str:
         """The output of `pounding check`."""
@@ -134,7 +134,7 @@ class Checked:
 
 
 def as_model(model: Model | str | PathLike[str]) -> Model:
-    """A model, or that of the input file which is named."""
+    """The model itself, or that of an input file."""
     if isinstance(model, Model):
         return model
     if not isinstance(model, (str, PathLike)):
@@ -143,8 +143,8 @@ def as_model(model: Model | str | PathLike[str]) -> Model:
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:
-    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong; warns of
-    what is hardly meant (ImplausibleWarning)."""
+    """Reads and validates an input, a model or its file. Raises InputError with the location of an error; warns of
+    implausible values (ImplausibleWarning)."""
     description, resolved, doubts = core.check(as_model(model)._source())
     for doubt in doubts:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)

@@ -1,4 +1,4 @@
-"""Files that the commands write: the conditions under which one replaces another, and how it does so."""
+"""Output files: rules for replacing existing files, and atomic writing."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from typing import NoReturn
 from pounding.errors import InputError
 
 File = str | PathLike[str]
-#: Bytes of an existing file that tell what it holds.
+#: Number of bytes that identify the kind of a file.
 START = 1 << 16
 
 
 @dataclass(frozen=True)
 class Kind:
-    """Files that may replace each other. An empty file may be replaced by any kind."""
+    """Kind of files that may replace each other. Any kind may replace an empty file."""
 
     name: str  #: for messages: "picture"
-    recognises: Callable[[Path, bytes], bool]  #: whether an existing file, with these first bytes, is of this kind
+    recognises: Callable[[Path, bytes], bool]  #: True if an existing file, with these first bytes, is of this kind
 
 
 def _is_picture(_: Path, start: bytes) -> bool:
@@ -54,10 +54,10 @@ def refuse(path: File, reason: str, advice: str = "Name another file") -> NoRetu
 
 
 def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
-    """The file that writing `path` creates or replaces: symbolic links are followed.
+    """The file that writing `path` creates or replaces, after resolving symbolic links.
 
-    Raises InputError if the path is empty, a directory or another thing that is no file, write-protected, in a missing
-    directory, one of `inputs` under any name, written by a run, or holds data of another kind."""
+        Raises InputError if the path is empty, a directory or special file, write-protected, in a missing directory,
+    one of `inputs` under any name, being written by a run, or of another kind."""
     name = os.fsdecode(path)
     if not name:
         refuse(path, "the name of the file is empty", "Name a file")
@@ -66,11 +66,11 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
         found = os.stat(name)
     except FileNotFoundError:
         if not place.parent.is_dir():
-            refuse(path, f"there is no directory {place.parent}", f"First type: mkdir -p {place.parent}")
+            refuse(path, f"no such directory: {place.parent}", f"First type: mkdir -p {place.parent}")
         if name.endswith(os.sep):
             refuse(path, "the name ends as that of a directory", f"Name a file, such as {name.rstrip(os.sep)}")
         return place
-    except (OSError, ValueError) as error:  # a circle of links, a name that is too long or holds a null byte
+    except (OSError, ValueError) as error:  # circular links, a name that is too long or contains a null byte
         refuse(path, getattr(error, "strerror", None) or str(error))
     if stat.S_ISDIR(found.st_mode):
         refuse(path, "it is a directory", "Name a file in it")
@@ -99,16 +99,16 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
 def _is_file(path: File, found: os.stat_result) -> bool:
     try:
         return os.path.samestat(os.stat(path), found)
-    except (OSError, ValueError):  # no such file, or no name of one
+    except (OSError, ValueError):  # no such file, or an invalid name
         return False
 
 
 @contextmanager
 def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Path]:
-    """Yields a temporary file to write, with the suffix of `path`, which replaces `path` as a whole at the end.
+    """Yields a temporary file with the suffix of `path`, which replaces `path` atomically at the end.
 
-    A kill or an error leaves the earlier file. Its mode is kept, and its owner if possible. Raises InputError as
-    `destination`, and OSError."""
+        A kill or an error keeps the existing file. Its mode is preserved, and its owner if possible. Raises
+    InputError as `destination`, and OSError."""
     inputs = tuple(inputs)
     place = destination(path, kind, inputs)
     suffix = ".tmp" + Path(os.fsdecode(path)).suffix
@@ -133,7 +133,7 @@ def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Pa
 
 
 def _keep_mode(earlier: Path, new: Path) -> None:
-    """Gives the new file the mode of the earlier one, and its owner as far as this process may."""
+    """Copies the mode of the existing file, and its owner if permitted."""
     with contextlib.suppress(OSError):
         before = os.stat(earlier)
         with contextlib.suppress(OSError):
@@ -160,7 +160,7 @@ def _flock(kind: int) -> bytes:
 
 
 def _is_held(descriptor: int) -> bool:
-    """Whether another open file holds the lock of this one."""
+    """True if another open file holds the lock of this one."""
     try:
         held = fcntl.fcntl(descriptor, fcntl.F_OFD_GETLK, _flock(fcntl.F_WRLCK))
     except (OSError, AttributeError):  # a file system, or a system, without such locks
@@ -169,13 +169,12 @@ def _is_held(descriptor: int) -> bool:
 
 
 class Lock:
-    """A lock file, held by this object until `release` or the end of the process. Two objects of one process exclude
-    each other."""
+    """A lock file, held until `release` or the end of the process. Two objects in one process exclude each other."""
 
     _descriptor = -1
 
     def __init__(self, path: Path) -> None:
-        """Raises BlockingIOError if another object holds it, OSError if the file cannot be made."""
+        """Raises BlockingIOError if another object holds the lock, OSError if the file cannot be created."""
         while True:
             self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
             try:
@@ -197,7 +196,7 @@ class Lock:
         return self._descriptor >= 0
 
     def release(self) -> None:
-        """Lets others have it."""
+        """Releases the lock."""
         if self._descriptor >= 0:
             os.close(self._descriptor)
             self._descriptor = -1
@@ -207,18 +206,18 @@ class Lock:
 
 
 def output_for(results: File, given: str | None, ending: str) -> Path:
-    """The file that was asked for; else the name of the results with another ending, in the current folder."""
+    """The given file, or the name of the results with another suffix in the current folder."""
     return Path(given) if given else Path(Path(results).stem + ending)
 
 
 def cannot_read(file: File, error: Exception) -> str:
-    """The message for a file that could not be read, which names it once: some errors do so by themselves."""
+    """Message for an unreadable file, with its name once."""
     text = getattr(error, "strerror", None) or str(error)
     names_it = text.startswith((f"{file}: ", f"{file} ")) or text.endswith(f" {file}")
     return text if names_it else f"cannot read {file}: {text}"
 
 
 def tell(kind: str, *files: File) -> None:
-    """Prints what was written, as `pounding run` does."""
+    """Prints the name of the written file, in the format of `pounding run`."""
     for file in files:
         print(f"{kind:<12} {file}")

@@ -1,5 +1,5 @@
-"""Frames placed in plan: rows along streets, blocks with corners. They take the words of a model and give them an
-`origin`."""
+"""Placement of frames in plan: rows along streets, and blocks with corners. Functions set the `origin` of frames in
+the format of a model."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pounding import arguments
 from pounding._native import core
 from pounding.errors import InputError, excerpt
 
-#: Coordinates are rounded to this many decimals of a metre: 12.03, not 12.030000000000001.
+#: Number of decimals of coordinates in m: 12.03, not 12.030000000000001.
 DECIMALS = 9
 
 
@@ -35,10 +35,10 @@ class Extent(NamedTuple):
 
 
 def extent(structures: Mapping[str, Any]) -> Extent:
-    """The rectangle around frames, as a model holds them: {name: {"frame": {...}, "damping": ...}}. A plane frame has
-    no depth.
+    """Bounding rectangle of frames in the format of a model: {name: {"frame": {...}, "damping": ...}}.
 
-    Raises InputError for a structure that is no frame, and for one without grid and nodes."""
+        A plane frame has no depth. Raises InputError for a structure that is not a frame, or has neither grid nor
+    nodes."""
     if not arguments.mapping("structures", structures):
         raise InputError("structures: there is none; give at least one frame")
     every = [_extent(name, words) for name, words in structures.items()]
@@ -53,15 +53,13 @@ def extent(structures: Mapping[str, Any]) -> Extent:
 def row(
     structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Sequence[Any] = (0.0, 0.0), align: str = "low"
 ) -> dict[str, Any]:
-    """The frames one after the other along x or y, in their order, as structures of a model.
+    """Places frames one after the other along x or y, and returns them as structures of a model.
 
-    gap: between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame but the
-    last. It is measured between faces, which are the `face` of a frame beyond its axes; "auto" is known to the program
-    only and refused here. start: x, y where the row begins [m]. align: which sides of the frames stand in the line
-    through `start`: those where the other coordinate is least (low) or largest (high).
-
-    Nothing that was given is changed; an `origin` that a frame had is replaced. Raises InputError as `extent` does, and
-    for gaps that are negative or too few."""
+        `gap` is the gap between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each
+    frame except the last. It is measured between faces, which are `face` outside the axes of a frame; "auto" is not
+    supported. `start` is the x, y position of the beginning. `align` selects the sides on the line through `start`:
+    those with the smallest (low) or largest (high) other coordinate. Arguments are not modified; an existing `origin`
+    is replaced. Raises InputError as `extent`, and for negative or missing gaps."""
     arguments.mapping("structures", structures)
     arguments.one_of(("x", "y"))("along", along)
     arguments.one_of(("low", "high"))("align", align)
@@ -72,7 +70,7 @@ def row(
         raise InputError(f"start: takes x and y [m]; {excerpt(start)} was given")
     if any(one < 0 for one in gaps):
         raise InputError("gap: takes distances of at least 0; frames that overlap cannot be linked")
-    # One by one: the same words may stand under several names.
+    # Separate copies: several names may share one object.
     placed = {name: copy.deepcopy(words) for name, words in structures.items()}
     faces = [_face(name, words) for name, words in placed.items()]
     between = [one + face + following for one, face, following in zip(gaps, faces, faces[1:])]
@@ -80,7 +78,7 @@ def row(
         frame = _frame(name, placed[name])
         is_plane = not _is_spatial(frame)
         if is_plane and along == "y":
-            raise InputError(f"structures.{name}: is a plane frame, and these stand in rows along x")
+            raise InputError(f"structures.{name}: is a plane frame, which can be placed in rows along x only")
         height = list(frame.pop("origin", ()))[1 if is_plane else 2 :]
         own = _extent(name, placed[name])
         corner = [place[0] - own.x0, place[1] - own.y0][: 1 if is_plane else 2]
@@ -118,7 +116,7 @@ def _frame(name: str, words: Any) -> dict[str, Any]:
 
 
 def _face(name: str, words: Mapping[str, Any]) -> float:
-    """Distance from the axes of a frame to its faces [m]; its key lies next to the frame or inside."""
+    """Distance from the axes of a frame to its faces [m]; the key may be next to the frame or inside."""
     frame = _frame(name, words)
     face = words.get("face", frame.get("face", 0.0))
     if face == "auto":
@@ -129,7 +127,8 @@ def _face(name: str, words: Mapping[str, Any]) -> float:
 
 
 def _is_spatial(frame: Mapping[str, Any]) -> bool:
-    """Its grid has bays along x and y, or its nodes have three coordinates; the origin of another one is [x, z]."""
+    """True if the grid has bays along x and y, or nodes have three coordinates. The origin of a plane frame is [x,
+    z]."""
     bays = frame.get("grid", {}).get("bays")
     return isinstance(bays, (list, tuple)) or any(len(position) == 3 for position in frame.get("nodes", {}).values())
 

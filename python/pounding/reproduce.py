@@ -1,12 +1,10 @@
 """The page and the figures of `pounding reproduce`: `python3 -m pounding.reproduce REPORT.json -o REPORT.html`.
 
-Draws every figure of the JSON object that the program writes, as NAME.png beside the page and inside it, and sets
-equations, tables and verdicts. The object: {"items": [{name, title, sections, seconds, paragraphs, equations, matrices,
-figures, tables, verdicts}]}, as lib/reproduce/report.hpp describes them.
-"""
+Draws every figure of the JSON object that the program writes, as NAME.png next to the page and embedded in it, and
+sets equations, tables and verdicts. The object: {"items": [{name, title, sections, seconds, paragraphs, equations,
+matrices, figures, tables, verdicts}]}, see lib/reproduce/report.hpp."""
 
 import argparse
-import html
 import json
 import re
 import sys
@@ -22,7 +20,7 @@ from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import Kind, cannot_read, replaced
 from pounding.paper import page
-from pounding.paper.mathematics import data_uri, rich, svg_of
+from pounding.paper.mathematics import data_uri, svg_of
 from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION, DrawnOnce
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
@@ -45,7 +43,7 @@ MATH: dict[Any, Any] = {
 
 
 def draw(figure: dict[str, Any]) -> Figure:
-    """One figure of the report, its panels side by side, the legends below them. A label has one colour in all
+    """One figure of the report, with panels side by side and legends below. A label has the same colour in all
     panels."""
     columns = {column["name"]: np.array(column["values"], float) for column in figure["columns"]}
     panels = figure["panels"]
@@ -90,13 +88,13 @@ def _share_labels(panels: list[dict[str, Any]]) -> bool:
 
 
 def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
-    """One legend for all panels that have curves in common, else one each."""
+    """One legend for all panels if they share curves, else one per panel."""
     if _share_labels(panels):
         lines: dict[str, Any] = {}
         for axes in figure.axes:
             handles: tuple[list[Any], list[str]] = axes.get_legend_handles_labels()
             for line, label in zip(*handles):
-                # Where a line and points share a label, the legend shows the line.
+                # If a line and points share a label, the legend shows the line.
                 if label not in lines or line.get_linestyle() != "None":
                     lines[label] = line
         longest = max(map(len, lines))
@@ -113,7 +111,7 @@ def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
 
 
 def build(report: dict[str, Any], directory: Path) -> str:
-    """The page as text; writes the pictures beside it."""
+    """The page as text; writes its pictures into the same folder."""
     parts = [page.contents(report["items"])]
     for item in report["items"]:
         parts.append(page.item_head(item))
@@ -128,12 +126,12 @@ def build(report: dict[str, Any], directory: Path) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the data cannot be read or the page not written."""
+    """Command line. Returns 0, or 2 after a message if the data cannot be read or the page cannot be written."""
     parser = argparse.ArgumentParser(
         prog="python3 -m pounding.reproduce", description="Set the report of a reproduction."
     )
     parser.add_argument("report", help="report.json that `pounding reproduce` wrote")
-    parser.add_argument("-o", "--output", required=True, help="page to write; the figures are written beside it")
+    parser.add_argument("-o", "--output", required=True, help="page to write; figures are written to the same folder")
     options = parser.parse_args(arguments)
     try:
         report = json.loads(Path(options.report).read_text(encoding="utf-8"))

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import h5py
 import numpy as np
 
-from pounding import arguments, told
+from pounding import arguments, printing
 from pounding.arguments import takes
 from pounding.checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
@@ -26,19 +26,19 @@ Data = TypeVar("Data", bound="RunData")
 
 
 @dataclass(frozen=True, repr=False)
-class Geometry(told.Told, lines=told.geometry):
-    """Nodes and members of a frame, as it stands at rest."""
+class Geometry(printing.ReportLines, lines=printing.geometry):
+    """Nodes and members of a frame at rest."""
 
     nodes: np.ndarray  #: [node, 3] x, y, z [m], z up
-    members: np.ndarray  #: [member, 2] numbers of their nodes
+    members: np.ndarray  #: [member, 2] indices of nodes
     floor_of_node: np.ndarray  #: [node] from 0 at the lowest; -1 for none
     node_names: list[str]
     member_names: list[str]
 
 
 @dataclass(frozen=True, repr=False)
-class NodeMotion(told.Told, lines=told.node_motion):
-    """Motion of the nodes that the input asked for."""
+class NodeMotion(printing.ReportLines, lines=printing.node_motion):
+    """Motion of the nodes requested in the input."""
 
     names: list[str]
     directions: list[str]  #: x, z, ry in the plane; x, y, z, rx, ry, rz in space
@@ -48,33 +48,32 @@ class NodeMotion(told.Told, lines=told.node_motion):
 
 
 @dataclass(frozen=True, repr=False)
-class MemberForces(told.Told, lines=told.member_forces):
-    """Forces on the ends of the members that the input asked for, in their local axes."""
+class MemberForces(printing.ReportLines, lines=printing.member_forces):
+    """End forces of the members requested in the input, in local axes."""
 
     names: list[str]
     components: list[str]  #: "start N", "start Vz", "start My", "end N" ...
     end_forces: np.ndarray  #: [time, member, component] [N], [N m]
-    #: whether the weights of the masses are in them; None in a file that does not say it
+    #: True if they include the weights of masses; None if unknown
     gravity_included: bool | None = None
-    included: str = ""  #: what else is: "gravity, P-Delta"
+    included: str = ""  #: contents: "gravity, P-Delta"
 
     @property
     def section_forces(self) -> np.ndarray:
-        """[time, member, component]: internal forces on the sections at the ends, on the face towards the end of the
-        member: N > 0 is tension at either end, and the sign of a component does not depend on the end [N], [N m]."""
+        """[time, member, component] internal forces at both ends, on the face towards the end of the member [N], [N
+        m]. N > 0 is tension at either end."""
         return self.end_forces * section_signs(self.components)
 
     @property
     def axial_force(self) -> np.ndarray:
-        """[time, member]: axial force, positive in tension [N]; of the end where it is larger if loads act along the
-        member."""
+        """[time, member] axial force, positive in tension [N]; the larger end value if loads act along the member."""
         ends = self.section_forces[:, :, [self.components.index(f"{end} N") for end in ("start", "end")]]
         return np.take_along_axis(ends, np.abs(ends).argmax(axis=2, keepdims=True), axis=2)[:, :, 0]
 
 
 @dataclass(frozen=True)
 class Reactions:
-    """Forces of the ground on a frame at the nodes that it holds, in global axes, without the forces of damping."""
+    """Reactions at the supported nodes of a frame, in global axes, without damping forces."""
 
     names: list[str]
     directions: list[str]  #: x, z, ry in the plane; x, y, z, rx, ry, rz in space
@@ -84,35 +83,35 @@ class Reactions:
 
 
 @dataclass(frozen=True, repr=False)
-class FloorMotion(told.Told, lines=told.floor_motion):
+class FloorMotion(printing.ReportLines, lines=printing.floor_motion):
     """Motion of the floors in one direction."""
 
-    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz [rad], likewise below
+    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz all quantities are angular
     velocity: np.ndarray  #: [time, floor] relative to the ground [m/s]
     acceleration: np.ndarray  #: [time, floor] absolute [m/s^2]
     drift: np.ndarray  #: [time, floor] [m]; no columns in a structure without storeys, and for rz
     storey_shear: np.ndarray  #: [time, floor] [N]; as drift
-    base_shear: np.ndarray | None  #: [time] [N]; None where the file has none
+    base_shear: np.ndarray | None  #: [time] [N]; None if not in the file
 
 
 @dataclass(frozen=True, repr=False)
-class Structure(told.Told, lines=told.structure):
+class Structure(printing.ReportLines, lines=printing.structure):
     """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other
     directions are in `along`, as in `along["y"].drift`."""
 
     name: str
     floors: list[str]  #: labels from the ground up
     along: dict[str, FloorMotion]  #: x; in space x, y and rz
-    kind: str = ""  #: word of the input; empty in files that do not say it
+    kind: str = ""  #: kind of the structure in the input; empty if unknown
     dimension: int = 1  #: 1: along x only; 2: in x and z; 3: in space
-    elevations: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [floor] [m]; NaN where not given
+    elevations: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [floor] [m]; NaN if not given
     geometry: Geometry | None = None  #: of a frame; None for other structures
-    nodes: NodeMotion | None = None  #: None where the input asked for no nodes
-    members: MemberForces | None = None  #: None where the input asked for no members
+    nodes: NodeMotion | None = None  #: None if no nodes were requested
+    members: MemberForces | None = None  #: None if no members were requested
     reactions: Reactions | None = None  #: of a frame; None for other structures
-    springs: Springs | None = None  #: the parts that yield; None where all stays elastic
-    #: [floor, 4] of rigid floors in space: smallest x, largest x, smallest y, largest y, relative to the point whose
-    #: motion is reported [m]; NaN for other floors, None for a structure without rigid floors in space.
+    springs: Springs | None = None  #: parts that can yield; None if the structure is elastic
+    #: [floor, 4] min x, max x, min y, max y of rigid floors in space, relative to their reference point [m]; NaN for
+    #: other floors, None without rigid floors in space.
     plan: np.ndarray | None = None
 
     @property
@@ -147,41 +146,41 @@ class Structure(told.Told, lines=told.structure):
 
     @property
     def rotation(self) -> np.ndarray | None:
-        """[time, floor] about z [rad]; NaN for a floor that is not rigid, None for a structure without rigid floors in
-        space."""
+        """[time, floor] about z [rad]; NaN for floors that are not rigid, None without rigid floors in space."""
         if self.plan is None:
             return None
         return np.where(np.isnan(self.plan[:, 0]), np.nan, self.along["rz"].displacement)
 
     @property
     def edge_displacement(self) -> np.ndarray | None:
-        """[time, floor, edge]: displacements of the edges of rigid floors along themselves, in the order of
-        `pounding.envelopes.EDGES` [m]; NaN and None as in `rotation`."""
+        """[time, floor, edge] displacements of the edges of rigid floors along themselves, in the order of
+        `pounding.envelopes.EDGES` [m]; NaN and None as for `rotation`."""
         if self.plan is None:
             return None
         x, y, turn = (self.along[axis].displacement[:, :, None] for axis in ("x", "y", "rz"))
         return np.concatenate([x - turn * self.plan[:, 2:], y + turn * self.plan[:, :2]], axis=2)
 
     def centre(self, floor: int) -> np.ndarray:
-        """[2]: the point of a rigid floor, counted from 0, whose motion is reported [m]. For a frame in space."""
+        """[2] the reference point of a rigid floor, counted from 0, whose motion is reported [m]. For frames in
+        space."""
         assert self.geometry is not None and self.plan is not None
         return self.geometry.nodes[self.geometry.floor_of_node == floor, :2].min(axis=0) - self.plan[floor, [0, 2]]
 
     @property
     def is_wall(self) -> bool:
-        """True for a wall: it moves with the ground, and the file has only its name."""
+        """True for a wall, which moves with the ground and has no histories."""
         return not self.floors and self.geometry is None
 
 
 @dataclass(frozen=True, repr=False)
-class Link(told.Told, lines=told.link):
-    """One link. It has its own times, dense inside contacts."""
+class Link(printing.ReportLines, lines=printing.link):
+    """A link. Its output times are dense within contacts."""
 
     name: str
     law: str
     gap: float  #: opening at rest [m]
     left: str  #: name of the structure on the left
-    left_floor: int  #: counted from 1 at the lowest; 0 when it has none
+    left_floor: int  #: counted from 1 at the lowest; 0 for none
     right: str
     right_floor: int
     time: np.ndarray  #: [s]
@@ -189,7 +188,7 @@ class Link(told.Told, lines=told.link):
     velocity: np.ndarray  #: [m/s], positive when closing
     force: np.ndarray  #: [N], positive when it pushes apart
     energy: np.ndarray  #: work done on the link [J]
-    position: np.ndarray | None = None  #: x, y, z [m]; None where the structures have no place of their own
+    position: np.ndarray | None = None  #: x, y, z [m]; None if the structures have no position
     direction: np.ndarray = field(default_factory=lambda: np.array([1.0, 0, 0]))  #: unit, from left to right
     left_end: str = ""  #: "floor 3", "node b", "10.5 m up"
     right_end: str = ""
@@ -197,8 +196,8 @@ class Link(told.Told, lines=told.link):
 
 
 @dataclass(frozen=True, repr=False)
-class RunData(told.Told, lines=told.run):
-    """Everything that the results file of a run holds. `pounding.Run` adds pictures and tables."""
+class RunData(printing.ReportLines, lines=printing.run):
+    """Contents of the results file of a run. `pounding.Run` adds pictures and tables."""
 
     title: str
     status: str  #: running, done, done: collapse ..., or failed: reason
@@ -206,49 +205,48 @@ class RunData(told.Told, lines=told.run):
     ground_acceleration: np.ndarray  #: [time] along x [m/s^2]
     structures: dict[str, Structure]  #: in the order of the input
     links: dict[str, Link]  #: in the order of the input
-    #: Structured array, one row an impact, in the order of their beginnings: `link` (its name, str), t_start, t_end,
+    #: Structured array with one row per impact, by start time: `link` (its name, str), t_start, t_end,
     #: t_release [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s],
-    #: peak_penetration [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN while a contact
-    #: presses.
+    #: peak_penetration [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN for an
+    #: unfinished contact.
     impacts: np.ndarray
     #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]; with devices also devices [J].
     energy: dict[str, np.ndarray]
     summary: dict[str, Any]  #: the object of `pounding run --json`
     solver: dict[str, float]  #: steps, rejected, events, iterations, wall seconds
-    model_yaml: str  #: the input as given
+    model_yaml: str  #: the input as typed
     resolved_yaml: str  #: with every default and calibrated parameter
-    source: Path | bytes = field(default_factory=bytes)  #: the file that was read, or its bytes
+    source: Path | bytes = field(default_factory=bytes)  #: the file, or its bytes
     #: Extremes of every structure over all steps; empty in files of version 0.1.
     envelopes: dict[str, StructureEnvelope] = field(default_factory=dict)
     devices: dict[str, Device] = field(default_factory=dict)  #: bars and dampers in the order of the input
-    #: By structure that was reduced: coordinates, blocks (of the links, of the ground), inputs (of links, of friction
-    #: and devices among them, of what yields, of the ground), frequency [Hz], and three times the estimated
-    #: error_force, error_displacement, error_acceleration, error_members over the largest values; NaN where nothing
-    #: estimates them. With `check: true` checked_windows, check_force and check_displacement too, of all unknowns in
-    #: the hardest impacts.
+    #: By reduced structure: coordinates, blocks (links, ground), inputs (links with friction and devices, yielding parts,
+    #: ground), frequency [Hz], and three times the estimated error_force, error_displacement, error_acceleration and
+    #: error_members relative to the peaks; NaN without an estimate. With `check: true` also checked_windows, check_force
+    #: and check_displacement, from all unknowns in the strongest impacts.
     reduction: dict[str, dict[str, Any]] = field(default_factory=dict)
-    #: y, z -> [time] acceleration of the ground if it moves so [m/s^2]
+    #: y, z -> [time] ground acceleration along the other axes [m/s^2]
     ground_across: dict[str, np.ndarray] = field(default_factory=dict)
-    #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without
-    #: it.
+    #: The complete run without links (`compare: no_pounding`), with the same source; None if it was not requested.
     no_pounding: RunData | None = field(default_factory=lambda: None)
 
     @classmethod
     @takes(path=arguments.file, checked=arguments.flag)
     def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
-        """The results in the file `path`. Its checksum is compared first; `checked=False` reads a file that has none,
-        of an earlier version, or to which you have added something, as it stands: HDF5 may never end on a damaged one.
-        Raises OSError when it cannot be opened, NotResults when it is something else or damaged."""
+        """The results in the file `path`, after a check of the checksum.
+
+                `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on
+        a damaged one. Raises OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
         if checked:
             require_whole(path)
         elif not Path(path).is_file():
-            raise FileNotFoundError(f"there is no file {path}")
+            raise FileNotFoundError(f"no such file: {path}")
         with _opened(path, str(path)) as file:
             return cls._of(file, str(path), Path(path))
 
     @classmethod
     def from_image(cls: type[Data], image: bytes) -> Data:
-        """The results in the bytes of such a file. Raises NotResults."""
+        """The results in the bytes of a results file. Raises NotResults."""
         if not isinstance(image, bytes):
             raise arguments.refuse("image", "the bytes of a results file", image)
         require_whole_image(image)
@@ -259,7 +257,7 @@ class RunData(told.Told, lines=told.run):
     def _of(cls: type[Data], file: h5py.File, name: str, source: Path | bytes) -> Data:
         if "pushover" in file and "structures" not in file:
             raise HoldsPushover(f"{name} holds a pushover and no run; pounding.read_pushover reads it")
-        # In a file that was not checked anything may be missing or of another type.
+        # An unchecked file may lack datasets or have other types.
         try:
             without = None
             if "no_pounding" in file:
@@ -270,14 +268,14 @@ class RunData(told.Told, lines=told.run):
 
     @takes(link=arguments.text)
     def impacts_of(self, link: str) -> np.ndarray:
-        """The rows of `impacts` that belong to one link. Raises InputError for a name that no link has."""
+        """The rows of `impacts` of one link. Raises InputError for an unknown link."""
         if link not in self.links:
-            raise InputError(f"there is no link {excerpt(link)}; there is {', '.join(self.links) or 'none'}")
+            raise InputError(f"unknown link {excerpt(link)}; known: {', '.join(self.links) or 'none'}")
         return self.impacts[self.impacts["link"] == link]
 
     @takes(path=arguments.file)
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the results file, which replaces nothing but results. Raises InputError, OSError."""
+        """Writes the results file; an existing file must be a results file. Raises InputError, OSError."""
         with replaced(path, RESULTS) as temporary:
             if isinstance(self.source, bytes):
                 temporary.write_bytes(self.source)
@@ -286,7 +284,7 @@ class RunData(told.Told, lines=told.run):
 
 
 def _opened(source: str | PathLike[str] | bytes, name: str) -> h5py.File:
-    """The HDF5 file, open for reading. Raises NotResults where HDF5 finds none, OSError where it cannot be opened."""
+    """The HDF5 file, open for reading. Raises NotResults if it is not HDF5, OSError if it cannot be opened."""
     try:
         return h5py.File(h5py.h5f.open_file_image(source) if isinstance(source, bytes) else source, "r")
     except OSError as error:
@@ -296,7 +294,7 @@ def _opened(source: str | PathLike[str] | bytes, name: str) -> h5py.File:
 
 
 def _contents(file: h5py.Group) -> dict[str, Any]:
-    """The fields of RunData but `source` and `no_pounding`."""
+    """The fields of RunData except `source` and `no_pounding`."""
     return {
         "title": text(file.attrs["title"]),
         "status": text(file.attrs["status"]),
@@ -323,7 +321,7 @@ def _contents(file: h5py.Group) -> dict[str, Any]:
 
 
 def _with_text(rows: np.ndarray) -> np.ndarray:
-    """A structured array whose columns of bytes are columns of str."""
+    """A structured array with str columns instead of bytes."""
     columns = {name: rows[name] for name in rows.dtype.names or ()}
     columns = {
         name: np.array(texts(values), dtype=str) if values.dtype.kind in "SO" else values
@@ -362,7 +360,7 @@ def _structure(name: str, group: h5py.Group) -> Structure:
 
 
 def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
-    """The direction at place i of the last axis. Drift and shear have that axis in space only, with x and y."""
+    """The motion along direction i of the last axis. Drift and shear have that axis in space only, for x and y."""
     motion = {key: group[key][:, :, i] for key in ("displacement", "velocity", "acceleration")}
     for key in ("drift", "storey_shear"):
         values = group[key][:]
@@ -417,7 +415,7 @@ def _link(name: str, group: h5py.Group) -> Link:
     for side, floor in floors.items():
         word = side.replace("floor", "end")
         more[word] = text(group.attrs.get(word, f"floor {floor}" if floor else ""))
-    # A link between structures without a place of their own has a position that is not a number.
+    # NaN: the structures have no position.
     position = np.asarray(group.attrs.get("position", np.full(3, np.nan)), dtype=float)
     more["position"] = position if np.isfinite(position).all() else None
     if "direction" in group.attrs:

@@ -1,4 +1,4 @@
-"""Runs of a model through time."""
+"""Time integration of models."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Int
 from pounding.models import Model, as_model
 from pounding.runs import Run
 
-#: Called now and then with the simulated time [s], the duration [s] and the number of impacts.
+#: Called at intervals with the simulated time [s], the duration [s] and the number of impacts.
 Progress = Callable[[float, float, int], None]
 File = str | PathLike[str]
 
@@ -31,18 +31,18 @@ def run(
     options: Mapping[str, Any] | None = None,
     progress: Progress | bool | None = None,
 ) -> Run:
-    """Runs a model, or an input file, and returns its results. No file is written or read unless `output` names one:
-    histories become arrays when they are first asked for. Other threads run meanwhile; models run one after another.
+    """Time integration of a model or an input file. Returns its results.
 
-    `tolerance` replaces that of the model [-]. `output` is a results file, rewritten while the run goes on. `options`
-    are PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value.
-    Progress is shown on a terminal and in a notebook unless `progress` is False; a function is called with time [s],
-    duration [s] and number of impacts.
+        Histories become arrays on first access, and no file is used unless `output` names a results file, which is
+    updated during the run. `tolerance` [-] overrides that of the model. `options` are those of PETSc without the
+    prefix -pounding_: {"ts_max_steps": 100}; True is an option without a value. Terminals and notebooks show progress
+    unless `progress` is False; a function is called with time [s], duration [s] and number of impacts. The GIL is
+    released; models run one after another.
 
-    Raises InputError when the model is wrong; SolverError when the run fails and Interrupted at Ctrl-C, both with the
-    results so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning) and of numbers that
-    a model holds and hardly means (ImplausibleWarning). Under mpirun all processes call this function alike, and an
-    error of one of them is raised by all."""
+        Raises InputError for a wrong model, SolverError for a failed run and Interrupted for Ctrl-C; the last two
+    contain partial results, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and of
+    implausible values (ImplausibleWarning). Under mpirun, all processes call this function with the same arguments,
+    and an error of one is raised in all."""
     with _refused_by_all():
         model = as_model(model)
         tolerance = optional(arguments.number(0, open=True))("tolerance", tolerance)
@@ -66,8 +66,11 @@ def resume(
     options: Mapping[str, Any] | None = None,
     progress: Progress | bool | None = None,
 ) -> Run:
-    """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never
-    stopped. `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
+    """Resumes a killed, interrupted or shortened run from its results file, bitwise identical to an uninterrupted
+    run.
+
+        `output` is another file to write; `options` are added to the original ones. Raises the same errors as
+    `run`."""
     with _refused_by_all():
         place, words, other = fspath(arguments.file("results", results)), _words(options), _place(output)
     with _Shown(progress) as shown:
@@ -76,7 +79,7 @@ def resume(
 
 
 def _place(output: File | None) -> str:
-    """The name of a results file; empty for none. Raises InputError for an empty name, which hardly means none."""
+    """Name of a results file; empty for None. Raises InputError for an empty name."""
     if output is None:
         return ""
     if not fspath(arguments.file("output", output)):
@@ -86,8 +89,7 @@ def _place(output: File | None) -> str:
 
 @contextlib.contextmanager
 def _refused_by_all() -> Iterator[None]:
-    """Raises an error of this process on all of them: under mpirun the others run already, and would wait for this
-    one."""
+    """Raises an error of this process in all of them; under mpirun the others would otherwise wait for it."""
     try:
         yield
     except InputError as error:
@@ -115,16 +117,16 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
 
 
 def _results(ran: core.RunOutcome, output: str) -> Run:
-    """The results; raises what ended the run, with the results so far."""
+    """The results. Raises the error that ended the run, with its partial results."""
     results = Run._of_outcome(ran)
     raised, text = ran.raised, ran.failure
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
     if text and output:
-        text += f'\nTo go on: pounding.resume("{output}")' if ran.resumable else f"\nWhat was computed is in {output}"
-    # In an interactive session, whose cell or line has not got its results.
+        text += f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nPartial results are in {output}"
+    # An interactive session has no other access to the results.
     elif text and hasattr(sys, "ps1"):
-        text += "\nWhat was computed is sys.last_value.results"
+        text += "\nPartial results are sys.last_value.results"
     if raised is not None:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:
@@ -137,7 +139,7 @@ def _results(ran: core.RunOutcome, output: str) -> Run:
 
 
 class _Shown:
-    """Progress as a line that is written over and over, in a notebook as a bar; gone at the end."""
+    """Progress on one line of a terminal, or a bar in a notebook; removed at the end."""
 
     def __init__(self, progress: Progress | bool | None) -> None:
         if not (progress is None or isinstance(progress, bool) or callable(progress)):
@@ -187,7 +189,7 @@ def _words_of(time: float, duration: float, impacts: int) -> str:
 
 
 def _is_notebook() -> bool:
-    """True in a cell of a notebook, which shows displayed objects but is no terminal."""
+    """True in a notebook cell, which displays objects but is not a terminal."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return type(shell).__name__ == "ZMQInteractiveShell"

@@ -1,5 +1,5 @@
-"""A run as its user holds it: the results, with pictures, films and tables of them. Needs numpy and h5py; pictures need
-matplotlib, tables pandas or xarray."""
+"""Results of runs with pictures, animations and tables. Needs numpy and h5py; pictures need matplotlib, tables pandas
+or xarray."""
 
 from __future__ import annotations
 
@@ -27,8 +27,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Run(RunData):
-    """Results of a run: what its file holds, and pictures and tables of it. Those of `pounding.run` lie in memory:
-    `summary` is there at once, and the histories become arrays when the first of them is asked for."""
+    """Results of a run: the contents of its file, with pictures and tables.
+
+        After `pounding.run` they are in memory: `summary` is available immediately, and histories become arrays on
+    first access."""
 
     @classmethod
     def _of_outcome(cls, ran: core.RunOutcome) -> Run:
@@ -38,7 +40,7 @@ class Run(RunData):
         return results
 
     def __getattr__(self, name: str) -> Any:
-        # Called for names that the object does not hold yet.
+        # Called for attributes that do not exist yet.
         ran = self.__dict__.get("_ran")
         if ran is None or name not in _FIELDS:
             raise AttributeError(f"a run has no {name!r}")
@@ -49,7 +51,7 @@ class Run(RunData):
         return self.__dict__[name]
 
     def _load(self) -> None:
-        """Makes all arrays. A summary that was given away stays the same object."""
+        """Creates all arrays. An already returned summary stays the same object."""
         ran = self.__dict__.get("_ran")
         if ran is not None:
             self.__dict__.update({**vars(Run.from_image(ran.image)), **self.__dict__})
@@ -68,27 +70,28 @@ class Run(RunData):
         *,
         compare: bool | None = None,
     ) -> Figure:
-        """A picture: "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
-        "force", "loops", "energy", "model" (the structures at rest), "profiles" (extreme values over the height),
-        "plan" (a map of drifts and impacts of frames in space), "springs" (loops of the six parts that lose most
-        energy) or "hinges" (a map of what yielded).
+        """A picture of the run, as a figure of matplotlib. A notebook displays it; `.savefig("NAME.pdf")` saves it.
 
-        `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is
-        width and height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture;
-        save it with `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare:
-        no_pounding` keeps; profiles and plan do so whenever it is there, unless it is False. Raises InputError for
-        another name, ImportError without matplotlib."""
+                `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space),
+        "gap", "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map
+        of drifts and impacts of frames in space), "hinges" (a map of yielded parts), "loops" (force over deformation
+        of the six parts and devices that lose most energy, or contact loops if there are none) or "contact_loops"
+        (force over penetration).
+
+                `title` replaces that of the run; "" omits all titles, for a picture with a caption. `size` is width
+        and height [in]: (3.3, 2.4) fits a column of a paper, with 8-point type. `compare` also draws the run without
+        links, dashed; None draws it in profiles and plan if the run has it (`compare: no_pounding`). Raises
+        InputError for another name, ImportError without matplotlib."""
         return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)
 
     def spectrum(
         self, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *, direction: str = "x"
     ) -> Spectrum:
-        """The response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground.
-        `damping` is a ratio [-], `periods` [s] are 200 from 0.02 s to 4 s unless given. With `compare: no_pounding`,
-        `results.no_pounding.spectrum(...)` is that without links.
+        """Response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground.
 
-        It takes the accelerations at the output times: raises InputError where these are too far apart, with the
-        output_step to try, and for a floor that is not there."""
+                `damping` is a ratio [-]; `periods` [s] are by default 200 from 0.02 s to 4 s. With `compare:
+        no_pounding`, `results.no_pounding.spectrum(...)` is that without links. Uses the accelerations at the output
+        times. Raises InputError if these are too far apart, with the output_step to use, and for an unknown floor."""
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 
     @takes(
@@ -109,10 +112,10 @@ class Run(RunData):
         scale: float | None = None,
         title: str | None = None,
     ) -> Film:
-        """The run in motion from `start` to `end` [s], displacements drawn `scale` times as large.
+        """An animation of the run from `start` to `end` [s], with displacements drawn `scale` times as large.
 
-        Written to `path` when it is given: .gif, .mp4, or .png for one file a frame. A notebook plays the film. Raises
-        InputError for times that the run does not have, ImportError without matplotlib."""
+                Written to `path` if given: .gif, .mp4, or .png for one file per frame. A notebook plays it. Raises
+        InputError for times outside the run, ImportError without matplotlib."""
         animation = _needing("matplotlib", "pounding.animation")
         if path is not None:
             animation.check_output(path)
@@ -122,17 +125,19 @@ class Run(RunData):
         return film
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
-        """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground",
-        "links/NAME", "devices/NAME", "structures/NAME" with columns (quantity, floor, direction), edges of rigid floors
-        in space among them as (edge_displacement, floor, edge); where the input asked for them "structures/NAME/nodes"
-        with (quantity, node, direction), and with (member, component) "structures/NAME/members", forces on the ends,
-        and "structures/NAME/sections", internal forces with N positive in tension. The `attrs` of these two say whether
-        gravity is included. In SI. Raises ImportError without pandas."""
+        """A DataFrame for each group of the file, in SI, with its time [s] as index.
+
+                Keys are "impacts", "energy", "ground", "links/NAME", "devices/NAME", and "structures/NAME" with
+        columns (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If
+        the input requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member,
+        component) "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N
+        positive in tension. The `attrs` of the last two state whether gravity is included. Raises ImportError without
+        pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:
-        """As `to_pandas`, but as datasets with the dimensions time, floor or node, and direction, or time, member and
-        component, and with units. Raises ImportError without xarray."""
+        """Same as `to_pandas`, as datasets with units and the dimensions time, floor or node, and direction, or time,
+        member and component. Raises ImportError without xarray."""
         return _needing("xarray", "pounding.tables").to_xarray(self)
 
     def _repr_html_(self) -> str:
@@ -144,14 +149,16 @@ _FIELDS = frozenset(each.name for each in fields(Run))
 
 @takes(path=arguments.file, checked=flag)
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
-    """The run in the results file `path`. Its checksum is compared first; `checked=False` reads a file that has none,
-    of an earlier version, or to which you have added something, as it stands. Raises OSError when it cannot be opened,
-    NotResults when it is something else or damaged."""
+    """The run in the results file `path`, after a check of the checksum.
+
+        `checked=False` skips the check, for files from an earlier version or with additions. Raises OSError if the
+    file cannot be opened, NotResults if it is of another kind or damaged."""
     return Run.read(path, checked=checked)
 
 
 def _needing(package: str, module: str) -> Any:
-    """A module of this package that needs another package; where that is missing, ImportError says what to type."""
+    """A module of this package that needs another package; if that is missing, ImportError names the command to
+    install it."""
     try:
         importlib.import_module(package)
     except ModuleNotFoundError as error:

@@ -24,12 +24,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 GRAVITY = 9.80665  #: [m/s^2]
-STEPS_IN_A_PERIOD = 10  #: outputs in a period that straight lines between them need
+STEPS_IN_A_PERIOD = 10  #: minimum number of output times per period for linear interpolation
 
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Peak response of oscillators from rest on one motion; after the motion one period is followed."""
+    """Peak response of oscillators that are at rest initially, to one motion followed by one period of free
+    vibration."""
 
     name: str  #: for legends
     period: np.ndarray  #: [s]
@@ -47,7 +48,7 @@ class Spectrum:
         return (2 * np.pi / self.period) ** 2 * self.sd
 
     def plot(self, title: str = "", size: tuple[float, float] | None = None) -> Figure:
-        """A picture of this spectrum alone; see `spectra_figure`."""
+        """A picture of this spectrum; see `spectra_figure`."""
         return spectra_figure([self], title, size)
 
 
@@ -60,9 +61,11 @@ def record_spectrum(
     units: str = "",
     channel: str = "",
 ) -> Spectrum:
-    """The spectrum of the record in a file, unscaled. `periods` [s] are 200 from 0.02 s to 4 s unless given; `units`
-    and `channel` are for files that do not say them. Warns of implausible peaks and steps (ImplausibleWarning). Raises
-    InputError for a file that is no record, and for values out of range."""
+    """Spectrum of the unscaled record in a file.
+
+        `periods` [s] are by default 200 from 0.02 s to 4 s; `units` and `channel` are for files that do not state
+    them. Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is not a record
+    and for values out of range."""
     from pounding._native import core
 
     chosen = _chosen(periods)
@@ -76,12 +79,12 @@ def record_spectrum(
 def floor_spectrum(
     run: RunData, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *, direction: str = "x"
 ) -> Spectrum:
-    """The spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, at the output times
-    of a run, straight lines between them. `periods` [s] are 200 from 0.02 s, or from ten output steps if these are
-    longer, to 4 s unless given.
+    """Spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, linear between output
+    times.
 
-    The outputs must be close enough: InputError where they reach less than 95 % of the peak that the run has tracked,
-    with the output_step to try. Raises InputError also for a floor or a direction that is not there."""
+        `periods` [s] are by default 200 from 0.02 s, or ten output steps if that is longer, to 4 s. Raises
+    InputError, with the output_step to use, if the output times miss more than 5 % of the tracked peak, and for an
+    unknown floor or direction."""
     from pounding._native import core
 
     name, _, place = floor.rpartition(".")
@@ -92,7 +95,7 @@ def floor_spectrum(
         or not 1 <= int(place) <= len(run.structures[name].floors)
     ):
         known = ", ".join(f"{key}.1 to {key}.{len(one.floors)}" for key, one in run.structures.items() if one.floors)
-        raise InputError(f"there is no floor {excerpt(floor)}; there is {known}")
+        raise InputError(f"unknown floor {excerpt(floor)}; known: {known}")
     structure, i = run.structures[name], int(place) - 1
     if direction not in ("x", "y") or direction not in structure.along:
         raise InputError(
@@ -121,15 +124,15 @@ def floor_spectrum(
 
 @takes(title=text, size=optional(arguments.size))
 def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[float, float] | None = None) -> Figure:
-    """Pseudo-acceleration and displacement over the period; of several spectra the second one is dashed. `size` is
-    width and height [in]. Raises InputError without a spectrum."""
+    """Pseudo-acceleration and displacement over the period; the second spectrum is dashed. `size` is width and height
+    [in]. Raises InputError without spectra."""
     from matplotlib import rc_context
 
     from pounding.pictures.style import STRUCTURE_COLOURS, STYLE, Picture, head
 
     spectra = arguments.listed(_spectrum, "a list of spectra")("spectra", spectra)
     if not spectra:
-        raise InputError("there is no spectrum to draw")
+        raise InputError("no spectrum to draw")
     size = size or (6.5, 3.0)
     narrow = size[0] < 4.5
     with rc_context(STYLE):
@@ -182,11 +185,12 @@ def read_spectra(data: dict[str, Any]) -> tuple[str, list[Spectrum]]:
             for one in data["spectra"]
         ]
     except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"this is no object of spectra: {error}") from error
+        raise InputError(f"this is not an object of spectra: {error}") from error
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message when the spectra cannot be read or the picture not written."""
+    """Command line. Returns 0, or 2 after a message if the spectra cannot be read or the picture cannot be
+    written."""
     from pounding.pictures.style import write_picture
 
     parser = argparse.ArgumentParser(prog="python3 -m pounding.spectra", description="Draw response spectra.")

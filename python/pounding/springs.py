@@ -1,4 +1,4 @@
-"""Parts of a structure that yield, storeys and hinges, as results files hold them."""
+"""Yielding parts of structures, storeys, hinges and isolators, in results files."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding.texts import texts
-
 
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
@@ -19,50 +18,50 @@ _ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 
 @dataclass(frozen=True, repr=False)
-class Springs(told.Told, lines=told.springs):
-    """The parts of one structure that yield, and its devices. Deformations are drifts of storeys and elongations of
-    devices [m] or rotations of hinges [rad], forces are shears and tensions [N] or moments [N m]."""
+class Springs(printing.ReportLines, lines=printing.springs):
+    """Yielding parts and devices of one structure. Deformations are storey drifts and device elongations [m] or hinge
+    rotations [rad]; forces are shears and tensions [N] or moments [N m]."""
 
     names: list[str]  #: "storey 1", from the ground up
-    laws: list[str]  #: word of the input, one a part
+    laws: list[str]  #: key of the law in the input, one per part
     stiffness: np.ndarray  #: [part] initial [N/m] or [N m/rad]
     yield_deformation: np.ndarray  #: [part] [m] or [rad]
-    negative_yield_deformation: np.ndarray  #: [part] its size in the negative direction [m] or [rad]
+    negative_yield_deformation: np.ndarray  #: [part] absolute value in the negative direction [m] or [rad]
     deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
     force: np.ndarray  #: [time, part] [N] or [N m]
-    hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
+    hysteretic: np.ndarray  #: [time, part] cumulative energy lost by yielding [J]
     #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility (of a hinge:
     #: rotation of the member end over its yield rotation), peak_plastic (largest size of the plastic part of the
     #: deformation), cycles, residual, hysteretic [J], first_yield [s] (NaN where it stayed elastic), damping_shear
     #: (over the yield shear; NaN for hinges).
     largest: dict[str, np.ndarray]
-    states: list[str]  #: "elastic", "yielded" or "beyond ultimate", one a part
-    ultimate_rotation: np.ndarray  #: [part] plastic rotation that a hinge can bear [rad]; NaN where none was given
+    states: list[str]  #: "elastic", "yielded" or "beyond ultimate", one per part
+    ultimate_rotation: np.ndarray  #: [part] plastic rotation capacity of a hinge [rad]; NaN if not given
 
     def __len__(self) -> int:
         return len(self.names)
 
     def is_device(self, part: int) -> bool:
-        """Whether a part is a device: no storey, no end of a member, no isolator."""
+        """True if a part is a device, neither a storey, a hinge nor an isolator."""
         return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part)
 
     def is_hinge(self, part: int) -> bool:
-        """Whether a part is a hinge at an end of a member."""
+        """True if a part is a hinge at the end of a member."""
         return _HINGES.fullmatch(self.names[part]) is not None
 
     def isolates(self, part: int) -> bool:
-        """Whether a part is an isolator."""
+        """True if a part is an isolator."""
         return _ISOLATORS.fullmatch(self.names[part]) is not None
 
     def number(self, name: str) -> int:
-        """The place of a part by its name. Raises KeyError that lists the names."""
+        """Index of a part by name. Raises KeyError that lists the names."""
         if name not in self.names:
             raise KeyError(f"no part is named {name!r}; there are {', '.join(self.names)}")
         return self.names.index(name)
 
 
 def read_springs(structure: h5py.Group) -> Springs | None:
-    """The parts of a structure that yield; None where it stays elastic."""
+    """The yielding parts of a structure; None if it is elastic."""
     if "springs" not in structure:
         return None
     group = structure["springs"]

@@ -1,4 +1,4 @@
-"""A run as tables of pandas and datasets of xarray, one a group of the results file."""
+"""Results as tables of pandas and datasets of xarray, one per group of the results file."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 #: Units of the histories of a floor; rotations (rx, ry, rz) are in rad.
 UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
-#: Units of the histories of a node; along rx, ry, rz rad stands instead of m.
+#: Units of the histories of a node; along rx, ry, rz in rad instead of m.
 NODE_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 #: Signs of forces of members.
 SIGNS = {
@@ -26,12 +26,12 @@ SIGNS = {
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
 #: Units of the histories of a device.
 DEVICE_UNITS = {"elongation": "m", "force": "N"}
-#: Units of the histories of parts that yield; of hinges rad stands instead of m, N m instead of N.
+#: Units of the histories of yielding parts; of hinges in rad instead of m and N m instead of N.
 SPRING_UNITS = {"deformation": "m", "force": "N", "hysteretic": "J"}
 
 
 def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
-    """As `pounding.Run.to_pandas` says."""
+    """See `pounding.Run.to_pandas`."""
     import pandas
 
     impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names or ()})
@@ -95,7 +95,7 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
 
 
 def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
-    """As `pounding.Run.to_xarray` says."""
+    """See `pounding.Run.to_xarray`."""
     import xarray
 
     def dataset(time: np.ndarray, variables: dict[str, Any], **coordinates: Any) -> xarray.Dataset:
@@ -154,7 +154,7 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
 
 
 def _motion(structure: Structure) -> dict[str, Any]:
-    """Arrays [time, floor, direction]; NaN where a direction has no drift."""
+    """Arrays [time, floor, direction]; NaN for directions without drift."""
     found: dict[str, Any] = {
         key: (
             ("time", "floor", "direction"),

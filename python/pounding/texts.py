@@ -1,4 +1,4 @@
-"""Texts of HDF5 files, which h5py gives as bytes or as str."""
+"""Texts in HDF5 files, which h5py returns as bytes or str."""
 
 from __future__ import annotations
 
@@ -15,5 +15,5 @@ def text(value: Any) -> str:
 
 
 def texts(values: Any) -> list[str]:
-    """A list of texts; none where there is an empty one."""
+    """A list of texts; empty for an empty dataset."""
     return [] if isinstance(values, h5py.Empty) else [text(value) for value in values]

@@ -1,5 +1,7 @@
-"""The commands of this package use no module of Python and no settings of matplotlib from the working folder: a folder
-with a model may come from anywhere. In your own scripts and notebooks Python and matplotlib work as usual."""
+"""Protection of commands from the working folder, which may be untrusted: they import no module and read no settings
+of matplotlib from it.
+
+Scripts and notebooks are not affected."""
 
 from __future__ import annotations
 
@@ -8,14 +10,14 @@ import sys
 
 
 def leave_working_folder_out() -> None:
-    """Prepares this process for a command: call it before numpy and matplotlib are imported."""
+    """Prepares this process for a command; call it before importing numpy and matplotlib."""
     _leave_modules_out()
     _leave_settings_out()
 
 
 def _leave_modules_out() -> None:
-    """Removes the working folder from the module path of this process and of those that it starts: `python3 -m` and
-    empty entries of PYTHONPATH add it. It stays if this package is in it."""
+    """Removes the working folder, which `python3 -m` and empty entries of PYTHONPATH add, from the module path of
+    this process and its children. It is kept if this package is in it."""
     try:
         here = os.path.realpath(os.getcwd())
     except OSError:
@@ -32,8 +34,8 @@ def _leave_modules_out() -> None:
 
 
 def _leave_settings_out() -> None:
-    """Imports matplotlib from another folder if the working folder has a file matplotlibrc: its settings name programs
-    to run and modules to load, and matplotlib prefers them to those of the user."""
+    """Imports matplotlib from another folder if the working folder contains matplotlibrc, which can name programs to
+    run and modules to load."""
     if "matplotlib" in sys.modules or not os.path.exists("matplotlibrc"):
         return
     here = os.getcwd()
@@ -41,6 +43,6 @@ def _leave_settings_out() -> None:
     try:
         import matplotlib  # noqa: F401
     except ImportError:
-        pass  # The module that draws says what to type.
+        pass  # The drawing module reports the missing package.
     finally:
         os.chdir(here)

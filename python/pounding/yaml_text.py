@@ -1,5 +1,5 @@
-"""Nested dicts and lists as YAML in the layout of the examples: short branches on one line, long ones below each
-other."""
+"""Nested dicts and lists as YAML in the layout of the examples: short branches on one line, long ones in block
+style."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ import numpy as np
 from pounding.arguments import is_encodable
 from pounding.errors import InputError, excerpt
 
-#: A line of the text is no longer than this unless one value is.
+#: Maximum length of a line, except for longer values.
 WIDTH = 118
-#: Texts that YAML reads as they stand; other texts are quoted.
+#: Texts that need no quotes in YAML.
 PLAIN = re.compile(r"[A-Za-z0-9_./+][A-Za-z0-9_./+%^ -]*(?<! )|-[0-9.][A-Za-z0-9_./+%^ -]*(?<! )")
 NOTHING = ("null", "Null", "NULL", "~")
 
 
-#: Maps and lists inside each other, at most: one that contains itself has no end.
+#: Maximum depth of nested maps and lists; a circular one is infinite.
 DEEPEST = 60
 
 
 def plain(value: Any, place: str = "", depth: int = 0) -> Any:
-    """The value in dicts, lists and texts, as it comes back from a YAML file. Raises InputError, with the place, for a
-    value that YAML cannot hold."""
+    """The value as dicts, lists and texts, as parsed from YAML. Raises InputError, with the path, for a value that
+    YAML cannot represent."""
     if depth > DEEPEST:
         raise InputError(
             f"{place[:200]}...: has more than {DEEPEST} maps and lists inside each other; does one contain itself?"
@@ -54,7 +54,7 @@ def plain(value: Any, place: str = "", depth: int = 0) -> Any:
 
 
 def emit(values: Mapping[str, Any]) -> str:
-    """The text of what `plain` made, one key of the top level after the other."""
+    """YAML text of a result of `plain`, in the order of its keys."""
     return "".join(_entry(key, value, "") for key, value in values.items())
 
 

@@ -40,7 +40,7 @@ class YieldingParameter:
 
 @dataclass(frozen=True)
 class YieldingChoice:
-    """A parameter that is one of some words, the first of them by default."""
+    """A parameter with named values; the first is the default."""
 
     name: str
     meaning: str
@@ -48,13 +48,13 @@ class YieldingChoice:
 
 
 class Loop(NamedTuple):
-    """A law along a path; every array has the shape of the path."""
+    """Response of a law along a path; every array has the shape of the path."""
 
     deformation: Values  #: [m]
     force: Values  #: [N]
-    slope: Values  #: df/dd at the end of each way [N/m]
-    work: Values  #: done since the beginning of the row [J]
-    stored: Values  #: energy that the law can give back [J]
+    slope: Values  #: df/dd at each point [N/m]
+    work: Values  #: work since the beginning of the row [J]
+    stored: Values  #: recoverable energy [J]
 
     @property
     def lost(self) -> Values:
@@ -64,7 +64,7 @@ class Loop(NamedTuple):
 
 @dataclass(frozen=True)
 class YieldingKind:
-    """A law of yielding with its tables. Calling it with parameters makes a `YieldingLaw`."""
+    """A law of yielding with its tables. Call it with parameters to get a `YieldingLaw`."""
 
     name: str
     shape: str  #: the force as a formula
@@ -72,11 +72,10 @@ class YieldingKind:
     source: str
     parameters: tuple[YieldingParameter, ...]
     choices: tuple[YieldingChoice, ...]
-    has_corners: bool  #: whether the slope jumps elsewhere than at turning points
+    has_corners: bool  #: True if the slope also jumps away from turning points
 
     def __call__(self, **parameters: Quantity | None) -> YieldingLaw:
-        """The law with these parameters: numbers in SI, texts with units, and words for what is chosen. Raises
-        InputError."""
+        """The law with these parameters: numbers in SI, texts with units, or names of choices. Raises InputError."""
         return YieldingLaw(self, parameters)
 
     def __str__(self) -> str:
@@ -89,7 +88,7 @@ class YieldingKind:
 
 
 class YieldingLaw:
-    """One law with its parameters. Holds no history: every path begins undeformed."""
+    """A law with its parameters. Has no history: every path begins undeformed."""
 
     def __init__(self, kind: YieldingKind, parameters: Mapping[str, Quantity | None]) -> None:
         given = {name: value for name, value in parameters.items() if value is not None}
@@ -108,18 +107,19 @@ class YieldingLaw:
 
     @property
     def stiffness(self) -> float:
-        """Before anything has yielded [N/m]."""
+        """Initial stiffness [N/m]."""
         return self._made.stiffness
 
     @property
     def yield_deformation(self) -> float:
-        """Deformation that counts ductility [m]."""
+        """Reference deformation of the ductility [m]."""
         return self._made.yield_deformation
 
     def follow(self, path: npt.ArrayLike) -> Loop:
-        """The law along deformations [m], each reached straight from the one before, the first from zero. Of an array
-        with more than one dimension every row is a path of its own. Ways are followed exactly: points between turning
-        points change nothing after them. Raises InputError for what is no finite number."""
+        """Response along deformations [m] from an undeformed start, linear between points.
+
+                Each row of a multidimensional array is a path. Response is exact: extra points between turning points
+        do not change it. Raises InputError for values that are not finite numbers."""
         deformation = arguments.numbers("path", path)
         if not np.isfinite(deformation).all():
             raise InputError("path: a deformation is not finite")

@@ -81,10 +81,7 @@ class Schema(unittest.TestCase):
         return [error.message for error in self.validator.iter_errors(yaml.safe_load(text))]
 
     def test_every_example_validates(self):
-        # The schema is that of models; the package reads the plans of studies.
-        models = [
-            path for path in sorted(Path(EXAMPLES).rglob("*.yaml")) if "study" not in yaml.safe_load(path.read_text())
-        ]
+        models = sorted(Path(EXAMPLES).rglob("*.yaml"))
         self.assertGreater(len(models), 14)
         for model in models:
             with self.subTest(model.name, folder=model.parent.name):
@@ -96,8 +93,10 @@ class Schema(unittest.TestCase):
             if "law" in section["place"]:
                 continue
             of_section = self.schema if section["name"] == "model" else definitions[section["name"]]
+            of_studies = {"study", "model"} if section["name"] == "model" else set()
             self.assertEqual(
-                set(of_section["properties"]) - self.of_laws(section), {word["key"] for word in section["keys"]}
+                set(of_section["properties"]) - self.of_laws(section) - of_studies,
+                {word["key"] for word in section["keys"]},
             )
             for word in section["keys"]:
                 with self.subTest(section=section["name"], key=word["key"]):
@@ -160,6 +159,14 @@ class Schema(unittest.TestCase):
                 )
                 self.assertIn(done.returncode, (0, 2))
         self.assertEqual(self.faults(PAIR + "  w: {wall: {}}\n  v: {wall: }\n"), [])
+
+    def test_a_study_has_a_model_or_names_one(self):
+        study = "study: {factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}, sampling: grid, without_links: yes}\n"
+        self.assertEqual(self.faults(LINK + study), [])
+        self.assertEqual(self.faults("model: pair.yaml\n" + study), [])
+        self.assertNotEqual(self.faults(study), [])
+        self.assertNotEqual(self.faults(LINK + study.replace("list", "lists")), [])
+        self.assertNotEqual(self.faults(LINK + study.replace("of: links", "sobol: 3, of: links")), [])
 
     def test_what_the_reader_refuses_does_not_validate(self):
         self.assertEqual(self.faults(LINK), [])

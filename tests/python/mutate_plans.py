@@ -17,12 +17,10 @@ import warnings
 from pathlib import Path
 
 from pounding.errors import InputError
-from pounding.studies.distributions import KINDS
-from pounding.studies.engines import WORDS as ENGINES
 from pounding.studies.plan import read_plan
 from pounding.studies.quantities import UNITS
+from pounding.studies.reading import EXAMPLES
 from pounding.studies.scipy_stats import stats
-from pounding.studies.words import STUDY_WORDS
 
 SECONDS, MEMORY = 10, 2_000_000_000
 MODEL = """\
@@ -47,7 +45,7 @@ STUDIES = (
     "    m: {of: structures.left.oscillator.mass, scipy: {name: gamma, a: 2, scale: 1e5}}\n    law: {of: links.0.law, list: [hertz, jankowski]}\n"
     "  sampling: {latin_hypercube: 5}\n  records: {files: [a.csv, b.csv], skip: [b.csv], channel: 1}\n  intensity: {measure: avg_sa, periods: [0.2 s, 1 s]}\n"
     "  engine: solver\n  keep: drift\n",
-    "  factors:\n    gap: {of: links.*.gap, column: gap}\n    T: {of: structures.left.oscillator.period, column: T, at: 1}\n    share: {column: share}\n"
+    "  factors:\n    gap: {of: links.*.gap, column: gap}\n    T: {of: structures.left.oscillator.period, column: T}\n    share: {column: share}\n"
     "  sampling: {table: t.csv}\n  keep: [required_gap, acceleration.left]\n",
 )
 FILES = {
@@ -106,16 +104,8 @@ VALUES = (
     "{from: 1, to: 2}",
     "{count: 2}",
 )
-WORDS = sorted(
-    {
-        *STUDY_WORDS,
-        *KINDS,
-        *ENGINES,
-        *UNITS,
-        *(word for words in KINDS.values() for word in words),
-        *(re.findall(r"[a-z_]{2,}", "".join(STUDIES))),
-    }
-)
+KEYS = {key for section in EXAMPLES.values() for key in section}
+WORDS = sorted({*KEYS, "kernel", "solver", *UNITS, *(re.findall(r"[a-z_]{2,}", "".join(STUDIES)))})
 TOKEN = re.compile(r"[A-Za-z0-9_.*%/-]+|[\[\]{}:,]")
 
 

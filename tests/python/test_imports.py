@@ -79,7 +79,7 @@ class Imports(unittest.TestCase):
                 "pounding.outputs",
                 "pounding.springs",
                 "pounding.texts",
-                "pounding.told",
+                "pounding.printing",
             },
         )
 

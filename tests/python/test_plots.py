@@ -202,6 +202,15 @@ class Pictures(unittest.TestCase):
                             (picture, size, box),
                         )
 
+    def test_loops_are_those_of_contacts_if_nothing_yields(self):
+        run = read(self.files["two"])
+        expected = np.concatenate([line.get_xydata() for line in figures.figure(run, "contact_loops").axes[0].lines])
+        with self.assertWarns(DeprecationWarning):
+            old = figures.figure(run, "springs")
+        for figure in (figures.figure(run, "loops"), old):
+            found = np.concatenate([line.get_xydata() for line in figure.axes[0].lines])
+            np.testing.assert_array_equal(found, expected)
+
     def test_a_small_figure_has_the_panels_that_fit(self):
         run = read(self.files["towers"])
         for size, count in (((5, 9), 8), ((5, 6.5), 4), ((5, 4), 2), ((3.3, 2.4), 1)):

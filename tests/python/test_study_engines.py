@@ -505,7 +505,7 @@ class Engines(unittest.TestCase):
 
 
 def words_of(text):
-    from pounding.studies.words import quantity
+    from pounding.studies.reading import quantity
 
     return quantity(text, "")[0]
 

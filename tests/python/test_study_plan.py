@@ -326,6 +326,20 @@ class Wrong(unittest.TestCase):
         )
         self.refused('Did you mean "left-right"?', factors={"g": {"of": "links.left-rigth.gap", "list": [1]}})
 
+    def test_wrong_keys_of_a_file_have_their_line_and_column(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "study.yaml"
+            for wrong, place, facts in (
+                ("  seed: -1\n", "2:9: study.seed: ", ["-1"]),
+                ("  sampling: {sobl: 8}\n", "2:14: study.sampling: ", ['"sobl"', '"sobol"']),
+                ("  intensity: {measure: pga, levels: [0.2 s]}\n", "study.intensity.levels[0]: ", ["0.2 s"]),
+            ):
+                path.write_text(f"study:\n{wrong}model: pair.yaml\n")
+                with self.subTest(wrong), self.assertRaises(InputError) as raised:
+                    read_plan(path)
+                for fact in (f"{path}:", place, *facts):
+                    self.assertIn(fact, str(raised.exception))
+
     def test_mixed_units(self):
         self.refused(
             ("study.factors.g.list[1]", '"5" is a bare number, which is in SI, and "2 mm" is in m'),

@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from pounding import told
+from pounding import printing
 from pounding._native import core
 from pounding.arguments import quantity, refuse, takes, whole
 from pounding.contact import Law, Quantity, laws
@@ -55,7 +55,7 @@ IMPACT = np.dtype(
 
 
 def openseespy() -> Any:
-    """The module that holds the model of this process. Raises ImportError with what to type."""
+    """The module openseespy with the model of this process. Raises ImportError with the command to install it."""
     try:
         import openseespy.opensees as ops
     except ImportError as error:
@@ -66,14 +66,14 @@ def openseespy() -> Any:
     return ops
 
 
-class Link(told.Told, lines=told.opensees_link):
-    """A gap link in an OpenSees model; `link` makes it."""
+class Link(printing.ReportLines, lines=printing.opensees_link):
+    """A gap link in an OpenSees model, created by `link`."""
 
     def __init__(
         self, tag: int, nodes: tuple[int, int], dof: int, gap: float, law: Law, reduced_mass: float | None
     ) -> None:
         self.tag, self.nodes, self.dof, self.gap, self.law = tag, nodes, dof, gap, law
-        self.reduced_mass = reduced_mass  #: [kg]; None where the law needs none
+        self.reduced_mass = reduced_mass  #: [kg]; None if the law needs none
         self._last: dict[str, Any] | None = None
         values = {
             "restitution": law.restitution,
@@ -87,7 +87,7 @@ class Link(told.Told, lines=told.opensees_link):
             "gap": gap,
             "values": {name: value for name, value in values.items() if value is not None},
         }
-        # In a session of its own, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
+        # In a separate session, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
         # ever. By its file, because by its name it would load this package first.
         self._process = subprocess.Popen(
             [sys.executable, str(LINK_PROCESS)],
@@ -103,21 +103,23 @@ class Link(told.Told, lines=told.opensees_link):
 
     @property
     def impacts(self) -> np.ndarray:
-        """One row an impact, until now or until the model was wiped, with the columns of IMPACT; t_end, v_separation
-        and restitution of one that lasts are NaN. Raises SolverError when the link was asked for what is no number."""
-        told = self._tell()
-        if told["error"]:
-            raise SolverError(f"element {self.tag}: {told['error']}")
-        return np.array([tuple(row[name] for name in IMPACT.names or ()) for row in told["impacts"]], dtype=IMPACT)
+        """One row per impact, until now or until the model was wiped, with the columns of IMPACT.
+
+                t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link
+        received states that are not finite."""
+        answer = self._tell()
+        if answer["error"]:
+            raise SolverError(f"element {self.tag}: {answer['error']}")
+        return np.array([tuple(row[name] for name in IMPACT.names or ()) for row in answer["impacts"]], dtype=IMPACT)
 
     def _tell(self) -> dict[str, Any]:
         if self._last is None:
             ops = openseespy()
             if self.tag in ops.getEleTags():
-                told = self._ask("")
-                if not told.get("connected"):
-                    return told
-                # The answer to this question comes after all that the element had sent, so our next question finds it
+                answer = self._ask("")
+                if not answer.get("connected"):
+                    return answer
+                # This answer follows everything that the element had sent, so the next request finds it
                 # read.
                 ops.eleResponse(self.tag, "force")
                 return self._ask("")
@@ -137,7 +139,7 @@ class Link(told.Told, lines=told.opensees_link):
         return json.loads(answer)
 
     def _rest(self) -> dict[str, Any]:
-        """Last answer of the process, after its element has gone."""
+        """Stores the last answer of the process after the end of its element."""
         assert self._process.stdin and self._process.stdout
         with contextlib.suppress(BrokenPipeError):
             self._process.stdin.close()
@@ -146,13 +148,12 @@ class Link(told.Told, lines=told.opensees_link):
         return json.loads(lines[-1]) if lines else {"error": "", "impacts": []}
 
 
-#: All links of this Python process: a link serves its element even when no variable holds it.
+#: All links of this process: a link serves its element even if no variable refers to it.
 _made: list[Link] = []
 
 
 def links() -> list[Link]:
-    """Links of the present OpenSees model, in the order in which they were made. Raises ImportError without
-    openseespy."""
+    """Links of the current OpenSees model in the order of their creation. Raises ImportError without openseespy."""
     ops = openseespy()
     tags = set(ops.getEleTags())
     of_tag = {each.tag: each for each in _made if each.tag in tags and tuple(ops.eleNodes(each.tag)) == each.nodes}
@@ -177,19 +178,18 @@ def link(
     reduced_mass: Quantity | None = None,
     **parameters: Quantity,
 ) -> Link:
-    """Adds a gap link between two nodes of the OpenSees model, as its element `tag`, of type genericClient.
+    """Adds a gap link between two nodes of the OpenSees model, as its element `tag` of type genericClient.
 
-    node_i is the body on the side of the smaller coordinate, node_j the other; they close when node_i moves ahead of
-    node_j along `dof` (1: x). A node that is fixed is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters`
-    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The reduced
-    mass [kg] is that of the masses at the two nodes unless it is given.
+        node_i is on the body with the smaller coordinate, node_j on the other; the gap closes if node_i moves towards
+    node_j along `dof` (1: x). A fixed node is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters`
+    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The
+    reduced mass [kg] is by default that of the masses at the two nodes.
 
-    For implicit transient integrators: the element gives its stiffness dF/dd and its damping dF/dd', so that Newton has
-    the exact slopes. Touch and separation are found at the ends of steps; impact speeds are located inside them.
-    OpenSees writes that the element cannot revert when a step fails; another step may follow all the same. Its `force`
-    in a recorder lacks the damping part, so take impacts from the Link. It ends with the model (ops.wipe).
-
-    Raises InputError for values that are wrong, ImportError without openseespy."""
+        For implicit transient integrators: the element returns its stiffness dF/dd and its damping dF/dd', so that
+    Newton's method has the exact slopes. Contact and separation are detected at the ends of steps; impact speeds are
+    located within them. OpenSees reports that the element cannot revert when a step fails; the analysis may continue
+    with another step. Its `force` in a recorder lacks the damping part, so use the impacts of the Link. The link ends
+    with the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
     ops = openseespy()
     if isinstance(law, str):
         words: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
@@ -200,7 +200,7 @@ def link(
         raise InputError(f"a law was given, which has its parameters; leave out {', '.join(parameters)}")
     if law.kind.instantaneous:
         raise InputError(
-            f"{law.kind.name} is a jump of the velocity, which no element of OpenSees makes; take another law"
+            f"{law.kind.name} is a jump of the velocity, which OpenSees elements cannot represent; use another law"
         )
     opening = _length(gap)
     if not (math.isfinite(opening) and opening >= 0):
@@ -208,7 +208,7 @@ def link(
     nodes = set(ops.getNodeTags())
     for node in (node_i, node_j):
         if node not in nodes:
-            raise InputError(f"element {tag}: there is no node {node}")
+            raise InputError(f"element {tag}: unknown node {node}")
         if not 1 <= dof <= ops.getNDF(node)[0]:
             raise InputError(f"element {tag}: node {node} has no degree of freedom {dof}")
     if tag in ops.getEleTags():

@@ -18,12 +18,12 @@ DOFS = {2: ("ux", "uz", "ry"), 3: ("ux", "uy", "uz", "rx", "ry", "rz")}
 def floors_and_ties(
     constraints: Sequence[Constraint], nodes: Mapping[int, Sequence[float]], dimension: int
 ) -> tuple[dict[int, list[int]], list[dict[str, Any]]]:
-    """Nodes of rigid floors by their masters, and ties. `nodes` are coordinates [m]. Raises InputError for other
-    constraints."""
+    """Nodes of rigid floors by their retained node, and ties. `nodes` are coordinates [m]. Raises InputError for
+    other constraints."""
     floors: dict[int, list[int]] = defaultdict(list)
     ties: list[dict[str, Any]] = []
     in_plan = (1, 2, 6) if dimension == 3 else ()
-    above: list[Constraint] = []  # a node in the plan of its master follows a floor as it follows a tie
+    above: list[Constraint] = []  # a node in the plane of its retained node is a node of the floor
     for c in constraints:
         arm = np.subtract(nodes[c.node], nodes[c.retained])
         if c.dofs == in_plan and c.retained_dofs == in_plan and not arm.any():
@@ -52,7 +52,7 @@ def _tie(constraint: Constraint, words: dict[str, Any]) -> dict[str, Any]:
 
 
 def _is_rigid(constraint: Constraint, arm: np.ndarray, dimension: int) -> bool:
-    """Rows and columns of a rigid body's motion; in six digits."""
+    """True if the matrix is a rigid-body motion to six digits."""
     full = np.eye(len(DOFS[dimension]))
     if dimension == 2:
         full[:2, 2] = -arm[1], arm[0]

@@ -1,4 +1,4 @@
-"""Frames of an OpenSees model in the words of our input."""
+"""Frames of an OpenSees model with the keys of input files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pounding.opensees.hinge_members import HINGE_MEMBER, read_hinge_member
 from pounding.opensees.printed import PRINTED, Printed
 from pounding.opensees.springs import SPRINGS, End, Spring, hinge_words, read_spring, rotates_only, take_hinges
 
-#: Members that are carried over, their properties, and the words by which OpenSees tells these to the last bit.
+#: Supported members, their properties, and the parameters for their exact values in OpenSees.
 MEMBERS = {
     "ElasticBeam2d": {"E": "E", "A": "A", "Iz": "I"},
     "ElasticTimoshenkoBeam2d": {"E": "E", "G": "G", "A": "A", "Iz": "Iz", "Avy": "Avy"},
@@ -32,7 +32,7 @@ MEMBERS = {
         "Avz": "Avz",
     },
 }
-#: The commands that make these members.
+#: Commands that create these members.
 COMMANDS = {
     "ElasticBeam2d": "elasticBeamColumn",
     "ElasticTimoshenkoBeam2d": "ElasticTimoshenkoBeam",
@@ -43,13 +43,13 @@ COMMANDS = {
 #: Reasons for refusing a geometric transformation.
 TRANSFORMATIONS = {
     "PDelta": "its axial forces change with time, those of geometry: p_delta stay as at rest",
-    "Corot": "set the frame up as Linear, and geometry: corotational in the model that is made",
+    "Corot": "define the frame as Linear, and set geometry: corotational in the resulting model",
 }
 
 
 @dataclass
 class Member:
-    """A beam-column as OpenSees tells of it, without its hinges."""
+    """A beam-column of OpenSees without its hinges."""
 
     tag: int
     kind: str
@@ -62,13 +62,13 @@ class Member:
 
 @dataclass
 class Frames:
-    """The model of the running process. Raises InputError at the first part that cannot be carried over."""
+    """The model of the running process. Raises InputError at the first unsupported part."""
 
     ops: Any
     printed: Printed
     without: set[int]
     members: list[Member] = field(default_factory=list)
-    springs: list[Spring] = field(default_factory=list)  #: those that are no hinges
+    springs: list[Spring] = field(default_factory=list)  #: elements other than hinges
     hinges: list[End] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -84,7 +84,7 @@ class Frames:
                     f"node {node} has {ops.getNDF(node)[0]} degrees of freedom; nodes of frames have {len(self.dofs)}"
                 )
         for tag in self.without - set(ops.getEleTags()):
-            raise InputError(f"without: there is no element {tag}")
+            raise InputError(f"without: unknown element {tag}")
         ours = {link.tag for link in links()}
         transformations = {each["name"]: each for each in self.printed.model["properties"]["crdTransformations"]}
         for element in self.printed.model["geometry"]["elements"]:
@@ -94,7 +94,7 @@ class Frames:
                 self.springs.append(read_spring(self.printed, element, self.nodes, self._told))
             else:
                 self.members.append(self._member(element, transformations))
-        # The list of the model has no elements that do not print themselves.
+        # Elements without printed output are missing in the list of the model.
         known = self.without | ours | {member.tag for member in self.members} | {spring.tag for spring in self.springs}
         for tag in ops.getEleTags():
             if tag not in known:
@@ -103,7 +103,8 @@ class Frames:
         self._join_hinges()
 
     def _join_hinges(self) -> None:
-        """Moves the ends of members, which springs that turn hold to other nodes, to these."""
+        """Replaces ends of members that are attached by rotational springs by the nodes at the other end of the
+        springs."""
         turning = [spring for spring in self.springs if rotates_only(spring, self.dimension)]
         self.springs = [spring for spring in self.springs if spring not in turning]
         busy = {node for node in self.nodes if node in self.held or any(self.ops.nodeMass(node))}
@@ -123,14 +124,13 @@ class Frames:
             del self.nodes[end]
 
     def require_rest(self) -> None:
-        """Raises InputError when a node has moved."""
+        """Raises InputError if a node has moved."""
         for node in self.ops.getNodeTags():
             if any(self.ops.nodeDisp(node)) or any(self.ops.nodeVel(node)):
                 raise InputError(f"node {node} has moved: read the model before its analysis, or after ops.reset()")
 
     def parts(self) -> list[list[int]]:
-        """Nodes of each part that members and constraints connect, from the smaller x on. A node that is not connected
-        is no part."""
+        """Nodes of each connected part, ordered by smallest x. Unconnected nodes are not included."""
         neighbours: dict[int, set[int]] = defaultdict(set)
         pairs = [member.nodes for member in self.members] + [(c.node, c.retained) for c in self.printed.constraints]
         for a, b in pairs:
@@ -156,10 +156,10 @@ class Frames:
         return sorted(parts, key=lambda part: min(self.nodes[node][0] for node in part))
 
     def structure(self, part: Sequence[int], damping: Any) -> dict[str, Any]:
-        """Words of one frame."""
+        """Input keys of one frame."""
         inside = set(part)
         members = [member for member in self.members if member.nodes[0] in inside]
-        # A node that only holds a rigid floor together is one that the floor makes for itself.
+        # A node that only retains a rigid floor is created by the floor.
         constraints = [c for c in self.printed.constraints if c.node in inside]
         floors, ties = floors_and_ties(constraints, self.nodes, self.dimension)
         used = {node for member in members for node in member.nodes} | {node for tie in ties for node in tie["all"]}
@@ -206,13 +206,13 @@ class Frames:
         return structure
 
     def _joined(self) -> set[int]:
-        """Nodes at which links or springs act."""
+        """Nodes attached to links or springs."""
         return {node for link in links() for node in link.nodes} | {
             node for spring in self.springs for node in spring.nodes
         }
 
     def _within(self, part: set[int]) -> list[Spring]:
-        """Springs from a node of a part to another one, or to one that is fixed and in no part."""
+        """Springs between nodes of a part, or from it to a fixed node outside all parts."""
         others = {node for member in self.members for node in member.nodes} - part
         return [
             spring
@@ -246,7 +246,7 @@ class Frames:
         )
 
     def _told(self, tag: int, words: Sequence[str | int], printed: float) -> float:
-        """A property to the last bit, by a parameter that is made and removed."""
+        """Exact value of a property, from a parameter that is created and removed."""
         ops = self.ops
         free = max(ops.getParamTags() or [0]) + 1
         ops.parameter(free, "element", tag, *words)
@@ -259,7 +259,7 @@ class Frames:
     @staticmethod
     def _refusal(tag: int, kind: str) -> str:
         return (
-            f"element {tag} is of the type {kind}, which is not carried over; only elasticBeamColumn, ElasticTimoshenkoBeam, "
+            f"element {tag} is of the type {kind}, which is not supported; only elasticBeamColumn, ElasticTimoshenkoBeam, "
             "forceBeamColumn with HingeRadau in the plane, zeroLength, twoNodeLink, truss and links of pounding.opensees are. "
             f"without=[{tag}] leaves it out"
         )
@@ -318,7 +318,7 @@ class Frames:
         if offsets:
             words["offsets"] = offsets
         if self.dimension == 3:
-            # The vector as it was given has six digits; local z has all.
+            # The printed vector has six digits; local z is exact.
             words["reference"] = list(self.ops.eleResponse(member.tag, "zlocal"))
         return words
 
@@ -347,7 +347,7 @@ class Frames:
             )
 
     def _floors(self, nodes: Sequence[int], rigid: Mapping[int, Sequence[int]], used: set[int]) -> list[dict[str, Any]]:
-        """Rigid floors, and levels whose nodes have mass, from the ground up."""
+        """Rigid floors, and levels with nodal masses, from the ground up."""
         levels: dict[float, dict[str, Any]] = {}
         for master, members in rigid.items():
             z = self.nodes[master][-1]

@@ -1,4 +1,4 @@
-"""Frames of an OpenSeesPy model as a Model of ours."""
+"""Conversion of OpenSeesPy models to Model."""
 
 from __future__ import annotations
 
@@ -33,30 +33,30 @@ def from_opensees(
     title: str | None = None,
     face: Any = None,
 ) -> Model:
-    """The OpenSeesPy model of this process as a Model: every connected part is a structure of the kind `frame`, and
-    links made by `pounding.opensees.link` are its links.
+    """The OpenSeesPy model of this process as a Model. Each connected part becomes a structure of kind `frame`, and
+    links of `pounding.opensees.link` become its links.
 
-    Carried over: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear,
-    releases, joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. What yields: a zeroLength that
-    turns, whose nodes are tied by equalDOF, is a hinge at the end of its member; forceBeamColumn with HingeRadau and
-    bilinear end sections is a member with hinges; truss, twoNodeLink and other zeroLength are devices. Their materials
-    are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic,
-    Viscous and ViscousDamper; a zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has the
-    same hinges at both ends, or at one end. The model is in N, m, kg, s; in the plane y is up, in space z. Nodes,
-    members and devices are named by their tags: n24, e7, d12. Structures are called left and right when there are two,
-    else frame1, frame2, ... from the smaller x on, unless `names` says otherwise.
+        Supported: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear,
+    releases, joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. Yielding parts: a rotational
+    zeroLength whose nodes are tied by equalDOF is a hinge at the end of its member; forceBeamColumn with HingeRadau
+    and bilinear end sections is a member with hinges; truss, twoNodeLink and other zeroLength elements are devices.
+    Their materials are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and
+    beta), Elastic, Viscous and ViscousDamper. A zeroLength of HyperbolicGapMaterial along x is a wall with backfill.
+    A member has equal hinges at both ends, or a hinge at one end.
 
-    OpenSees does not tell the damping: give `rayleigh`, the numbers of ops.rayleigh (alphaM, betaK, betaKinit,
-    betaKcomm), or `damping` in our own words; neither is no damping. Nor does it tell the motion of a
-    UniformExcitation: give `ground_motion`, and `analysis`, as in Model. `without` are tags of elements that are left
-    out, `without_loads` leaves load patterns out. Mass per length, joint offsets, BoucWen, Hysteretic and
-    HyperbolicGapMaterial are read with the six digits that OpenSees prints, all else exactly. In OpenSees the stiffness
-    part of Rayleigh damping acts on members without their springs, here on members with them.
+        The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from
+    their tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest
+    x, unless `names` is given.
 
-    Frames are drawn by their nodes, and gaps are measured between faces: `face`, the distance from the axes of the
-    outer columns to the faces such as "0.3 m", is one for all frames or a mapping by their names.
+        OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK,
+    betaKinit, betaKcomm), or `damping` with input keys; the default is no damping. It does not return the motion of a
+    UniformExcitation: pass `ground_motion`, and `analysis`, as for Model. `without` are tags of elements to omit;
+    `without_loads` omits load patterns. Mass per length, joint offsets, BoucWen, Hysteretic and HyperbolicGapMaterial
+    have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part
+    of Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes
+    of the outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
 
-    Raises InputError that names what cannot be carried over; ImportError without openseespy."""
+        Raises InputError with the unsupported part; ImportError without openseespy."""
     ops = openseespy()
     printed = Printed(ops)
     frames = Frames(ops, printed, set(without))
@@ -68,7 +68,7 @@ def from_opensees(
         damping = rayleigh_words(rayleigh)
     elif damping is None and printed.alpha_m != 0:
         raise InputError(
-            f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not tell the other "
+            f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not return the other "
             "factors, so give rayleigh=(alphaM, betaK, betaKinit, betaKcomm), or damping="
         )
     parts = frames.parts()
@@ -79,7 +79,7 @@ def from_opensees(
     structures = {name: frames.structure(part, damping) for name, part in zip(names, parts)}
     for name, distance in (face if isinstance(face, Mapping) else dict.fromkeys(structures, face)).items():
         if name not in structures:
-            raise InputError(f"face: there is no frame {name!r} among {', '.join(structures)}")
+            raise InputError(f"face: unknown frame {name!r} among {', '.join(structures)}")
         if distance is not None:
             structures[name]["face"] = distance
     home = {node: name for name, part in zip(names, parts) for node in part}
@@ -96,7 +96,7 @@ def from_opensees(
 
 
 def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], list[dict[str, Any]], dict[str, Any]]:
-    """Walls, gaps with backfill behind them, and devices between two frames."""
+    """Walls, gaps with backfill, and devices between two frames."""
     walls: dict[str, Any] = {}
     gaps: list[dict[str, Any]] = []
     devices: dict[str, Any] = {}
@@ -127,14 +127,14 @@ def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], li
 
 
 def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
-    """Damping in the words of the input from alphaM [1/s] and the betas [s], whose sum acts on elastic members."""
+    """Damping with input keys from alphaM [1/s] and the betas [s], whose sum acts on elastic members."""
     by_mass, by_stiffness = float(factors[0]), float(sum(factors[1:]))
     if not all(math.isfinite(factor) and factor >= 0 for factor in (by_mass, by_stiffness)):
         raise InputError(f"rayleigh is {tuple(factors)}, but takes factors that are not negative")
     if by_mass == by_stiffness == 0:
         return None
     # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is
-    # so far away that what it adds is lost in rounding.
+    # far enough away to be lost in round-off.
     if by_stiffness == 0:
         low, high = max(1.0, 10 * by_mass), 1e15
         ratio = by_mass / (2 * low)
@@ -159,7 +159,7 @@ def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:
             raise InputError(f"element {link.tag}: node {node} belongs to no frame")
     if link.dof != 1:
         raise InputError(
-            f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are carried over"
+            f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are supported"
         )
     law = link.law
     given = {

@@ -1,4 +1,4 @@
-"""Members of OpenSees that yield over a plastic length at their ends: forceBeamColumn with HingeRadau."""
+"""OpenSees members with plastic lengths at their ends: forceBeamColumn with HingeRadau."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ HINGE_MEMBER = "ForceBeamColumn2d"
 def read_hinge_member(
     printed: Printed, element: Mapping[str, Any], nodes: Mapping[int, Sequence[float]], ask: Ask
 ) -> tuple[dict[str, float], list[End]]:
-    """E, A and Iz of the member between its hinges, and the hinges: exactly those of the plastic lengths, since the
-    four inner points of HingeRadau are elastic. Raises InputError for other integrations and sections."""
+    """E, A and Iz of the member between its hinges, and the hinges. They represent the plastic lengths exactly, since
+    the four inner points of HingeRadau are elastic. Raises InputError for other integrations and sections."""
     tag, integration, sections = element["name"], element["integration"], element["sections"]
     if integration["type"] != "HingeRadau" or len(sections) != 6:
         raise InputError(
-            f"element {tag}: its integration {integration['type']} spreads the yielding; only HingeRadau is carried over"
+            f"element {tag}: its integration {integration['type']} spreads the yielding; only HingeRadau is supported"
         )
     named = {each["name"]: each for each in printed.model["properties"]["sections"]}
     inner = named[sections[1]]
@@ -52,7 +52,8 @@ def _moment(
     inner: Mapping[str, float],
     ask: Ask,
 ) -> Material:
-    """The bilinear material of the moment of an end section, which is elastic with the stiffness of the others."""
+    """The bilinear bending material of an end section; its axial and shear stiffness must equal those of the other
+    sections."""
     tag = element["name"]
     if section["type"] != "SectionAggregator" or sorted(section["dof"]) != ["Mz", "P"]:
         raise InputError(f"element {tag}: section {section['name']} of its hinge must be an Aggregator of P and Mz")

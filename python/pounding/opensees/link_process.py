@@ -1,15 +1,12 @@
-"""A gap link for the element genericClient of OpenSees: a process that `pounding.opensees.link` starts.
+"""A gap link for the element genericClient of OpenSees, in a process started by `pounding.opensees.link`.
 
-    python3 link_process.py        reads one line of JSON, writes {"port": ...}, serves one element
+python3 link_process.py reads one line of JSON, writes {"port": ...}, serves one element
 
-OpenSees holds the interpreter while it computes, so the link cannot live in the same process. The element asks for
-force and slopes at trial states, as often as Newton likes, and says which states are kept; impacts begin, go on and end
-at these. Protocol: GenericClient.cpp and RemoteTest in OpenSees' sources.
-
-Nothing but the standard library and the C interface of the laws (pounding.h) is used. Errors never end the process,
-because OpenSees would wait for ever: the link answers NaN, which ends the analysis, and tells the text when it is
-asked.
-"""
+OpenSees holds the interpreter while it computes, so the link needs its own process. The element requests force and
+slopes at trial states of Newton's method and commits states; impacts begin, continue and end at committed states.
+Protocol: GenericClient.cpp and RemoteTest in the sources of OpenSees. Uses only the standard library and the C
+interface of the laws (pounding.h). Errors do not end the process, for which OpenSees would wait forever: the link
+returns NaN, which ends the analysis, and reports the message on request."""
 
 from __future__ import annotations
 
@@ -63,7 +60,7 @@ class Answer(ctypes.Structure):
 
 
 class Law:
-    """A law of the C interface. Raises ValueError with the interface's text."""
+    """A law of the C interface. Raises ValueError with the message of the interface."""
 
     def __init__(self, name: str, formula: str, values: dict[str, float]) -> None:
         self._library = ctypes.CDLL(str(LIBRARY))
@@ -77,11 +74,11 @@ class Law:
         )
 
     def touch(self, contact: _Contact, closing_speed: float) -> None:
-        """The bodies begin to press at this closing speed [m/s]."""
+        """Marks the start of contact at this closing speed [m/s]."""
         self._check(self._library.pnd_touch(self._law, ctypes.c_double(closing_speed), ctypes.byref(contact)))
 
     def respond(self, contact: _Contact, penetration: float, rate: float) -> Answer:
-        """Force [N] and both slopes at a penetration [m] and its rate [m/s]; changes nothing."""
+        """Force [N] and both slopes at a penetration [m] and its rate [m/s]. Pure."""
         answer = Answer()
         self._check(
             self._library.pnd_respond(
@@ -95,7 +92,7 @@ class Law:
         return answer
 
     def accept(self, contact: _Contact, penetration: float, rate: float) -> None:
-        """A step that is kept ends here."""
+        """Accepts the state at the end of a committed step."""
         self._check(
             self._library.pnd_accept(
                 self._law, ctypes.c_double(penetration), ctypes.c_double(rate), ctypes.byref(contact)
@@ -109,7 +106,7 @@ class Law:
 
 @dataclass
 class Impact:
-    """As a row of /impacts in the results files; peaks are the largest at kept states."""
+    """A row of /impacts in results files; peaks are maxima at committed states."""
 
     t_start: float  #: touch, located inside its step [s]
     t_end: float  #: separation, located inside its step; NaN while the impact lasts [s]
@@ -120,8 +117,8 @@ class Impact:
     t_peak: float = math.nan  #: time of the peak force [s]
     peak_penetration: float = 0.0  #: [m]
     impulse: float = 0.0  #: integral of the force [N s]
-    energy_lost: float = 0.0  #: work that the link took and dissipated [J]
-    energy_stored: float = 0.0  #: work that a contact which still presses can give back [J]
+    energy_lost: float = 0.0  #: dissipated work [J]
+    energy_stored: float = 0.0  #: recoverable energy of an unfinished contact [J]
 
 
 class State(NamedTuple):
@@ -134,8 +131,8 @@ class State(NamedTuple):
 
 
 def time_to_close(opening: float, rate: float, acceleration: float) -> float:
-    """When opening >= 0 is closed at this rate and acceleration: the first root of opening = rate s + acceleration
-    s^2/2, infinite without one."""
+    """Time until opening >= 0 closes at this rate and acceleration: the first root of opening = rate s + acceleration
+    s^2/2; infinite if there is none."""
     under_root = rate * rate + 2 * acceleration * opening
     if under_root < 0:
         return math.inf
@@ -145,11 +142,11 @@ def time_to_close(opening: float, rate: float, acceleration: float) -> float:
 
 
 class Link:
-    """Force at trial states, history at kept ones.
+    """Force at trial states, and history at committed states.
 
-    An impact begins at the first kept state that overlaps: a step has one formula of the force from its beginning to
-    its end, because with a force that jumps at the touch, as that of kelvin_voigt, there may be no state in which a
-    step could end. The closing speed is that at the touch inside the step, by the acceleration at its beginning."""
+        An impact begins at the first committed state with overlap, so that one formula of the force applies to a
+    whole step: if the force jumps at contact, as for kelvin_voigt, a step could otherwise have no solution. The
+    closing speed is that at contact within the step, from the acceleration at its beginning."""
 
     def __init__(self, law: Law, gap: float) -> None:
         self.law, self.gap = law, gap
@@ -161,7 +158,7 @@ class Link:
         self.force = 0.0  # of the link in the kept state, as the solver had it
 
     def trial(self, time: float, closure: float, rate: float, acceleration: float) -> Answer:
-        """Changes nothing but what `keep` would keep."""
+        """Response at a trial state, which `keep` may commit."""
         self.now = State(time, closure - self.gap, rate, acceleration)
         # The model as it is before its first step.
         self.kept = self.kept or self.now
@@ -169,7 +166,7 @@ class Link:
         return self.answer
 
     def keep(self) -> None:
-        """The last trial state was kept."""
+        """Commits the last trial state."""
         before, now = self.kept or self.now, self.now
         indentation, was_touching = self.contact.indentation, bool(self.contact.touching)
         if not was_touching and now.penetration > indentation:
@@ -186,11 +183,11 @@ class Link:
         self.kept, self.force = now, self.answer.force
 
     def rows(self) -> list[Impact]:
-        """The impacts; that which lasts with its work in two parts, lost and stored."""
+        """All impacts; the work of an unfinished one is split into lost and stored energy."""
         if not self.contact.touching or not self.kept or self.force == 0:
             return self.impacts
         *over, last = self.impacts
-        # It gives back what it does when the bodies part slowly, here to 1e-5.
+        # The energy recovered in a slow separation, to 1e-5.
         deep, parts = self.kept.penetration, [(i + 0.5) / 200 for i in range(200)]
         stored = sum(2 * t * self.law.respond(self.contact, deep * t * t, 0.0).force for t in parts) * deep / 200
         return [*over, replace(last, energy_stored=stored, energy_lost=last.energy_lost - stored)]
@@ -207,7 +204,7 @@ class Link:
             row.peak_force, row.t_peak = force, now.time
 
     def _end(self, now: State, indentation: float) -> None:
-        """Seen backwards from a state that is apart the bodies close; no force has acted since."""
+        """Locates the separation within the step, backwards in time from the open state without contact force."""
         row = self.impacts[-1]
         back = time_to_close(max(0.0, indentation - now.penetration), -now.rate, now.acceleration)
         back = back if math.isfinite(back) else 0.0
@@ -216,7 +213,8 @@ class Link:
 
 
 class Server:
-    """One link, one element, two unknowns: of the left body and of the right one, both along the line between them."""
+    """Serves one link to one element with two unknowns, of the left and the right body along the line between
+    them."""
 
     def __init__(self, link: Link) -> None:
         self.link = link
@@ -225,7 +223,7 @@ class Server:
         self.connected = False
 
     def serve(self, connection: socket.socket) -> None:
-        """Until the element ends. `sys.stdin` may ask for the results meanwhile."""
+        """Serves until the element ends; `sys.stdin` may request results meanwhile."""
         head = self._read(connection, 44)
         if not head:
             return
@@ -235,7 +233,7 @@ class Server:
         listening = [connection, sys.stdin]
         while True:
             ready = select.select(listening, [], [])[0]
-            # The element first: what it has sent was sent before the question.
+            # Read the element first: its data precede the request.
             if connection in ready:
                 data = self._read(connection, vector.size)
                 if not data:
@@ -253,14 +251,14 @@ class Server:
 
     def tell(self) -> None:
         """Writes error, connection and impacts as a line of JSON to the caller."""
-        told = {
+        answer = {
             "error": self.error,
             "connected": self.connected,
             "impacts": [asdict(impact) for impact in self.link.rows()],
         }
         # The caller may be gone.
         with contextlib.suppress(BrokenPipeError):
-            os.write(sys.stdout.fileno(), (json.dumps(told) + "\n").encode())
+            os.write(sys.stdout.fileno(), (json.dumps(answer) + "\n").encode())
 
     def _answer(self, numbers: tuple[float, ...]) -> tuple[float, float, float, float] | None:
         action, link = numbers[0], self.link
@@ -286,7 +284,7 @@ class Server:
 
     @staticmethod
     def _read(connection: socket.socket, size: int) -> bytes:
-        """Nothing when the element is gone."""
+        """Bytes from the element; empty after its end."""
         data = b""
         with contextlib.suppress(ConnectionError):
             while len(data) < size:
@@ -303,7 +301,7 @@ class Server:
 
 
 def main() -> int:
-    """Serves the link that a line of JSON on the standard input describes; exit code 2 where it cannot be."""
+    """Serves the link described by a line of JSON on standard input. Returns 2 for an invalid link."""
     asked: dict[str, Any] = json.loads(sys.stdin.readline())
     try:
         server = Server(Link(Law(asked["law"], asked["formula"], asked["values"]), asked["gap"]))
@@ -312,7 +310,7 @@ def main() -> int:
         return 2
     with socket.create_server(("127.0.0.1", 0)) as listener:
         print(json.dumps({"port": listener.getsockname()[1]}), flush=True)
-        # The caller may end before an element has come; or ask, when there is nothing to tell yet.
+        # The caller may end, or request results, before the element connects.
         while listener not in select.select([listener, sys.stdin], [], [])[0]:
             if not sys.stdin.readline():
                 return 0

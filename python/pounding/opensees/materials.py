@@ -1,4 +1,4 @@
-"""Uniaxial materials of an OpenSees model in the words of our laws of yielding."""
+"""Uniaxial materials of an OpenSees model as laws of yielding."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from pounding.errors import InputError
 from pounding.opensees.printed import PRINTED, Printed
 
-#: Numbers of a material as OpenSees prints them, and the words by which it tells the same to the last bit.
+#: Printed values of a material, and the parameters for their exact values.
 EXACT = {
     "Steel01": {"fy": "Fy", "E": "E", "b": "b"},
     "Steel02": {"fy": "Fy", "E": "E", "b": "b", "R0": "R0", "cR1": "cR1", "cR2": "cR2"},
@@ -22,17 +22,16 @@ EXACT = {
 
 @dataclass(frozen=True)
 class Law:
-    """A law of yielding with the values of the input, named as those of a force; `moments` and `times` change what they
-    are."""
+    """A law of yielding with its input values, named as for a force; `moments` and `times` convert them."""
 
     name: str
     values: Mapping[str, Any]
 
-    #: Powers of a force and of a length in the words that have a unit.
+    #: Exponents of force and length in the units of input keys.
     UNITS = {"stiffness": (1, -1), "yield_force": (1, 0)}
 
     def times(self, force: float, length: float) -> Law:
-        """The law of something whose forces and deformations are so many times larger."""
+        """The law with scaled forces and deformations."""
 
         def scaled(word: str, value: Any) -> Any:
             of_force, of_length = self.UNITS.get(word, (0, 0))
@@ -41,46 +40,46 @@ class Law:
         return Law(self.name, {word: scaled(word, value) for word, value in self.values.items()})
 
     def words(self) -> dict[str, Any]:
-        """Words of a device or a storey."""
+        """Input keys of a device or a storey."""
         return {self.name: dict(self.values)}
 
     def moments(self) -> dict[str, Any]:
-        """Words of a hinge. OpenSees' ratio is that of the bare spring."""
+        """Input keys of a hinge; the hardening ratio of OpenSees is that of the spring alone."""
         names = {"yield_force": "yield_moment", "hardening": "spring_hardening"}
         return {self.name: {names.get(word, word): value for word, value in self.values.items()}}
 
 
 @dataclass(frozen=True)
 class Material:
-    """A uniaxial material: as it is printed, but for the numbers that OpenSees tells to the last bit."""
+    """A uniaxial material as printed, with exact values of the numbers that OpenSees returns as parameters."""
 
     tag: str
     kind: str
     values: Mapping[str, Any]
 
     def refuse(self, reason: str) -> InputError:
-        """The error that says why it is not carried over."""
+        """The error with the reason why the material is not supported."""
         return InputError(f"material {self.tag} ({self.kind}): {reason}")
 
     def require(self, **wanted: float) -> None:
-        """Raises InputError where a value is another one than that which our law stands for."""
+        """Raises InputError if a value differs from the one that the law assumes."""
         for name, value in wanted.items():
             if self.values[name] != value:
                 raise self.refuse(f"{name} is {self.values[name]:g}, and only {value:g} is carried over")
 
     def law(self) -> Law:
-        """The law of yielding that is the same. Raises InputError for other materials."""
+        """The equivalent law of yielding. Raises InputError for other materials."""
         if self.kind not in LAWS:
-            raise self.refuse(f"it is not carried over here; {', '.join(_plain(kind) for kind in LAWS)} are")
+            raise self.refuse(f"it is not supported here; {', '.join(_plain(kind) for kind in LAWS)} are")
         return LAWS[self.kind](self)
 
 
 def read_material(printed: Printed, name: str, ask: Callable[[str, float], float]) -> Material:
-    """A material of the printed model, with what `ask(word, value)` tells to the last bit."""
+    """A material of the printed model, with exact values from `ask(parameter, value)`."""
     line = next(each for each in printed.model["properties"]["uniaxialMaterials"] if each["name"] == name)
-    told = {key: ask(word, line[key]) for key, word in EXACT.get(line["type"], {}).items()}
+    exact = {key: ask(word, line[key]) for key, word in EXACT.get(line["type"], {}).items()}
     return Material(
-        name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | told
+        name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | exact
     )
 
 
@@ -143,10 +142,10 @@ def _hysteretic(of: Material) -> Law:
         if abs(values[name + "p"] + values[name + "n"]) > PRINTED * abs(values[name + "p"]):
             raise of.refuse("its two sides differ")
     slopes = [values[name] for name in ("E1p", "E2p", "E3p")]
-    # OpenSees makes three lines of two, with the middle of the second one as a point.
+    # OpenSees splits the second of two lines at its middle.
     if abs(slopes[2] - slopes[1]) > PRINTED * slopes[0]:
         raise of.refuse(
-            "its backbone has three lines, between which it unloads otherwise than peak_oriented; two are carried over"
+            "its backbone has three lines, between which it unloads otherwise than peak_oriented; two are supported"
         )
     stiffness = values["s1p"] / values["e1p"]
     hardening = (values["s3p"] - values["s1p"]) / (values["e3p"] - values["e1p"]) / stiffness
@@ -166,8 +165,8 @@ LAWS: dict[str, Callable[[Material], Law]] = {
 
 
 def device_words(of: Material, force: float = 1.0, length: float = 1.0) -> dict[str, Any]:
-    """Words of a device that acts by a material, whose stresses are to be multiplied by `force` [m^2], or 1 where they
-    are forces, and whose strains by `length` [m]."""
+    """Input keys of a device with this material. Stresses are multiplied by `force` [m^2], 1 for forces, and strains
+    by `length` [m]."""
     values = of.values
     if of.kind == "ElasticMaterial":
         of.require(Eneg=float(f"{values['Epos']:g}"))
@@ -187,7 +186,7 @@ def _damper(values: Mapping[str, Any], force: float, length: float) -> dict[str,
 
 
 def backfill_words(of: Material) -> dict[str, Any]:
-    """Words of a link against the soil behind a wall."""
+    """Input keys of a link to the soil behind a wall."""
     if of.kind != "HyperbolicGapMaterial":
         raise of.refuse(
             "only HyperbolicGapMaterial acts between two structures along one axis; use pounding.opensees.link for other gaps"

@@ -1,4 +1,4 @@
-"""The printed OpenSees model: OpenSees tells these properties in no other way."""
+"""Properties that OpenSees returns only in the printed model."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from pounding.errors import InputError
 
-#: OpenSees prints this many digits, which is how far its other answers are held against them.
+#: Number of printed digits, to which exact values are compared.
 PRINTED = 1e-5
 
 
@@ -36,12 +36,12 @@ def _as_json(material: re.Match[str]) -> str:
 
 
 class Printed:
-    """The text of printModel, and what is read from it. `ops` is openseespy's module."""
+    """The text of printModel and its contents. `ops` is the module openseespy."""
 
     def __init__(self, ops: Any) -> None:
         self._ops = ops
         self._text = self._print()
-        # The line of a genericClient is no JSON, and neither are some materials.
+        # The lines of genericClient and of some materials are not JSON.
         lines = re.sub(r"^.*\"GenericClient\".*\n", "", self._print("-JSON"), flags=re.MULTILINE)
         lines = re.sub(r"^(\w+),? tag: (\d+)\n((?:  \w+: \S+\n)+)(,?)\n?", _as_json, lines, flags=re.MULTILINE)
         self.model = json.loads(re.sub(r",(\s*\])", r"\1", lines))["StructuralAnalysisModel"]
@@ -54,33 +54,33 @@ class Printed:
         self.constraints = list(self._read_constraints(self._supports[2]))
 
     def consistent_mass(self, element: int) -> bool:
-        """Whether the mass of an element is consistent. Raises InputError where the print does not tell."""
+        """True if the mass of an element is consistent. Raises InputError if the text does not state it."""
         parts = re.split(
             r"^(?:ElasticBeam[23]d|Element): (\d+)", self._text.partition("ELEMENT DATA:")[2], flags=re.MULTILINE
         )
         of = dict(zip(parts[1::2], parts[2::2])).get(str(element), "")
         found = re.search(r"cMass: (\d)", of)
         if not found:
-            raise InputError(f"element {element}: OpenSees does not tell whether its mass is consistent")
+            raise InputError(f"element {element}: OpenSees does not state whether its mass is consistent")
         return found[1] == "1"
 
     def require_nothing_else(self, with_motion: bool, without_loads: bool) -> None:
-        """Raises InputError for supports that are displaced, motions and loads that would not be carried over."""
+        """Raises InputError for support displacements, ground motions and loads, which are not supported."""
         for node, dof, value in re.findall(r"Node: (\d+) DOF: (\d+) ref value: (\S+)", self._supports[0]):
             if float(value) != 0:
                 raise InputError(
-                    f"node {node}, degree of freedom {dof}: a support with the displacement {value} is not carried over"
+                    f"node {node}, degree of freedom {dof}: a support with the displacement {value} is not supported"
                 )
         for pattern in re.split(r"^(?=Load Pattern: |UniformExcitation )", self._patterns, flags=re.MULTILINE)[1:]:
             kind, tag = re.match(r"(Load Pattern|UniformExcitation)\D+(\d+)", pattern).groups()  # type: ignore[union-attr]
             if kind == "UniformExcitation":
                 if not with_motion:
                     raise InputError(
-                        f"pattern {tag}: OpenSees does not tell the motion of a UniformExcitation; give ground_motion="
+                        f"pattern {tag}: OpenSees does not return the motion of a UniformExcitation; pass ground_motion="
                     )
             elif re.search(r"numComponents: [1-9]", pattern) and not without_loads:
                 raise InputError(
-                    f"pattern {tag}: loads are not carried over; type without_loads=True, and add them to the model "
+                    f"pattern {tag}: loads are not supported; type without_loads=True, and add them to the model "
                     "as `loads`"
                 )
 

@@ -1,5 +1,4 @@
-"""Elements of an OpenSees model that act by uniaxial materials: hinges at the ends of members, bars and dampers, walls
-with backfill."""
+"""OpenSees elements with uniaxial materials: hinges at the ends of members, bars and dampers, walls with backfill."""
 
 from __future__ import annotations
 
@@ -17,20 +16,20 @@ from pounding.opensees.printed import Constraint, Printed
 SPRINGS = ("ZeroLength", "TwoNodeLink", "Truss")
 #: Directions as they are printed, and their degrees of freedom from 1, by the dimension.
 DIRECTIONS = {2: {"P": 1, "Vy": 2, "Mz": 3}, 3: {"P": 1, "Vy": 2, "Vz": 3, "T": 4, "My": 5, "Mz": 6}}
-#: Axes of displacements in our words.
+#: Axes of displacements in input keys.
 AXES = {2: ("x", "z"), 3: ("x", "y", "z")}
 
 
 class Ask(Protocol):
-    """Tells a number of an element to the last bit, by the words of ops.parameter."""
+    """Returns exact values of an element through ops.parameter."""
 
     def __call__(self, tag: int, words: Sequence[str | int], printed: float) -> float:
-        """The number, which must be as it is printed."""
+        """The exact value, checked against the printed one."""
 
 
 @dataclass(frozen=True)
 class Spring:
-    """An element with one material in each of its directions."""
+    """An element with one material per direction."""
 
     tag: int
     kind: str
@@ -38,17 +37,18 @@ class Spring:
     materials: Mapping[int, Material]  #: by degrees of freedom from 1; of a truss and of a twoNodeLink 1 is along it
     area: float  #: of a truss [m^2], else 1
     length: float  #: of a truss [m], else 1
-    stands: bool  #: whether its nodes are apart
+    stands: bool  #: True if its nodes have different coordinates
 
     def words(self) -> dict[str, Any]:
-        """Words of the device. Raises InputError where several materials act, or not along x, y or z."""
+        """Input keys of the device. Raises InputError for several materials and for directions other than x, y and
+        z."""
         if len(self.materials) != 1:
             raise InputError(f"element {self.tag} has {len(self.materials)} materials; make an element of each")
         [material] = self.materials.values()
         return device_words(material, self.area, self.length)
 
     def direction(self, dimension: int) -> dict[str, str]:
-        """Word of its axis: none where it acts along the line between its nodes."""
+        """Input key of its axis; empty along the line between its nodes."""
         [dof] = self.materials
         if self.stands:
             if dof != 1:
@@ -65,7 +65,7 @@ class Spring:
 
 
 def read_spring(printed: Printed, element: Mapping[str, Any], nodes: Mapping[int, Sequence[float]], ask: Ask) -> Spring:
-    """A spring from its line of the printed model. Raises InputError where its axes are not those of the model."""
+    """A spring from its line in the printed model. Raises InputError if its axes are not global."""
     tag, kind = element["name"], element["type"]
     at = tuple(element["nodes"])
     length = float(np.linalg.norm(np.subtract(nodes[at[1]], nodes[at[0]])))
@@ -75,20 +75,20 @@ def read_spring(printed: Printed, element: Mapping[str, Any], nodes: Mapping[int
 
     if kind == "Truss":
         if element.get("massperlength", 0):
-            raise InputError(f"element {tag}: the mass of a truss is not carried over; give it to the nodes")
+            raise InputError(f"element {tag}: the mass of a truss is not supported; give it to the nodes")
         area = ask(tag, ("A",), element["A"])
         return Spring(tag, kind, at, {1: material(element["material"], "material")}, area, length, True)
     if length == 0 and not np.array_equal(element["transMatrix"], np.eye(3)):
-        raise InputError(f"element {tag} has axes of its own (-orient); only those of the model are carried over")
+        raise InputError(f"element {tag} has local axes (-orient); only global axes are supported")
     if element.get("mass", 0):
-        raise InputError(f"element {tag}: the mass of a twoNodeLink is not carried over; give it to the nodes")
+        raise InputError(f"element {tag}: the mass of a twoNodeLink is not supported; give it to the nodes")
     directions = DIRECTIONS[len(nodes[at[0]])]
     of = {
         directions[name]: material(number, "material", i + 1)
         for i, (name, number) in enumerate(zip(element["dof"], element["materials"]))
     }
     if len(of) != len(element["dof"]):
-        raise InputError(f"element {tag} has several materials in one direction; make one parallel material of them")
+        raise InputError(f"element {tag} has several materials in one direction; combine them in a Parallel material")
     return Spring(tag, kind, at, of, 1.0, 1.0, length > 0)
 
 
@@ -99,18 +99,18 @@ class End:
     member: int
     end: str  #: start or end
     axis: str  #: y or z, of the member; empty in the plane
-    law: Mapping[str, Any]  #: words
+    law: Mapping[str, Any]  #: input keys
 
 
 class JoinedMember(Protocol):
-    """A member whose ends can be moved to other nodes."""
+    """A member whose ends can be assigned to other nodes."""
 
     tag: int
     nodes: tuple[int, int]
 
 
 def rotates_only(spring: Spring, dimension: int) -> bool:
-    """Whether all its materials act on rotations."""
+    """True if all its materials act on rotations."""
     return spring.kind == "ZeroLength" and not spring.stands and min(spring.materials) > dimension
 
 
@@ -122,10 +122,10 @@ def take_hinges(
     dimension: int,
     local: Mapping[int, Sequence[np.ndarray]],
 ) -> tuple[int, int, list[End]]:
-    """The node at the end of a member, the node to which the spring holds it, and its hinges.
+    """The node at the end of a member, the node at the other end of the spring, and its hinges.
 
-    The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes that
-    something else holds or loads, `local` the local y and z of the members in space. Raises InputError where it is no
+        The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes with
+    other constraints or loads, `local` the local y and z of members in space. Raises InputError if it is not a
     hinge."""
     turns = f"element {spring.tag} turns between nodes {spring.nodes[0]} and {spring.nodes[1]}"
     free = set(spring.materials)
@@ -163,11 +163,11 @@ def _axis(spring: Spring, member: int, dof: int, local: Sequence[np.ndarray]) ->
     for name, axis in zip("yz", local):
         if abs(abs(float(along @ axis)) - 1) < 1e-9:
             return name
-    raise InputError(f"element {spring.tag}: degree of freedom {dof} is no axis of bending of element {member}")
+    raise InputError(f"element {spring.tag}: degree of freedom {dof} is not an axis of bending of element {member}")
 
 
 def hinge_words(hinges: Sequence[End]) -> dict[str, dict[str, Any]]:
-    """Words `hinges` of a frame. Raises InputError where the ends of a member differ."""
+    """Input key `hinges` of a frame. Raises InputError if the ends of a member differ."""
     words: dict[str, dict[str, Any]] = {}
     for tag in sorted({hinge.member for hinge in hinges}):
         of = [hinge for hinge in hinges if hinge.member == tag]
@@ -185,10 +185,10 @@ def hinge_words(hinges: Sequence[End]) -> dict[str, dict[str, Any]]:
 
 
 def plastic(moment: Law, plastic_length: float, length: float) -> dict[str, Any]:
-    """Words of the rigid-plastic hinge that a section with a bilinear moment [N m] makes over `plastic_length` [m] at
-    an end of a member of this length [m], beside the elastic curvature of the whole member.
+    """Input keys of the rigid-plastic hinge for a section with a bilinear moment [N m] over `plastic_length` [m] at
+    the end of a member of this length [m] that is elastic throughout.
 
-    Past the yield it turns by plastic_length (1-b)/(b E I) for each N m; the `hardening` a of a hinge is 6 E I/L
+        After yielding it rotates by plastic_length (1-b)/(b E I) per N m; the `hardening` a of a hinge is 6 E I/L
     a/(1-a)."""
     b = float(moment.values["hardening"])
     x = b / (1 - b) * length / (6 * plastic_length)
@@ -196,8 +196,8 @@ def plastic(moment: Law, plastic_length: float, length: float) -> dict[str, Any]
 
 
 def between_words(spring: Spring, home: Mapping[int, str], fixed: set[int]) -> dict[str, Any]:
-    """Words of a wall with backfill: a link whose ends are structures, and "ground" for a node that is fixed and in
-    none."""
+    """Input keys of a wall with backfill: a link between structures; "ground" is a fixed node outside all
+    structures."""
     if set(spring.materials) != {1} or spring.kind != "ZeroLength":
         raise InputError(f"element {spring.tag}: only a zeroLength along x, -dir 1, joins two structures as a gap")
     ends: list[Any] = []

@@ -1,1 +1,1 @@
-"""The page that `pounding reproduce` writes. Private; `pounding.reproduce` is the door."""
+"""The page that `pounding reproduce` writes. Private; use `pounding.reproduce`."""

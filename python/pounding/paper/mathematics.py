@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.mathtext import MathTextParser
 
-#: Points of the text beside it.
+#: Font size of the surrounding text [points].
 SIZE = 11
 _STYLE: dict[Any, Any] = {
     "mathtext.fontset": "stix",

@@ -28,16 +28,16 @@ code { font-size: .88em; background: var(--wash); padding: .1em .3em; border-rad
 table { border-collapse: collapse; font-size: .82rem; line-height: 1.4; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .6rem; text-align: right; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { font-weight: 600; vertical-align: bottom; border-bottom: 1.5px solid var(--ink); }
-th:first-child, td:first-child, table.words th, table.words td { text-align: left; }
-table.words { width: 100%; table-layout: fixed; }
-table.words td { overflow-wrap: break-word; hyphens: auto; }
+th:first-child, td:first-child, table.equations th, table.equations td { text-align: left; }
+table.equations { width: 100%; table-layout: fixed; }
+table.equations td { overflow-wrap: break-word; hyphens: auto; }
 th .unit { display: block; font-weight: 400; color: var(--quiet); }
-td:first-child { white-space: nowrap; } table.words td:first-child { white-space: normal; }
+td:first-child { white-space: nowrap; } table.equations td:first-child { white-space: normal; }
 .scroll { overflow-x: auto; margin: .4rem 0 1.2rem; }
 summary { font: .85rem Helvetica, Arial, sans-serif; color: var(--accent); cursor: pointer; }
 .badge { display: inline-block; font-size: .74rem; font-weight: 600; padding: .1rem .5rem; border-radius: 1rem; white-space: nowrap; }
 .yes { background: #d9f0e6; color: #005c42; } .no { background: #fbe0d2; color: #8a3500; } .open { background: #e7eaef; color: #444f5e; }
-table.words .badge { white-space: normal; }
+table.equations .badge { white-space: normal; }
 .place { font-weight: 600; }
 .reason { color: var(--quiet); }
 figure { margin: 1.6rem 0; } figure img { width: 100%; height: auto; display: block; }
@@ -85,7 +85,7 @@ def contents(items: list[dict[str, Any]]) -> str:
 the CR-factor and impact velocity. Scientia Iranica, Transactions A: Civil Engineering, 2015.</p>
 <p>Every equation, table and figure of the paper, computed by the contact laws of this program and by runs through time, with a
 verdict on each: it <em>agrees</em>, it <em>does not agree</em> (with the printed value, ours and the likely reason), or it
-<em>cannot be checked</em> (with what is missing). The text at hand is a machine extraction of the paper: a missing dot, sign or
+<em>cannot be checked</em> (with the missing information). The text at hand is a machine extraction of the paper: a missing dot, sign or
 exponent may be a loss of the extraction, and the verdicts say so where that is possible. The numbers behind each figure are in the
 CSV file named below it, the whole in report.json.</p>
 <p>{_counts(items)}</p></header>
@@ -99,7 +99,7 @@ def _verdicts(verdicts: list[dict[str, str]]) -> str:
         for v in verdicts
     )
     return (
-        '<h3>Verdicts</h3><div class="scroll"><table class="words"><colgroup><col style="width:19%"><col style="width:17%">'
+        '<h3>Verdicts</h3><div class="scroll"><table class="equations"><colgroup><col style="width:19%"><col style="width:17%">'
         '<col style="width:16%"><col style="width:25%"><col style="width:23%"></colgroup>'
         f"<tr><th>Where</th><th>Claim</th><th>Printed</th><th>Ours</th><th>To what, or why not</th></tr>{rows}</table></div>"
     )
@@ -128,8 +128,7 @@ def _matrices(matrices: list[dict[str, Any]]) -> str:
 
 
 def item_head(item: dict[str, Any]) -> str:
-    """The beginning of an item: words, equations, matrices, verdicts. The figures and tables follow, then
-    </section>."""
+    """Start of an item: text, equations, matrices, verdicts. The figures and tables follow, then </section>."""
     paragraphs = "".join(f"<p>{rich(text)}</p>" for text in item["paragraphs"])
     return (
         f'<section id="{item["name"]}"><h2>{html.escape(item["title"])}</h2>'
@@ -150,7 +149,7 @@ def figure(described: dict[str, Any], address: str) -> str:
 
 
 def _number(value: float | None, decimals: int) -> str:
-    """With so many decimals; with so many digits where `decimals` is negative."""
+    """A number with `decimals` decimals, or with -`decimals` digits if negative."""
     if value is None:
         return "&ndash;"
     if decimals >= 0:
@@ -190,5 +189,5 @@ BEGIN = f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta nam
 
 
 def whole(body: str) -> str:
-    """The document around its parts; needs nothing but itself."""
+    """The complete document, without external files."""
     return f"{BEGIN}<style>{STYLE_SHEET}</style></head><body><main>{body}</main></body></html>\n"

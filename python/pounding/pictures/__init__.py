@@ -1,2 +1,1 @@
-"""Pictures of runs: their panels, and the model at rest and in motion. Private; `pounding.plots` and others are the
-doors."""
+"""Pictures of runs: panels, and the model at rest and in motion. Private; use `pounding.plots` and `Run.plot`."""

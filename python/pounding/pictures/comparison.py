@@ -1,4 +1,4 @@
-"""The run without links, dashed, in panels of the run with them."""
+"""The run without links, dashed, in panels of a run."""
 
 from __future__ import annotations
 
@@ -10,13 +10,12 @@ from pounding.pictures.panels import legend_beside, link_styles, plot_time
 from pounding.pictures.style import DASHED, ENERGY_UNITS, MM, BadRequest, engineering, largest
 from pounding.results import Link, RunData, Structure
 
-#: Pictures that have something to show of a run without links.
+#: Pictures that can show a run without links.
 COMPARABLE = ("run", "displacement", "rotation", "gap", "energy", "profiles", "plan")
 
 
 def require_comparison(run: RunData, picture: str) -> RunData:
-    """The run without links. Raises BadRequest where the file has none, and for a picture that would show nothing of
-    it."""
+    """The run without links. Raises BadRequest if the file has none, and for a picture that cannot show it."""
     if picture not in COMPARABLE:
         raise BadRequest(
             f"a run without links has nothing to show in the picture {picture}; compare one of {', '.join(COMPARABLE)}"
@@ -29,8 +28,7 @@ def require_comparison(run: RunData, picture: str) -> RunData:
 def draw_displacements_without_links(
     axes: Axes, run: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None
 ) -> None:
-    """Adds the displacements of the run without links to a panel of draw_displacements, of the same floors and at their
-    places."""
+    """Adds the displacements of the same floors in the run without links to a panel of draw_displacements."""
     without = require_comparison(run, "displacement")
     for number, (displacement, colour) in enumerate(drawn_displacements(run, without, chosen, direction)):
         plot_time(
@@ -56,7 +54,7 @@ def draw_rotations_without_links(axes: Axes, run: RunData) -> None:
 
 
 def draw_openings_without_links(axes: Axes, run: RunData) -> None:
-    """Adds the openings that links between floors would have, were they not there."""
+    """Adds the openings between the floors of links in the run without links."""
     without = require_comparison(run, "gap")
     label: str | None = "without links"
     for link, style in link_styles(run):
@@ -84,8 +82,8 @@ def draw_input_without_links(axes: Axes, run: RunData) -> None:
 
 
 def _opening(link: Link, run: RunData) -> np.ndarray | None:
-    """Gap less the approach of the two floors along the link [m]; None for an end that is no floor, and for a floor in
-    space that is not rigid."""
+    """Gap minus the approach of the two floors along the link [m]; None unless both ends are floors, rigid ones in
+    space."""
     opening = np.full(run.time.shape, link.gap)
     for name, floor, sign in ((link.left, link.left_floor, -1), (link.right, link.right_floor, 1)):
         structure = run.structures[name]
@@ -99,7 +97,7 @@ def _opening(link: Link, run: RunData) -> np.ndarray | None:
 
 
 def _of_end(structure: Structure, floor: int, link: Link) -> np.ndarray | None:
-    """Displacement of a floor, from 0, along a link where it acts [m]."""
+    """Displacement of a floor, from 0, along a link at its position [m]."""
     if structure.dimension != 3:
         return link.direction[0] * structure.displacement[:, floor]
     if (

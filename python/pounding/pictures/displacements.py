@@ -1,4 +1,4 @@
-"""Panels of the displacements along one direction, a gap apart, and of the rotations of floors."""
+"""Panels of displacements along one direction, offset by the gaps, and of the rotations of floors."""
 
 from __future__ import annotations
 
@@ -14,12 +14,11 @@ from pounding.pictures.panels import NO_LINK, legend_beside, plot_time, time_uni
 from pounding.pictures.style import MM, STRUCTURE_COLOURS, BadRequest, structure_colour
 from pounding.results import Link, RunData, Structure
 
-#: More displacements than these in one panel cannot be distinguished.
-MOST_STRUCTURES = len(STRUCTURE_COLOURS)
+#: Maximum number of displacements in one panel.
+MAX_STRUCTURES = len(STRUCTURE_COLOURS)
 #: Line of a structure that no link along the panel's direction joins to another: its distance from them has no meaning.
 APART: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.8}
-#: A place of a structure: the number of a floor, from 1; else the words for the end of a link, as "node b" and "10.5 m
-#: up".
+#: Place on a structure: the number of a floor, from 1, or the end of a link such as "node b" and "10.5 m up".
 Place = int | str
 
 
@@ -37,7 +36,7 @@ class _View:
 
 
 def directions_of(run: RunData) -> list[np.ndarray]:
-    """Directions that have a panel each: x; in space x, y and those of oblique links."""
+    """Directions with a panel each: x; in space x, y and those of oblique links."""
     if not is_spatial(run):
         return [np.array([1.0, 0, 0])]
     found = [np.array([1.0, 0, 0]), np.array([0, 1.0, 0])]
@@ -48,23 +47,23 @@ def directions_of(run: RunData) -> list[np.ndarray]:
 
 
 def is_spatial(run: RunData) -> bool:
-    """Some structure moves in space."""
+    """True if a structure moves in space."""
     return any(structure.dimension == 3 for structure in run.structures.values())
 
 
 def draw_displacements(
     axes: Axes, run: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None
 ) -> None:
-    """Displacements of up to six structures where their highest links are, each a gap away from its left neighbour, so
-    that two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of
-    structures to numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
+    """Displacements of up to six structures at their highest links, each offset by the gap to its left neighbour, so
+    that two lines meet when the structures touch.
 
-    Two lines face each other, with the gap shaded between them, where one link joins them at the places that are drawn.
-    The end of a link between floors moves as the floor at its other end and the opening of the link say.
+        A roof above the links is drawn thin. `chosen` maps names of structures to indices of floors, from 0, to draw
+    instead; structures with a chosen floor come first. The gap between two lines is shaded if a link joins the floors
+    drawn. The end of a link between floors follows from the floor at its other end and the opening of the link.
 
-    `direction` is one of directions_of(), by default that of the first link. Links along other directions have no part
-    in the panel: a structure that only they join is drawn thin, about zero. In space the displacements are those of the
-    middle of the floors; if a floor rotates, its ends may touch before the lines meet."""
+        `direction` is one of directions_of(), by default that of the first link. Links along other directions are not
+    part of the panel; structures joined by such links only are drawn thin, about zero. In space, displacements are
+    those of the centres of floors; the corners of rotating floors may touch before the lines meet."""
     chosen = chosen or {}
     view = _view(run, chosen, _direction(run) if direction is None else direction)
     moved = _displacements(run, view)
@@ -124,9 +123,9 @@ def draw_displacements(
 def drawn_displacements(
     run: RunData, other: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None
 ) -> list[tuple[np.ndarray, str]]:
-    """Displacements [mm] in another run of the structures that draw_displacements shows, at their places, with the
-    colours there. Only the links of the run know how a structure moves between its floors; in the other run it is
-    interpolated by the height."""
+    """Displacements [mm] in another run of the structures of draw_displacements, with the same positions and colours.
+
+    Links give the motion between floors in the run; in the other run it is interpolated over the height."""
     view = _view(run, chosen or {}, _direction(run) if direction is None else direction)
     return [
         (
@@ -147,7 +146,7 @@ def draw_rotations(axes: Axes, run: RunData) -> None:
 
 
 def drawn_rotations(run: RunData, other: RunData) -> Iterator[tuple[np.ndarray, str, str]]:
-    """Rotations [mrad] in another run of the floors that draw_rotations shows, with their colours and labels."""
+    """Rotations [mrad] in another run of the floors of draw_rotations, with their colours and labels."""
     for name in turning(run):
         rotation, floors = other.structures[name].rotation, run.structures[name].floors
         assert rotation is not None
@@ -160,8 +159,8 @@ def drawn_rotations(run: RunData, other: RunData) -> Iterator[tuple[np.ndarray, 
 
 
 def turning(run: RunData) -> list[str]:
-    """Names of the structures with rigid floors in space, up to MOST_STRUCTURES of them."""
-    return [name for name, structure in run.structures.items() if structure.rotation is not None][:MOST_STRUCTURES]
+    """Names of the structures with rigid floors in space, at most MAX_STRUCTURES."""
+    return [name for name, structure in run.structures.items() if structure.rotation is not None][:MAX_STRUCTURES]
 
 
 def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
@@ -177,13 +176,13 @@ def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
     ]
     # Structures with a chosen floor come first, then those that links along the direction join.
     drawn = sorted(moving, key=lambda structure: (structure.name not in chosen, structure.name not in linked))[
-        :MOST_STRUCTURES
+        :MAX_STRUCTURES
     ]
     drawn = [structure for structure in moving if any(structure is one for one in drawn)]
     names = [structure.name for structure in drawn]
     places, facing = _places(run, names, {name: floor + 1 for name, floor in chosen.items()}, along)
     numbers = {name: number for number, name in enumerate(run.structures)}
-    few = len(run.structures) <= MOST_STRUCTURES
+    few = len(run.structures) <= MAX_STRUCTURES
     colours = {name: structure_colour(numbers[name] if few else i) for i, name in enumerate(names)}
     return _View(
         direction,
@@ -197,11 +196,11 @@ def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
-    """Numbers of the floors, from 0, by structure."""
+    """Indices of the floors, from 0, by structure."""
     chosen = {}
     for name, label in labels.items():
         if name not in run.structures:
-            raise BadRequest(f"there is no structure {name}; there is {', '.join(run.structures)}")
+            raise BadRequest(f"unknown structure {name}; known: {', '.join(run.structures)}")
         floors = run.structures[name].floors
         if label not in floors:
             raise BadRequest(f"{name} has no floor {label}; it has {', '.join(floors) or 'none'}")
@@ -212,9 +211,9 @@ def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
 def _places(
     run: RunData, names: list[str], chosen: dict[str, Place], along: list[Link]
 ) -> tuple[dict[str, Place], list[Link]]:
-    """Where each structure is drawn, and the links that join two of these places: of each pair of neighbours the
-    highest one of `along` that fits what is decided. A structure without such a link is drawn at its top; a wall has
-    the place 0."""
+    """Floor or link end at which each structure is drawn, and the links between them: for each pair of neighbours the
+    highest link of `along` compatible with earlier choices. A structure without such a link is drawn at its roof; a
+    wall has 0."""
     places: dict[str, Place] = {name: 0 for name in names if run.structures[name].is_wall}
     places.update({name: place for name, place in chosen.items() if name in names})
     facing: list[Link] = []
@@ -223,7 +222,7 @@ def _places(
         if link.left in names and link.right in names:
             pairs.setdefault((link.left, link.right), []).append(link)
     for links in pairs.values():
-        # One of the two ends has to be a floor: the motion of the other follows from it.
+        # The motion of one end follows from that of the other, which must be a floor.
         fitting = [
             link
             for link in links
@@ -242,12 +241,12 @@ def _ends(run: RunData, link: Link) -> list[tuple[str, Place]]:
 
 
 def _is_known(run: RunData, name: str, place: Place) -> bool:
-    """The file has the motion of this place: of a floor, or of a wall."""
+    """True if the file has the motion of this floor or wall."""
     return isinstance(place, int) and (place > 0 or run.structures[name].is_wall)
 
 
 def _height(run: RunData, link: Link) -> float:
-    """Height of a link [m]; where there is none, the number of its floors."""
+    """Height of a link [m]; without one, the number of its floor."""
     has_place = any(run.structures[name].geometry is not None for name in (link.left, link.right))
     if has_place and link.position is not None:
         return float(link.position[2])
@@ -265,7 +264,8 @@ def _label(structure: Structure, place: Place) -> str:
 
 
 def _displacements(run: RunData, view: _View) -> dict[str, np.ndarray]:
-    """Displacement of each place relative to the ground, in the direction of the view [time] [m]."""
+    """Displacement of each structure at its place, relative to the ground, in the direction of the view [time]
+    [m]."""
     moved = {
         name: _of_floor(run, name, place, view.direction)
         for name, place in view.places.items()
@@ -282,7 +282,7 @@ def _displacements(run: RunData, view: _View) -> dict[str, np.ndarray]:
 
 
 def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarray:
-    """Displacement [m] in another run of the place of a structure."""
+    """Displacement [m] of a structure at its place in another run."""
     place = view.places[name]
     if isinstance(place, int):
         return _of_floor(other, name, place, view.direction, other.time)
@@ -312,13 +312,13 @@ def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarra
 
 
 def _sign(link: Link, direction: np.ndarray) -> int:
-    """1 for a link along a direction, -1 against it, 0 for one that is not parallel to it."""
+    """1 if a link is parallel to a direction, -1 if antiparallel, else 0."""
     share = float(link.direction[:2] @ direction[:2])
     return int(np.sign(share)) if abs(share) > (1 - 1e-6) * np.hypot(*link.direction[:2]) > 0 else 0
 
 
 def _ordered(link: Link, direction: np.ndarray) -> tuple[str, str]:
-    """The names of the structures that it joins, the one further back along the direction first."""
+    """The two structures of a link in their order along the direction."""
     return (link.left, link.right) if _sign(link, direction) > 0 else (link.right, link.left)
 
 
@@ -352,8 +352,7 @@ def _of_floor(run: RunData, name: str, floor: int, direction: np.ndarray, time: 
 
 
 def _offsets(along: list[Link], names: list[str], direction: np.ndarray) -> dict[str, float]:
-    """Where each structure is at rest, a gap behind its neighbour along the direction; the first of those that links
-    join is at 0 [m]."""
+    """Offset of each structure at rest, by the gaps along the direction; 0 for the first of linked structures [m]."""
     offsets: dict[str, float] = {}
     for first in names:
         offsets.setdefault(first, 0.0)

@@ -1,4 +1,4 @@
-"""A scene drawn as lines and masses on flat axes, at rest or in motion."""
+"""Scenes drawn as lines and masses on plane axes, at rest or in motion."""
 
 from __future__ import annotations
 
@@ -28,13 +28,12 @@ VIEWS = {
 }
 
 
-#: With more structures names would stand on each other, colours repeat, and in a view from above those behind would be
-#: seen through those in front.
+#: Number of structures above which names overlap, colours repeat, and views from above need hidden lines.
 FEW = 12
 
 
 def are_many(scene: Scene) -> bool:
-    """So many structures that a view is drawn with those in front before those behind, small marks, and few names."""
+    """True above the number of structures at which views are drawn back to front, with small marks and few names."""
     return len(scene.line_models) > FEW
 
 
@@ -44,7 +43,7 @@ def project(points: np.ndarray, view: str) -> np.ndarray:
 
 
 class Drawing:
-    """Every structure of a scene on axes, and a mark at each link."""
+    """Drawing of all structures of a scene, with a mark at each link."""
 
     def __init__(self, axes: Axes, scene: Scene, view: str, marks: bool = True) -> None:
         self.scene, self.view = scene, view
@@ -96,19 +95,19 @@ class Drawing:
         )
 
     def artists(self) -> list[Artist]:
-        """All that `move` and `flash` change, lowest first."""
+        """Artists changed by `move` and `flash`, lowest first."""
         return sorted(
             [*self.bodies.values(), *self.lines.values(), *self.boxes.values(), self.flashes],
             key=lambda artist: artist.get_zorder(),
         )
 
     def move(self, motion: Motion, frame: int) -> None:
-        """To where `motion` has the nodes at a frame."""
+        """Moves the structures to their positions in `motion` at a frame."""
         for name in self.lines:
             self._set(name, motion.nodes(name, frame))
 
     def flash(self, motion: Motion, frame: int, strengths: np.ndarray) -> None:
-        """A flash at each link whose strength, 0 to 1, is not zero."""
+        """Shows a flash at each link with a strength, 0 to 1, above zero."""
         links = self.scene.run.links.values()
         points = [project(motion.face(link, frame), self.view) for link in links]
         self.flashes.set_offsets(np.array(points).reshape(-1, 2))
@@ -126,7 +125,7 @@ class Drawing:
 
 
 def _from_behind(scene: Scene) -> dict[str, float]:
-    """0 to below 1 for each structure: what stands nearer to the eye of an oblique view has more."""
+    """Drawing order of structures, from 0 to below 1, increasing towards the viewer of an oblique view."""
     to_eye = np.cross(*VIEWS["oblique"])
     middles = {name: scene.at_rest(name).mean(axis=0)[:2] @ to_eye[:2] for name in scene.line_models}
     order = sorted(middles, key=lambda name: float(middles[name]))
@@ -171,13 +170,13 @@ def frame_axes(axes: Axes, scene: Scene, view: str, margin: float | np.ndarray =
 
 
 def hide_x(axes: Axes) -> None:
-    """No coordinates along x: they would be wrong."""
+    """Hides the coordinates along x, which are not to scale."""
     axes.set(xticks=[], xlabel="")
     axes.spines["bottom"].set_visible(False)
 
 
 def label_axes(axes: Axes, scene: Scene, view: str) -> None:
-    """Names of the coordinates where they mean something; nothing at all around an oblique view."""
+    """Labels axes with meaningful coordinates; an oblique view has none."""
     if view == "oblique":
         axes.set_axis_off()
         return

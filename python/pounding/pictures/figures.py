@@ -1,7 +1,8 @@
-"""The pictures of a run by their names, as figures that are returned, not shown."""
+"""Pictures of a run by name, returned as figures."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -24,7 +25,7 @@ from pounding.pictures.panels import gather_legends, label_time
 from pounding.pictures.plan_map import plan_figure
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
-from pounding.pictures.spring_loops import loops_figure
+from pounding.pictures.spring_loops import loops_figure, most_energy
 from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
 from pounding.results import RunData
 
@@ -33,7 +34,7 @@ WHOLE: dict[str, Callable[..., Figure]] = {
     "model": model_figure,
     "profiles": profiles_figure,
     "plan": plan_figure,
-    "springs": loops_figure,
+    "loops": loops_figure,
     "hinges": hinges_figure,
 }
 OVER_TIME: dict[str, Callable[..., None]] = {
@@ -43,7 +44,7 @@ OVER_TIME: dict[str, Callable[..., None]] = {
     "force": draw_forces,
     "energy": draw_energies,
 }
-PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
+PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "contact_loops": draw_loops}
 #: Panels that can also show the run without links.
 COMPARED: dict[str, Callable[..., None]] = {
     "displacement": draw_displacements_without_links,
@@ -59,22 +60,31 @@ def figure(
     title: str | None = None,
     size: tuple[float, float] | None = None,
     compare: bool | None = None,
+    floors: dict[str, str] | None = None,
 ) -> Figure:
-    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. `compare` also
-    draws the run without links; profiles and plan do so where it is there unless this is False. Raises BadRequest for a
-    picture that does not exist, and for a comparison that is not possible."""
+    """One picture of a run.
+
+        `title` replaces that of the run, `size` is width and height [in], and `floors` {structure: label} are those
+    of the picture "run". `compare` also draws the run without links; None draws it in profiles and plan if it exists.
+    Loops are those of yielding parts and devices, or of contacts if the run has no such parts. Raises BadRequest for
+    an unknown picture and for an impossible comparison."""
+    if picture == "springs":
+        warnings.warn('the picture "springs" is now called "loops"', DeprecationWarning, stacklevel=5)
+        picture = "loops"
+    if picture == "loops" and not most_energy(run):
+        picture = "contact_loops"
     if picture in ("profiles", "plan"):
         return WHOLE[picture](run, title, size, compare)
     if compare:
         require_comparison(run, picture)
     if picture == "run":
-        return standard_figure(run, title, size=size, compare=bool(compare))
+        return standard_figure(run, title, floors, size, bool(compare))
     if picture in WHOLE:
         return WHOLE[picture](run, title, size=size)
     if picture not in PANELS:
-        raise BadRequest(f'there is no picture "{picture}"; there is {", ".join([*WHOLE, *PANELS])}')
+        raise BadRequest(f'unknown picture "{picture}"; known: {", ".join([*WHOLE, *PANELS])}')
     if picture == "rotation" and not turning(run):
-        raise BadRequest("there is no rotation to draw: no structure of this run has rigid floors in space")
+        raise BadRequest("no rotation to draw: no structure of this run has rigid floors in space")
     # In space there is a panel of displacements for each direction.
     directions: list[dict[str, Any]] = (
         [{"direction": each} for each in directions_of(run)] if picture == "displacement" else [{}]

@@ -1,8 +1,7 @@
-"""Line models of the structures, for pictures, animations and exports: nodes, members and their displacements.
+"""Line models of structures for pictures, animations and exports: nodes, members and their displacements.
 
-A frame is drawn by its nodes and members. A structure without geometry becomes a stick with a mass at each floor, a
-body a single mass, a wall a line. Coordinates are x, y, z [m], z up.
-"""
+A frame is drawn by its nodes and members. A structure without geometry is a stick with a mass at each floor, a body a
+single mass, a wall a line. Coordinates are x, y, z [m], z up."""
 
 from __future__ import annotations
 
@@ -12,21 +11,21 @@ import numpy as np
 
 from pounding.results import Structure
 
-#: Height of a storey [m] where the file has none.
+#: Default storey height [m].
 UNKNOWN_STOREY = 3.0
 
 
 @dataclass(frozen=True)
 class LineModel:
-    """One structure at rest, at its own place or, without geometry, at x = 0."""
+    """A structure at rest, at its position in the model or, without geometry, at x = 0."""
 
     name: str
     nodes: np.ndarray  #: [node, 3]
     members: np.ndarray  #: [member, 2]
-    masses: np.ndarray  #: numbers of the nodes that are drawn as masses; none in a frame
+    masses: np.ndarray  #: indices of nodes drawn as masses; empty for a frame
     half_width: float  #: of a drawn mass: the distance of the faces of a stick from its axis [m]
-    has_place: bool  #: its coordinates are those of the model
-    has_heights: bool  #: its z are those of the model
+    has_place: bool  #: True if coordinates are those of the model
+    has_heights: bool  #: True if z is that of the model
 
     @property
     def half_height(self) -> float:
@@ -40,8 +39,7 @@ class LineModel:
 
 
 def line_model(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> LineModel:
-    """The line model of a structure. A wall gets the height `tallest` [m], and masses that look well beside it their
-    width."""
+    """The line model of a structure. `tallest` [m] is the height of walls and sets the width of masses."""
     if structure.geometry is not None:
         return LineModel(
             structure.name, structure.geometry.nodes, structure.geometry.members, np.empty(0, int), 0.0, True, True
@@ -71,15 +69,14 @@ def line_model(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> Lin
 
 
 def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
-    """(heights of the floors [m], whether the file has them). Storeys are taken as equally high where it has not."""
+    """(heights of the floors [m], True if they are in the file). Unknown storeys are equally high."""
     known = structure.elevations.size > 0 and bool(np.isfinite(structure.elevations).all())
     heights = structure.elevations if known else UNKNOWN_STOREY * np.arange(1, len(structure.floors) + 1)
     return np.asarray(heights, float), known
 
 
 def storey_heights(structure: Structure) -> np.ndarray:
-    """[floor]: heights of the storeys below the floors [m], the lowest one from the lowest node of the structure, or
-    from zero."""
+    """[floor] heights of the storeys below the floors [m]; the lowest starts at the lowest node, or at zero."""
     heights, _ = floor_heights(structure)
     ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, heights[0])
     return np.diff(heights, prepend=ground)
@@ -105,11 +102,10 @@ def outline(points: np.ndarray) -> np.ndarray:
 
 
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
-    """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
+    """[time, node, 3] displacements of the nodes of the line model relative to the ground [m].
 
-    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its
-    plane and rotates about the point whose motion is reported; nodes between two floors are interpolated by their
-    height."""
+        Reported nodes have their own histories. Other nodes of a floor follow it as a plate that is rigid in its
+    plane and rotates about its reference point; nodes between two floors are interpolated over the height."""
     moved = _by_floors(structure, model)
     reported = structure.nodes
     if reported is None or structure.geometry is None:
@@ -123,7 +119,7 @@ def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
 
 
 def displaced_at(structure: Structure, time: np.ndarray, times: np.ndarray) -> Structure:
-    """The structure with its displacements at `times` instead of `time`; its other histories stay behind."""
+    """The structure with displacements at `times` instead of `time`, without its other histories."""
     along = {
         key: replace(motion, displacement=_at_times(time, motion.displacement, times))
         for key, motion in structure.along.items()
@@ -170,7 +166,7 @@ def _floor_of_node(structure: Structure, model: LineModel) -> np.ndarray:
 def _plate(
     structure: Structure, model: LineModel, floor_of_node: np.ndarray, floor: int, position: np.ndarray
 ) -> np.ndarray:
-    """[time, 3] of a point that is fixed to a floor."""
+    """[time, 3] displacement of a point fixed to a floor."""
     move = np.zeros((len(structure.displacement), 3))
     for j, axis in enumerate("xy"):
         if axis in structure.along:
@@ -185,8 +181,7 @@ def _plate(
 
 
 def _centre(structure: Structure, model: LineModel, on_floor: np.ndarray, floor: int) -> np.ndarray:
-    """[2]: the point of a floor whose motion is reported. Files that have no plan of the floor do not say where it is:
-    the mean of its nodes."""
+    """[2] reference point of a floor; the mean of its nodes if the file has no plan of it."""
     if structure.plan is None or structure.geometry is None or np.isnan(structure.plan[floor]).any():
         return model.nodes[on_floor, :2].mean(axis=0)
     return structure.centre(floor)
@@ -200,7 +195,8 @@ def _between(
     held: float,
     position: np.ndarray,
 ) -> np.ndarray:
-    """[time, 3] of a point off the floors, in proportion to its height between the next floors; as the top above it."""
+    """[time, 3] displacement of a point between floors, interpolated over the height; above the roof, that of the
+    roof."""
     order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
     below = [i for i in order if heights[i] <= position[2]]
     above = [i for i in order if heights[i] > position[2]]
@@ -230,8 +226,7 @@ def _at_times(time: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.nda
 
 
 def nearest_on_members(nodes: np.ndarray, members: np.ndarray, point: np.ndarray) -> list[tuple[int, float]]:
-    """[(node, share)] of the point of all members that is nearest to `point`; of a structure without members, its
-    nearest node."""
+    """[(node, weight)] of the nearest point on all members to `point`; the nearest node without members."""
     if not len(members):
         return [(int(np.argmin(np.linalg.norm(nodes - point, axis=1))), 1.0)]
     start, along = nodes[members[:, 0]], nodes[members[:, 1]] - nodes[members[:, 0]]

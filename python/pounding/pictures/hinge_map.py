@@ -1,4 +1,4 @@
-"""Map of what yielded: the structures at rest with their hinges and storeys, and the impacts between them."""
+"""Map of yielded parts: structures at rest with their hinges and storeys, and the impacts between them."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ from pounding.pictures.style import (
 from pounding.results import RunData, Structure
 from pounding.springs import Springs
 
-#: From little to much.
+#: Colour map.
 COLOURS = colormaps["YlOrRd"]
 #: Areas of circles, and widths of storeys, from no energy to the largest [points^2], [points].
 AREAS, WIDTHS = (14.0, 150.0), (4.0, 12.0)
 #: Area of a hinge that stayed elastic [points^2].
 ELASTIC = 7.0
-#: Links are drawn this wide, as a part of the picture: hinges on both sides and the impacts between them need room.
+#: Width of the widest gap as a fraction of the picture, with room for hinges and impacts.
 APART = 0.08
-#: A hinge is drawn this part of its member away from the node, one about z a little further.
+#: Distance of a hinge from its node as a fraction of the member; larger for hinges about z.
 OFF_NODE, OFF_NODE_Z = 0.07, 0.13
 
 
@@ -49,8 +49,8 @@ class Measure:
     """Quantity that a map colours."""
 
     label: str
-    lowest: float  #: of the scale of colours
-    least_top: float  #: upper end of the scale, at least
+    lowest: float  #: label of the colour scale
+    least_top: float  #: minimum upper end of the scale
     of: Callable[[Springs, int], float]  #: of one part
 
 
@@ -67,7 +67,7 @@ DUCTILITY = Measure("Ductility", 1, 1.5, lambda springs, i: springs.largest["duc
 
 @dataclass(frozen=True)
 class Mark:
-    """One part that can yield, as it is drawn."""
+    """A part that can yield, as drawn."""
 
     structure: str
     name: str
@@ -78,16 +78,18 @@ class Mark:
 
     @property
     def is_storey(self) -> bool:
-        """Drawn as a line from floor to floor."""
+        """True for a storey, drawn as a line between floors."""
         return len(self.points) == 2
 
 
 def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """The structures of a run at rest with every part that can yield: circles at hinges, coloured by plastic rotation,
-    over the ultimate one if every hinge of the run has one; thick lines for storeys, coloured by ductility as is every
-    part of such a run. They are larger the more energy they lost. Parts that stayed elastic are small and white. Stars
-    mark links that were hit, larger the harder. One elevation; of a model in space a view and an elevation, in a narrow
-    figure the view alone. `size` [in]. Raises BadRequest for a run in which nothing can yield."""
+    """The structures of a run at rest with all parts that can yield.
+
+        Circles are hinges, coloured by plastic rotation, or by its ratio to the ultimate rotation if all hinges have
+    one. Thick lines are storeys, coloured by ductility, as are all parts of a run with storeys. Their size grows with
+    the lost energy; elastic parts are small and white. Stars are links with impacts, larger for larger forces. One
+    elevation; for a model in space a view and an elevation, in a narrow figure the view only. `size` [in]. Raises
+    BadRequest for a run without parts that can yield."""
     scene = spread_scene(run, APART)
     measure = measure_of(run)
     marks = list(_marks(scene, measure))
@@ -120,8 +122,8 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
 
 
 def draw_hinges(axes: Axes, scene: Scene, view: str, marks: list[Mark], norm: Normalize, scale: float = 1.0) -> None:
-    """One view of a scene with its marks, as large as on a page or, with a `scale` below 1, smaller. Where there is
-    room numbers stand beside them: the largest value of each structure, and how often each link was hit."""
+    """One view of a scene with its marks, smaller for a `scale` below 1. If they fit, numbers show the largest value
+    of each structure and the number of impacts of each link."""
     numbers = scale > 0.75
     axes.grid(False)
     draw_ground(axes, scene, view)
@@ -175,7 +177,7 @@ def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
 
 
 def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
-    """The place of a part; None for one that has no place in a drawing of lines."""
+    """Position of a part; None if it has none in the line model."""
     nodes = scene.at_rest(structure.name)
     kind, _, number = part.partition(" ")
     if structure.geometry is None:
@@ -224,9 +226,9 @@ def _draw_mark(axes: Axes, mark: Mark, view: str, norm: Normalize, share: float,
 
 
 def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: float) -> None:
-    """A star at every link that was hit, with the count of its impacts; a diamond at the others."""
+    """A star at every link with impacts, with their number; a diamond at the others."""
     impacts = scene.run.impacts
-    # A rigid impact has no finite force, so impulses show their size.
+    # Rigid impacts have no finite force, so their impulses set the size.
     strength = "impulse" if not np.isfinite(impacts["peak_force"]).any() else "peak_force"
     most = float(np.nanmax(impacts[strength], initial=0.0)) if impacts.size else 0.0
     for name, face in scene.faces.items():
@@ -248,8 +250,7 @@ def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: flo
 
 
 def _number_largest(axes: Axes, marks: list[Mark], view: str) -> None:
-    """The number behind the colour of the part of each structure that yielded most; of storeys that of each, up to
-    sixteen."""
+    """Numbers the largest value of each structure, or of each storey for at most sixteen."""
     for name in dict.fromkeys(mark.structure for mark in marks):
         own = [mark for mark in marks if mark.structure == name and mark.state != "elastic"]
         shown = own if own and own[0].is_storey and len(own) <= 16 else sorted(own, key=lambda one: -one.value)[:1]

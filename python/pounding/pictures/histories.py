@@ -61,7 +61,7 @@ def draw_openings(axes: Axes, run: RunData) -> None:
 
 
 def draw_forces(axes: Axes, run: RunData) -> None:
-    """Contact force of each link; the impulses instead when all contacts were rigid."""
+    """Contact force of each link, or impulses if all contacts are rigid."""
     axes.set_title("Contact forces")
     peak = largest([link.force for link in run.links.values()])
     size, unit = engineering(peak, FORCE_UNITS)
@@ -79,7 +79,7 @@ def draw_forces(axes: Axes, run: RunData) -> None:
 
 
 def draw_energies(axes: Axes, run: RunData) -> None:
-    """Energy by kind: dissipated and stored parts stacked, below the line of the input."""
+    """Energy by kind: dissipated and stored energies stacked, below the line of the input."""
     energy = run.energy
     parts = [
         ("damping", "damping", SKY),

@@ -11,7 +11,7 @@ _TEXT = "max-height:24em;overflow:auto;margin:0;white-space:pre"
 
 
 def text_html(text: str) -> str:
-    """A text as it stands, scrolled when it is long."""
+    """A text in fixed width, in a scrolled box if it is long."""
     return f'<pre style="{_TEXT}">{html.escape(text)}</pre>'
 
 

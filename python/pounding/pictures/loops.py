@@ -12,7 +12,7 @@ from pounding.pictures.panels import legend_beside, link_styles, say
 from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, MM, VERMILION, engineering, largest
 from pounding.results import Link, RunData
 
-#: The panel of restitutions ends here.
+#: Upper limit of the panel of restitutions.
 HIGHEST = 1.5
 
 
@@ -60,8 +60,10 @@ def draw_loops(axes: Axes, run: RunData) -> None:
 
 
 def draw_restitution(axes: Axes, run: RunData) -> None:
-    """Restitution that each impact obtained, over its closing speed, and dashed what the links were asked for. Storeys
-    push and brake slow impacts: what lies above HIGHEST stands at the upper edge, and words say how far it goes."""
+    """Restitution of each impact over its closing speed, and dashed the design restitutions of the links.
+
+        The motion of storeys accelerates or brakes slow impacts. Values above HIGHEST are drawn at the upper edge,
+    with a note of their maximum."""
     axes.set_title("Restitution of each impact")
     axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
     moving = run.impacts[np.isfinite(run.impacts["restitution"])]
@@ -96,7 +98,7 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
 
 
 def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Transform, side: str) -> None:
-    """Words inside a panel, at its right edge, that take no room from the layout."""
+    """Text inside a panel at its right edge, ignored by the layout."""
     note = axes.annotate(
         words,
         place,
@@ -112,7 +114,7 @@ def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Trans
 
 
 def asked_restitutions(run: RunData) -> list[float]:
-    """The different restitutions that the links of the input ask for."""
+    """The distinct restitutions of links in the input."""
     links = re.search(r"(?ms)^links:\n(.*?)(?=^\S|\Z)", run.resolved_yaml)
     return sorted(
         {float(value) for value in re.findall(r"(?m)^\s+restitution: ([-+.\deE]+)", links.group(1) if links else "")}

@@ -12,11 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, label_axes, project
-from pounding.results import RunData
 from pounding.pictures.geometry import floor_heights
 from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import MM, NARROW, STYLE, Picture, head, structure_colour
+from pounding.results import RunData
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
 
@@ -43,7 +43,7 @@ def model_figure(run: RunData, title: str | None = None, size: tuple[float, floa
 
 
 def spread_scene(run: RunData, part: float) -> Scene:
-    """The structures of a run with their gaps drawn so wide that the widest is this part of the picture."""
+    """The structures of a run with gaps enlarged so that the widest is this fraction of the picture."""
     scene = Scene(run)
     widest = max((link.gap for link in run.links.values()), default=0.0)
     return Scene(run, part * max(np.ptp(scene.bounds(), axis=1)) / widest) if widest > 0 else scene
@@ -66,7 +66,7 @@ def draw_model(axes: Axes, scene: Scene, view: str) -> None:
 
 
 def _name_inside(axes: Axes, scene: Scene) -> None:
-    """The names of many structures in plan, each in small letters along the longer side of its structure."""
+    """Names of many structures in plan, in small letters along the longer side of each."""
     for number, name in enumerate(scene.line_models):
         points = scene.at_rest(name)[:, :2]
         x, y = (points.min(axis=0) + points.max(axis=0)) / 2
@@ -95,8 +95,7 @@ def name_structures(axes: Axes, scene: Scene, view: str) -> None:
 
 
 def label_floors(axes: Axes, scene: Scene) -> None:
-    """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls
-    included."""
+    """Labels the floors of the leftmost structure on the left and of the rightmost on the right, including walls."""
     middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
     if not middles:
         return

@@ -1,4 +1,4 @@
-"""Parts that the panels of a picture have in common: the axis of time, the lines of links, legends."""
+"""Common parts of panels: time axis, lines of links, legends."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ from matplotlib.figure import Figure
 from pounding.pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
 from pounding.results import Link, RunData
 
-
-#: Begins the words behind a structure that no link along the direction of a panel joins to another.
+#: Start of the suffix of structures without links along the direction of a panel.
 NO_LINK = " (no link along"
 
 
@@ -25,13 +24,13 @@ def time_unit(run: RunData) -> tuple[float, str]:
 
 
 def plot_time(axes: Axes, run: RunData, time: np.ndarray, values: np.ndarray, **style: Any) -> None:
-    """A line over the whole time of the run; `time` [s]."""
+    """Line over the whole time of the run; `time` [s]."""
     axes.plot(time / time_unit(run)[0], values, **style)
     axes.margins(x=0)
 
 
 def label_time(axes: Axes, run: RunData) -> None:
-    """Names the axis of time, in the unit that the run is drawn in; it goes over the whole run."""
+    """Labels the time axis in the unit of the run, from its start to its end."""
     size, unit = time_unit(run)
     axes.set_xlabel(f"Time [{unit}]")
     if run.time.size > 1:
@@ -39,7 +38,7 @@ def label_time(axes: Axes, run: RunData) -> None:
 
 
 def link_styles(run: RunData) -> Iterator[tuple[Link, dict[str, Any]]]:
-    """Each link with its line: the hardest hit ones in colour, the others grey and below them."""
+    """Each link with its line style: the hardest hit in colour, the others grey and behind them."""
     peaks = {name: largest([run.impacts_of(name)["peak_force"]]) for name in run.links}
     chosen = sorted(run.links, key=lambda name: -peaks[name])[: len(LINK_COLOURS)]
     chosen = [name for name in run.links if name in chosen]
@@ -54,20 +53,20 @@ def link_styles(run: RunData) -> Iterator[tuple[Link, dict[str, Any]]]:
 
 
 def say(axes: Axes, words: str) -> None:
-    """Words in the middle of a panel that has nothing to draw."""
+    """Text at the centre of an empty panel."""
     axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center", color="0.35", fontsize=9)
     axes.set_yticks([])
 
 
 def legend_beside(axes: Axes, reverse: bool = False) -> None:
-    """Outside, at the right: never over data."""
+    """Legend outside the axes on the right."""
     handles, labels = axes.get_legend_handles_labels()
     if handles:
         axes.legend(handles, labels, loc="upper left", bbox_to_anchor=(1.01, 1), reverse=reverse)
 
 
 def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
-    """Under all panels, in as many columns, up to `most`, as the width of the figure holds."""
+    """Legend under all panels, in as many columns as fit the width of the figure, up to `most`."""
     if not handles:
         return
     canvas: Any = FigureCanvasAgg(figure)
@@ -80,8 +79,8 @@ def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], 
 
 
 def gather_legends(figure: Figure, panels: Sequence[Axes]) -> None:
-    """One legend below all panels instead of one beside each. A structure that is linked in one panel and not in
-    another one has one entry."""
+    """One legend below all panels instead of one per panel. A structure that is linked in only one panel has one
+    entry."""
     entries: dict[str, Any] = {}
     for axes in panels:
         handles, labels = axes.get_legend_handles_labels()

@@ -1,5 +1,5 @@
-"""Map in plan: every structure coloured by its largest drift, every pair of neighbours by the hardest impact between
-them, and beside it the structures by themselves."""
+"""Map in plan: structures coloured by peak drift, and pairs of neighbours by their hardest impact; next to it the run
+without links."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from pounding.results import RunData, Structure
 
 #: From little to much: drifts of structures, and forces between them.
 DRIFTS, FORCES = colormaps["YlOrRd"], colormaps["Blues"]
-#: Letters smaller than this cannot be read, larger ones would be louder than the map [points].
+#: Range of letter sizes [points].
 SMALLEST, LARGEST = 4.5, 8.0
 #: Width of a letter over its size, with some air.
 LETTER = 0.62
@@ -30,23 +30,23 @@ LETTER = 0.62
 
 @dataclass(frozen=True)
 class Contact:
-    """Where two neighbours can touch, in plan."""
+    """Contact line of two neighbours in plan."""
 
     ends: np.ndarray  #: [2, 2]: the two outermost points of contact, in the middle of the gap [m]
-    strength: float  #: of the hardest impact at any height [N], or [N s] where all are rigid; 0 for none
+    strength: float  #: of the hardest impact at any height [N], or [N s] if all are rigid; 0 for none
     impacts: int
 
 
 def plan_figure(
     run: RunData, title: str | None = None, size: tuple[float, float] | None = None, compare: bool | None = None
 ) -> Figure:
-    """The structures of a run in plan, each coloured by the largest drift of all its storeys along x and y, in per cent
-    of the storey's height, with the number in it. Between neighbours stands a line where they can touch: coloured by
-    the peak force of the hardest impact at any height, thin and grey where none was. Where the file has the run without
-    links, it is drawn beside it in the same colours, unless `compare` is False. `size` [in].
+    """Plan of the structures of a run, coloured and labelled by the peak drift ratio of all storeys along x and y
+    [%].
 
-    Raises BadRequest for a run without frames in space, and when `compare` is True and there is nothing to compare
-    with."""
+        Lines between neighbours are coloured by the peak force of the hardest impact at any height; thin and grey
+    without impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare`
+    is False. `size` [in]. Raises BadRequest for a run without frames in space, and if `compare` is True without a run
+    to compare."""
     scene = Scene(run)
     drawn = [
         name
@@ -55,7 +55,7 @@ def plan_figure(
     ]
     if not drawn or not run.envelopes:
         raise BadRequest(
-            'there is no plan to draw: no structure of this run is a frame in space. Draw --picture profiles, in Python "profiles"'
+            'no plan to draw: no structure of this run is a frame in space. Draw --picture profiles, in Python "profiles"'
         )
     if compare:
         require_comparison(run, "plan")
@@ -100,7 +100,7 @@ def plan_figure(
 
 
 def largest_drift(run: RunData, structure: Structure) -> float:
-    """The largest drift of any storey along x or y over the storey's height [%], of all steps of the run."""
+    """Peak drift ratio of any storey along x or y [%], over all steps of the run."""
     drift = run.envelopes[structure.name].drift
     if drift is None:
         return 0.0
@@ -109,7 +109,7 @@ def largest_drift(run: RunData, structure: Structure) -> float:
 
 
 def contacts(run: RunData) -> list[Contact]:
-    """One contact for every pair of structures that links join, whatever the floor."""
+    """One contact for every linked pair of structures, over all floors."""
     hardest: dict[str, float] = {}
     counts: dict[str, int] = {}
     strength = run.impacts["impulse" if _is_rigid(run) else "peak_force"] if run.impacts.size else np.empty(0)
@@ -137,7 +137,7 @@ def contacts(run: RunData) -> list[Contact]:
 
 
 def _is_rigid(run: RunData) -> bool:
-    """A rigid impact has no finite force, so impulses show its size."""
+    """True for rigid impacts, which have an impulse and no finite force."""
     return bool(run.impacts.size) and not np.isfinite(run.impacts["peak_force"]).any()
 
 
@@ -154,7 +154,7 @@ def _draw_structure(
     size = min(LARGEST, 0.9 * room[0] / (LETTER * len(value)), 0.8 * room[1])
     if size < SMALLEST:
         return
-    # A name that would be cut off is left out; above the number where there is room for both.
+    # Names that do not fit are omitted; others are above the number if both fit.
     name_size = min(LARGEST, 0.9 * room[0] / (LETTER * len(name)), 0.38 * room[1])
     named = name_size >= SMALLEST
     middle = (x0 + x1) / 2, (y0 + y1) / 2
@@ -185,13 +185,13 @@ def _draw_structure(
 
 
 def _decimals(norm: Normalize) -> int:
-    """Decimals with which the largest drift has two digits at least."""
+    """Number of decimals for at least two digits of the largest drift."""
     largest = float(norm.vmax or 1.0)
     return int(np.clip(1 - np.floor(np.log10(largest)), 1, 5)) if largest > 0 else 1
 
 
 def _draw_contact(axes: Axes, contact: Contact, strength: float, norm: Normalize, scale: float) -> None:
-    """A bar in the gap; in front of softer ones, which come first."""
+    """Draws a bar in the gap, in order of increasing force."""
     if contact.impacts == 0:
         axes.plot(*contact.ends.T, color="0.45", linewidth=scale, linestyle=(0, (2, 1.5)), zorder=3)
         return

@@ -1,5 +1,4 @@
-"""Profiles over the height of the structures: the extreme values of the whole run at every floor and in every
-storey."""
+"""Profiles over the height: extremes of a run at every floor and storey."""
 
 from __future__ import annotations
 
@@ -33,20 +32,20 @@ from pounding.results import RunData, Structure
 #: Lines of the run and of the run without links.
 SOLID: dict[str, Any] = {"linewidth": 1.2}
 DASHED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (3, 2))}
-#: Below this width four panels stand in two rows [in].
+#: Below this width four panels are in two rows [in].
 NARROW = 5.0
 
 
 def profiles_figure(
     run: RunData, title: str | None = None, size: tuple[float, float] | None = None, compare: bool | None = None
 ) -> Figure:
-    """Displacement and acceleration of the floors, drift and shear of the storeys: least and largest of the run, over
-    the height, as the run has tracked them in every step. One row of panels for x, another one for y when a structure
-    has it, and where floors are rigid in space a third one: their rotation, and displacements of their edges.
+    """Minima and maxima of displacement and acceleration of floors and of drift and shear of storeys over the height,
+    tracked in every step.
 
-    The run without links is dashed: where the file has it, unless `compare` is False. Raises BadRequest when no
-    structure has floors, for a file of version 0.1, which has no extremes, and when `compare` is True and there is
-    nothing to compare with."""
+        One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements
+    of rigid floors in space. The run without links, if available, is dashed unless `compare` is False. Raises
+    BadRequest if no structure has floors, for a file of version 0.1, which has no extremes, and if `compare` is True
+    without a run to compare."""
     structures = [structure for structure in run.structures.values() if structure.floors]
     if not structures:
         raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors")
@@ -118,7 +117,7 @@ def draw_rotation(axes: Axes, runs: Runs, axis: str = "rz") -> None:
 
 
 def draw_edges(axes: Axes, runs: Runs, axis: str = "x") -> None:
-    """Extreme displacements along an axis of the two edges of rigid floors: the larger ones of both."""
+    """Extreme displacements of the two parallel edges of rigid floors along an axis, the larger of both."""
     edges = [number for number, name in enumerate(EDGES) if name.startswith(axis)]
     for run, structure, style in _structures(runs, axis):
         tracked = run.envelopes[structure.name].edge_displacement
@@ -138,7 +137,7 @@ def draw_acceleration(axes: Axes, runs: Runs, axis: str = "x") -> None:
 
 
 def draw_drift(axes: Axes, runs: Runs, axis: str = "x") -> None:
-    """Extreme storey drifts: in per cent of the storey's height where all heights are known."""
+    """Extreme storey drifts, in per cent of the storey height if all heights are known."""
     relative = _all_heights_known(runs[0][0])
     for run, structure, style in _structures(runs, axis):
         heights = _levels(structure, run)
@@ -159,8 +158,7 @@ def draw_shear(axes: Axes, runs: Runs, axis: str = "x") -> None:
 
 
 def _structures(runs: Runs, axis: str) -> Iterator[tuple[RunData, Structure, dict[str, Any]]]:
-    """The structures that move along an axis, with their lines; the last run first, so that the first one is in
-    front."""
+    """Structures that move along an axis, with their lines; the last run first, so that the first is in front."""
     for run, style in reversed(runs):
         for number, structure in enumerate(run.structures.values()):
             if structure.floors and axis in structure.along:
@@ -168,7 +166,7 @@ def _structures(runs: Runs, axis: str) -> Iterator[tuple[RunData, Structure, dic
 
 
 def _extremes(run: RunData, structure: Structure, axis: str, what: str) -> list[np.ndarray]:
-    """Least and largest values [floor]; none of a quantity that the structure does not have."""
+    """Minima and maxima [floor]; empty if the structure does not have the quantity."""
     extremes = getattr(run.envelopes[structure.name], what)
     place = "xy".index(axis)
     return [] if extremes is None else [extremes.min[:, place], extremes.max[:, place]]
@@ -193,9 +191,8 @@ def _all_heights_known(run: RunData) -> bool:
 
 
 def _levels(structure: Structure, run: RunData) -> np.ndarray:
-    """[floor + 1] from the ground: elevations [m], or numbers of the floors where not all are known.
-
-    The ground of a structure is at the lowest of its nodes, or at zero."""
+    """[floor + 1] from the ground: elevations [m], or floor numbers if any is unknown. The ground is at the lowest
+    node, or at zero."""
     if not _all_heights_known(run):
         return np.arange(len(structure.floors) + 1.0)
     ground = (

@@ -27,7 +27,7 @@ from pounding.pictures.spring_loops import draw_residuals
 from pounding.pictures.style import NARROW, STYLE, VERMILION, Picture, head, largest
 from pounding.results import RunData
 
-#: Heights of the rows, from above, in parts of one that is high enough.
+#: Relative heights of the rows, from the top.
 HEIGHTS = {
     "ground": 0.45,
     "displacements": 1.3,
@@ -41,10 +41,10 @@ HEIGHTS = {
 }
 #: Height of each of several panels of displacements: in space there is one per direction.
 OF_SEVERAL = 1.0
-#: Rows that a small figure leaves out, the first one first.
-LEAST_WANTED = ("error", "ground", "residuals", "impacts", "openings", "energy", "rotations", "forces")
-#: Height that such a part needs [in].
-LEAST_HEIGHT = 1.1
+#: Rows omitted in small figures, in order.
+MIN_WANTED = ("error", "ground", "residuals", "impacts", "openings", "energy", "rotations", "forces")
+#: Height of a row with relative height 1 [in].
+MIN_HEIGHT = 1.1
 #: Draws one panel.
 Panel = Callable[[Axes, RunData], Any]
 
@@ -56,15 +56,14 @@ def standard_figure(
     size: tuple[float, float] | None = None,
     compare: bool = False,
 ) -> Figure:
-    """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
-    below them the loop of the strongest impact and the restitution of all. In space there is a panel of displacements
-    for each direction, and one of the rotations of rigid floors.
+    """Ground motion, displacements, openings, contact forces, energies and the error of the energy balance over time;
+    below them the loop of the strongest impact and all restitutions.
 
-    What a run does not have is left out: the ground when it is still, links, impacts. So is what does not fit into a
-    figure of less than some 8 inches, in the order of LEAST_WANTED. A run that is not done says so below the title.
-    `floors` maps names of structures to the labels of the floors whose displacements are drawn instead of the linked
-    ones; BadRequest when there are none such. `size` is that of the figure [in]. `compare` draws the run without links
-    too, dashed."""
+        In space there is a panel of displacements for each direction, and one of the rotations of rigid floors.
+    Panels without data are omitted: a still ground, links, impacts. In figures below about 8 inches, panels are
+    omitted in the order of MIN_WANTED. An unfinished run is marked below the title. `floors` maps names of
+    structures to labels of floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that
+    of the figure [in]. `compare` also draws the run without links, dashed."""
     chosen = chosen_floors(run, floors or {})
     displacements: dict[str, Panel] = {}
     displacements_without: dict[str, Panel] = {}
@@ -105,8 +104,8 @@ def standard_figure(
             heights |= dict.fromkeys(displacements, height if len(displacements) == 1 else OF_SEVERAL)
         elif not missing.get(name):
             heights[name] = height
-    for name in LEAST_WANTED:
-        if size is not None and 0.7 + LEAST_HEIGHT * sum(heights.values()) > size[1]:
+    for name in MIN_WANTED:
+        if size is not None and 0.7 + MIN_HEIGHT * sum(heights.values()) > size[1]:
             heights.pop(name, None)
 
     with rc_context(STYLE):

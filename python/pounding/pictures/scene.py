@@ -1,8 +1,7 @@
-"""All structures of a run beside each other, at rest and in motion.
+"""All structures of a run next to each other, at rest and in motion.
 
-Displacements are drawn larger than they are. So that two structures touch in the picture when they touch in the run,
-`Scene` draws the gaps between them larger by the same factor.
-"""
+Displacements are enlarged. `Scene` enlarges the gaps by the same factor, so that structures that touch in the run
+touch in the picture."""
 
 from __future__ import annotations
 
@@ -21,10 +20,10 @@ from pounding.results import Link, RunData
 
 
 class Scene:
-    """All structures of a run beside each other, displacements and gaps drawn `scale` times as large.
+    """All structures of a run next to each other, with displacements and gaps enlarged `scale` times.
 
-    line_models: name -> LineModel; shifts: name -> [3], added to its nodes [m]; faces: link name -> [3], the point of
-    the left structure where the link acts, in the scene at rest [m]."""
+        line_models: name -> LineModel; shifts: name -> [3], added to its nodes [m]; faces: link name -> [3], position
+    of the link on the left structure, in the scene at rest [m]."""
 
     def __init__(self, run: RunData, scale: float = 1.0) -> None:
         self.run, self.scale = run, scale
@@ -36,13 +35,12 @@ class Scene:
 
     @property
     def is_spatial(self) -> bool:
-        """Something has a width along y."""
+        """True if a structure extends along y."""
         return any(np.ptp(model.nodes[:, 1]) > 0 for model in self.line_models.values())
 
     @property
     def has_heights(self) -> bool:
-        """Every structure says how high its floors are, or stands as high as its links: walls, and bodies beside
-        frames."""
+        """True if the heights of all floors are known, or follow from links (walls, and bodies next to frames)."""
         beside_frames = any(model.has_place for model in self.line_models.values())
         return all(
             model.has_heights or self.run.structures[name].is_wall or beside_frames and not len(model.members)
@@ -51,7 +49,7 @@ class Scene:
 
     @property
     def has_places(self) -> bool:
-        """Everything stands where the model has it; a wall stands where its links are."""
+        """True if all structures have positions in the model; walls have those of their links."""
         return all(
             model.has_place or self.run.structures[name].is_wall for name, model in self.line_models.items()
         ) and any(model.has_place for model in self.line_models.values())
@@ -61,7 +59,8 @@ class Scene:
         return self.line_models[name].nodes + self.shifts[name]
 
     def bounds(self, margin: float | np.ndarray = 0.0) -> np.ndarray:
-        """[3, 2]: least and largest x, y, z of everything at rest, masses included; `margin` is one or [3] more [m]."""
+        """[3, 2] bounds along x, y, z of everything at rest, including masses; `margin` is one or [3] distances added
+        [m]."""
         corners = [
             self.at_rest(name) + side * np.array([model.half_width, 0, model.half_height])
             for name, model in self.line_models.items()
@@ -89,7 +88,7 @@ class Scene:
         return shifts
 
     def _linked(self, name: str) -> list[LineModel]:
-        """Line models of all structures that links join to this one, over others as well."""
+        """Line models of all structures connected to this one by links, directly or indirectly."""
         found, queue = {name}, [name]
         while queue:
             here = queue.pop()
@@ -117,14 +116,14 @@ class Scene:
         apart = (self.scale * link.gap + left.half_width + right.half_width) * link.direction
         if (left.has_place or right.has_place) and link.position is not None:
             stick = right if left.has_place else left
-            # A body without a height of its own is lifted to its link.
+            # A body without a height is drawn at the height of its link.
             lift = 0.0 if len(stick.members) or stick.has_heights else link.position[2] - stick.nodes[0, 2]
             base = np.array([*link.position[:2], lift])
             return apart + base if left.has_place else apart - base
         return apart
 
     def _beside(self, shifts: dict[str, np.ndarray], model: LineModel) -> np.ndarray:
-        """Shift to the right of all that is placed."""
+        """Shift to the right of all placed structures."""
         right = max(
             (
                 self.line_models[name].nodes[:, 0].max() + self.line_models[name].half_width + shift[0]
@@ -146,7 +145,7 @@ class Scene:
         return np.array([left.half_width, 0, height]) + self.shifts[link.left]
 
     def _height(self, link: Link) -> float:
-        """Height of a link that has no position: that of the floor which one of its ends names [m]."""
+        """Height of a link without a position: that of the floor at one of its ends [m]."""
         for name, floor in ((link.left, link.left_floor), (link.right, link.right_floor)):
             heights, _ = floor_heights(self.run.structures[name])
             if 0 < floor <= len(heights):
@@ -158,7 +157,7 @@ class Motion:
     """Positions of the nodes of a scene at chosen times."""
 
     def __init__(self, scene: Scene, times: np.ndarray) -> None:
-        """`times` [s] need not be output times: displacements are linear between these."""
+        """Displacements at `times` [s] are interpolated linearly between output times."""
         run = scene.run
         self.scene, self.times = scene, np.asarray(times, float)
         #: name -> [time, node, 3], as large as in the file [m]
@@ -172,7 +171,7 @@ class Motion:
         return self.scene.at_rest(name) + self.scene.scale * self.displacements[name][frame]
 
     def face(self, link: Link, frame: int) -> np.ndarray:
-        """[3]: where a link is, moved with the nearest point of the structure on its left."""
+        """[3] position of a link, moving with the nearest point of its left structure."""
         model, moved = self.scene.line_models[link.left], self.displacements[link.left][frame]
         point = self.scene.faces[link.name]
         shares = nearest_on_members(self.scene.at_rest(link.left), model.members, point)

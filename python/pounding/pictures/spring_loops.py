@@ -1,4 +1,4 @@
-"""Loops of the parts that yield and of devices: force over deformation of storeys, hinges and isolators, tension over
+"""Loops of yielding parts and devices: force over deformation of storeys, hinges and isolators, tension over
 elongation."""
 
 from __future__ import annotations
@@ -31,17 +31,17 @@ from pounding.pictures.style import (
 from pounding.results import RunData, Structure
 from pounding.springs import Springs
 
-#: Parts that are drawn where nobody chooses.
+#: Default number of parts.
 SHOWN = 6
-#: Two loops stand beside each other from this width of a figure on, and a loop needs this height [in].
-LEAST_OF_TWO, LEAST_HEIGHT = 3.2, 1.6
+#: Minimum width of a figure for two columns, and minimum height of a loop [in].
+MIN_OF_TWO, MIN_HEIGHT = 3.2, 1.6
 #: Colour of devices, which belong to no structure.
 DEVICE = "0.25"
 #: Draws one loop.
 Loop = Callable[[Axes], None]
-#: How names of hinges end.
+#: Suffix of the names of hinges.
 HINGE = re.compile(r" (start|end)( [yz])?$")
-#: Forces and moments have the same sizes.
+#: Units of moments have the same sizes as those of forces.
 MOMENT_UNITS = tuple((size, f"{name} m") for size, name in FORCE_UNITS)
 
 
@@ -51,20 +51,21 @@ def loops_figure(
     size: tuple[float, float] | None = None,
     parts: list[tuple[str, str]] | None = None,
 ) -> Figure:
-    """Force over deformation at the output times: of `parts`, pairs of a structure and a name ("left", "storey 1"), or
-    of the six parts and devices between structures that lose most energy, the greatest first, or as many of them as fit
-    into `size` [in]. A dot stands where the run ends; dashed lines are the yield deformations. Raises BadRequest for a
-    run without any, and for parts that there are not."""
+    """Force over deformation at the output times of `parts`, pairs of a structure and a name ("left", "storey 1").
+
+        The default is the six parts and devices with the largest energy losses, in descending order, or as many as
+    fit into `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest
+    for a run without such parts and for unknown parts."""
     chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
         raise BadRequest(
-            "there are no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
+            "no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
         )
     width = size[0] if size else 7.5
-    columns = min(len(chosen), 3 if width >= 6 else 2 if width >= LEAST_OF_TWO else 1)
+    columns = min(len(chosen), 3 if width >= 6 else 2 if width >= MIN_OF_TWO else 1)
     rows = -(-len(chosen) // columns)
     if size is not None and parts is None:
-        rows = min(rows, max(1, int((size[1] - 0.7) / LEAST_HEIGHT)))
+        rows = min(rows, max(1, int((size[1] - 0.7) / MIN_HEIGHT)))
         chosen = chosen[: rows * columns]
     with rc_context(STYLE):
         figure = Picture(figsize=size or (7.5, 0.7 + 2.2 * rows), layout="constrained")
@@ -80,18 +81,18 @@ def loops_figure(
 
 
 def most_energy(run: RunData) -> list[Loop]:
-    """The SHOWN parts and devices that lose most energy; equal ones in the order of the input."""
+    """The SHOWN parts and devices with the largest energy losses; equal ones in input order."""
     lost: list[tuple[float, Loop]] = [
         (springs.largest["hysteretic"][part], _loop(number, structure, part))
         for number, structure in enumerate(run.structures.values())
         if (springs := structure.springs) is not None
         for part in range(len(springs))
     ]
-    told = {one["name"]: float(one["energy_lost"]) for one in run.summary.get("devices", [])}
+    energies = {one["name"]: float(one["energy_lost"]) for one in run.summary.get("devices", [])}
     lost += [
-        (told[name], partial(draw_device, device=device, lost=told[name]))
+        (energies[name], partial(draw_device, device=device, lost=energies[name]))
         for name, device in run.devices.items()
-        if name in told
+        if name in energies
     ]
     return [loop for _, loop in sorted(lost, key=lambda one: -one[0])[:SHOWN]]
 
@@ -101,7 +102,7 @@ def _loop(number: int, structure: Structure, part: int) -> Loop:
 
 
 def draw_device(axes: Axes, device: Device, lost: float) -> None:
-    """The loop of a device between two structures, which loses this energy [J]."""
+    """Loop of a device between two structures, which loses the energy `lost` [J]."""
     size, unit = engineering(largest([device.force]), FORCE_UNITS)
     _draw_curve(axes, MM * device.elongation, device.force / size, DEVICE)
     lost_size, lost_unit = engineering(lost, ENERGY_UNITS)
@@ -151,14 +152,14 @@ def _draw_curve(axes: Axes, deformation: np.ndarray, force: np.ndarray, colour: 
 
 def _springs(structure: Structure) -> Springs:
     if structure.springs is None:
-        raise BadRequest(f"{structure.name} stays elastic; there is no loop of it")
+        raise BadRequest(f"{structure.name} stays elastic and has no loop")
     return structure.springs
 
 
 def _found(run: RunData, structure: str, part: str) -> tuple[int, Structure, int]:
     names = list(run.structures)
     if structure not in names:
-        raise BadRequest(f'there is no structure "{structure}"; there is {", ".join(names)}')
+        raise BadRequest(f'unknown structure "{structure}"; known: {", ".join(names)}')
     springs = _springs(run.structures[structure])
     if part not in springs.names:
         raise BadRequest(f'{structure} has no part "{part}"; there is {", ".join(springs.names)}')
@@ -173,7 +174,7 @@ def _legend() -> list[Line2D]:
 
 
 def draw_residuals(axes: Axes, run: RunData) -> None:
-    """Residual drifts at the end of the run beside the largest ones, storey by storey, of the structures that yield."""
+    """Residual and peak drifts of each storey of yielding structures."""
     shown = [
         (number, structure) for number, structure in enumerate(run.structures.values()) if structure.springs is not None
     ]

@@ -1,4 +1,4 @@
-"""Style of all pictures: colours, type sizes, units that suit a size, and the writing of files."""
+"""Style of all pictures: colours, font sizes, units, and writing of files."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if matplotlib.__version_info__ < (3, 7):
         "--upgrade matplotlib, or set the environment variable POUNDING_PYTHON to a Python that has a newer one"
     )
 
-#: Okabe and Ito's colours, which colour-blind readers can tell apart.
+#: Colours of Okabe and Ito, suitable for colour-blind readers.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
 YELLOW = "#F0E442"
 STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
@@ -57,11 +57,11 @@ STYLE: dict[Any, Any] = {
     "ytick.major.width": 0.6,
     "savefig.dpi": 200,
     "text.parse_math": False,
-    # TrueType, which journals ask for.
+    # TrueType, as journals require.
     "pdf.fonttype": 42,
 }
 MM = 1e3
-#: Below this width of a figure a legend stands under the axes, not beside them, and one panel is enough [in].
+#: Width of a figure below which legends are below the axes, and small figures have one panel [in].
 NARROW = 4.5
 FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
 IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))
@@ -70,18 +70,17 @@ TIME_UNITS = ((1.0, "s"), (1e-3, "ms"))
 
 
 class BadRequest(InputError):
-    """The picture that was asked for does not exist; the text says which do."""
+    """An unknown or impossible picture. The message lists the available ones."""
 
 
 class DrawnOnce(Figure):
-    """A figure that is drawn once when it is saved. Matplotlib draws one with a layout twice, the first time into
-    nothing."""
+    """A figure drawn once when saved. Matplotlib draws figures with a layout twice, the first time without output."""
 
     _layout_is_enough = False
 
     def savefig(self, fname: Any, **options: Any) -> None:
-        """As Figure.savefig, in three quarters of the time. A file replaces nothing but a picture. Raises InputError,
-        OSError."""
+        """Same as Figure.savefig, in three quarters of the time. An existing file must be a picture. Raises
+        InputError, OSError."""
         if isinstance(fname, (str, os.PathLike)):
             if not Path(fname).suffix and "format" not in options:
                 raise BadRequest(f'cannot write "{fname}": the name of a picture ends in .png, .pdf or .svg')
@@ -91,7 +90,7 @@ class DrawnOnce(Figure):
             self.savefig_into(fname, **options)
 
     def savefig_into(self, fname: Any, **options: Any) -> None:
-        """As `savefig`, whatever the file holds."""
+        """Same as `savefig`, without a check of the existing file."""
         self._layout_is_enough = self.get_layout_engine() is not None
         try:
             super().savefig(fname, **options)
@@ -99,7 +98,7 @@ class DrawnOnce(Figure):
             self._layout_is_enough = False
 
     def draw(self, renderer: Any) -> None:
-        """As Figure.draw, but for the draw into nothing: there the layout alone."""
+        """Same as Figure.draw, with the layout only in the draw without output."""
         engine, into_nothing = self.get_layout_engine(), "draw_path" in vars(renderer)
         if self._layout_is_enough and into_nothing and engine is not None:
             engine.execute(self)
@@ -108,7 +107,7 @@ class DrawnOnce(Figure):
 
 
 class Picture(DrawnOnce):
-    """A figure that a notebook shows, whether pyplot is there or not, and that looks the same wherever it is saved."""
+    """A figure that notebooks display with or without pyplot, and that looks the same wherever it is saved."""
 
     def savefig(self, fname: Any, **options: Any) -> None:
         """As Figure.savefig, in the style of this package."""
@@ -122,31 +121,31 @@ class Picture(DrawnOnce):
 
 
 def head(figure: Figure, title: str) -> None:
-    """The title above all panels, in lines that fit; none for an empty one."""
+    """Title above all panels, wrapped to fit; none for an empty one."""
     if title:
         letters = max(20, int(11 * figure.get_figwidth()))
         figure.suptitle("\n".join(textwrap.wrap(title, letters)), fontsize=10.5, fontweight="bold")
 
 
 def engineering(largest: float, units: Sequence[tuple[float, str]]) -> tuple[float, str]:
-    """The (size, name) of the largest unit in which `largest` is at least 0.5; the smallest one for less."""
+    """(size, name) of the largest unit in which `largest` is at least 0.5, or of the smallest unit."""
     return next((unit for unit in units if largest >= 0.5 * unit[0]), units[-1])
 
 
 def largest(arrays: Iterable[np.ndarray]) -> float:
-    """Largest absolute value over arrays; 0 when they are empty or hold only NaN (the force of a rigid impact)."""
+    """Maximum absolute value over arrays; 0 if they are empty or NaN only (the force of rigid impacts)."""
     return max(
         (float(np.abs(finite).max()) for finite in (a[np.isfinite(a)] for a in arrays) if finite.size), default=0.0
     )
 
 
 def structure_colour(number: int) -> str:
-    """Colour of a structure by its place in the input."""
+    """Colour of a structure by its index in the input."""
     return STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)]
 
 
 def write_picture(figure: Figure, path: str | PathLike[str]) -> int:
-    """Writes .png, .pdf or .svg and says so. Returns 0, or 2 after a message."""
+    """Writes .png, .pdf or .svg and prints its name. Returns 0, or 2 after a message."""
     try:
         with rc_context(STYLE):
             figure.savefig(path)

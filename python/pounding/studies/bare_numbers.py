@@ -1,4 +1,4 @@
-"""Warnings about numbers without a unit, which are in SI and were hardly meant so."""
+"""Warnings for numbers without a unit whose SI value is implausible."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from typing import Any
 import numpy as np
 
 from pounding._native import core
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.factors import at, dotted, find
 from pounding.studies.quantities import UNITS
 from pounding.studies.sampling import Points
 
-#: Peaks of strong motion in g.
+#: Range of peak accelerations of strong motion [g].
 WEAKEST, STRONGEST = 0.02, 1.5
-#: Ratio to the model's own value, beyond which a bare number is compared with one in the model's unit.
+#: Ratio to the value of the model above which a bare number is also tried in the unit of the model.
 FAR = 5.0
-#: Smallest and largest limits that pass without a unit, by the unit of their quantity.
+#: Plausible range of limits without a unit, by SI unit.
 PLAUSIBLE = {"m": (0.0, 1.0), "N": (1e3, math.inf)}
-#: Exponent n of laws that the link leaves to its default.
+#: Default exponent n of laws.
 EXPONENT = 1.5
 _NUMBER = re.compile(r"\s*[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
-#: Samples of a factor that are looked at.
+#: Maximum number of samples of a factor that are checked.
 LOOKED_AT = 1000
 
 
-def doubtful(given: Mapping[str, Any], points: Points, model: Mapping[str, Any]) -> list[str]:
-    """Warnings about the words of a study, for factors of this model."""
+def bare_number_warnings(given: Mapping[str, Any], points: Points, model: Mapping[str, Any]) -> list[str]:
+    """Warnings for the keys of a study, given as typed, and for the factors of this model."""
     accepted = model.get("accept") or []
     found = [] if "pga" in accepted else [*_accelerations(given)]
     return [
@@ -49,7 +49,7 @@ def _accelerations(given: Mapping[str, Any]) -> Iterator[str]:
             [synthetic["pga"]] if isinstance(synthetic, Mapping) and "pga" in synthetic else [],
         ),
     ):
-        bare = [value for value in values if not _unit_of(value) and _is_like_g(words.quantity(value, place)[0])]
+        bare = [value for value in values if not _unit_of(value) and _is_like_g(reading.quantity(value, place)[0])]
         if bare:
             yield _in_g(place, bare[0])
 
@@ -64,7 +64,7 @@ def _in_g(place: str, value: Any) -> str:
 
 def _limits(given: Mapping[str, Any]) -> Iterator[str]:
     for name, value in given.items():
-        unit, number = UNITS[str(name).partition(".")[0]], words.quantity(value, "")[0]
+        unit, number = UNITS[str(name).partition(".")[0]], reading.quantity(value, "")[0]
         if _unit_of(value):
             continue
         if unit == "m/s^2" and _is_like_g(number):
@@ -75,7 +75,7 @@ def _limits(given: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _factors(points: Points, model: Mapping[str, Any], accepts_pga: bool) -> Iterator[str]:
-    """Bare values far from the model's own one, which has a unit that would bring them near."""
+    """Warns of bare values that are far from the value of the model in SI and near it in the unit of the model."""
     columns = points.columns(np.arange(min(points.count, LOOKED_AT)))
     for factor in points.factors:
         if factor.unit or factor.times is not None or factor.labels:
@@ -83,7 +83,7 @@ def _factors(points: Points, model: Mapping[str, Any], accepts_pga: bool) -> Ite
         values = np.array([factor.values if factor.values is not None else columns[factor.name]]).ravel()
         for keys in (keys for path in factor.of for keys in find(model, path, "")):
             held, place = at(model, keys), f"study.factors.{factor.name}"
-            own, unit = words.quantity(held, place)[0], _unit_of(held)
+            own, unit = reading.quantity(held, place)[0], _unit_of(held)
             if (
                 not unit
                 and keys[-1] == "pga"
@@ -111,13 +111,13 @@ def _is_meant_in(value: float, own: float, factor: float) -> bool:
 
 
 def _unit_of(value: Any) -> str:
-    """The unit as it is written; "" for a bare number."""
+    """The unit as typed; empty for a bare number."""
     found = _NUMBER.match(str(value))
     return str(value)[found.end() :].strip() if found else ""
 
 
 def _laws(points: Points, model: Mapping[str, Any]) -> Iterator[str]:
-    """Lists of laws that take one bare number in different units."""
+    """Warns of lists of laws for which the same bare number has different units."""
     parameters = {law["name"]: {one[0]: one[1] for one in law["parameters"]} for law in core.catalogue()}
     for factor in points.factors:
         for keys in (
@@ -131,7 +131,7 @@ def _laws(points: Points, model: Mapping[str, Any]) -> Iterator[str]:
             if mixed:
                 yield (
                     f"study.factors.{factor.name}: {dotted(keys[:-1])}.{name} is a bare {link[name]}, "
-                    f"{', '.join(f'in {unit} for {law}' for law, unit in mixed.items())}; compare laws of one unit, or make one study for each unit"
+                    f"{', '.join(f'in {unit} for {law}' for law, unit in mixed.items())}; compare laws with one unit, or run one study per unit"
                 )
                 break
 
@@ -139,10 +139,10 @@ def _laws(points: Points, model: Mapping[str, Any]) -> Iterator[str]:
 def _units(
     name: str, link: Mapping[str, Any], laws: Sequence[str], parameters: Mapping[str, Mapping[str, str]]
 ) -> dict[str, str]:
-    """The unit of a bare number of a link by each law that takes it."""
+    """The unit of a bare number of a link, by the laws that have this parameter."""
     if isinstance(link[name], (Mapping, list)) or _unit_of(link[name]):
         return {}
-    exponent = words.quantity(link.get("exponent", EXPONENT), "")[0]
+    exponent = reading.quantity(link.get("exponent", EXPONENT), "")[0]
     return {
         law: parameters[law][name].replace("^(n+1)", f"^{exponent + 1:g}").replace("^n", f"^{exponent:g}")
         for law in laws

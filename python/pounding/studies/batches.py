@@ -1,4 +1,4 @@
-"""Rows on their way: a batch for one worker, and what it made of them."""
+"""Batches of rows for a worker, and their results."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ import numpy as np
 from pounding.studies.template import Template
 
 NOT_RUN, DONE, EXCEEDED, REFUSED, FAILED, DIED, COLLAPSED = range(7)
-#: Rows that have their numbers.
+#: Statuses of rows with numbers.
 COMPLETE = (DONE, EXCEEDED, COLLAPSED)
-#: Outcome of a row, by its number in the column `status`. Tables store the numbers, so new ones are appended.
+#: Names of the values in the column `status`. Tables store the values, so new names are appended.
 STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died", "collapsed")
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Some rows for one worker."""
+    """Rows for one worker."""
 
     template: Template
     rows: np.ndarray  #: [row] their numbers in the plan
     values: np.ndarray  #: [row, factor] in SI
     record: np.ndarray  #: [row] numbers of motions
     scale: np.ndarray  #: [row] factors on the motions
-    engine: str  #: "auto", or the name of the one that shall run all of them
-    #: contents of the files of its motions, by the names that these give them
+    engine: str  #: name of the engine for all rows, or "auto"
+    #: contents of the files of the motions, by name
     files: Mapping[str, bytes] = field(default_factory=dict)
 
     def part(self, chosen: Sequence[int] | np.ndarray) -> Batch:
-        """Some of the rows."""
+        """A subset of the rows."""
         return replace(
             self,
             rows=self.rows[chosen],
@@ -42,17 +42,17 @@ class Batch:
 
 @dataclass
 class Done:
-    """The columns of some rows."""
+    """Results of the rows of a batch."""
 
     rows: np.ndarray  #: [row] their numbers in the plan
-    values: np.ndarray  #: [row, column] NaN where a row has none
+    values: np.ndarray  #: [row, column]; NaN if a row has no value
     status: np.ndarray  #: [row] one of STATUSES
-    engine: np.ndarray  #: [row] the number of its engine; -1 for none
+    engine: np.ndarray  #: [row] index of the engine; -1 for none
     seconds: np.ndarray  #: [row] wall time
-    reasons: dict[int, str]  #: of rows that are neither done nor exceeded; of a collapsed row where and when
+    reasons: dict[int, str]  #: row -> reason of a failure, or place and time of a collapse
 
     def part(self, chosen: np.ndarray) -> Done:
-        """Some of the rows."""
+        """A subset of the rows."""
         rows = self.rows[chosen]
         kept = set(rows.tolist())
         return Done(
@@ -65,8 +65,8 @@ class Done:
         )
 
     def take(self, chosen: np.ndarray, other: Done, engine: int) -> None:
-        """Puts what an engine has made of the chosen rows into their places; those that it did not run stay, with its
-        reason."""
+        """Copies the results of the chosen rows from an engine. Rows that it did not run keep their values and take
+        its reason."""
         ran = other.status != NOT_RUN
         places = chosen[ran]
         self.values[places], self.status[places], self.seconds[places] = (
@@ -81,7 +81,7 @@ class Done:
 
 
 def nothing_of(batch: Batch, status: int = NOT_RUN) -> Done:
-    """Rows without columns."""
+    """Results of a batch before any row has run."""
     count = len(batch.rows)
     return Done(
         batch.rows,

@@ -30,25 +30,26 @@ from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
 from pounding.studies.quantities import COLLAPSED_COLUMN, OF_GAPS
+from pounding.studies.reading import shortened
 from pounding.studies.study import Study, records_folder, run_plan
 from pounding.studies.summary import summary
 from pounding.studies.table import COPIES, Table, require_room, size_of, size_text
-from pounding.studies.words import few
 
 VERBS = ("run", "check", "show", "merge", "plot", "export")
-#: Rows that `check` times.
+#: Number of rows timed by `check`.
 TIMED = 20
-#: Errors of a disk; others are those of names.
+#: Error numbers of disks; others concern names.
 _DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
 class _Terminated(KeyboardInterrupt):
-    """SIGTERM, or a terminal that closes: the study ends as after Ctrl-C, and its code is that of a run."""
+    """Raised for SIGTERM and SIGHUP: the study stops as for Ctrl-C, with the exit code of the signal."""
 
 
 @contextmanager
 def _until_terminated() -> Iterator[None]:
-    """SIGTERM and SIGHUP raise _Terminated; a second one ends the process at once. What nohup ignores stays ignored."""
+    """Raises _Terminated for SIGTERM and SIGHUP; a second signal ends the process immediately. Ignored signals
+    (nohup) stay ignored."""
 
     def end(number: int, _: object) -> None:
         signal.signal(number, signal.SIG_DFL)
@@ -67,16 +68,17 @@ def _until_terminated() -> Iterator[None]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """The command line, with the name of the command first. Returns 0, 2 after wrong input, 3 after failed rows, on a
-    full disk and out of memory."""
+    """Runs the command line, whose first argument is the name of the command.
+
+    Returns 0, 2 for wrong input, or 3 for failed rows, a full disk and insufficient memory."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     name, rest = (given[0], given[1:]) if given else ("study", [])
     try:
-        # The program has blocked it while modules were imported.
+        # The program blocks it during imports.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
         for word in rest:
             if not _is_text(word):
-                raise InputError(f'"{word}" is no name in UTF-8; rename the file, or go to its folder')
+                raise InputError(f'"{word}" is not valid UTF-8; rename the file, or run in its folder')
         with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
             warnings.showwarning = _show_warning
@@ -91,7 +93,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 3
     except MemoryError:
         print(
-            "pounding: out of memory. Rows that were finished are kept; type the same command again to go on, with fewer processes: -j 1",
+            "pounding: out of memory. Finished rows are kept; type the same command again to resume, with fewer processes: -j 1",
             file=sys.stderr,
         )
         return 3
@@ -104,20 +106,18 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"pounding: {error}", file=sys.stderr)
             return 2
         print(
-            f"pounding: {error}. Rows that were finished are kept; make room and type the same command again to go on",
+            f"pounding: {error}. Finished rows are kept; make room and type the same command again to resume",
             file=sys.stderr,
         )
         return 3
     except _Terminated:
         print(
-            "pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on",
+            "pounding: stopped by a signal; finished rows are kept. Type the same command again to resume",
             file=sys.stderr,
         )
         return 3
     except KeyboardInterrupt:
-        print(
-            "pounding: stopped; rows that were finished are kept. Type the same command again to go on", file=sys.stderr
-        )
+        print("pounding: stopped; finished rows are kept. Type the same command again to resume", file=sys.stderr)
         return 3
 
 
@@ -142,7 +142,7 @@ def _parser(verb: str, meaning: str) -> argparse.ArgumentParser:
 def _run(words: list[str]) -> int:
     parser = _parser(
         "run",
-        "Run all rows of a study. The same command goes on with one that was stopped. Other verbs: "
+        "Run all rows of a study. The same command resumes a stopped study. Other subcommands: "
         + ", ".join(f"pounding study {verb}" for verb in VERBS[1:]),
     )
     parser.add_argument("study", help="study file")
@@ -162,16 +162,16 @@ def _run(words: list[str]) -> int:
         type=_shard,
         default=(1, 1),
         metavar="K/N",
-        help="only the K-th of N equal parts; put them together with merge",
+        help="run only the K-th of N equal shares of the rows; combine the tables with merge",
     )
-    parser.add_argument("--chunk", type=_at_least(1), help="rows of a chunk (default: half a second)")
+    parser.add_argument("--chunk", type=_at_least(1), help="rows per chunk (default: half a second of run time)")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
     output = _table_name(options.study, options.output)
     if options.shard == (1, 1) or not output.is_file():
         destination(output, STUDY)
     if options.executor:
-        # The start of PETSc would wait for the workers, which do something else.
+        # PETSc must not start here: it would wait for the workers.
         core.run_alone()
     plan = read_plan(options.study, records_folder(output))
     _warn(plan)
@@ -202,7 +202,7 @@ def _run(words: list[str]) -> int:
 
 
 def _check(words: list[str]) -> int:
-    parser = _parser("check", "Read a study, count its rows, and say how long it takes.")
+    parser = _parser("check", "Read a study, count its rows and estimate its run time.")
     parser.add_argument("study", help="study file")
     parser.add_argument("-j", "--workers", type=_at_least(0), help="processes of the study (default: one per core)")
     options = parser.parse_args(words)
@@ -227,7 +227,7 @@ def _check(words: list[str]) -> int:
     )
     require_room(plan)
     rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
-    # The first time reads records and models, too.
+    # The first call also reads records and models.
     run_batch(batch_of(plan, rows))
     batch = batch_of(plan, rows)
     print(*_timed(batch, run_batch(batch), plan, options.workers or available_cores()), sep="\n")
@@ -235,7 +235,7 @@ def _check(words: list[str]) -> int:
 
 
 def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
-    """Lines about some timed rows: engines and why, failures, and the time of all rows."""
+    """Report of some timed rows: engines with reasons, failures, and the estimated time of all rows."""
     lines = []
     for number, engine in enumerate(ENGINES):
         mine = np.flatnonzero(done.engine == number)
@@ -253,17 +253,17 @@ def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
     checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == KERNEL).any() else 0
     lines.append(
         f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
-        + (f"; {checked} of them are run by the solver, too" if checked else "")
+        + (f"; {checked} of them also run with the solver" if checked else "")
     )
     return lines
 
 
 def _show(words: list[str]) -> int:
-    parser = _parser("show", "What a table holds; of a row, its numbers and its model, which pounding run takes.")
+    parser = _parser("show", "Show the contents of a table, or the values and the model of one row.")
     parser.add_argument("table", help="table of a study")
-    parser.add_argument("--row", type=int, help="number of a row, from 0: prints its model")
+    parser.add_argument("--row", type=int, help="index of a row, from 0: prints its model")
     parser.add_argument("--column", help="column of a fragility curve, with --json; collapsed for that of collapse")
-    parser.add_argument("--limit", help="of a fragility curve, with its unit or in that of the column: 5 MN")
+    parser.add_argument("--limit", help="limit of a fragility curve, with a unit or in the unit of the column: 5 MN")
     parser.add_argument(
         "--json", action="store_true", help="print one JSON object: counts, and percentiles of the columns"
     )
@@ -271,7 +271,7 @@ def _show(words: list[str]) -> int:
     done = Study.open(options.table)
     if (options.column is None) != (options.limit is None) and options.column != COLLAPSED_COLUMN:
         raise InputError(
-            "--column and --limit go together: the curve is that of the column above the limit; only --column collapsed needs none"
+            "--column and --limit belong together: the curve is of exceedance of the limit; only --column collapsed has no limit"
         )
     if options.json:
         print(json.dumps(summary(done, options.column, options.limit)))
@@ -280,11 +280,11 @@ def _show(words: list[str]) -> int:
         print(_told(done))
         return 0
     if not 0 <= options.row < len(done):
-        raise InputError(f"there is no row {options.row}; they count from 0 to {len(done) - 1}")
+        raise InputError(f"no row {options.row}; rows count from 0 to {len(done) - 1}")
     for name, values in done.columns.items():
         value = values[options.row]
-        told = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
-        print(f"# {name}: {f'{value:.10g}' if told is None else told[value]} {done.units.get(name, '')}".rstrip())
+        names = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
+        print(f"# {name}: {f'{value:.10g}' if names is None else names[value]} {done.units.get(name, '')}".rstrip())
     if options.row in done.reasons:
         print(f"# {done.reasons[options.row]}")
     print(done.model_of(options.row), end="")
@@ -292,7 +292,7 @@ def _show(words: list[str]) -> int:
 
 
 def _merge(words: list[str]) -> int:
-    parser = _parser("merge", "Put the tables of shards together.")
+    parser = _parser("merge", "Merge the tables of shards.")
     parser.add_argument("study", help="study file")
     parser.add_argument("tables", nargs="+", help="tables of the shards")
     parser.add_argument("-o", "--output", required=True, help="table to write")
@@ -326,9 +326,9 @@ def _plot(words: list[str]) -> int:
     parser.add_argument("table", help="table of a study")
     parser.add_argument("--picture", required=True, choices=("fragility", "ida", "gap", "map", "tornado"))
     parser.add_argument("--column", help="column to draw; collapsed is 1 in rows that collapsed")
-    parser.add_argument("--limit", help="of a fragility, with its unit or in that of the column: 5 MN")
-    parser.add_argument("--across", help="of a map: factor along its horizontal axis")
-    parser.add_argument("--along", help="of a map: factor along its vertical axis")
+    parser.add_argument("--limit", help="limit of a fragility, with a unit or in the unit of the column: 5 MN")
+    parser.add_argument("--across", help="factor along the horizontal axis of a map")
+    parser.add_argument("--along", help="factor along the vertical axis of a map")
     parser.add_argument(
         "-o", "--output", help="picture: .png, .pdf or .svg (default: TABLE-PICTURE.png in the current folder)"
     )
@@ -347,7 +347,7 @@ def _plot(words: list[str]) -> int:
 
 
 def _export(words: list[str]) -> int:
-    parser = _parser("export", "Write a table for other programs.")
+    parser = _parser("export", "Export a table to CSV or Parquet.")
     parser.add_argument("table", help="table of a study")
     parser.add_argument("-o", "--output", required=True, help=".csv or .parquet")
     options = parser.parse_args(words)
@@ -362,7 +362,7 @@ def _separation(words: list[str]) -> int:
     from pounding.studies.separation import read_separation, run_separation, table_of
 
     parser = argparse.ArgumentParser(
-        prog="pounding separation", description="The gap that a model needs, by its records and by rules."
+        prog="pounding separation", description="Compute the gap required by records and by the rules of codes."
     )
     parser.add_argument("model", help="model file, with or without study: {records: ...}")
     parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
@@ -377,7 +377,7 @@ def _separation(words: list[str]) -> int:
 
 
 def _table_name(study: str, given: str | None) -> Path:
-    """The table that was named, else the name of the study with .h5, in the current folder."""
+    """The given table, or the name of the study with .h5 in the current folder."""
     if given is None:
         return Path(Path(study).stem + ".h5")
     if not given:
@@ -390,11 +390,11 @@ def _table_name(study: str, given: str | None) -> Path:
 
 
 def _at_least(least: int) -> Callable[[str], int]:
-    """A type of argparse: whole numbers from `least` on."""
+    """Type for argparse: integers with a lower bound."""
 
     def read(text: str) -> int:
         if not re.fullmatch(r"\+?[0-9]{1,18}", text) or int(text) < least:
-            raise argparse.ArgumentTypeError(f'takes a whole number of at least {least}, not "{text[:40]}"')
+            raise argparse.ArgumentTypeError(f'takes an integer of at least {least}, not "{text[:40]}"')
         return int(text)
 
     return read
@@ -403,7 +403,7 @@ def _at_least(least: int) -> Callable[[str], int]:
 def _shard(text: str) -> tuple[int, int]:
     number, _, count = text.partition("/")
     if not (number.isdigit() and count.isdigit() and 1 <= int(number) <= int(count)):
-        raise argparse.ArgumentTypeError(f'"{text}" should be a part of several, as in 3/16')
+        raise argparse.ArgumentTypeError(f'"{text}" is not a shard; type K/N, as in 3/16')
     return int(number), int(count)
 
 
@@ -421,13 +421,17 @@ def _told(done: Study) -> str:
     lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
     if collapsed := done.collapsed:
         row = min(collapsed)
-        lines.append(f"  rows {few(list(collapsed))} collapsed and exceed every limit; row {row}: {collapsed[row]}")
+        lines.append(
+            f"  rows {shortened(list(collapsed))} collapsed and exceed every limit; row {row}: {collapsed[row]}"
+        )
     if alone := _collapsed_without_links(done):
-        lines.append(f"  rows {few(alone)} collapsed without links: those columns are infinite, and no gap is enough")
+        lines.append(
+            f"  rows {shortened(alone)} collapsed without links: their columns are infinite, and no gap is sufficient"
+        )
     reasons: dict[str, list[int]] = {}
     for row, why in done.failed.items():
         reasons.setdefault(why, []).append(row)
-    lines += [f"  rows {few(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
+    lines += [f"  rows {shortened(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
     if len(done.engines) > 1:
         lines[0] += "; " + ", ".join(
             f"{count} by the {name}"
@@ -435,7 +439,7 @@ def _told(done: Study) -> str:
             if (count := int((done["engine"] == i).sum()))
         )
     columns = done.description["kept"]["columns"]
-    lines += cross_check.told(
+    lines += cross_check.report_lines(
         done.check,
         np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)),
         columns,
@@ -447,7 +451,7 @@ def _told(done: Study) -> str:
 
 
 def _collapsed_without_links(done: Study) -> list[int]:
-    """Rows whose run without links collapsed, as far as a column shows it."""
+    """Rows whose run without links collapsed, if a column shows it."""
     columns = [
         column for column in done.description["kept"]["columns"] if column.endswith(".alone") or column in OF_GAPS
     ]

@@ -1,4 +1,4 @@
-"""Rows of the kernel that the solver runs, too: a sample that shows in every table how far both are apart."""
+"""Cross-check of the engines: a sample of the rows of the kernel also runs with the solver."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-#: One row in so many is checked, and no fewer than LEAST.
-ONE_IN, LEAST = 1000, 3
-#: Relative difference beyond which a row is named.
+#: Interval of checked rows, and their minimum number.
+ONE_IN, MIN_ROWS = 1000, 3
+#: Relative difference above which a row is listed.
 LARGE = 1e-3
 
 
 def rows_to_check(count: int) -> np.ndarray:
-    """Numbers of the rows of a plan that both engines run, evenly over all of them."""
-    return np.unique(np.linspace(0, count - 1, min(count, max(LEAST, count // ONE_IN))).astype(np.int64))
+    """Indices of the rows of a plan that run with both engines, evenly spaced."""
+    return np.unique(np.linspace(0, count - 1, min(count, max(MIN_ROWS, count // ONE_IN))).astype(np.int64))
 
 
 def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
-    """|a - b| relative to the larger one; 0 where both are the same, or neither is a number."""
+    """|a - b| relative to the larger absolute value; 0 if both are equal or both are NaN."""
     larger = np.maximum(np.abs(kernel), np.abs(solver))
     with np.errstate(invalid="ignore", divide="ignore"):
         apart = np.abs(kernel - solver) / larger
@@ -26,8 +26,8 @@ def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
     return np.where((kernel == solver) | (np.isnan(kernel) & np.isnan(solver)), 0.0, apart)
 
 
-def told(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[str]) -> list[str]:
-    """Lines of a report: how many rows, and how far apart; `values` are those of the table."""
+def report_lines(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[str]) -> list[str]:
+    """Lines of the report: number of compared rows and their differences. `values` are those of the table."""
     if not check or not columns:
         return []
     rows = sorted(check)

@@ -1,4 +1,4 @@
-"""Records that end after the rows of a study do: analysis.duration cuts them."""
+"""Records that last longer than the rows of a study, and are cut by analysis.duration."""
 
 from __future__ import annotations
 
@@ -10,32 +10,32 @@ import numpy as np
 from pounding import yaml_text
 from pounding._native import core
 from pounding.studies.places import Places
+from pounding.studies.reading import quantity
 from pounding.studies.sampling import Points
 from pounding.studies.template import Template
-from pounding.studies.words import quantity
 
-#: Fraction of the Arias intensity that a record may lose without a warning; the same as that of a single run.
+#: Maximum fraction of the Arias intensity cut without a warning, as for a single run.
 MAX_CUT = 0.05
-#: Points of the factors whose durations are compared, at most.
+#: Maximum number of points of the factors whose durations are compared.
 LOOKED_AT = 100_000
-#: Motions of the model that are looked at, at most.
-MOST_MOTIONS = 100
-#: End of the warning of a model whose duration cuts its records.
+#: Maximum number of motions of the model that are checked.
+MAX_MOTIONS = 100
+#: End of the warning of a model whose duration cuts its record.
 _OF_DURATION = "accept: [duration])"
 
 
 def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[str]) -> list[str]:
-    """Warnings of a model whose records are counted over all rows of its study: those of the model and of the first row
-    are not all that run. Forces, and motions of single structures, stay those of the model."""
+    """Warnings of the model, with the one about cut records replaced by that for all rows of the study."""
     return [doubt for doubt in of_model if not doubt.endswith(_OF_DURATION)] + list(
         cuts or [doubt for doubt in of_first if doubt.endswith(_OF_DURATION)]
     )
 
 
 def cut_records(template: Template, points: Points, last_arrival: float, files: Mapping[str, bytes]) -> list[str]:
-    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row; empty if
-    none does, or if the model accepts it. A motion reaches its last support at `last_arrival` [s]; `files` has the
-    contents of records. Raises InputError for a motion that cannot be read."""
+    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row.
+
+        Empty if there are none, or if the model accepts the warning. A motion reaches the last support at
+    `last_arrival` [s]; `files` contains the contents of the records. Raises InputError for an unreadable motion."""
     columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
     values = (
         np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
@@ -48,7 +48,7 @@ def cut_records(template: Template, points: Points, last_arrival: float, files: 
     for number, motion in enumerate(template.motions):
         if 0 < motion.duration <= duration - last_arrival:
             continue
-        # Records replace the motion that factors may change.
+        # Records replace the motion of the model.
         points_of = [int(durations.argmin())] if motion.words else _different_motions(template, values, durations)
         losses = []
         for point in points_of:
@@ -70,7 +70,7 @@ def cut_records(template: Template, points: Points, last_arrival: float, files: 
 
 
 def _durations(template: Template, values: np.ndarray) -> np.ndarray:
-    """[point] analysis.duration [s], from the values of [point, factor]; 0 if rows last as long as their motions."""
+    """[point] analysis.duration [s] for the values of [point, factor]; 0 if rows last as long as their motions."""
     analysis = template.model.get("analysis") or {}
     places = Places(template.model, template.factors)
     if ("analysis", "duration") in places.keys:
@@ -81,11 +81,11 @@ def _durations(template: Template, values: np.ndarray) -> np.ndarray:
 
 
 def _different_motions(template: Template, values: np.ndarray, durations: np.ndarray) -> list[int]:
-    """Points whose ground motions or durations differ, at most MOST_MOTIONS."""
+    """Points with different ground motions or durations, at most MAX_MOTIONS."""
     moving = [
         j
         for j, factor in enumerate(template.factors)
         if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of)
     ]
     _, first = np.unique(np.column_stack([durations, values[:, moving]]), axis=0, return_index=True)
-    return [int(point) for point in first[np.unique(np.linspace(0, len(first) - 1, MOST_MOTIONS).astype(int))]]
+    return [int(point) for point in first[np.unique(np.linspace(0, len(first) - 1, MAX_MOTIONS).astype(int))]]

@@ -1,4 +1,4 @@
-"""Engines: what turns rows into columns. `ENGINES` is the seam where a faster one plugs in."""
+"""Engines that compute the columns of rows. `ENGINES` is the list to extend with another engine."""
 
 from __future__ import annotations
 
@@ -39,7 +39,6 @@ __all__ = [
     "NOT_RUN",
     "REFUSED",
     "STATUSES",
-    "WORDS",
     "Batch",
     "Done",
     "Engine",
@@ -51,30 +50,32 @@ __all__ = [
 
 
 class Engine(Protocol):
-    """An engine. A row's columns may depend on nothing but the row: on no other row of the batch, and on nothing that
-    ran before."""
+    """An engine. The columns of a row depend only on that row, not on other rows of the batch or on earlier
+    batches."""
 
     name: str
 
     def takes(self, template: Template) -> bool:
-        """Whether it can run rows of this study; False where it is known beforehand that there are none."""
+        """True if the engine may run rows of this study; False if it cannot run any of them."""
 
     def run(self, batch: Batch) -> Done:
-        """The columns of the rows. A wrong or failed row is a status with a reason, never an exception. Rows that the
-        engine does not take stay as they are, with the reason, and the next engine gets them. Raises MemoryError."""
+        """Computes the columns of the rows.
+
+                A wrong or failed row gets a status and a reason, never an exception. Rows that the engine cannot run
+        are returned with the reason and run with the next engine. Raises MemoryError."""
 
 
 class SolverEngine:
-    """Each row is a run of the solver, in memory."""
+    """Runs each row with the solver, in memory."""
 
     name = "solver"
 
     def takes(self, template: Template) -> bool:
-        """It takes every model."""
+        """True for every model."""
         return True
 
     def run(self, batch: Batch) -> Done:
-        """One run after the other."""
+        """Runs the rows one after the other."""
         done = nothing_of(batch)
         for i, row in enumerate(batch.rows.tolist()):
             begin = perf_counter()
@@ -97,7 +98,7 @@ class SolverEngine:
                 )
         except InputError as error:
             return REFUSED, [], str(error)
-        except MemoryError:  # of the process, whatever the row
+        except MemoryError:  # concerns the process, not the row
             raise
         except Exception as error:
             return FAILED, [], shortened(str(error)) or type(error).__name__
@@ -106,23 +107,21 @@ class SolverEngine:
         return (EXCEEDED if template.kept.exceeded(np.array([values]))[0] else DONE), values, ""
 
 
-#: In the order of preference; a table names its engines in this order.
+#: In order of preference; tables store the index of the engine.
 ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
 KERNEL = 0
-#: Words of `engine:` in a study.
-WORDS = ("auto", *(engine.name for engine in ENGINES))
 
 
 def run_kernel(batch: Batch) -> Done:
-    """Runs the rows that the kernel takes; the others stay as they are."""
+    """Runs the rows that the kernel can run; the others are left unchanged."""
     done = nothing_of(batch)
     done.take(np.arange(len(batch.rows)), ENGINES[KERNEL].run(batch), KERNEL)
     return done
 
 
 def run_batch(batch: Batch) -> Done:
-    """Runs rows in a worker, each by the first engine that takes it; must stay a function of a module, since workers
-    get it by its name."""
+    """Runs rows in a worker, each with the first engine that can run it. A function of the module, as pickling
+    requires."""
     done = nothing_of(batch)
     left = np.arange(len(batch.rows))
     for number, engine in enumerate(ENGINES):
@@ -132,6 +131,6 @@ def run_batch(batch: Batch) -> Done:
     for row in batch.rows[left].tolist():
         done.status[batch.rows == row] = REFUSED
         done.reasons[row] = (
-            f"engine: {batch.engine} does not take this row: {done.reasons.get(row, 'the study is none for it')}. Leave engine out, and the solver does"
+            f"engine: {batch.engine} cannot run this row: {done.reasons.get(row, 'the study is none for it')}; remove engine, and the solver runs it"
         )
     return done

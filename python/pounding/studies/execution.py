@@ -1,8 +1,8 @@
-"""Rows on an executor: chunks of about half a second, resume, and workers that may die.
+"""Execution of rows in chunks of about half a second, with resumption and recovery from dead workers.
 
-Any `concurrent.futures.Executor` runs the chunks: local processes unless another one is given,
-`mpi4py.futures.MPIPoolExecutor` or Dask's `Client.get_executor()` likewise. When a local worker dies, the rows that
-were under way run again one by one, and the row that kills its worker is told as such; the others are not lost."""
+Any `concurrent.futures.Executor` runs the chunks: local processes by default, or `mpi4py.futures.MPIPoolExecutor` and
+Dask's `Client.get_executor()`. After the death of a local worker, its rows run again one by one; the row that kills
+its worker is reported as such."""
 
 from __future__ import annotations
 
@@ -47,19 +47,19 @@ from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
 
-#: Wall time that a chunk shall take [s]; schedulers cost some 0.2 to 1 ms a chunk.
+#: Target run time of a chunk [s]; schedulers have an overhead of 0.2 to 1 ms per chunk.
 CHUNK_SECONDS = 0.5
 LARGEST_CHUNK = 20000
-#: Processes of a study, at most.
-MOST_WORKERS = 4096
-#: Rows after which the share of failed ones counts.
+#: Maximum number of processes.
+MAX_WORKERS = 4096
+#: Number of rows before stop_after applies.
 ENOUGH_ROWS = 20
-#: Called after every chunk with the numbers of rows done, failed, and in all.
+#: Called after every chunk with the numbers of finished, failed and all rows.
 Progress = Callable[[int, int, int], None]
 
 
 def batch_of(plan: Plan, rows: np.ndarray, engine: str = "") -> Batch:
-    """The rows as a worker gets them; `engine` instead of that of the plan."""
+    """The batch of some rows; `engine` overrides that of the plan."""
     columns = plan.columns(rows)
     values = (
         np.column_stack([columns[factor.name] for factor in plan.points.factors])
@@ -86,10 +86,11 @@ def run_rows(
     chunk: int | None = None,
     progress: Progress | None = None,
 ) -> None:
-    """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes; 0 runs
-    in this process. Unless given, rows of the kernel run on threads, and others in as many processes as there are
-    cores. `chunk` is a number of rows instead of one by time. Raises OSError when a chunk cannot be written,
-    SolverError when too many rows fail."""
+    """Runs rows and adds them to the table, then repeats a sample of the kernel's rows with the solver.
+
+        `workers` is the number of processes; 0 runs in this process. By default, rows of the kernel run on threads,
+    and other rows in one process per core. `chunk` is the number of rows per chunk, by default half a second of run
+    time. Raises OSError if a chunk cannot be written, SolverError if too many rows fail."""
     count = workers or available_cores()
     begun = 0
     if (
@@ -115,12 +116,11 @@ def run_rows(
 
 
 def require_count(name: str, value: int | None, least: int) -> None:
-    """Raises InputError for a number of workers, or of rows of a chunk, that is none or beyond what a machine can
-    start."""
+    """Raises InputError unless the number of workers or of rows per chunk is an integer in the allowed range."""
     if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
-        raise InputError(f"{name}: takes a whole number of at least {least}, or None; {excerpt(value)} was read")
-    if name == "workers" and value is not None and value > MOST_WORKERS:
-        raise InputError(f"workers: takes at most {MOST_WORKERS}; {value} was read")
+        raise InputError(f"{name}: takes an integer of at least {least}, or None; {excerpt(value)} was read")
+    if name == "workers" and value is not None and value > MAX_WORKERS:
+        raise InputError(f"workers: takes at most {MAX_WORKERS}; {value} was read")
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
@@ -132,19 +132,19 @@ def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
 
 
 def _to_check(plan: Plan, table: Table) -> np.ndarray:
-    """Rows that the kernel has run, and that the solver shall run, too."""
+    """Finished rows of the kernel that also run with the solver."""
     rows = rows_to_check(plan.count)
     rows = rows[(table.engine[rows] == KERNEL) & np.isin(table.status[rows], (DONE, EXCEEDED))]
     return rows[~np.isin(rows, list(table.check))]
 
 
 def available_cores() -> int:
-    """Cores that this process may use."""
+    """Number of cores available to this process."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class _Work:
-    """Rows that wait, and what is known of their time."""
+    """Pending rows and their measured run times."""
 
     def __init__(
         self,
@@ -169,8 +169,7 @@ class _Work:
         self._failed = 0
 
     def batches(self) -> Iterator[Batch]:
-        """One batch after the other; each is sized when it is asked for, and rows of one batch follow each other in the
-        plan."""
+        """Yields batches of consecutive rows, sized by the measured run times."""
         begin = 0
         while begin < len(self._rows):
             size = self._chunk or self._size(len(self._rows) - begin)
@@ -182,11 +181,11 @@ class _Work:
         if not self._seconds:
             return 1
         by_time = int(np.clip(CHUNK_SECONDS / max(median(self._seconds[-50:]), 1e-7), 1, LARGEST_CHUNK))
-        # At the end all workers shall have something to do.
+        # Smaller chunks at the end keep all workers busy.
         return max(1, min(by_time, -(-left // (2 * self._workers))))
 
     def finish(self, done: Done) -> None:
-        """Takes finished rows."""
+        """Adds finished rows."""
         self._table.add(done)
         self._seconds.append(float(done.seconds.mean()))
         self._done += len(done.rows)
@@ -200,13 +199,13 @@ class _Work:
         ):
             reason = next((why for row, why in self._table.reasons.items() if self._table.status[row] != COLLAPSED), "")
             raise SolverError(
-                f"{self._failed} of {self._done} rows have failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
-                f"{reason}\nMend the study, or go on with stop_after: 100 %"
+                f"{self._failed} of {self._done} rows failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
+                f"{reason}\nCorrect the study, or resume with stop_after: 100 %"
             )
 
 
 class _KernelWork(_Work):
-    """Rows for the kernel alone; those that it does not take are left."""
+    """Rows for the kernel only; rows that it cannot run stay pending."""
 
     def __init__(
         self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int
@@ -224,8 +223,7 @@ class _KernelWork(_Work):
 
 
 class _Check(_Work):
-    """Rows of the kernel for the solver, one by one. What they give is compared and no part of the table; one that
-    fails there says nothing."""
+    """Rows of the kernel that run with the solver, one by one, for comparison only. Failures are ignored."""
 
     def __init__(self, plan: Plan, table: Table, rows: np.ndarray, workers: int) -> None:
         super().__init__(plan, table, rows, 1, None, workers)
@@ -240,7 +238,7 @@ class _Check(_Work):
 
 
 class _Given:
-    """An executor of somebody else."""
+    """An executor passed by the caller."""
 
     def __init__(self, executor: Executor) -> None:
         self._executor = executor
@@ -253,8 +251,8 @@ class _Given:
 
 
 class _Threads:
-    """Threads of this process for the kernel, which holds no lock of Python's while rows run: they start at once, and
-    scripts need no guard."""
+    """Threads of this process for the kernel, which releases the GIL. They start quickly and need no guard in
+    scripts."""
 
     def __init__(self, workers: int) -> None:
         self._pool = ThreadPoolExecutor(workers)
@@ -273,7 +271,7 @@ class _Threads:
 
 
 class _LocalPool:
-    """Processes on this machine. A pool that breaks is made again."""
+    """Processes on this machine. A broken pool is replaced."""
 
     def __init__(self, workers: int) -> None:
         self._workers = workers
@@ -291,7 +289,7 @@ class _LocalPool:
                 "reads the script, too; or run in this process with workers=0"
             ) from None
         except BaseException:
-            # A worker that still starts would look for what this process takes away when it ends.
+            # A worker that is still starting would miss the files that this process removes at its end.
             self._pool.shutdown(cancel_futures=True)
             raise
         return self
@@ -310,7 +308,7 @@ class _LocalPool:
             return self._pool.submit(run_batch, batch)
 
     def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
-        """Runs the rows that were under way when a worker died, each by itself in a pool of one."""
+        """Runs the rows in progress at the death of a worker one by one, each in a pool of one process."""
         if not isinstance(failure, BrokenExecutor):
             raise failure
         self._pool.shutdown(cancel_futures=True)
@@ -336,8 +334,7 @@ class _LocalPool:
 
 @contextmanager
 def _interrupt_held() -> Iterator[None]:
-    """Workers that start meanwhile never see Ctrl-C, not even before begin_worker(); this process gets it
-    afterwards."""
+    """Blocks Ctrl-C, so that workers started meanwhile never receive it; this process receives it afterwards."""
     came: list[int] = []
     handler = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
     if handler is not None:
@@ -368,7 +365,7 @@ def _died(batch: Batch, processes: list[multiprocessing.Process]) -> Done:
 
 
 def _run_on(pool: _Given | _LocalPool | _Threads, work: _Work, workers: int) -> None:
-    """Keeps two chunks a worker under way."""
+    """Keeps two chunks per worker in progress."""
     waiting = work.batches()
     under_way: dict[Future[Done], Batch] = {}
     more = True

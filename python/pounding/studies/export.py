@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pounding.studies.rows import Rows
 
 
-#: Columns that every exported table has, whatever their order.
+#: Columns of every exported table.
 _COLUMNS = (b"point", b"record", b"scale", b"im [m/s^2]")
 CSV = Kind(
     "table that study export wrote",
@@ -33,7 +33,7 @@ PARQUET = Kind("Parquet table", lambda _, start: start.startswith(b"PAR1"))
 
 
 def readable(study: Rows) -> dict[str, np.ndarray]:
-    """The columns with words instead of numbers of records, states, engines and labels."""
+    """The columns, with names instead of the indices of records, statuses, engines and labels."""
     found = dict(study.columns)
     for factor in study.description["factors"]:
         if factor["labels"]:
@@ -45,8 +45,10 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
 
 
 def to_csv(study: Rows, path: str | PathLike[str]) -> None:
-    """One line per row; numbers with all their digits. Texts that a spreadsheet would compute as formulas begin with an
-    apostrophe. Raises InputError for a file of another kind, OSError."""
+    """Writes one line per row, with all digits of numbers.
+
+        Texts that a spreadsheet would evaluate as formulas begin with an apostrophe. Raises InputError for an
+    existing file of another kind, OSError."""
     columns = readable(study)
     with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
@@ -64,7 +66,7 @@ def to_csv(study: Rows, path: str | PathLike[str]) -> None:
 
 
 def _inert(cell: str) -> str:
-    """A text that no spreadsheet takes for a formula; texts that are numbers stay numbers."""
+    """A text that no spreadsheet evaluates as a formula; texts of numbers are unchanged."""
     return (
         f"'{cell}" if cell.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(cell) else cell
     )
@@ -74,8 +76,7 @@ _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(inf|nan)")
 
 
 def _inputs(study: Rows) -> list[Path]:
-    """The table that a study was read from, and the files that its text names: a table of samples may be an earlier
-    export."""
+    """The table of the study and the files that its text names, which must not be overwritten."""
     if study.path is None or not study.path.is_file():
         return []
     with open_study(study.path) as file:
@@ -93,8 +94,8 @@ def _texts(given: Any) -> Iterator[str]:
 
 
 def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
-    """One file with units beside the names. Raises ImportError without pyarrow, InputError for a file of another kind,
-    OSError."""
+    """Writes one Parquet file, with units as metadata. Raises ImportError without PyArrow, InputError for an existing
+    file of another kind, OSError."""
     try:
         import pyarrow
         from pyarrow import parquet
@@ -113,8 +114,8 @@ def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
 
 
 def to_xarray(study: Rows) -> xarray.Dataset:
-    """Dimensions: record, one for each factor of the grid, sample where factors are distributed, level where there are
-    levels."""
+    """Dataset with the dimensions record, each factor of the grid, sample if factors are sampled, and level if there
+    are levels."""
     import xarray
 
     factors = study.description["factors"]

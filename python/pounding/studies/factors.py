@@ -1,4 +1,4 @@
-"""Factors: what a study varies, where it stands in the model, and the values that it takes."""
+"""Factors: varied quantities of the model and their values."""
 
 from __future__ import annotations
 
@@ -10,78 +10,71 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.distributions import KINDS, Distribution, read_distribution
 from pounding.studies.files import KEYS, Files
 
-#: Integers up to this one are exact as floating-point numbers.
+#: Floating-point numbers represent integers up to this one exactly.
 LARGEST_INTEGER = 2**53
-#: Values of one factor, at most.
-MOST_VALUES = 1_000_000
-_WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "at", "column", *KINDS)
 
 
 @dataclass(frozen=True)
 class Factor:
-    """A name, the places in the model that take its value, and the values: a list, a distribution, or a column of the
-    study's table of samples.
+    """A factor: its name, paths in the model, and values from a list, a distribution or a column of the table of
+    samples.
 
-    With `times` the factor is a ratio: the places take it times the number that stands at that path."""
+        With `times` the factor is a ratio: the model takes its value times the number at that path."""
 
     name: str
     of: tuple[str, ...]
     times: str | None
     unit: str  #: SI unit of the values; "" for bare numbers and ratios
-    #: [value] in SI; numbers of `labels` where there are any; None for a distribution and for a column
+    #: [value] in SI, or indices of `labels`; None for a distribution and for a column
     values: tuple[float, ...] | None
     distribution: Distribution | None = None
-    labels: tuple[str, ...] = ()  #: words, such as names of laws, that the places take instead of numbers
-    column: str = ""  #: of the table of samples
+    labels: tuple[str, ...] = ()  #: names, such as those of laws, instead of numbers
+    column: str = ""  #: column of the table of samples
 
     @property
     def is_sampled(self) -> bool:
-        """Whether its values stand in the sample, and in no list."""
+        """True if the values are samples instead of a list."""
         return self.values is None
 
     def word(self, value: float, held: Any) -> str:
-        """The text that the model takes for a value in the place of `held`: an integer in the place of one."""
+        """The text of a value in the model; an integer if `held`, the text that it replaces, is one."""
         if self.labels:
             return self.labels[int(value)]
         return str(round(value)) if is_integer(held) and is_whole(value) else repr(float(value))
 
 
 def with_files(factor: Factor, model: Mapping[str, Any], folder: Path, files: Files) -> Factor:
-    """The factor with absolute names in the place of files that its labels name from `folder`."""
+    """The factor with absolute names of the files among its labels; relative ones start from `folder`."""
     if not factor.labels or not any(keys[-1] in KEYS for path in factor.of for keys in find(model, path, "")):
         return factor
     return replace(factor, labels=tuple(files.find(label, folder) or label for label in factor.labels))
 
 
 def is_integer(held: Any) -> bool:
-    """Whether the text of a model is an integer without a unit."""
+    """True if the text of a model is an integer without a unit."""
     return isinstance(held, str) and held.isascii() and held.strip().removeprefix("+").removeprefix("-").isdigit()
 
 
 def is_whole(value: float) -> bool:
-    """Whether a value is an integer that floating-point numbers hold exactly, up to the round-off of a range or
+    """True if a value is an integer that floating-point numbers represent exactly, up to the round-off of a range or
     ratio."""
     return abs(value) < LARGEST_INTEGER and abs(value - round(value)) <= 1e-12 * abs(value)
 
 
-def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
-    """The factors of a study file. Raises InputError for a path that meets nothing in the model, for units that do not
-    fit, and for words that are not known."""
-    if given is None:
-        return []
-    if not isinstance(given, Mapping):
-        raise InputError(f"study.factors: takes a map of names, as in {words.STUDY_WORDS['factors']}")
-    factors = [_read(str(name), one, model) for name, one in given.items()]
+def read_factors(given: Mapping[str, Any], model: Mapping[str, Any]) -> list[Factor]:
+    """The factors of a study. Raises InputError for a path without a match in the model and for units that differ from
+    those of the model."""
+    factors = [_read(name, one, model) for name, one in given.items()]
     places: dict[tuple[str | int, ...], str] = {}
     for factor in factors:
         for keys in (keys for path in factor.of for keys in find(model, path, "")):
             if keys in places:
                 raise InputError(
-                    f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; give each place one factor"
+                    f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; let one factor set each value"
                 )
             places[keys] = factor.name
     in_order(model, factors)
@@ -89,8 +82,9 @@ def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
 
 
 def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
-    """Numbers of the factors, each after the one that sets the base of its ratio. A ratio of a place that it sets
-    itself is one of the model's own number. Raises InputError for ratios of each other."""
+    """Indices of the factors, each after the factor that sets the base of its ratio.
+
+    If a factor sets its own base, the base is the number in the model. Raises InputError for circular ratios."""
     setter = {
         keys: j for j, factor in enumerate(factors) for path in factor.of for keys in find(model, path, factor.name)
     }
@@ -110,50 +104,38 @@ def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
     return found
 
 
-def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
+def _read(name: str, one: Mapping[str, Any], model: Mapping[str, Any]) -> Factor:
     place = f"study.factors.{name}"
     if not name.isidentifier():
         raise InputError(
             f'{place}: a factor\'s name is a column of the table: letters, digits and _; "{name}" was read'
         )
-    one = words.only(given, _WORDS, place)
-    if "of" not in one and "column" not in one:
-        raise InputError(f"{place}: say what it is, as in of: links.*.gap")
-    # A column that stands nowhere in the model is carried along, for the readings.
+    # A factor without a path is a column of the results only.
     of = one.get("of", [])
-    if not isinstance(of, (str, list)) or not all(isinstance(path, str) for path in of):
-        raise InputError(f"{place}.of: takes a path such as links.*.gap, or a list of paths; {of!r} was read")
+    if not of and "column" not in one:
+        raise InputError(f"{place}: of is missing; type the path of a value, as in of: links.*.gap")
     paths = [of] if isinstance(of, str) else of
     places = [keys for path in paths for keys in find(model, path, f"{place}.of")]
-    if one.get("column", "x") in ("", None):
-        raise InputError(f"{place}.column: takes the name of a column of the table of samples")
     times = one.get("times")
     if times is not None and len(find(model, times, f"{place}.times")) != 1:
-        raise InputError(f"{place}.times: {times} meets several places of the model; name one")
-    ways = [kind for kind in ("list", "from", "column", *KINDS) if kind in one]
-    if len(ways) != 1:
-        raise InputError(
-            f"{place}: give its values in one way: a list, from, to and count, a column, or a distribution ({', '.join(KINDS)}); "
-            f"{' and '.join(ways) or 'none'} was read"
-        )
-    distribution, values = None, None
+        raise InputError(f"{place}.times: {times} matches several values of the model; type the path of one")
+    distribution, values, unit = None, None, ""
     labels: tuple[str, ...] = ()
-    if ways[0] == "list" and _are_labels(one["list"]):
-        labels = tuple(map(str, one["list"]))
-        values, unit = [float(i) for i in range(len(labels))], ""
-    elif ways[0] == "list":
-        values, unit = words.quantities(one["list"], f"{place}.list")
-    elif ways[0] == "from":
+    kind = next((kind for kind in KINDS if kind in one), "")
+    if kind:
+        distribution, unit = read_distribution(kind, one[kind], one.get("truncate"), place)
+    elif _are_labels(one.get("list")):
+        labels = tuple(one["list"])
+        values = [float(i) for i in range(len(labels))]
+    elif "list" in one:
+        values, unit = reading.quantities(one["list"], f"{place}.list")
+    elif "from" in one:
         values, unit = _range(one, place)
-    elif ways[0] == "column":
-        unit = ""
-    else:
-        distribution, unit = read_distribution(ways[0], one[ways[0]], one.get("truncate"), place)
     if times is not None:
-        words.quantity(at(model, find(model, times, f"{place}.times")[0]), f"{place}.times: {times}")
+        reading.quantity(at(model, find(model, times, f"{place}.times")[0]), f"{place}.times: {times}")
     if times is not None and unit:
         raise InputError(f"{place}: with times it is a ratio, without a unit; its values are in {unit}")
-    if times is None and not labels and ways[0] != "column":
+    if times is None and not labels and "column" not in one:
         check_units(model, places, unit, place, _percent(one))
     if (
         values is not None
@@ -162,7 +144,7 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         and any(is_integer(at(model, keys)) for keys in places)
     ):
         raise InputError(
-            f"{place}: takes integers below {LARGEST_INTEGER} in the place of {dotted(places[0])}, so that each is exact; {max(values):g} was read"
+            f"{place}: {dotted(places[0])} takes integers below {LARGEST_INTEGER}, which are exact; {max(values):g} was read"
         )
     return Factor(
         name,
@@ -172,7 +154,7 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         None if values is None else tuple(values),
         distribution,
         labels,
-        str(one.get("column", "")),
+        one.get("column", ""),
     )
 
 
@@ -200,26 +182,27 @@ def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
     for key in ("to", "count"):
         if key not in one:
             raise InputError(f"{place}: a range is from: 0.3, to: 1.5, count: 25; {key} is missing")
-    (begin, end), unit = words.quantities([one["from"], one["to"]], f"{place}: [from, to]")
-    count = words.whole(one["count"], f"{place}.count", 2, MOST_VALUES)
-    spacing = one.get("spacing", "even")
-    if spacing not in ("even", "log") or spacing == "log" and min(begin, end) <= 0:
-        raise InputError(f"{place}.spacing: takes even, or log between positive values; {spacing!r} was read")
-    made = np.geomspace(begin, end, count) if spacing == "log" else np.linspace(begin, end, count)
+    (begin, end), unit = reading.quantities([one["from"], one["to"]], f"{place}: [from, to]")
+    is_log = one["spacing"] == "log"
+    if is_log and min(begin, end) <= 0:
+        raise InputError(f"{place}.spacing: log needs positive ends; {min(begin, end):g} was read")
+    made = (np.geomspace if is_log else np.linspace)(begin, end, one["count"])
     return [float(value) for value in made], unit
 
 
 def check_units(
     model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str, percent: str = ""
 ) -> None:
-    """Raises InputError where a factor's unit is not that of the model's own value, and both have one; `percent` is a
-    value in %."""
+    """Raises InputError if the unit of a factor differs from that of the model; bare numbers have none. `percent` is
+    a value in %."""
     for keys in places:
         held = at(model, keys)
         if isinstance(held, (Mapping, list)):
-            raise InputError(f"{place}.of: {dotted(keys)} is no single value; it holds {', '.join(map(str, held))}")
+            raise InputError(
+                f"{place}.of: {dotted(keys)} is not a single value; it contains {', '.join(map(str, held))}"
+            )
         try:
-            _, own = words.quantity(held, "")
+            _, own = reading.quantity(held, "")
         except InputError:
             continue
         if percent and own:
@@ -232,8 +215,8 @@ def check_units(
 
 
 def find(model: Mapping[str, Any], path: str, place: str) -> list[tuple[str | int, ...]]:
-    """All places that a path such as `links.*.gap` meets, as keys from the top. Links are found by name, "left-right",
-    or number. Raises InputError where there is none."""
+    """All matches of a path such as `links.*.gap`, as keys from the top of the model. Links match by name,
+    "left-right", or by index. Raises InputError without a match."""
     found: list[tuple[str | int, ...]] = [()]
     for step in str(path).split("."):
         further = [(*keys, key) for keys in found for key in _keys(at(model, keys), step)]
@@ -242,8 +225,8 @@ def find(model: Mapping[str, Any], path: str, place: str) -> list[tuple[str | in
             whole = ".".join([dotted(found[0]), step]) if found[0] else step
             held = f"there is {', '.join(known)}" if known else "there is nothing"
             raise InputError(
-                f"{place}: {path} meets nothing in the model: {whole} is not there; {held}.{words.meant(step, known)} A key that the "
-                "model leaves to its default must stand in the model"
+                f"{place}: {path} does not match the model: {whole} does not exist; {held}.{reading.did_you_mean(step, known)} A key that "
+                "has its default value must be typed in the model"
             )
         found = further
     return found
@@ -263,7 +246,7 @@ def _keys(part: Any, step: str) -> list[str | int]:
         numbered = [i for i in range(len(part)) if step in ("*", str(i))]
         if named and step != "*" and set(numbered) - set(named):
             raise InputError(
-                f'links.{step} means two links: the one of the name "{step}", and number {step} counted from 0; give the first another name, '
+                f'links.{step} matches two links: the one with the name "{step}", and number {step} counted from 0; give the first another name, '
                 f'such as "link {step}"'
             )
         return sorted({*named, *numbered})
@@ -271,7 +254,7 @@ def _keys(part: Any, step: str) -> list[str | int]:
 
 
 def link_name(link: Any, i: int) -> str:
-    """The name of a link of the input, by which a path calls it."""
+    """The name of a link of the input in paths."""
     if isinstance(link, Mapping):
         ends = link.get("between")
         return str(link.get("name") or ("-".join(map(str, ends)) if isinstance(ends, list) else ends or i))
@@ -286,10 +269,10 @@ def at(model: Any, keys: Sequence[str | int]) -> Any:
 
 
 def put(model: Any, keys: Sequence[str | int], value: Any) -> None:
-    """Replaces what stands at these keys."""
+    """Replaces the value at these keys."""
     at(model, keys[:-1])[keys[-1]] = value
 
 
 def dotted(keys: Sequence[str | int]) -> str:
-    """The keys as a path."""
+    """The keys joined to a path."""
     return ".".join(map(str, keys))

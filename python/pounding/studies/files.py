@@ -1,5 +1,4 @@
-"""Files that a plan names. Each is read once: rows follow from these contents, whatever happens to the files while they
-run."""
+"""Files named by a plan. Each is read once; later changes of a file have no effect on the rows."""
 
 from __future__ import annotations
 
@@ -12,12 +11,12 @@ from typing import Any
 from pounding._native import core
 from pounding.errors import InputError
 
-#: Keys whose texts name files.
+#: Keys with names of files.
 KEYS = ("record",)
 
 
 class Files(dict[str, bytes]):
-    """Contents by absolute names."""
+    """Contents of files by absolute name."""
 
     def content(self, name: str) -> bytes:
         """The content of a file with an absolute name. Raises InputError if it cannot be read."""
@@ -26,7 +25,7 @@ class Files(dict[str, bytes]):
         return self[name]
 
     def find(self, name: str, folder: Path) -> str | None:
-        """The absolute name of the file that `name` means from `folder`; None if it cannot be read."""
+        """The absolute name of a file that is named relative to `folder`; None if it cannot be read."""
         try:
             found = str(Path(core.find_record(name, str(folder))).resolve())
             self.content(found)
@@ -35,17 +34,18 @@ class Files(dict[str, bytes]):
         return found
 
     def named_by(self, part: Any) -> dict[str, bytes]:
-        """The files that texts of nested dicts and lists name."""
+        """The files named by texts in nested dicts and lists."""
         return {text: self[text] for text in texts(part) if text in self}
 
     def digests(self, part: Any) -> dict[str, str]:
-        """SHA-256 of the files that texts of nested dicts and lists name."""
+        """SHA-256 of the files named by texts in nested dicts and lists."""
         return {name: hashlib.sha256(content).hexdigest() for name, content in sorted(self.named_by(part).items())}
 
 
 def absolute(parts: Mapping[str, Any], folder: Path, files: Files) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """The parts of a model with absolute names of its files, and the contents of these by the names that the model
-    gives them. A name that cannot be read stays: the reader of models says where it is."""
+    """The parts of a model with absolute file names, and the contents of the files by the names in the model.
+
+    Names of unreadable files are kept, so that the reader of models reports their position."""
     typed: dict[str, bytes] = {}
 
     def named(part: Any, key: str = "") -> Any:
@@ -71,7 +71,7 @@ def texts(part: Any) -> Iterator[str]:
 
 
 def replaced(part: Any, by: Callable[[str], str]) -> Any:
-    """Nested dicts and lists with other texts."""
+    """Nested dicts and lists with replaced texts."""
     if isinstance(part, Mapping):
         return {key: replaced(value, by) for key, value in part.items()}
     if isinstance(part, (list, tuple)):
@@ -80,7 +80,7 @@ def replaced(part: Any, by: Callable[[str], str]) -> Any:
 
 
 def by_content(description: Mapping[str, Any]) -> dict[str, Any]:
-    """The description of a plan with digests of files instead of their names: copies of a folder have the same one."""
+    """The description of a plan with digests instead of file names, which is the same for copies of a folder."""
     digests = description["files"]
     found: dict[str, Any] = replaced(
         {key: value for key, value in description.items() if key != "files"}, lambda text: digests.get(text, text)
@@ -89,8 +89,8 @@ def by_content(description: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def relative(description: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """The description of a plan with names of files from `folder`, that of the table: they hold in a copy of all of
-    it."""
+    """The description of a plan with file names relative to `folder`, that of the table, so that both can be moved
+    together."""
 
     def from_folder(text: str) -> str:
         return os.path.join(".", os.path.relpath(text, folder.resolve())) if text in description["files"] else text
@@ -100,7 +100,7 @@ def relative(description: Mapping[str, Any], folder: Path) -> dict[str, Any]:
 
 
 def located(description: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """The opposite of `relative`. Tables of version 0.2.0 have absolute names."""
+    """The inverse of `relative`. Tables of version 0.2.0 have absolute names."""
     names = description.get("files", {})
     found: dict[str, Any] = replaced(
         description, lambda text: str((folder / text).resolve()) if text in names else text

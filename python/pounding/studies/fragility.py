@@ -1,8 +1,8 @@
-"""Fragility: a lognormal curve P(exceeded | im) = Phi(ln(im/theta)/beta) by maximum likelihood.
+"""Fragility curves P(exceeded | im) = Phi(ln(im/theta)/beta), fitted by maximum likelihood.
 
-The likelihood is binomial, of counts or of single rows (Baker 2015); the standard errors come from the expected
-information, as those of a probit regression do. Separated data, where every exceedance is above every survival, have no
-finite fit: bounds are told instead."""
+The likelihood is binomial, of counts or of single rows (Baker 2015). Standard errors come from the expected
+information, as in probit regression. Separated data, in which every exceedance lies above every survival, have no
+finite fit; bounds are reported instead."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pounding.studies.scipy_stats import special
 
 @dataclass(frozen=True)
 class Fragility:
-    """A fitted curve, or why there is none."""
+    """A fitted curve, or the reason why there is none."""
 
     theta: float  #: median intensity; NaN without a finite fit
     beta: float  #: dispersion; NaN without a finite fit
@@ -27,15 +27,15 @@ class Fragility:
     im: np.ndarray  #: intensities of the data
     count: np.ndarray  #: trials at each
     exceeded: np.ndarray  #: exceedances at each
-    bounds: tuple[float, float] = (np.nan, np.nan)  #: between which theta lies where the data are separated
-    problem: str = ""  #: why there is no finite fit
-    boot: np.ndarray | None = None  #: [sample, 2] theta and beta of records drawn again
-    failed: int = 0  #: rows without numbers, which are no part of the fit
-    undefined: int = 0  #: rows in which the quantity is undefined, such as a ratio with a collapse; no part of the fit
+    bounds: tuple[float, float] = (np.nan, np.nan)  #: bounds of theta for separated data
+    problem: str = ""  #: reason for a missing fit
+    boot: np.ndarray | None = None  #: [sample, 2] theta and beta of the bootstrap
+    failed: int = 0  #: rows without numbers, excluded from the fit
+    undefined: int = 0  #: rows with an undefined quantity, such as a ratio with a collapse, excluded from the fit
 
     @property
     def is_finite(self) -> bool:
-        """Whether there is a curve."""
+        """True if the fit is finite."""
         return not self.problem
 
     def probability(self, im: np.ndarray | float) -> np.ndarray:
@@ -44,11 +44,11 @@ class Fragility:
 
     @takes(im=numbers)
     def band(self, im: np.ndarray | float, percent: tuple[float, float] = (5, 95)) -> np.ndarray:
-        """[2, im] the band of the curve, from records drawn again. Raises InputError without a bootstrap."""
+        """[2, im] confidence band of the curve, from bootstrap over events. Raises InputError without a bootstrap."""
         if self.boot is None or not len(self.boot):
-            raise InputError("there is no band: the curve has no bootstrap over records")
+            raise InputError("no band: the curve has no bootstrap over records")
         x = np.log(np.atleast_1d(np.asarray(im, dtype=float)))
-        # Of a draw of which nearly all rows exceed theta may be 0: its curve is 1.
+        # theta may be 0 if nearly all rows of a sample exceed: its curve is 1.
         with np.errstate(divide="ignore"):
             curves = special().ndtr((x - np.log(self.boot[:, :1])) / self.boot[:, 1:])
         return np.percentile(curves, percent, axis=0)
@@ -58,16 +58,16 @@ class Fragility:
             return self.problem
         return (
             f"theta {self.theta:.4g}, beta {self.beta:.4g}; standard errors {self.se_log_theta:.2g} of ln theta, {self.se_beta:.2g} of beta"
-            + (f"; {self.failed} rows have failed and are left out" if self.failed else "")
-            + (f"; {self.undefined} rows in which it is undefined are left out" if self.undefined else "")
+            + (f"; {self.failed} failed rows are excluded" if self.failed else "")
+            + (f"; {self.undefined} rows with undefined values are excluded" if self.undefined else "")
         )
 
 
 def fit(
     im: Sequence[float] | np.ndarray, count: Sequence[int] | np.ndarray, exceeded: Sequence[int] | np.ndarray
 ) -> Fragility:
-    """The curve of counts: `exceeded` of `count` trials at each intensity. Raises InputError for lengths that differ
-    and for counts or intensities that cannot be."""
+    """Fits a curve to `exceeded` of `count` trials at each intensity. Raises InputError for arrays of different
+    lengths and for impossible counts or intensities."""
     x, n, k = np.asarray(im, dtype=float), np.asarray(count, dtype=float), np.asarray(exceeded, dtype=float)
     if not x.shape == n.shape == k.shape or x.ndim != 1 or not x.size:
         raise InputError("a fragility takes one count and one number of exceedances for each intensity")
@@ -93,13 +93,13 @@ def _without_fit(
 
 
 def _problem(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[str, tuple[float, float]] | None:
-    """Why the likelihood has no largest value at finite theta and beta > 0, with bounds of theta."""
+    """Why the likelihood has no maximum at finite theta and beta > 0, with bounds of theta."""
     if k.sum() == 0:
-        return f"nothing is exceeded up to {x.max():.4g}: theta is above; add higher levels", (float(x.max()), np.inf)
+        return f"no row exceeds up to {x.max():.4g}: theta is above; add higher levels", (float(x.max()), np.inf)
     if k.sum() == n.sum():
         return f"everything is exceeded from {x.min():.4g} on: theta is below; add lower levels", (0.0, float(x.min()))
     if x.min() == x.max():
-        return f"all rows have the intensity {x.min():.4g}: one level tells neither theta nor beta; add levels", (
+        return f"all rows have the intensity {x.min():.4g}: one level determines neither theta nor beta; add levels", (
             np.nan,
             np.nan,
         )
@@ -120,9 +120,11 @@ def _problem(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[str, tuple[fl
 
 
 def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, np.ndarray]:
-    """Newton with the observed information on P = Phi(a + b z), whose likelihood is concave; then the covariance by the
-    expected one. A band fits a thousand times, and scipy.stats spends five times the time of these functions on looking
-    at their arguments."""
+    """Newton's method with the observed information on P = Phi(a + b z), whose likelihood is concave; the covariance
+    is from the expected information.
+
+        Bootstrap fits a thousand times; scipy.stats would spend five times the time of the functions on checks of
+    arguments."""
     log_cdf = special().log_ndtr
     shift, spread = z.mean(), z.std() or 1.0
     t = (z - shift) / spread
@@ -140,7 +142,7 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
         gradient = design.T @ (k * up - (n - k) * down)
         weight = k * up * (up + eta) + (n - k) * down * (down - eta)
         step = np.linalg.solve(design.T @ (weight[:, None] * design), gradient)
-        # A tenth of round-off of the likelihood: shorter steps are not told from none.
+        # A tenth of the round-off of the likelihood; shorter steps have no effect.
         while (new := likelihood(q + step)) < best - 1e-14 * abs(best) and np.abs(step).max() > 1e-14:
             step = step / 2
         q, best = q + step, max(best, new)
@@ -167,7 +169,7 @@ def of_rows(
     failed: int = 0,
     undefined: int = 0,
 ) -> Fragility:
-    """The curve of single rows, with a band from events drawn again with all their rows."""
+    """The curve of single rows, with a band from bootstrap over events with all their rows."""
     found = fit(*_counted(im, exceeded))
     boot = []
     if found.is_finite and bootstrap:
@@ -177,7 +179,7 @@ def of_rows(
         for _ in range(bootstrap):
             drawn = np.concatenate([rows[i] for i in generator.integers(0, len(names), len(names))])
             one = fit(*_counted(im[drawn], exceeded[drawn]))
-            # A drawn sample without a finite fit is a step: its bounds stand for theta.
+            # A bootstrap sample without a finite fit is a step between its bounds of theta.
             if one.is_finite:
                 boot.append((one.theta, one.beta))
     return Fragility(

@@ -1,4 +1,4 @@
-"""The gap that is enough: its distribution over records, and rules that estimate it from the displacements alone."""
+"""Sufficient gaps: their distribution over records, and estimates by rules from the displacements."""
 
 from __future__ import annotations
 
@@ -12,27 +12,26 @@ import numpy as np
 from pounding._native import core
 from pounding.arguments import number, one_of, takes, text
 from pounding.errors import ImplausibleWarning, InputError
-from pounding.studies.quantities import bare_limit_doubt
+from pounding.studies.quantities import bare_limit_warning
 from pounding.studies.scipy_stats import stats
-
 
 _CONFIDENCE = number(0, 0.999999)
 
 
 @dataclass(frozen=True)
 class GapCurve:
-    """The share of rows that a gap is not enough for."""
+    """Fraction of rows for which a gap is insufficient, over the gap."""
 
-    gap: np.ndarray  #: [row] rising [m]
+    gap: np.ndarray  #: [row] in ascending order [m]
     rules: dict[str, np.ndarray] = field(default_factory=dict)  #: abs, srss, ddc -> [row] in the order of the rows [m]
     required: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [row] in the order of the rows [m]
-    #: number of events behind the rows; rows of one event, at other levels or gaps, are no further samples
+    #: number of events; rows of one event at other levels or gaps are not independent
     independent: int = 0
 
     @classmethod
     def of(cls, required: np.ndarray, rules: Mapping[str, np.ndarray], events: np.ndarray | None = None) -> GapCurve:
-        """The curve of some rows; each is an event by itself unless `events` [row] says which belong together. Raises
-        InputError without any."""
+        """The curve of some rows. `events` [row] identifies rows of one event; by default each row is an event.
+        Raises InputError if no row has a required gap."""
         known = ~np.isnan(required)
         if not known.any():
             raise InputError("no row has a required gap; write keep: [required_gap]")
@@ -44,22 +43,22 @@ class GapCurve:
         )
 
     def exceedance(self, gap: float | str) -> float:
-        """Share of rows that need more than this gap ([m], or "20 mm"). A row that collapses without links needs more
-        than any."""
+        """Fraction of rows that need a larger gap ([m], or "20 mm"). The required gap of a collapse without links is
+        infinite."""
         return float(np.mean(self.gap > _metres(gap)))
 
     @takes(confidence=_CONFIDENCE)
     def band(self, gap: float | str, confidence: float = 0.9) -> tuple[float, float]:
-        """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there
-        are events."""
+        """Confidence interval of the probability that this gap is insufficient (Clopper and Pearson 1934), with the
+        number of events as sample size."""
         return clopper_pearson(
             int((self.gap > _metres(gap)).sum()) * self.independent / len(self.gap), self.independent, confidence
         )
 
     @takes(percent=number(0, 100), confidence=_CONFIDENCE)
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
-        """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows
-        are too few [m]."""
+        """Gap that is sufficient for `percent` % of the rows, and its confidence interval by order statistics [m]; a
+        bound is infinite if there are too few rows."""
         n = self.independent
         binom = stats().binom
         tail = (1 - confidence) / 2
@@ -75,22 +74,22 @@ class GapCurve:
         return float(self.gap[max(1, math.ceil(share * len(self.gap) - 1e-9)) - 1])
 
     def ratio(self, rule: str) -> np.ndarray:
-        """[row] The gap of a rule over the one that is needed; above 1 the rule is safe."""
+        """[row] gap by a rule divided by the required gap; the rule is safe above 1."""
         one_of(self.rules)("rule", rule)
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.rules[rule] / self.required
 
 
 def _metres(gap: float | str) -> float:
-    """A gap [m]. Raises InputError for another unit, NaN and infinity; warns of a bare number that is usual in mm."""
+    """A gap [m]. Raises InputError for another unit, NaN and infinity; warns of a bare number that looks like mm."""
     gap = text("gap", gap) if isinstance(gap, str) else number()("gap", gap)
-    if doubt := bare_limit_doubt("gap", gap, "m"):
+    if doubt := bare_limit_warning("gap", gap, "m"):
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     return core.quantity(gap, "m") if isinstance(gap, str) else gap
 
 
 def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tuple[float, float]:
-    """The exact band of a probability after `exceeded` of `count` trials."""
+    """Exact confidence interval of a probability after `exceeded` of `count` trials."""
     tail = (1 - confidence) / 2
     low = 0.0 if exceeded == 0 else float(stats().beta.ppf(tail, exceeded, count - exceeded + 1))
     high = 1.0 if exceeded == count else float(stats().beta.ppf(1 - tail, exceeded + 1, count - exceeded))

@@ -1,4 +1,4 @@
-"""Which factor matters: Sobol indices by SALib, and the swings of a tornado."""
+"""Sensitivity: Sobol indices with SALib, and the swings of tornado diagrams."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Indices:
-    """Sobol indices of the factors, of the mean over records and levels."""
+    """Sobol indices of the factors for the mean over records and levels."""
 
     names: tuple[str, ...]
-    first: np.ndarray  #: share of the variance by the factor alone
-    total: np.ndarray  #: with all that it does together with others
+    first: np.ndarray  #: fraction of the variance due to the factor alone
+    total: np.ndarray  #: including interactions with other factors
     first_band: np.ndarray  #: half-width of the 95 % band, from SALib's bootstrap
     total_band: np.ndarray
 
@@ -33,13 +33,13 @@ class Indices:
 
 
 def sobol_indices(study: Rows, column: str) -> Indices:
-    """The indices of a study with sampling: {saltelli: n}. Raises InputError for another sampling, and where rows have
-    failed: without them the sample is not balanced. Raises ImportError without SALib."""
+    """The indices of a study with sampling: {saltelli: n}. Raises InputError for another sampling or failed rows,
+    which unbalance the sample, and ImportError without SALib."""
     if study.description["sampling"]["way"] != "saltelli":
-        raise InputError("indices need their own sample: write sampling: {saltelli: 256} and run the study again")
+        raise InputError("indices need a Saltelli sample; write sampling: {saltelli: 256} and run the study again")
     if not study.finished.all():
         raise InputError(
-            f"{int((~study.finished).sum())} of {len(study)} rows have no numbers, and indices need all; look at study.failed"
+            f"{int((~study.finished).sum())} of {len(study)} rows have no numbers, and indices need all of them; see study.failed"
         )
     without = int((~np.isfinite(study[column])).sum())
     if without:
@@ -65,8 +65,8 @@ def sobol_indices(study: Rows, column: str) -> Indices:
 
 
 def swings(study: Rows, column: str, share: float = 0.1) -> list[tuple[str, float, float]]:
-    """Median of a column in the rows with the lowest and with the highest tenth of each factor, the largest swing
-    first. All other factors vary in both groups."""
+    """Median of a column in the rows with the lowest and with the highest tenth of each factor, largest swing first.
+    All other factors vary in both groups."""
     found = []
     for name in study.factors:
         values, finished = study[name], study.finished

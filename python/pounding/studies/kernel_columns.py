@@ -1,4 +1,4 @@
-"""Numbers of the kernel, and the columns of a table made of them."""
+"""Results of the kernel, and the columns of a table computed from them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from pounding.errors import InputError
 from pounding.studies.quantities import OF_GAPS, OF_LINKS, OF_STRUCTURES, SUMS
 
-#: Error of a step of the kernel, as a part of the tolerance of the model: the errors of many impacts add up.
+#: Error of a step of the kernel as a fraction of the tolerance of the model, since errors of impacts accumulate.
 PART_OF_TOLERANCE, LARGEST, SMALLEST = 0.2, 2e-5, 1e-12
 #: Quantities of links by their names in the columns of the kernel.
 OF_KERNEL = {
@@ -22,9 +22,9 @@ OF_KERNEL = {
 
 @dataclass
 class Found:
-    """Numbers of rows as the kernel gives them."""
+    """Results of rows from the kernel."""
 
-    reasons: dict[int, str]  #: [row] why it has no numbers
+    reasons: dict[int, str]  #: row -> reason of missing numbers
     links: list[str]
     structures: dict[str, dict[str, np.ndarray]]  #: name -> displacement, drift, acceleration: [row, floor]
     contacts: dict[str, np.ndarray]  #: quantity -> [row, link]
@@ -33,8 +33,7 @@ class Found:
 
 
 def column_of(column: str, found: Found) -> np.ndarray:
-    """[row] one column of the table, as Kept.of makes it from a summary. Raises InputError for a link that is not
-    there."""
+    """[row] a column of the table, equal to that of Kept.of from a summary. Raises InputError for an unknown link."""
     quantity, _, rest = column.partition(".")
     if quantity in OF_STRUCTURES:
         if rest.endswith(".ratio"):
@@ -48,7 +47,7 @@ def column_of(column: str, found: Found) -> np.ndarray:
     if quantity in OF_GAPS:
         return np.maximum(0, found.gaps[quantity].max(axis=1, initial=0)) if found.links else np.zeros(_rows(found))
     if rest and rest not in found.links:
-        raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(found.links)}')
+        raise InputError(f'study.keep: unknown link "{rest}"; known: {", ".join(found.links)}')
     values = found.contacts[quantity]
     if rest:
         values = values[:, [i for i, name in enumerate(found.links) if name == rest]]
@@ -70,7 +69,7 @@ def _rows(found: Found) -> int:
 def separations(
     closing: np.ndarray, left: np.ndarray, right: np.ndarray, correlation: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Gaps by the run without links, and by rules from the peaks of both ends."""
+    """Gaps from the run without links, and by rules from the peaks of both ends."""
     squares = left * left + right * right
     return {
         "required_gap": closing,
@@ -81,5 +80,5 @@ def separations(
 
 
 def step_error(tolerance: float) -> float:
-    """The tolerance of the kernel for that of a model."""
+    """Tolerance of the kernel for the tolerance of a model."""
     return min(LARGEST, max(SMALLEST, PART_OF_TOLERANCE * tolerance))

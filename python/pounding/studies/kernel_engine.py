@@ -1,8 +1,7 @@
-"""The engine of linear structures: the compiled kernel runs them in modal coordinates, thousands of rows in a second.
+"""The engine of linear structures: the compiled kernel runs thousands of rows per second in modal coordinates.
 
-Two oscillators go as columns. Every other model is read for each set of values of its factors and brought into modal
-coordinates. Which rows the kernel takes follows from each row alone, so that the bits of a table do not depend on
-chunks."""
+Two oscillators run as columns. Other models are read and transformed to modal coordinates for each set of factor
+values. The choice of engine depends on the row only, so tables are bitwise independent of chunks."""
 
 from __future__ import annotations
 
@@ -23,30 +22,30 @@ from pounding.studies.prepared import Last, prepared
 from pounding.studies.quantities import OF_TORSION, Kept
 from pounding.studies.template import Template
 
-#: Words of `analysis:` that the kernel follows; the others say how the solver shall run.
+#: Keys of `analysis:` that the kernel supports; the others control the solver.
 ANALYSIS = ("duration", "tolerance", "output_step")
 #: Modes times the largest omega h of a model (1 at least), beyond which the solver takes less time: 35 modes of shear
 #: buildings with 93 take the kernel a fifth of the solver's time, 70 modes of two frames with 1150 twice as much.
-MOST_WORK = 400
-#: Models in modal coordinates that are kept; rows that follow each other share one at all levels.
+MAX_WORK = 400
+#: Number of cached models in modal coordinates; consecutive rows share one at all levels.
 KEPT_MODELS = 256
 
 
 class KernelEngine:
-    """Rows of linear structures and penalty laws."""
+    """Runs rows of linear structures with penalty laws."""
 
     name = "kernel"
 
     def takes(self, template: Template) -> bool:
-        """False for models with words that only the solver follows."""
+        """False for models with keys that only the solver supports."""
         return not _solver_words(template)
 
     def why_not(self, batch: Batch) -> str:
-        """Why the first row of a batch takes the solver; "" where it does not."""
+        """Why the first row of a batch needs the solver; empty if it does not."""
         return _solver_words(batch.template) or next(iter(self.run(batch.part([0])).reasons.values()), "")
 
     def run(self, batch: Batch) -> Done:
-        """All rows of a group in one call: those of one motion at one scale and of one set of labels."""
+        """Runs rows with the same motion, scale and labels in one call."""
         done = nothing_of(batch)
         ready = _ready(batch.template)
         groups: dict[tuple[Any, ...], list[int]] = {}
@@ -80,7 +79,7 @@ class KernelEngine:
             else np.empty((len(rows), 0))
         )
         if kept.undefined_limits(values[ran]):
-            # The solver refuses these rows by name.
+            # The solver reports these rows.
             found.reasons.update(
                 (i, "a quantity with a limit is undefined") for i in ran.tolist() if kept.undefined_limits(values[[i]])
             )
@@ -97,7 +96,7 @@ def _solver_words(template: Template) -> str:
 
 
 class _Ready:
-    """A template made ready for the kernel."""
+    """A template prepared for the kernel."""
 
     def __init__(self, template: Template) -> None:
         self.prepared = prepared(template)
@@ -115,8 +114,8 @@ class _Ready:
         motion: core.RowMotion | None,
         take: Callable[[Found, np.ndarray], None],
     ) -> dict[int, str]:
-        """Runs rows of one motion and hands over what it found; returns why rows were not run. Raises InputError,
-        OSError."""
+        """Runs rows of one motion and stores their results; returns the reasons of rows that were not run. Raises
+        InputError, OSError."""
         if motion is None or motion.step == 0:
             return dict.fromkeys(range(len(values)), "the kernel takes records with an even step from time 0 on")
         numbers = self.prepared.places.numbers(values)
@@ -143,8 +142,8 @@ class _Ready:
         return reasons
 
     def _way(self, numbers: np.ndarray, motion: core.RowMotion) -> Pairs | str:
-        """How rows of these labels run, by the model as it was given: as pairs, each by its modes (""), or why not at
-        all. No value of a row has a say in it, so that the way of a row depends on no other one."""
+        """How rows with these labels run: as pairs, by modes (""), or why not with the kernel. It follows from the
+        model without the values of rows, so it is the same for all of them."""
         template = self.prepared.template
         texts = [
             text if template.factors[j].labels else str(at(template.model, keys))
@@ -158,12 +157,12 @@ class _Ready:
         except InputError as error:
             return str(error)
         work = row.model.modes * max(1.0, row.fastest * motion.step)
-        if work > MOST_WORK and template.engine == "auto":
+        if work > MAX_WORK and template.engine == "auto":
             return f"it is faster with {row.model.modes} modes up to {row.fastest / (2 * math.pi):.3g} Hz"
         return Pairs.of(self.prepared, texts, row) or ""
 
     def _one(self, row: np.ndarray, motion: core.RowMotion) -> Found:
-        """Any model, by its modes. Its duration may be that of the motion, so that a model goes with one."""
+        """A model in modal coordinates. The key includes the motion, which may set the duration."""
 
         def make() -> core.LinearRow:
             self.prepared.put(row)
@@ -175,7 +174,7 @@ class _Ready:
 
 
 def run_modes(row: core.LinearRow, motion: core.RowMotion, accelerations: bool, alone: bool) -> Found:
-    """One row of any model."""
+    """Runs one row of a model in modal coordinates."""
     options: dict[str, Any] = {"duration": row.duration, "tolerance": step_error(row.tolerance)}
     one = np.ones(1)
     ran = core.study_model(row.model, motion.accelerations, motion.step, one, **options)

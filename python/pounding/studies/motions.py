@@ -13,28 +13,28 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.files import Files
 
-#: Largest factor on a record that passes without a warning.
+#: Maximum scale factor of a record without a warning.
 PLAUSIBLE_SCALE = 4.0
 
 
 @dataclass(frozen=True)
 class Motion:
-    """One ground motion as the table lists it."""
+    """A ground motion as listed in the table."""
 
     name: str
     words: dict[str, Any]  #: `ground_motion` of the row without the wave; empty for the model's own
-    event: str  #: motions of one event are no independent samples
+    event: str  #: motions of one event are not independent samples
     component: str = ""
     points: int = 0
-    step: float = 0.0  #: [s]; 0 where it varies
+    step: float = 0.0  #: [s]; 0 if it varies
     duration: float = 0.0  #: [s]
-    pga: float = float("nan")  #: of several horizontal components the geometric mean [m/s^2]
+    pga: float = float("nan")  #: geometric mean of horizontal components [m/s^2]
     intensity: float = float("nan")  #: by the measure of the study [m/s^2]
     digest: str = ""  #: SHA-256 of the bytes of its files
-    warnings: tuple[str, ...] = field(default=(), compare=False)  #: of implausible peaks and steps
+    warnings: tuple[str, ...] = field(default=(), compare=False)  #: about implausible peaks and steps
 
     @property
     def parts(self) -> dict[str, dict[str, Any]]:
@@ -43,7 +43,7 @@ class Motion:
 
     @property
     def is_record(self) -> bool:
-        """Whether files hold it."""
+        """True if the motion is read from files."""
         return all("record" in part for part in self.parts.values())
 
     def scaled(self, scale: float) -> dict[str, Any]:
@@ -58,24 +58,24 @@ def scaled(part: Mapping[str, Any], scale: float) -> dict[str, Any]:
     if "record" in part:
         return {**part, "scale": repr(float(factor_of(part) * scale))}
     inner = dict(part["synthetic"])
-    inner["pga"] = repr(float(words.quantity(inner["pga"], "ground_motion.synthetic.pga")[0] * scale))
+    inner["pga"] = repr(float(reading.quantity(inner["pga"], "ground_motion.synthetic.pga")[0] * scale))
     return {**part, "synthetic": inner}
 
 
 def factor_of(part: Mapping[str, Any]) -> float:
     """The factor on the values of a file."""
-    return words.quantity(part.get("scale", 1.0), "ground_motion.scale")[0]
+    return reading.quantity(part.get("scale", 1.0), "ground_motion.scale")[0]
 
 
 def mean_of_horizontal(values: Mapping[str, float]) -> float:
-    """The geometric mean of the values along x and y; that along z if there is no other."""
+    """Geometric mean of the values along x and y, or the value along z without them."""
     found = [value for axis, value in values.items() if axis != "z"] or list(values.values())
     return found[0] if len(found) == 1 else float(np.prod(found) ** (1 / len(found)))
 
 
 @dataclass(frozen=True)
 class Intensity:
-    """How strong a motion is: pga, sa (pseudo-acceleration at a period) or avg_sa (geometric mean over a range of
+    """Intensity measure: pga, sa (pseudo-acceleration at a period) or avg_sa (geometric mean over a range of
     periods)."""
 
     measure: str = "pga"
@@ -84,13 +84,13 @@ class Intensity:
     levels: tuple[float, ...] = ()  #: [m/s^2]; none for motions as they are
 
     def of(self, motion: Motion, files: Files) -> float:
-        """The intensity of an unscaled motion [m/s^2], of horizontal components the geometric mean. Raises InputError
-        for a measure that the motion does not have."""
+        """The intensity of an unscaled motion [m/s^2], the geometric mean of its horizontal components. Raises
+        InputError if the motion does not have this measure."""
         if self.measure == "pga":
             return motion.pga
         if not motion.is_record:
             raise InputError(
-                f"study.intensity.measure: {self.measure} is known of records; with artificial earthquakes or the model's own motion "
+                f"study.intensity.measure: {self.measure} is defined for records; with artificial earthquakes or the model's own motion "
                 "type measure: pga"
             )
         periods = np.geomspace(*self.period, 20) if self.measure == "avg_sa" else np.array(self.period[:1])
@@ -113,61 +113,39 @@ class Intensity:
             step_of(part),
             files.content(name),
         )
-        # A record that does not move, or a period so long that nothing is left of its acceleration, has the intensity
-        # 0.
+        # The intensity is 0 for a zero record and for periods at which the acceleration underflows.
         with np.errstate(divide="ignore", under="ignore"):
             return abs(factor_of(part)) * float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
 
 
-def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
-    """The measure and levels of a study; `periods` are the first ones of the structures [s]. Raises InputError."""
-    if given is None:
+def read_intensity(one: Mapping[str, Any] | None, periods: Sequence[float]) -> Intensity | None:
+    """The measure and levels of a study; `periods` are the first periods of the structures [s]. Raises InputError."""
+    if one is None:
         return None
-    one = words.only(given, ("measure", "period", "periods", "damping", "levels"), "study.intensity")
-    measure = one.get("measure")
-    if measure not in ("pga", "sa", "avg_sa"):
-        asked = "levels need the measure that they are of" if measure is None else f"{measure!r} was read"
-        raise InputError(
-            f"study.intensity: {asked}; type measure: pga, measure: sa with period: 1 s, or measure: avg_sa"
-        )
-    damping = words.quantity(one.get("damping", 0.05), "study.intensity.damping")[0]
-    if not 0 <= damping < 1:
-        raise InputError(
-            f"study.intensity.damping: takes a share from 0 to 100 %, such as 5 %; {one['damping']} was read"
-        )
-    levels: list[float] = []
-    if "levels" in one:
-        levels, unit = words.quantities(one["levels"], "study.intensity.levels")
-        words.same_unit(unit, "m/s^2", "study.intensity.levels", "0.2 g")
-        words.no_percent(one["levels"], "study.intensity.levels", "m/s^2", "0.2 g")
-        if min(levels) <= 0:
-            raise InputError("study.intensity.levels: takes positive accelerations such as 0.2 g")
-    for key, wanted in (("period", "sa"), ("periods", "avg_sa")):
-        if key in one and measure != wanted:
-            raise InputError(f"study.intensity.{key}: belongs to measure: {wanted}, not to {measure}")
+    measure = one["measure"]
+    for key, of in (("period", "sa"), ("periods", "avg_sa")):
+        if key in one and measure != of:
+            raise InputError(f"study.intensity.{key}: belongs to measure: {of}, not to {measure}")
     span = (0.0, 0.0)
     if measure == "sa":
         if "period" not in one:
             raise InputError(
                 "study.intensity: sa needs its period, as in period: 1 s; for two structures measure: avg_sa serves both"
             )
-        value, unit = words.quantity(one["period"], "study.intensity.period")
-        words.same_unit(unit, "s", "study.intensity.period", "1 s")
-        words.no_percent(one["period"], "study.intensity.period", "s", "1 s")
-        span = (value, value)
+        span = (one["period"], one["period"])
     elif measure == "avg_sa":
         span = _range(one, periods)
-    return Intensity(str(measure), span, damping, tuple(levels))
+    return Intensity(measure, span, one["damping"], tuple(one.get("levels", ())))
 
 
 def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, float]:
     if "periods" in one:
-        both, unit = words.quantities(one["periods"], "study.intensity.periods")
-        words.same_unit(unit, "s", "study.intensity.periods", "1 s")
-        words.no_percent(one["periods"], "study.intensity.periods", "s", "1 s")
-        if len(both) != 2 or not 0 < both[0] < both[1]:
-            raise InputError("study.intensity.periods: takes the shortest and the longest period, as in [0.2 s, 2 s]")
-        return both[0], both[1]
+        shortest, longest = one["periods"]
+        if shortest >= longest:
+            raise InputError(
+                f"study.intensity.periods: takes the shortest and the longest period, as in {reading.EXAMPLES['intensity']['periods']}"
+            )
+        return shortest, longest
     known = [period for period in periods if np.isfinite(period) and period > 0]
     if not known:
         raise InputError("study.intensity: the structures have no period; type periods: [0.2 s, 2 s]")
@@ -175,12 +153,12 @@ def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, flo
 
 
 def step_of(part: Mapping[str, Any]) -> float:
-    """The step of a file without times [s]; 0 if it is not given."""
-    return words.quantity(part["step"], "study.records.step")[0] if "step" in part else 0.0
+    """Time step of a file without times [s]; 0 if it is not given."""
+    return reading.quantity(part["step"], "study.records.step")[0] if "step" in part else 0.0
 
 
 def read_file(name: str, options: Mapping[str, str], files: Files, event: str = "", component: str = "") -> Motion:
-    """The motion of one file. Raises InputError where it is no record."""
+    """The motion in a file. Raises InputError if the file is not a record."""
     content = files.content(name)
     points, step, duration, pga, warnings = core.record_measures(
         name, options.get("units", ""), options.get("channel", ""), step_of(options), content
@@ -218,7 +196,7 @@ def joined(parts: Mapping[str, Motion]) -> Motion:
 
 
 def measured(motions: Sequence[Motion], intensity: Intensity | None, files: Files) -> list[Motion]:
-    """The motions with their intensity. Raises InputError where levels ask for motions that cannot be scaled."""
+    """The motions with their intensities. Raises InputError if levels require motions that cannot be scaled."""
     if intensity is None:
         return list(motions)
     for motion in motions:
@@ -234,24 +212,24 @@ def implausible(motions: Sequence[Motion], accept: Sequence[str]) -> list[str]:
     """Warnings of implausible records, at most five, unless the model accepts them."""
     found = [text for motion in motions for text in motion.warnings] if "record" not in accept else []
     more = [f"{len(found) - 5} more warnings of records"] if len(found) > 5 else []
-    return [f"{text} (where it is meant: accept: [record])" for text in [*found[:5], *more]]
+    return [f"{text} (if intended: accept: [record])" for text in [*found[:5], *more]]
 
 
 def repeated(motions: Sequence[Motion]) -> list[str]:
-    """A warning of records that are named twice, which are no independent samples."""
+    """A warning for records that are named twice and are therefore not independent."""
     counts = Counter(f"{motion.name}: {motion.words}" for motion in motions if motion.is_record)
     again = [text.partition(": ")[0] for text, count in counts.items() if count > 1]
     return (
         [
-            f"study.records: {words.few(again)}: named more than once, and every time a sample of its own; name each record once"
+            f"study.records: {reading.shortened(again)}: named more than once, and counted as independent samples; name each record once"
         ]
         if again
         else []
     )
 
 
-def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
-    """Warnings of records that the model or the intensity scales."""
+def scaling_warnings(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
+    """Warnings for records that are scaled by the model or by the intensity."""
     if intensity is None or not intensity.levels:
         scales = [abs(factor_of(part)) for motion in motions for part in motion.parts.values() if "scale" in part]
         return (

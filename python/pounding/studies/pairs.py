@@ -1,4 +1,4 @@
-"""Two oscillators and one link as columns: what the kernel runs fastest."""
+"""Two oscillators and one link as columns, the fastest path of the kernel."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.factors import at, put
 from pounding.studies.kernel_columns import OF_KERNEL, Found, separations, step_error
 from pounding.studies.prepared import Prepared
 
 OSCILLATOR = ("mass", "period", "damping")
 LINK = ("between", "gap", "law", "name", "formula")
-#: A gap that no structure closes [m].
+#: A gap too large to close [m].
 FAR = 1e9
 
 
@@ -25,7 +25,7 @@ Keys = tuple[str | int, ...]
 
 
 class Pairs:
-    """Columns of the pairs of one study and one set of labels: constants of the model, and numbers of places."""
+    """Columns of pairs with one set of labels: constants of the model, and the indices of varied values."""
 
     def __init__(
         self,
@@ -46,9 +46,9 @@ class Pairs:
 
     @classmethod
     def of(cls, prepared: Prepared, texts: Sequence[str], row: core.LinearRow) -> Pairs | None:
-        """The pairs of a template, with these texts in its places; None for other models, which go by their modes.
-        `row` is such a model: what it says holds for all rows, since no value of a column makes a linear pair another
-        one."""
+        """The pairs of a template with these texts for its varied values; None if the model is not such a pair.
+
+        `row` is a model with these texts. The answer holds for all rows: no value of a column changes it."""
         model = copy.deepcopy(prepared.template.model)
         for keys, text in zip(prepared.places.keys, texts):
             put(model, keys, text)
@@ -73,11 +73,11 @@ class Pairs:
         }:
             return None
         analysis = model.get("analysis") or {}
-        duration = words.quantity(analysis["duration"], "")[0] if "duration" in analysis else 0.0
+        duration = reading.quantity(analysis["duration"], "")[0] if "duration" in analysis else 0.0
         try:
-            constants = {keys: words.quantity(at(model, keys), "")[0] for keys in columns if keys not in places}
+            constants = {keys: reading.quantity(at(model, keys), "")[0] for keys in columns if keys not in places}
         except InputError:
-            # A map or a list stands there, such as damping of a kind of its own.
+            # A map or a list, such as modal damping.
             return None
         made = cls(names, link, pairs, parameters, constants, places, duration, row.tolerance)
         return made if [name for name, _ in row.links] == [made.link] else None
@@ -90,7 +90,7 @@ class Pairs:
         duration = self._duration or motion.duration
         record = motion.accelerations
         options: dict[str, Any] = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
-        # One row at least stands in a column, for the number of rows.
+        # At least one column has the length of the number of rows.
         pairs["gap"] = np.broadcast_to(pairs["gap"], count)
         ran = core.study_pairs(
             pairs, self.law, self.formula, parameters, record, motion.step, required_gap=False, **options
@@ -138,7 +138,7 @@ class Pairs:
 
 
 def _names_of_pair(model: Mapping[str, Any]) -> list[str] | None:
-    """Names of the two structures of a pair, the left one first; None for another model."""
+    """Names of the two structures of a pair, left first; None for other models."""
     structures, links = model["structures"], model.get("links")
     if not isinstance(links, list) or len(links) != 1 or "devices" in model or len(structures) != 2:
         return None
@@ -159,5 +159,5 @@ def _names_of_pair(model: Mapping[str, Any]) -> list[str] | None:
 
 
 def _home(structure: Mapping[str, Any], word: str) -> tuple[str, ...]:
-    """The place of a word of an oscillator: damping may stand beside it."""
+    """Path of a key of an oscillator; damping may be next to the oscillator."""
     return () if word in structure else ("oscillator",)

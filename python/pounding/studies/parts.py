@@ -1,7 +1,7 @@
-"""Finished chunks of a study while it runs: small files in the folder TABLE.parts, with their checksums in their names,
-and a lock.
+"""Finished chunks of a running study: small files in the folder TABLE.parts with checksums in their names, and a
+lock.
 
-A chunk is written under another name and moved into place: it is there as a whole or not at all."""
+A chunk is written to a temporary file and renamed, so that it is complete if it exists."""
 
 from __future__ import annotations
 
@@ -28,12 +28,11 @@ _OWN = re.compile(rf"{LOCK}|\.?({_CHUNK.pattern}|{re.escape(PLAN)})(\.\d+)?")
 
 
 class Parts:
-    """The folder of chunks next to a table, locked from here until `close`."""
+    """The folder of chunks next to a table, locked until `close`."""
 
     def __init__(self, table: Path, given: Path) -> None:
-        """Makes the folder if there is none; `given` is the table as the user named it.
-
-        Raises InputError if the folder cannot be made, is not one of chunks, or is locked by another study."""
+        """Creates the folder if necessary; `given` is the name of the table for messages. Raises InputError if the
+        folder cannot be created, contains other files, or is locked by another study."""
         self.folder = table.with_name(table.name + ".parts")
         for _ in range(100):
             try:
@@ -42,30 +41,29 @@ class Parts:
                 self._lock = Lock(self.folder / LOCK)
                 return
             except BlockingIOError:
-                refuse(given, "another study writes it now", "Wait for its end, or name another table")
-            except FileNotFoundError:  # another study has just ended and removed it
+                refuse(given, "another study is writing it", "Wait for its end, or name another table")
+            except FileNotFoundError:  # removed by another study at its end
                 continue
             except InputError:
                 raise
             except OSError as error:
-                reason = "it is no folder" if isinstance(error, FileExistsError) else error.strerror or str(error)
+                reason = "it is not a folder" if isinstance(error, FileExistsError) else error.strerror or str(error)
                 refuse(given, f"finished rows are kept in {self.folder} meanwhile: {reason}", "Name another table")
-        refuse(given, f"{self.folder} vanishes again and again", "Name another table")
+        refuse(given, f"{self.folder} is removed repeatedly", "Name another table")
 
     def _require_own(self) -> None:
-        """A folder of somebody else stays as it is."""
+        """Raises InputError if the folder contains other files than chunks."""
         names = os.listdir(self.folder)
         foreign = sorted(name for name in names if not _OWN.fullmatch(name))
         if foreign and PLAN not in names:
             others = " and others" if len(foreign) > 1 else ""
             raise InputError(
-                f"{self.folder} exists and is no folder of a study: it holds {foreign[0]}{others}. "
+                f"{self.folder} exists and is not the folder of a study: it contains {foreign[0]}{others}. "
                 "Name another table, or move the folder away"
             )
 
     def plan(self) -> dict[str, Any] | None:
-        """Digest and description of the plan whose chunks the folder holds; None for a new folder. Raises
-        NotResults."""
+        """Digest and description of the plan of the chunks; None for a new folder. Raises NotResults."""
         path = self.folder / PLAN
         if not path.exists():
             return None
@@ -87,8 +85,8 @@ class Parts:
             yield _read_chunk(self.folder / name)
 
     def add(self, done: Done) -> None:
-        """Writes a chunk. Raises OSError."""
-        told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
+        """Stores finished rows in a new file. Raises OSError."""
+        text = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
         written = io.BytesIO()
         np.savez(
             written,
@@ -97,13 +95,13 @@ class Parts:
             status=done.status,
             engine=done.engine,
             seconds=done.seconds,
-            told=np.array(told),
+            text=np.array(text),
         )
         content = written.getvalue()
         self._write(f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz", content)
 
     def remove(self) -> None:
-        """Removes the chunks, and the folder unless it holds something else; the lock last."""
+        """Removes the chunks, then the lock, and the folder if it is empty."""
         with contextlib.suppress(OSError):
             for name in sorted(os.listdir(self.folder), key=lambda name: name == LOCK):
                 if _OWN.fullmatch(name):
@@ -111,7 +109,7 @@ class Parts:
             self.folder.rmdir()
 
     def close(self) -> None:
-        """Unlocks the folder, and removes it if it has no chunk."""
+        """Unlocks the folder, and removes it if it contains no chunks."""
         if self._lock.is_held and self.folder.is_dir() and not any(map(_CHUNK.fullmatch, os.listdir(self.folder))):
             self.remove()
         self._lock.release()
@@ -130,12 +128,12 @@ def _read_chunk(path: Path) -> Done:
     if not path.stem.endswith(f"-{zlib.crc32(content):08x}"):
         raise NotResults(f"{path} is damaged. Remove it; its rows run again")
     with np.load(io.BytesIO(content), allow_pickle=False) as part:
-        told = json.loads(str(part["told"]))
+        text = json.loads(str(part["told"]))
         return Done(
             part["rows"],
             part["values"],
             part["status"],
             part["engine"],
             part["seconds"],
-            {int(row): why for row, why in told["reasons"].items()},
+            {int(row): why for row, why in text["reasons"].items()},
         )

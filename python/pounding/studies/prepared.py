@@ -1,5 +1,4 @@
-"""A template made ready in the process that runs its rows: the model is read once and only its values change; so are
-the records."""
+"""Templates prepared in the process that runs their rows: models and records are read once."""
 
 from __future__ import annotations
 
@@ -17,20 +16,20 @@ from pounding.studies.places import Places
 from pounding.studies.template import Template
 
 Made = TypeVar("Made")
-#: Scaled motions that are kept; rows that follow each other share one record at all its levels.
+#: Number of cached scaled motions; consecutive rows share a record at all its levels.
 KEPT_MOTIONS = 32
 KEPT_RECORDS = 4
 
 
 class Last:
-    """The last few things that were made, by their keys."""
+    """A small cache of the most recent items by key."""
 
     def __init__(self, count: int) -> None:
         self._count = count
         self._kept: OrderedDict[Hashable, Any] = OrderedDict()
 
     def get(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """The one of this key, made where it is not there."""
+        """The item with this key, created if it is missing."""
         if key not in self._kept:
             self._kept[key] = make()
             if len(self._kept) > self._count:
@@ -45,7 +44,7 @@ class Prepared:
 
     def __init__(self, template: Template) -> None:
         self.template = template
-        self.kernel: Any = None  #: what the kernel has made ready
+        self.kernel: Any = None  #: the template prepared by the kernel
         self.places = Places(template.model, template.factors)
         self._rows = core.RowModel(
             yaml_text.emit(template.model),
@@ -57,7 +56,7 @@ class Prepared:
         self._varies_ground = any(keys[0] == "ground_motion" for keys in self.places.keys)
 
     def motion(self, record: int, scale: float, files: Mapping[str, bytes]) -> core.RowMotion | None:
-        """The ground motion of a row; None if it changes with the values of factors, or if there is none. Raises
+        """Ground motion of a row; None if it depends on the values of factors, or if there is none. Raises
         InputError."""
         given = self.template.motions[record]
         own = self.template.model.get("ground_motion")
@@ -83,26 +82,26 @@ class Prepared:
         return core.RowMotion(yaml_text.emit({"ground_motion": ground}), "row", {**self.template.files, **files})
 
     def put(self, numbers: np.ndarray) -> None:
-        """Writes the values of one row, by their places."""
+        """Sets the values of one row, in the order of the places."""
         self.put_texts(self.places.texts(numbers))
 
     def put_texts(self, texts: list[str]) -> None:
-        """Writes texts into the places."""
+        """Sets texts in the order of the places."""
         self._rows.put(texts)
 
     def linear(self, motion: core.RowMotion | None, accelerations: bool, alone: bool) -> core.LinearRow:
-        """The row that was put, for the kernel. Raises InputError, also for what takes the solver."""
+        """The current row for the kernel. Raises InputError, also for rows that need the solver."""
         return self._rows.linear(motion, accelerations, alone)
 
     def run(self, values: np.ndarray, record: int, scale: float, files: Mapping[str, bytes]) -> dict[str, Any]:
-        """The summary of the run of one row; `files` are those of its motion. Raises InputError, SolverError."""
+        """Summary of the run of one row; `files` are those of its motion. Raises InputError, SolverError."""
         self.template.begin(values)
         self.put(self.places.numbers(values[None, :])[0])
         return self._rows.run(self._motion_of_row(values, record, scale, files))
 
 
 class _OfThread(threading.local):
-    """A thread has rows of its own: their model changes from row to row."""
+    """Prepared templates of one thread; models change from row to row and cannot be shared."""
 
     def __init__(self) -> None:
         self.prepared = Last(2)
@@ -113,13 +112,13 @@ _mine = _OfThread()
 
 
 def prepared(template: Template) -> Prepared:
-    """The template made ready; once in a thread, since a worker gets it again with every batch."""
+    """The prepared template, cached per thread because workers receive it with every batch."""
     return _mine.prepared.get(key_of(template), lambda: Prepared(template))
 
 
 def key_of(template: Template) -> bytes:
-    """A key that two copies of a template share."""
-    # All rows of a batch come with one object.
+    """A key shared by copies of a template."""
+    # All rows of a batch share one object.
     if _mine.key is None or _mine.key[0] is not template:
         _mine.key = template, pickle.dumps(template)
     return _mine.key[1]

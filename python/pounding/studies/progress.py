@@ -1,4 +1,4 @@
-"""Progress of a study: rows done and failed, rows a second, and the time that is left."""
+"""Progress of a study: finished and failed rows, rows per second, and the remaining time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pounding.studies.execution import Progress
 
 
 class Shown:
-    """A line that is written over and over on a terminal, nothing in a pipe; a function is called instead."""
+    """Shows progress on one line of a terminal, or calls a function; silent in a pipe."""
 
     def __init__(self, progress: Progress | bool | None) -> None:
         shows = sys.stderr.isatty() if progress is None else progress
@@ -38,10 +38,10 @@ class Shown:
 
 
 def line_of(done: int, failed: int, count: int, seconds: float) -> str:
-    """ "128 of 1024 rows, 2 failed, 41 a second, 22 s left"."""
+    """ "128 of 1024 rows, 2 failed, 41 per second, 22 s left"."""
     rate = done / seconds if seconds > 0 else 0.0
-    told = f"{done} of {count} rows" + (f", {failed} failed" if failed else "")
-    return told + (f", {rate:.3g} a second, {duration_text((count - done) / rate)} left" if rate > 0 else "")
+    text = f"{done} of {count} rows" + (f", {failed} failed" if failed else "")
+    return text + (f", {rate:.3g} per second, {duration_text((count - done) / rate)} left" if rate > 0 else "")
 
 
 def duration_text(seconds: float) -> str:

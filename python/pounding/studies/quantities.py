@@ -1,4 +1,4 @@
-"""Quantities that a row keeps: names and units are those of the summary of a run."""
+"""Response quantities of rows; names and units are those in the summary of a run."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 
 #: Quantities of every structure: the largest absolute value over its floors.
 OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
 #: Quantities of structures with rigid floors in space: their rotation about z, and the displacement of the corners of
 #: their plan.
 OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
-#: Quantities of all links together, or of one by its name: force.left-right.
+#: Quantities of all links, or of one as in force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
-#: From the run without links: the gap that is just enough, and by rules; the largest of all links.
+#: Gaps from the run without links, required and by rules; the largest of all links.
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
 UNITS = {**OF_STRUCTURES, **OF_TORSION, **OF_LINKS, **OF_GAPS}
 _EXAMPLES = {"rad": "0.005", "m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
@@ -36,10 +36,9 @@ SUMS = ("impacts", "impulse", "energy_lost")
 DEFAULT = ("displacement", "force", "impacts")
 #: Derived column: 1 in collapsed rows, 0 in others.
 COLLAPSED_COLUMN = "collapsed"
-#: A typed number up to this one may be a ratio to the height of a storey.
+#: A bare number up to this one may be a ratio to the storey height.
 LARGEST_DRIFT_RATIO = 0.1
-#: Bare numbers in SI that are hardly meant as limits: SI unit -> smallest and largest such number, and the unit that
-#: was probably meant.
+#: Implausible limits in SI: SI unit -> range of bare numbers, and the unit that was probably intended.
 _DOUBTFUL = {
     "m/s^2": (0.02, 1.5, "g"),
     "m": (2.0, math.inf, "mm"),
@@ -51,14 +50,14 @@ _DOUBTFUL = {
 
 @dataclass(frozen=True)
 class Kept:
-    """The columns that a row fills, and the limits beyond which it counts as exceeded."""
+    """The columns of a row, and the limits of quantities."""
 
     columns: tuple[str, ...]  #: "displacement.left", "displacement.left.alone", "force", "required_gap"
     limits: tuple[tuple[str, float], ...] = ()
 
     @property
     def needs_comparison(self) -> bool:
-        """Whether the run without links is needed, too."""
+        """True if a column needs the run without links."""
         return any(column.split(".")[0] in OF_GAPS or column.endswith((".alone", ".ratio")) for column in self.columns)
 
     def units(self) -> dict[str, str]:
@@ -66,23 +65,23 @@ class Kept:
         return {column: "" if column.endswith(".ratio") else UNITS[column.split(".")[0]] for column in self.columns}
 
     def of(self, summary: Mapping[str, Any]) -> list[float]:
-        """The columns from the summary of a run; infinite after a collapse in the run of the column. A ratio is NaN
-        unless both runs are complete, and so is the force of rigid impacts."""
+        """The columns from the summary of a run. After a collapse they are infinite; a ratio is NaN unless both runs
+        are complete, and the force of rigid impacts is NaN."""
         return [_after_collapse(column, _value(column, summary), summary) for column in self.columns]
 
     def exceeded(self, values: np.ndarray) -> np.ndarray:
-        """[row] whether a limit is passed, of [row, column]; a limit of drift holds for every structure."""
+        """[row] True if [row, column] exceeds a limit; a limit of drift applies to every structure."""
         found = np.zeros(len(values), bool)
         for i, limit in self._limited():
             found |= values[:, i] > limit
         return found
 
     def undefined_limits(self, values: np.ndarray) -> list[str]:
-        """Columns with a limit that are NaN in a row of [row, column]."""
+        """Columns with a limit that are NaN in any row of [row, column]."""
         return [self.columns[i] for i, _ in self._limited() if np.isnan(values[:, i]).any()]
 
     def _limited(self) -> list[tuple[int, float]]:
-        """Number and limit of the columns that have one."""
+        """Index and limit of the columns with a limit."""
         return [
             (i, limit)
             for quantity, limit in self.limits
@@ -92,8 +91,8 @@ class Kept:
 
 
 def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tuple[tuple[str, float], ...]) -> Kept:
-    """The columns that `keep:` asks for, of rows with this layout. Raises InputError, also for quantities that the rows
-    do not have."""
+    """The columns of `keep:` for rows with this layout. Raises InputError, also for quantities that the rows do not
+    have."""
     structures = {one.name: one for one in layout.structures}
     rigid = {name for name, is_rigid in layout.links if is_rigid}
     links = [name for name, _ in layout.links]
@@ -104,11 +103,11 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
         ("limits", word) for word, _ in limits if word not in asked
     ]:
         if (place, word) == ("keep", COLLAPSED_COLUMN):
-            continue  # every table has it
+            continue  # in every table
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
             raise InputError(
-                f'study.{place}: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+                f'study.{place}: unknown quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
         if quantity in OF_STRUCTURES or quantity in OF_TORSION:
             for each in _structures_with(quantity, name, structures, f"study.{place}"):
@@ -123,10 +122,10 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
 
 
 def _structures_with(quantity: str, name: str, structures: Mapping[str, core.MovingStructure], place: str) -> list[str]:
-    """The structures that have a quantity, or the one that is named."""
+    """The structures with a quantity, or the one named."""
     if name and name not in structures:
         raise InputError(
-            f'{place}: {quantity}.{name}: there is no structure "{name}" that moves; there is {", ".join(structures)}'
+            f'{place}: {quantity}.{name}: unknown structure "{name}", or a wall; known: {", ".join(structures)}'
         )
     among = [one for one in structures.values() if name in ("", one.name)]
     having = [
@@ -151,10 +150,10 @@ def _structures_with(quantity: str, name: str, structures: Mapping[str, core.Mov
 
 
 def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[str], place: str) -> None:
-    """Raises InputError where links do not have a quantity."""
+    """Raises InputError if links do not have a quantity."""
     if name and name not in links:
         raise InputError(
-            f'{place}: there is no link "{name}".{words.meant(name, links)} There is {", ".join(links) or "none"}'
+            f'{place}: unknown link "{name}".{reading.did_you_mean(name, links)} Known: {", ".join(links) or "none"}'
         )
     if quantity in OF_GAPS and not links:
         raise InputError(
@@ -170,9 +169,9 @@ def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[st
         )
 
 
-def bare_limit_doubt(place: str, value: Any, unit: str, column: str = "") -> str:
-    """Warning of a limit without a unit whose number is usual in another unit than that of SI, or of a typed drift that
-    may be a ratio; "" if there is none."""
+def bare_limit_warning(place: str, value: Any, unit: str, column: str = "") -> str:
+    """Warning for a limit without a unit that is usual in another unit, or for a drift that may be a ratio; empty if
+    there is none."""
     try:
         number = float(value)
     except (TypeError, ValueError):
@@ -190,33 +189,29 @@ def bare_limit_doubt(place: str, value: Any, unit: str, column: str = "") -> str
     return f"{place}: a bare {number:g} is in {unit}; if {number:g} {other} was meant, type its unit"
 
 
-def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
+def read_limits(given: Mapping[str, str]) -> tuple[tuple[str, float], ...]:
     """Limits, as in {drift: 30 mm, force: 2 MN}. Raises InputError."""
-    if given is None:
-        return ()
-    if not isinstance(given, Mapping):
-        raise InputError("study.limits: takes a map such as {drift: 30 mm}")
     found = []
     for word, value in given.items():
-        quantity = str(word).partition(".")[0]
+        quantity = word.partition(".")[0]
         if quantity not in UNITS:
             raise InputError(
-                f'study.limits: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
+                f'study.limits: unknown quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
-        number, unit = words.quantity(value, f"study.limits.{word}")
+        number, unit = reading.quantity(value, f"study.limits.{word}")
         if not math.isfinite(number):
             raise InputError(f"study.limits.{word}: takes a finite number; {value} was read")
         if isinstance(value, str) and not unit and "%" in value:
             raise InputError(
                 f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}"
             )
-        words.same_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
-        found.append((str(word), number))
+        reading.require_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
+        found.append((word, number))
     return tuple(found)
 
 
 def collapse_of(summary: Mapping[str, Any]) -> str:
-    """Place and time of the collapse that ended a run, from its status; "" if it did not collapse."""
+    """Place and time of the collapse that ended a run, from its status; empty without a collapse."""
     status = str(summary.get("status", ""))
     return status.removeprefix("done: ") if status.startswith("done: ") else ""
 
@@ -239,10 +234,10 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
     links = [one for one in summary["links"] if not rest or one["name"] == rest]
     if rest and not links:
         raise InputError(
-            f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}'
+            f'study.keep: unknown link "{rest}"; known: {", ".join(one["name"] for one in summary["links"])}'
         )
     values = [_number(one[_KEYS.get(quantity, quantity)]) for one in links]
-    # A sum in the order of the links, by a function whose result depends on no order.
+    # fsum: the result does not depend on the order of the links.
     if quantity in SUMS:
         return math.fsum(values)
     return math.nan if any(map(math.isnan, values)) else max(values, default=0.0)
@@ -256,7 +251,7 @@ def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float
     structures = summary["no_pounding"]["structures"] if is_alone else summary["structures"]
     name = rest.removesuffix(".alone")
     values = structures[name].get("peak_" + quantity, ())
-    if quantity in OF_TORSION:  # floors that are not rigid have none
+    if quantity in OF_TORSION:  # None for floors that are not rigid
         values = [value for value in values if value is not None]
     return max(map(_number, values), default=math.nan)
 

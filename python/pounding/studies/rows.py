@@ -1,4 +1,4 @@
-"""The table of a study as its readers see it: columns, and readings that run nothing."""
+"""The table of a study: its columns and evaluations of them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
 from pounding.studies.batches import COLLAPSED, COMPLETE, EXCEEDED, NOT_RUN, STATUSES
-from pounding.studies.quantities import COLLAPSED_COLUMN, bare_limit_doubt
+from pounding.studies.quantities import COLLAPSED_COLUMN, bare_limit_warning
 from pounding.studies.table import open_study
 from pounding.texts import text, texts
 
@@ -30,7 +30,7 @@ _OLD = "was made by version 0.2.0, which counted rows that end by collapse_drift
 
 
 def _of_version_0_2_0(path: str | PathLike[str], description: Mapping[str, Any]) -> list[str]:
-    """Warns of a table of version 0.2.0, which has no warnings, if rows of its model can have collapsed."""
+    """Warns of a table of version 0.2.0, which stores no warnings, if rows of its model may have collapsed."""
     if "collapse_drift" not in (description["model"].get("analysis") or {}):
         return []
     doubt = f"{path} {_OLD} as done, with their responses until then; run the study again"
@@ -39,7 +39,7 @@ def _of_version_0_2_0(path: str | PathLike[str], description: Mapping[str, Any])
 
 
 class Rows:
-    """A table of rows and its readings, which never run anything."""
+    """A table of rows and its evaluations, which do not run models."""
 
     def __init__(
         self,
@@ -56,7 +56,7 @@ class Rows:
         self.columns = dict(columns)  #: name -> [row] in SI
         self.units = dict(units)  #: name -> SI unit
         self.records = dict(records)  #: name, event, component, points, step, duration, pga, intensity -> [record]
-        self.reasons = dict(reasons)  #: row -> why it has no numbers, or how it collapsed
+        self.reasons = dict(reasons)  #: row -> reason of a failure or collapse
         self.description = dict(description)  #: the plan: model, factors, sampling, records, intensity
         self.engines = list(engines)  #: names of those in the column `engine`
         self.path = path
@@ -66,7 +66,7 @@ class Rows:
     @classmethod
     @takes(path=arguments.file)
     def open(cls: type[Table], path: str | PathLike[str]) -> Table:
-        """The table in a file, also of a study that was killed once. Raises InputError, OSError."""
+        """Opens the table in a file, also that of a killed study. Raises InputError, OSError."""
         with open_study(Path(path)) as file:
             columns = {name: data[:] for name, data in file["rows"].items()}
             units = {name: text(data.attrs["units"]) for name, data in file["rows"].items()}
@@ -96,21 +96,23 @@ class Rows:
 
     def __repr__(self) -> str:
         status = self.columns["status"]
-        told = ", ".join(f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum())))
-        return f"<pounding.Study of {len(self)} rows: {told}; columns {', '.join(self.columns)}>"
+        counts = ", ".join(
+            f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum()))
+        )
+        return f"<pounding.Study of {len(self)} rows: {counts}; columns {', '.join(self.columns)}>"
 
     def __getitem__(self, column: str) -> np.ndarray:
-        """One column; "collapsed" is 1 in rows that ended by collapse_drift and 0 in others. Raises InputError for a
-        name that is not there."""
+        """A column; "collapsed" is 1 in rows that ended at collapse_drift and 0 in others. Raises InputError for an
+        unknown name."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             return (self.columns["status"] == COLLAPSED).astype(float)
         if not isinstance(column, str) or column not in self.columns:
-            raise InputError(f"there is no column {excerpt(column)}; there is {', '.join(self.columns)}")
+            raise InputError(f"unknown column {excerpt(column)}; known: {', '.join(self.columns)}")
         return self.columns[column]
 
     @property
     def table(self) -> np.ndarray:
-        """All columns as one structured array, a row a row."""
+        """All columns as a structured array with one element per row."""
         made = np.empty(len(self), dtype=[(name, values.dtype) for name, values in self.columns.items()])
         for name, values in self.columns.items():
             made[name] = values
@@ -123,23 +125,23 @@ class Rows:
 
     @property
     def finished(self) -> np.ndarray:
-        """[row] True if the row has numbers: done, beyond a limit, or collapsed, with infinite ones."""
+        """[row] True for rows with numbers: done, exceeded or collapsed, whose numbers are infinite."""
         return np.isin(self.columns["status"], COMPLETE)
 
     @property
     def failed(self) -> dict[int, str]:
-        """Row -> why it has no numbers. Failed rows are neither survivors nor collapses: readings leave them out and
-        say how many."""
+        """Reasons of failed rows, by row. They count neither as survivals nor as collapses; evaluations exclude them
+        and report their number."""
         return {row: why for row, why in sorted(self.reasons.items()) if self.columns["status"][row] != COLLAPSED}
 
     @property
     def collapsed(self) -> dict[int, str]:
-        """Row -> place and time of its collapse. Collapsed rows exceed every limit: their responses are infinite."""
+        """Place and time of collapses, by row. Collapsed rows exceed every limit: their responses are infinite."""
         return {int(row): self.reasons.get(int(row), "") for row in np.flatnonzero(self.columns["status"] == COLLAPSED)}
 
     def choose(self, **values: float) -> np.ndarray:
-        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there
-        is none."""
+        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError if there
+        are none."""
         chosen = self.finished.copy()
         for name, value in values.items():
             value = number()(name, value)
@@ -152,12 +154,12 @@ class Rows:
         return chosen
 
     def limit_of(self, column: str, limit: float | str) -> float:
-        """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises
-        InputError; warns of a bare number that is usual in another unit (ImplausibleWarning)."""
+        """A limit of a column in SI, from a number in the unit of the column or a text with a unit, such as "5 MN".
+        Raises InputError; warns of an implausible bare number (ImplausibleWarning)."""
         self[column]
         limit = (arguments.text if isinstance(limit, str) else number())(f"limit of {column}", limit)
         unit = self.units.get(column, "")
-        if doubt := bare_limit_doubt(f"limit of {column}", limit, unit, column):
+        if doubt := bare_limit_warning(f"limit of {column}", limit, unit, column):
             warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
         try:
             found = limit if not isinstance(limit, str) else core.quantity(limit, unit) if unit else float(limit)
@@ -173,10 +175,11 @@ class Rows:
     def fragility(
         self, column: str, limit: float | str | None = None, *, bootstrap: int = 1000, seed: int = 1, **values: float
     ) -> fragility.Fragility:
-        """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity;
-        the band comes from records drawn again, since rows of one event are not independent. The column "collapsed"
-        needs no limit: its curve is that of collapse. `values` choose factors. Rows in which the column is undefined
-        are left out and counted. See `pounding.studies.fragility.fit`."""
+        """Lognormal curve of the probability that `column` exceeds `limit` (SI, or "5 MN"), over the intensity.
+
+                The band is from bootstrap over events, since rows of one event are not independent. The column
+        "collapsed" has no limit: its curve is that of collapse. `values` select values of factors. Rows with an
+        undefined column are excluded and counted. See `pounding.studies.fragility.fit`."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             self._require_collapse()
             limit = 0.5 if limit is None else limit
@@ -199,15 +202,14 @@ class Rows:
 
     @takes(percent=arguments.listed(number(0, 100), "a list of percentages"))
     def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
-        """Percentiles of a column at every level, by order statistics; rows beyond a limit and collapsed rows count as
-        infinite."""
+        """Percentiles of a column at every level, by order statistics; exceeded and collapsed rows are infinite."""
         chosen = self.choose(**values)
         beyond = (self["status"] == EXCEEDED) & bool(self.description["kept"]["limits"])
         chosen = chosen & (beyond | self._defined(column, chosen))
         return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column])[chosen], percent)
 
     def gaps(self, **values: float) -> gaps.GapCurve:
-        """The probability that a gap is not enough, over the gap, with its band by the number of events, beside the
+        """Probability that a gap is insufficient, over the gap, with its band from the number of events, and the
         rules. Needs keep: [required_gap]."""
         chosen = self.choose(**values)
         rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
@@ -215,11 +217,11 @@ class Rows:
 
     @takes(percent=number(0, 100))
     def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
-        """A percentile of a column over two factors, of all other rows together."""
+        """A percentile of a column over two factors, pooled over all others."""
         return curves.over_two(self[across], self[along], self[column], self.finished, percent, (across, along))
 
     def _defined(self, column: str, chosen: np.ndarray) -> np.ndarray:
-        """[row] whether the column is a number. Raises InputError if it is none in all chosen rows."""
+        """[row] True if the column is a number. Raises InputError if it is not a number in any chosen row."""
         defined = ~np.isnan(self[column])
         if not (defined & chosen).any():
             why = (
@@ -240,9 +242,7 @@ class Rows:
 
     def _im(self) -> np.ndarray:
         if not np.isfinite(self["im"]).any():
-            raise InputError(
-                "this study has no measure of intensity; write intensity: {measure: pga} beside its records"
-            )
+            raise InputError("this study has no measure of intensity; add intensity: {measure: pga} to the study")
         return self["im"]
 
     def _events(self) -> np.ndarray:

@@ -1,5 +1,4 @@
-"""Points of the factors: a grid of those with values, times a sample of those with distributions, or a table that has
-the samples."""
+"""Points of the factors: a grid of lists and ranges, times a sample of the distributions or a table of samples."""
 
 from __future__ import annotations
 
@@ -14,29 +13,24 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.factors import Factor, check_units, find
 from pounding.studies.scipy_stats import stats
 
 _DECIMAL = re.compile(
     r"[ \t\r]*[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|nan|inf)[ \t\r]*", re.IGNORECASE | re.ASCII
 )
-_WAYS = ("sobol", "latin_hypercube", "random", "saltelli", "table")
-
-
-#: Samples of a study, at most.
-MOST_SAMPLES = 10_000_000
 
 
 @dataclass(frozen=True)
 class Points:
-    """Values of all factors. The sample is the same for every point of the grid: differences between grid points are
-    then no noise, and confidence bands of different grid points are not independent."""
+    """Values of all factors. The sample is the same at every grid point, so that differences between grid points
+    contain no sampling noise, and their confidence bands are not independent."""
 
     factors: tuple[Factor, ...]
     grid: tuple[int, ...]  #: lengths of the lists, in the order of their factors
-    sample: np.ndarray  #: [point, sampled factor]; one point without columns where nothing is sampled
-    way: str  #: "grid", or one of those of `sampling:`
+    sample: np.ndarray  #: [point, sampled factor]; one point without columns if no factor is sampled
+    way: str  #: "grid", or the method of `sampling:`
 
     @property
     def count(self) -> int:
@@ -44,7 +38,7 @@ class Points:
         return math.prod(self.grid) * len(self.sample)
 
     def columns(self, points: np.ndarray) -> dict[str, np.ndarray]:
-        """Values of the factors at some points, by their names."""
+        """Values of the factors at some points, by name."""
         grid_point, sample_point = np.divmod(points, len(self.sample))
         on_grid = np.unravel_index(grid_point, self.grid) if self.grid else ()
         found, i, j = {}, 0, 0
@@ -58,28 +52,26 @@ class Points:
         return found
 
 
-def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping[str, Any], folder: Path) -> Points:
-    """The points that `sampling:` asks for; files are named from `folder`. Raises InputError."""
+def read_points(factors: Sequence[Factor], sampling: Any, seed: int, model: Mapping[str, Any], folder: Path) -> Points:
+    """The points of `sampling:`, a dict with its method or "grid". Relative names of files start from `folder`. Raises
+    InputError."""
     columns = [factor for factor in factors if factor.column]
-    if columns or isinstance(given, Mapping) and "table" in given:
-        return _from_table(factors, given, model, folder)
+    if columns or "table" in sampling:
+        return _from_table(factors, sampling, model, folder)
     distributed = [factor for factor in factors if factor.distribution is not None]
     grid = tuple(len(factor.values) for factor in factors if factor.values is not None)
-    if given is None or given == "grid":
+    if sampling == "grid":
         if distributed:
             raise InputError(
-                f"study.factors.{distributed[0].name} has a distribution: say how many samples, as in sampling: {{sobol: 128}} or "
-                "{latin_hypercube: 100}"
+                f"study.factors.{distributed[0].name} has a distribution, and the number of samples is missing; type sampling: "
+                "{sobol: 128} or {latin_hypercube: 100}"
             )
         return Points(tuple(factors), grid, np.empty((1, 0)), "grid")
-    one = words.only(given, _WAYS, "study.sampling")
-    if len(one) != 1:
-        raise InputError(f"study.sampling: takes one of {', '.join(_WAYS)}, as in {{sobol: 128}}")
-    way, count = next((way, words.whole(value, f"study.sampling.{way}", 1, MOST_SAMPLES)) for way, value in one.items())
+    ((way, count),) = sampling.items()
     if not distributed:
         raise InputError(
-            "study.sampling: no factor has a distribution to take samples from; lists and ranges make a grid by themselves, so leave "
-            "sampling out, or write a factor as uniform: {from: 10 mm, to: 40 mm}"
+            "study.sampling: no factor has a distribution to sample, and lists and ranges form a grid; remove sampling, or "
+            "write a factor as uniform: {from: 10 mm, to: 40 mm}"
         )
     if way in ("sobol", "saltelli") and count & (count - 1):
         below = 1 << (count.bit_length() - 1)
@@ -93,22 +85,21 @@ def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping
     return Points(tuple(factors), grid, sample, way)
 
 
-def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any], folder: Path) -> Points:
-    """Samples that somebody else has made, all factors of a sample in one row: a file of columns, or arrays by their
-    names."""
+def _from_table(factors: Sequence[Factor], sampling: Any, model: Mapping[str, Any], folder: Path) -> Points:
+    """Points from a table of samples: a file, or arrays by name, with one sample per row."""
     other = [factor for factor in factors if factor.distribution is not None]
     columns = [factor for factor in factors if factor.column]
-    if not isinstance(given, Mapping) or "table" not in given or not columns or other:
+    if "table" not in sampling or not columns or other:
         named = f"study.factors.{(columns or other or list(factors))[0].name}" if factors else "study.factors"
         raise InputError(
             f"{named}: a table of samples has the values of all factors without a list: write column: NAME in each of them, and "
             "sampling: {table: FILE.csv}"
         )
-    table = words.only(given, ("table",), "study.sampling")["table"]
+    table = sampling["table"]
     found = (
         {name: (_array(values, name), "") for name, values in table.items()}
         if isinstance(table, Mapping)
-        else _read_table(folder / str(table))
+        else _read_table(folder / table)
     )
     made, sample = [], []
     for factor in factors:
@@ -116,7 +107,7 @@ def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any],
             if factor.column not in found:
                 raise InputError(
                     f'study.factors.{factor.name}.column: the table has no column "{factor.column}"; it has {", ".join(found)}.'
-                    f"{words.meant(factor.column, found)}"
+                    f"{reading.did_you_mean(factor.column, found)}"
                 )
             values, unit = found[factor.column]
             if factor.times is not None and unit:
@@ -144,7 +135,7 @@ def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any],
 
 
 def _array(values: Any, name: str) -> np.ndarray:
-    """A column that is given as a list. Raises InputError for what is none of numbers."""
+    """A column given as a list. Raises InputError for values that are not numbers."""
     every = values if isinstance(values, list) else [values]
     numbers = [_number(value) if isinstance(value, str) else None for value in every]
     if None in numbers:
@@ -155,9 +146,9 @@ def _array(values: Any, name: str) -> np.ndarray:
 
 
 def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
-    """Columns of numbers in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
+    """Columns in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
     if not os.path.isfile(path):
-        raise InputError(f"study.sampling.table: there is no file {path}")
+        raise InputError(f"study.sampling.table: no such file: {path}")
     try:
         head, *lines = path.read_text(encoding="utf-8").strip().splitlines() or [""]
     except (OSError, UnicodeDecodeError) as error:
@@ -166,7 +157,7 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     factors, units = [], []
     for cell in head.removeprefix("\ufeff").split(","):
         name, _, unit = cell.strip().removesuffix(")").partition("(")
-        factor, si = words.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
+        factor, si = reading.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
         if name.strip() in names:
             raise InputError(f'{path}:1: two columns are called "{name.strip()}"; give each column its own name')
         names.append(name.strip())
@@ -185,7 +176,7 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
 
 
 def _number(cell: str) -> float | None:
-    """A decimal number; None for any other text, also for those that Python takes: 1_0, digits of other scripts."""
+    """A decimal number; None for other texts, including Python's 1_0 and digits of other scripts."""
     return float(cell) if _DECIMAL.fullmatch(cell) else None
 
 

@@ -1,5 +1,4 @@
-"""Parts of scipy, imported where they are first needed: workers of a study and whoever only draws a table do without
-them."""
+"""Modules of scipy, imported on first use so that workers and pictures do not load them."""
 
 from __future__ import annotations
 
@@ -10,12 +9,12 @@ from pounding.errors import InputError
 
 
 def stats() -> ModuleType:
-    """scipy.stats. Raises InputError that says what to install."""
+    """scipy.stats. Raises InputError with the command to install it."""
     return _part("scipy.stats")
 
 
 def special() -> ModuleType:
-    """scipy.special, which is imported much sooner than scipy.stats. Raises InputError that says what to install."""
+    """scipy.special, which imports faster than scipy.stats. Raises InputError with the command to install it."""
     return _part("scipy.special")
 
 

@@ -1,11 +1,11 @@
-"""`pounding separation`: the gap that one project needs, from its records, beside the rules of codes."""
+"""`pounding separation`: the required gap of a model under its records, compared with the rules of codes."""
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from os import PathLike, fspath
 from dataclasses import replace
+from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
@@ -15,15 +15,14 @@ from pounding import arguments
 from pounding.arguments import takes
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.models import check
-from pounding.studies import words
 from pounding.studies.percentiles import finite
 from pounding.studies.plan import Plan, plan_of, read_given
+from pounding.studies.reading import shortened
 from pounding.studies.study import Study, records_folder, run_plan
-from pounding.studies.words import few
 
-#: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest
-#: displacements; the second factor counts where the floors of both structures align. Displacements are those of the
-#: model under the records, not reduced by a behaviour factor.
+#: Rule, clause, combination of the peak displacements (abs: sum, srss: root of the sum of squares), and factors on it
+#: for floors that are not aligned and for aligned ones. Displacements are those of the model under the records, without
+#: a behaviour factor.
 CODES = (
     ("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0),
     ("Eurocode 8 (EN 1998-1)", "4.4.2.7", "srss", 1.0, 0.7),
@@ -32,19 +31,21 @@ CODES = (
 )
 
 
-#: Keys of `study:` that a separation uses; the last two add columns that it does not print.
+#: Keys of `study:` that a separation uses; the last two add columns that are not printed.
 _USED = ("seed", "factors", "sampling", "records", "intensity", "engine", "stop_after", "keep", "without_links")
 _GAPS = ("required_gap", "gap_abs", "gap_srss", "gap_ddc")
 
 
 def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None) -> Plan:
-    """The plan of a separation: of the file of a model or of a study; `records` are used instead of those of the file.
-    Raises InputError, also for what a separation cannot use."""
+    """The plan of a separation from the file of a model or study; `records` replace those of the file. Raises
+    InputError, also for keys that a separation does not use."""
     given = read_given(path)
     if not given.model.links:
         check(given.model)
-        raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
-    one = dict(words.only(given.words or {}, words.STUDY_WORDS, f"{path}: study"))
+        raise InputError(
+            f"{path}: a separation needs at least one link, for the floors that can touch; its law is not used"
+        )
+    one = dict(given.keys or {})
     for word in one:
         if word not in _USED:
             raise InputError(
@@ -58,7 +59,7 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
     }
     if records:
         used["records"] = {"files": [fspath(Path(one).resolve()) for one in records]}
-    plan = plan_of(replace(given, words=used), records_folder(Path(Path(path).name)))
+    plan = plan_of(replace(given, keys=used), records_folder(Path(Path(path).name)))
     varied = [factor.name for factor in plan.points.factors if factor.values is not None and len(factor.values) > 1]
     if varied:
         raise InputError(
@@ -79,9 +80,10 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
 def separation(
     model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None
 ) -> dict[str, Any]:
-    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A
-    gap is None, and has no mean, if structures collapse without links: no gap is enough. Raises InputError, and
-    SolverError where a record fails; emits the warnings of the plan (ImplausibleWarning)."""
+    """Required gap of every record, gaps by rules, and gaps by codes from the mean over the records [m].
+
+        A gap is None, without a mean, if structures collapse without links, when no gap is sufficient. Raises
+    InputError, and SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
     plan = read_separation(model, records)
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
@@ -89,7 +91,7 @@ def separation(
 
 
 def run_separation(plan: Plan, workers: int | None = None) -> dict[str, Any]:
-    """As `separation`, of its plan."""
+    """Same as `separation`, for a plan."""
     done = run_plan(plan, None, workers=0 if plan.count < 4 and workers is None else workers, progress=None)
     if done.failed:
         raise SolverError(next(iter(done.failed.values())))
@@ -135,7 +137,7 @@ def _found(done: Study, align: bool) -> dict[str, Any]:
 
 
 def table_of(found: Mapping[str, Any]) -> str:
-    """The printed table, in mm."""
+    """The table to print, in mm."""
 
     def mm(value: float | None) -> str:
         return f"{'-':>9}" if value is None else f"{1e3 * value:9.1f}"
@@ -161,7 +163,7 @@ def table_of(found: Mapping[str, Any]) -> str:
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
     if found["collapsed"]:
         lines.append(
-            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({few(found['collapsed'])}): no gap is "
+            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({shortened(found['collapsed'])}): no gap is "
             "enough for them, and the rules have no mean."
         )
     return "\n".join(

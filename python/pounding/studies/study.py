@@ -41,9 +41,9 @@ File = str | PathLike[str]
 
 
 class Study(Rows):
-    """A table of rows, with its pictures and files. Readings never run anything; `evaluate` does."""
+    """A table of rows with pictures and exports. Only `evaluate` runs models."""
 
-    #: The plan; None where the table was opened from a file.
+    #: The plan; None for a table opened from a file.
     plan: Plan | None = None
 
     @classmethod
@@ -93,7 +93,7 @@ class Study(Rows):
         return study_figure(self, picture, column, **options)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """All rows, a column a column; names of records, labels and states as words."""
+        """All rows as a DataFrame with one column per column of the table; records, labels and statuses by name."""
         import pandas
 
         from pounding.studies.export import readable
@@ -101,30 +101,29 @@ class Study(Rows):
         return pandas.DataFrame(readable(self), index=pandas.RangeIndex(len(self), name="row"))
 
     def to_xarray(self) -> xarray.Dataset:
-        """The columns over the dimensions record, point and level, with units; factors of a grid are dimensions of
-        their own."""
+        """The columns over the dimensions record, point and level, with units; each factor of a grid is a
+        dimension."""
         from pounding.studies.export import to_xarray
 
         return to_xarray(self)
 
     @takes(path=arguments.file)
     def to_csv(self, path: File) -> None:
-        """Writes all rows as text: a line per row, names with units above. Raises InputError for a file that is no such
-        table, OSError."""
+        """Writes all rows as text, one line per row, below a header of names with units. Raises InputError if the
+        file exists and is not such a table, OSError."""
         from pounding.studies.export import to_csv
 
         to_csv(self, path)
 
     @takes(path=arguments.file)
     def to_parquet(self, path: File) -> None:
-        """Writes all rows as Parquet, with units. Needs pyarrow. Raises as `to_csv`."""
+        """Writes all rows as Parquet, with units. Needs PyArrow. Raises the same errors as `to_csv`."""
         from pounding.studies.export import to_parquet
 
         to_parquet(self, path)
 
     def model_of(self, row: int) -> str:
-        """The input file of one row, which `pounding run` takes. Raises InputError for a row that is not there; rows
-        count from 0."""
+        """The input of one row, from 0, for `pounding run`. Raises InputError for an invalid index."""
         row = arguments.whole(0, len(self) - 1)("row", row)
         given = located(self.description, Path() if self.path is None else self.path.parent)
         factors = tuple(
@@ -137,11 +136,12 @@ class Study(Rows):
         return yaml_text.emit(template.case(values, int(self["record"][row]), float(self["scale"][row])))
 
     def evaluate(self, factors: Mapping[str, float]) -> dict[str, np.ndarray]:
-        """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level]. A
-        plain function for scipy.optimize, pymoo or optuna. Columns of a row that collapses are infinite. Raises
-        InputError for a row that fails."""
+        """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level].
+
+                A plain function for scipy.optimize, pymoo or Optuna. Columns of a collapsed row are infinite. Raises
+        InputError for a failed row."""
         if self.plan is None:
-            raise InputError("a table from a file cannot run; make the study with pounding.study(...)")
+            raise InputError("a table opened from a file cannot run models; create the study with pounding.study(...)")
         factors = {
             name: arguments.number()(name, value) for name, value in arguments.mapping("factors", factors).items()
         }
@@ -206,16 +206,16 @@ def study(
     chunk: int | None = None,
     progress: Progress | bool | None = None,
 ) -> Study:
-    """Runs a study: of a study file, or of a model with the words of `study:` as arguments (guide, "Studies").
+    """Runs a study: a study file, or a model with the keys of `study:` as arguments (guide, "Studies").
 
-    `output` is the table, an HDF5 file that a killed study goes on from; without it the table is in memory. Unless
-    `workers` is given, rows of the kernel run on threads and those of the solver in processes, one a core; with
-    `workers` all run in so many processes, and 0 runs them here. With processes the call stands under `if __name__ ==
-    "__main__":` in a script. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
+        `output` is the HDF5 file of the table, from which a killed study resumes; without it the table is in memory.
+    By default, rows of the kernel run on threads and rows of the solver in one process per core. `workers` is the
+    number of processes for all rows; 0 runs them in this process. With processes, scripts need the guard `if __name__
+    == "__main__":`. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
     Client.get_executor().
 
-    Raises InputError for a wrong plan, before anything runs; OSError when the table cannot be written, and SolverError
-    when more than `stop_after` of the rows fail: finished chunks are kept in both cases."""
+        Raises InputError for a wrong plan before any row runs, OSError if the table cannot be written, and
+    SolverError if more than `stop_after` of the rows fail. Finished chunks are kept in the last two cases."""
     words = {
         "factors": factors,
         "records": records,
@@ -231,11 +231,11 @@ def study(
         destination(arguments.file("output", output), STUDY)
     path = None if output is None else Path(output)
     read = None if isinstance(model, Model) else read_given(model)
-    if read is not None and read.words is not None:
+    if read is not None and read.keys is not None:
         others = {"without_links": without_links, "seed": seed != 1, "stop_after": str(stop_after) != "5 %"}
         typed = [*given, *(name for name, is_typed in others.items() if is_typed)]
         if typed:
-            raise InputError(f"{read.name} is a study with its own words; write {', '.join(typed)} there")
+            raise InputError(f"{read.name} is a study file; write {', '.join(typed)} there")
         plan = plan_of(read, records_folder(path or Path(read.name)))
     else:
         plan = make_plan(
@@ -258,9 +258,10 @@ def sweep(
     keep: Sequence[str] | None = None,
     workers: int = 0,
 ) -> Study:
-    """All combinations of some values: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`, for every record. Runs in
-    this process unless `workers` is given. Columns are called by the last word of their path, with its number where two
-    are alike."""
+    """Runs all combinations of values, for every record: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`.
+
+        Runs in this process unless `workers` is given. Each column has the name of the last key of its path, with a
+    number if the name is taken."""
     if not isinstance(factors, Mapping):
         raise InputError(
             f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(factors)} was read'
@@ -299,7 +300,7 @@ def run_plan(
     progress: Progress | bool | None = None,
     shard: tuple[int, int] = (1, 1),
 ) -> Study:
-    """Runs the rows of a plan that `path` does not hold yet; of shard (k, n) only the k-th of n equal parts."""
+    """Runs the rows of a plan that are missing in `path`; for shard (k, n) only the k-th of n equal shares."""
     require_count("workers", workers, 0)
     require_count("chunk", chunk, 1)
     table = Table(plan, path)
@@ -315,5 +316,5 @@ def run_plan(
 
 
 def records_folder(path: Path) -> Path:
-    """The folder for records of packages, beside the table."""
+    """The folder for records of packages, next to the table."""
     return path.with_name(path.name + ".records")

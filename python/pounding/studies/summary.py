@@ -1,4 +1,4 @@
-"""A study in a few numbers, for scripts."""
+"""Summary of a study, for scripts."""
 
 from __future__ import annotations
 
@@ -9,18 +9,19 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies.engines import STATUSES
-from pounding.studies.quantities import COLLAPSED_COLUMN
 from pounding.studies.percentiles import finite, order_statistic
+from pounding.studies.quantities import COLLAPSED_COLUMN
 from pounding.studies.rows import Rows
 
 PERCENTS = (16, 50, 84)
 
 
 def summary(study: Rows, column: str | None = None, limit: float | str | None = None) -> dict[str, Any]:
-    """Counts of rows; of every kept column smallest, mean and largest value, percentiles by order statistics, and the
-    share of rows above zero, in SI; and the fragility curve of a column above a limit, or of collapse. Infinite
-    numbers, of collapsed rows, are None, and `infinite` counts them. Failed rows are left out. Raises InputError for a
-    column that is not there."""
+    """Counts of rows by status; minimum, mean, maximum, percentiles (order statistics) and the fraction of rows above
+    zero of every kept column, in SI; and the fragility curve of a column above a limit, or of collapse.
+
+        Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises
+    InputError for an unknown column."""
     status = study["status"]
     kept: Sequence[str] = study.description["kept"]["columns"]
     found: dict[str, Any] = {
@@ -34,7 +35,7 @@ def summary(study: Rows, column: str | None = None, limit: float | str | None = 
         found["warnings"] = list(study.warnings)
     if column is not None:
         if column not in (*kept, COLLAPSED_COLUMN):
-            raise InputError(f'there is no column "{column}"; there is {", ".join(kept)}')
+            raise InputError(f'unknown column "{column}"; known: {", ".join(kept)}')
         curve = study.fragility(column, limit)
         found["fragility"] = {
             "theta": finite(curve.theta),

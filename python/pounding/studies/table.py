@@ -1,8 +1,7 @@
-"""The table of a study: one HDF5 file with a checksum in front, and while the study runs finished chunks in a folder
-next to it.
+"""The table of a study: one HDF5 file with a checksum, and a folder of finished chunks while the study runs.
 
-A study that is killed at any moment loses only the chunks under way. The table is replaced as a whole, from all chunks,
-when the study ends or stops. A lock in the folder of chunks refuses a second study into the same table."""
+A killed study loses only the chunks in progress. The table is written atomically from all chunks when the study ends
+or stops. A lock in the folder of chunks prevents two studies from writing the same table."""
 
 from __future__ import annotations
 
@@ -19,8 +18,8 @@ import numpy as np
 from pounding.checked_file import STUDY, NotResults, require_whole_study, write_study
 from pounding.errors import InputError
 from pounding.outputs import destination
-from pounding.studies.cross_check import differences
 from pounding.studies.batches import COMPLETE
+from pounding.studies.cross_check import differences
 from pounding.studies.engines import DIED, ENGINES, NOT_RUN, STATUSES, Done
 from pounding.studies.files import by_content, relative
 from pounding.studies.parts import Parts
@@ -28,17 +27,19 @@ from pounding.studies.plan import Plan
 from pounding.texts import text
 
 FORMAT = "study of pounding 1"
-#: The table is in memory three times while it is written: its columns, those of the file, and the file.
+#: Copies of the table in memory while it is written: its columns, those of the file, and the file.
 COPIES = 3
 
 
 class Table:
-    """The columns that have been filled so far, in memory, and their files where there are any."""
+    """Finished rows in memory, and their files if the table has a path."""
 
     def __init__(self, plan: Plan, path: str | os.PathLike[str] | None = None) -> None:
-        """An empty table, or what an earlier run of this plan has left at `path`. From here until `write` or `close`
-        the path is locked. Raises InputError for a path that cannot be written, that another study writes now, or that
-        holds another plan, and for more rows than the memory holds."""
+        """An empty table, or the rows of an earlier run of this plan at `path`. The path is locked until `write` or
+        `close`.
+
+                Raises InputError if the path cannot be written, is locked by another study or contains another plan,
+        and if the rows do not fit into memory."""
         require_room(plan)
         self.plan = plan
         self.path = None if path is None else Path(path)
@@ -51,7 +52,7 @@ class Table:
         self.check: dict[int, np.ndarray] = {}  #: row of the kernel -> its columns by the solver
         self.reasons: dict[int, str] = {}
         if self.path is not None:
-            # A symbolic link has one folder of chunks, next to the file that it leads to.
+            # The folder of chunks is next to the target of a symbolic link.
             self.parts = Parts(destination(self.path, STUDY), self.path)
             try:
                 self._take_up(self.path)
@@ -65,18 +66,17 @@ class Table:
         return Path() if self.path is None else self.path.parent
 
     def missing(self) -> np.ndarray:
-        """Numbers of the rows that have not run."""
+        """Indices of the rows that have not run."""
         return np.flatnonzero(self.status == NOT_RUN)
 
     def add(self, done: Done) -> None:
-        """Takes finished rows, and writes their chunk. Raises OSError when it cannot be written."""
+        """Adds finished rows and writes their chunk. Raises OSError if it cannot be written."""
         if self.parts is not None:
             self.parts.add(done)
         self._fill(done)
 
     def write(self) -> None:
-        """Writes the whole table, removes the chunks, which it holds now, and unlocks the path. Raises InputError,
-        OSError."""
+        """Writes the whole table, removes the chunks and unlocks the path. Raises InputError, OSError."""
         if self.path is None or self.parts is None:
             return
         try:
@@ -86,16 +86,16 @@ class Table:
             self.close()
 
     def close(self) -> None:
-        """Unlocks the path. Finished chunks stay."""
+        """Unlocks the path. Finished chunks are kept."""
         if self.parts is not None:
             self.parts.close()
 
     def merge(self, other: Path) -> None:
-        """Takes the rows of the table of another shard. Raises InputError for another plan."""
+        """Adds the rows of the table of another shard. Raises InputError for another plan."""
         self._read_table(other)
 
     def _fill(self, done: Done) -> None:
-        # A row that is complete beats one that failed, and both beat a worker that died, whatever their order.
+        # Complete rows take precedence over failed ones, and both over dead workers.
         done = done.part(_rank(done.status) > _rank(self.status[done.rows]))
         for row in done.rows.tolist():
             self.reasons.pop(row, None)
@@ -143,7 +143,7 @@ class Table:
 
 
 def size_of(plan: Plan) -> int:
-    """Bytes of the table of a plan."""
+    """Size of the table of a plan [bytes]."""
     return plan.count * (8 * (len(plan.units()) + 1) + 2)
 
 
@@ -153,7 +153,7 @@ def size_text(size: float) -> str:
 
 
 def require_room(plan: Plan) -> None:
-    """Raises InputError if the memory does not hold the table of a plan."""
+    """Raises InputError if the table of a plan does not fit into memory."""
     memory = min(
         [
             os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"),
@@ -173,9 +173,9 @@ def _rank(status: np.ndarray) -> np.ndarray:
 
 
 def open_study(path: Path) -> h5py.File:
-    """The table at `path`. Raises InputError where there is none."""
+    """Opens the table at `path`. Raises InputError if there is none."""
     if not path.is_file():
-        raise InputError(f"there is no study {path}; type pounding study STUDY.yaml -o {path}")
+        raise InputError(f"no such study: {path}; type pounding study STUDY.yaml -o {path}")
     require_whole_study(path)
     file = h5py.File(path, "r")
     if text(file.attrs["format"]) != FORMAT:
@@ -197,7 +197,7 @@ def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
 
 
 def _image(table: Table) -> bytes:
-    """The HDF5 file. It is made in memory: where a disk is full or fails, HDF5 may end the process."""
+    """The HDF5 file as bytes. It is made in memory, because HDF5 may end the process on a full or failing disk."""
     plan = table.plan
     with h5py.File("table in memory", "w", driver="core", backing_store=False) as file:
         file.attrs["format"] = FORMAT

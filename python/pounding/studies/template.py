@@ -1,5 +1,4 @@
-"""All that a worker needs to run rows. Workers import this and no more than numpy: they start once a study, each of
-them."""
+"""The part of a plan that workers need. It imports numpy only, because every worker imports it."""
 
 from __future__ import annotations
 
@@ -18,19 +17,19 @@ from pounding.studies.quantities import Kept
 
 @dataclass(frozen=True)
 class Template:
-    """The model, where the factors go, the motions, and what is kept."""
+    """The model, the factors and their places, the motions, and the kept columns."""
 
-    #: parts of the input in texts; of a ground motion that records replace only what holds for each of them
+    #: sections of the input as typed; if records replace the ground motion, only the keys that apply to all of them
     model: dict[str, Any]
-    place: str  #: file that the model stands for in messages
+    place: str  #: file name of the model in messages
     factors: tuple[Factor, ...]
     motions: tuple[Motion, ...]
     kept: Kept
     engine: str = "auto"  #: the engine of all rows, or "auto"
-    files: Mapping[str, bytes] = field(default_factory=dict)  #: contents of the files that the model names
+    files: Mapping[str, bytes] = field(default_factory=dict)  #: contents of files named by the model
 
     def begin(self, values: np.ndarray) -> None:
-        """Called before the solver runs a row, with the values of its factors."""
+        """Called with the values of the factors before each run of the solver."""
 
     def case(self, values: list[float], record: int, scale: float) -> dict[str, Any]:
         """The model of one row."""
@@ -44,7 +43,7 @@ class Template:
         return made
 
     def ground_motion(self, given: Mapping[str, Any] | None, record: int, scale: float) -> dict[str, Any] | None:
-        """`ground_motion` of one row, from that of the model with the values of the row; None for a still ground."""
+        """`ground_motion` of one row, with the values of its factors; None for a still ground."""
         motion = self.motions[record]
         if motion.words:
             return {**motion.scaled(scale), **(given or {})}

@@ -1,4 +1,4 @@
-"""Functions that run in a worker process. It imports neither h5py nor scipy, so that workers start soon."""
+"""Functions of a worker process. Imports neither h5py nor scipy, so that workers start quickly."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from pounding.studies.engines import Batch, Done, run_batch
 
 
 def begin_worker() -> None:
-    """Prepares a new process: Ctrl-C and a terminal that closes are for the one that drives the study, whose end ends
-    this one, and BLAS stays at one thread."""
+    """Prepares a worker process: it ignores Ctrl-C and SIGHUP, ends with its parent, and limits BLAS to one
+    thread."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGHUP, signal.SIG_IGN)
     threading.Thread(target=_end_with_driver, daemon=True).start()
@@ -23,7 +23,7 @@ def begin_worker() -> None:
 
 
 def _end_with_driver() -> None:
-    """Ends this process as soon as its driver is gone, however that ended: nobody would read what it computes."""
+    """Ends this process when its parent has ended."""
     driver = multiprocessing.parent_process()
     if driver is not None:
         multiprocessing.connection.wait([driver.sentinel])
@@ -31,11 +31,11 @@ def _end_with_driver() -> None:
 
 
 def say_hello() -> str:
-    """Shows that a worker has started, with the package in it."""
+    """Returns once a worker has started and imported the package."""
     return str(core.version)
 
 
 def run_alone(batch: Batch) -> Done:
-    """As run_batch, in a worker that MPI may have started beside others."""
+    """Same as run_batch, in a worker that MPI may have started together with others."""
     core.run_alone()
     return run_batch(batch)

@@ -19,7 +19,8 @@ enum class Takes : unsigned char {
   integer,
   boolean,  ///< true or false
   choice,   ///< one of the choices
-  text      ///< any text: a title, a name, a file
+  text,     ///< any text: a title, a name, a file
+  value     ///< a number, a quantity of any dimension or a name
 };
 
 /// Arrangement of the values under a key.

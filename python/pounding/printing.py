@@ -1,4 +1,4 @@
-"""Objects as print() shows them: three lines with names, sizes, units and largest values."""
+"""Text of objects in print(): three lines with names, sizes, units and peak values."""
 
 from __future__ import annotations
 
@@ -7,13 +7,12 @@ from typing import Any
 
 import numpy as np
 
-
-#: Words for MemberForces.gravity_included.
+#: Description of MemberForces.gravity_included.
 GRAVITY = {None: "", True: "; gravity is included", False: "; gravity is not included"}
 
 
-class Told:
-    """Printed in three lines; at a prompt and in lists as the first of them."""
+class ReportLines:
+    """An object that prints as three lines; its repr is the first of them."""
 
     _lines: Callable[[Any], list[str]]
 
@@ -44,7 +43,7 @@ def run(results: Any) -> list[str]:
 
 
 def structure(one: Any) -> list[str]:
-    """Kind and floors; largest motion; what there is beside the floors."""
+    """Kind and floors; largest motion; other contents."""
     place = {1: "along x", 2: "in the plane x z", 3: "in space"}[one.dimension]
     heights = one.elevations[np.isfinite(one.elevations)]
     height = f", {heights.max():.4g} m high" if heights.size else ""
@@ -125,7 +124,7 @@ def link(one: Any) -> list[str]:
 
 
 def springs(parts: Any) -> list[str]:
-    """Shape and laws; the part that yields most; energy."""
+    """Shape and laws; the part with the largest deformation; energy."""
     ductility = parts.largest["ductility"]
     most = int(np.argmax(ductility))
     yielded = parts.states.count("yielded")
@@ -240,7 +239,7 @@ def opensees_link(one: Any) -> list[str]:
 
 
 def few(words: Iterable[str], most: int = 6) -> str:
-    """The first of many words."""
+    """The first items of a list, and the number of the others."""
     every = list(words)
     more = f", and {len(every) - most} more" if len(every) > most else ""
     return (", ".join(every[:most]) + more) or "none"

@@ -1,0 +1,26 @@
+#pragma once
+/// Keys of `study:`. The Python package reads studies through these tables; the reader of models does not see them.
+
+#include <span>
+#include <string_view>
+
+#include <pounding/input/words/word.hpp>
+
+namespace pounding::words {
+
+namespace study_tables {
+
+inline constexpr std::string_view since = "0.2.0";
+/// Records and intensity: study_records.cpp; the others: studies.cpp.
+extern const Section study, factor, uniform, normal, lognormal, triangular, discrete, sampling, records, files_by_axis,
+    files_of_axis, artificial, intensity;
+
+}  // namespace study_tables
+
+/// File of a study: studies.cpp.
+extern const Section study_file;
+
+/// Every section of a study, outer ones first; the first is the file.
+std::span<const Section* const> sections_of_studies() noexcept;
+
+}  // namespace pounding::words
