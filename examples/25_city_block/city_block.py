@@ -1,7 +1,7 @@
 """A city block: buildings in rows around a courtyard, 30 mm from one to the next.
 
-    python3 examples/25_city_block/city_block.py > corner.yaml                # the corner building, two neighbours
-    python3 examples/25_city_block/city_block.py --ring 12 8 > block.yaml     # the block: 12 along x, 8 along y
+python3 examples/25_city_block/city_block.py > corner.yaml                # the corner building, two neighbours
+python3 examples/25_city_block/city_block.py --ring 12 8 > block.yaml     # the block: 12 along x, 8 along y
 """
 
 import argparse

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the page of each law of yielding, elements/pounding/hysteresis/pages, from what the program knows of it.
+"""Generates the page of each hysteresis law, elements/pounding/hysteresis/pages, from the output of the program.
 
     python3 python/docs/hysteresis_pages.py build/pounding --write    # pages and pictures
-    python3 python/docs/hysteresis_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or
-    numbers are others
+    python3 python/docs/hysteresis_pages.py build/pounding --check    # exit code 1 on a difference
 
 Equations, sources, parameters and loops come from `pounding laws`. Pictures are not compared.
 """

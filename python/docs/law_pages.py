@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the page of each contact law, elements/pounding/laws/pages, from what the program knows of it.
+"""Generates the page of each contact law, elements/pounding/laws/pages, from the output of the program.
 
     python3 python/docs/law_pages.py build/pounding --write    # pages and pictures
-    python3 python/docs/law_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or numbers
-    are others
+    python3 python/docs/law_pages.py build/pounding --check    # exit code 1 on a difference
 
 Equations, sources, parameters and numbers come from `pounding laws` and `pounding calibrate`, the loops from runs, and
 the sections that verify a law from tests/verification/README.md. Pictures are not compared.
@@ -124,18 +123,13 @@ def parameters(law):
 
 
 def formulas(law):
-    lines = [
-        "## Damping formulas",
-        "",
-        "What turns the restitution that is asked into damping. e is the one asked.",
-        "",
-    ]
+    lines = ["## Damping formulas", "", "Formulas that convert the specified restitution e into damping.", ""]
     lines += table(
         ("formula", "equation", "source", "what it gives"),
         [(f"`{f['name']}`", f"`{f['equation']}`", f["source"], f["note"]) for f in law["formulas"]],
     )
     asked = [row["asked"] for row in law["formulas"][0]["obtained"]]
-    lines += [f"Restitution really obtained in a free impact at {SPEED:g} m/s:", ""]
+    lines += [f"Restitution obtained in a free impact at {SPEED:g} m/s:", ""]
     lines += table(
         ("asked", *(f"{e:.1f}" for e in asked)),
         [
@@ -244,7 +238,7 @@ def index(all_laws):
 
 
 def draw(program, law, path):
-    """Left the loop of one impact, right what each formula gives over what is asked."""
+    """The loop of one impact, and the restitution obtained with each formula over the specified one."""
     sys.path.insert(0, str(ROOT / "python"))
     import matplotlib
 

@@ -39,7 +39,7 @@ def commands_of(block):
 
 
 def caption(path, command):
-    """Caption of a picture: that of `--picture`, or of the last word of its name."""
+    """Caption of a picture: that of `--picture`, or of the end of its name."""
     named = re.search(r"--picture (\w+)", command)
     return CAPTIONS.get(named[1] if named else path.stem.rpartition("_")[2], "histories and impacts")
 

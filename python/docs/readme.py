@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the outputs and tables in the README and the guide with those of the program, or writes them.
 
-    python3 python/docs/readme.py build/pounding            # exit code 1 if a page differs from the output of the program
+    python3 python/docs/readme.py build/pounding            # exit code 1 on a difference
     python3 python/docs/readme.py build/pounding --write    # rewrites the pages; --accuracy takes a minute more
 
 A block lies between <!-- begin NAME --> and <!-- end NAME --> on one page. Wall times differ between runs and are not
