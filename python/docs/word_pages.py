@@ -4,7 +4,7 @@
     python3 python/docs/word_pages.py build/pounding --write    # the page and the schema
     python3 python/docs/word_pages.py build/pounding --check    # exit code 1 if they differ
 
-The page is python/docs/reference/words.md, the schema python/pounding/model.schema.json.
+
 """
 
 import json
@@ -18,13 +18,13 @@ FIRST = "0.1.0"
 
 HEAD = """# Input keys
 
-All keys of a model; `pounding words` prints the same list, and `pounding words gap` one key. A quantity without a unit is in the unit
+All keys of a model, as `pounding words` prints them; add a name, such as `gap`, for one key. A quantity without a unit is in the unit
 in brackets; any unit of the same dimension may follow the number: `20 mm`. Names in capitals are free, `[]` is each member of a list.
 Every key exists since version {first} unless stated otherwise. [Input](../guide/input.md) introduces them.
 
 ## In an editor
 
-`pounding words --schema` prints a JSON schema (draft 2020-12); installed, it is `share/pounding/model.schema.json`, and in the Python
+The option `--schema` of that command prints a JSON schema (draft 2020-12); installed, it is `share/pounding/model.schema.json`, and in the Python
 package `pounding/model.schema.json`. In VS Code with the extension YAML (Red Hat), begin a model with
 
 ```yaml
