@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Generates the page of the input keys and the JSON schema of a model from the tables of the program.
 
-    python3 python/docs/word_pages.py build/pounding --write    # the page and the schema
-    python3 python/docs/word_pages.py build/pounding --check    # exit code 1 if they differ
+python3 python/docs/word_pages.py build/pounding --write    # the page and the schema
+python3 python/docs/word_pages.py build/pounding --check    # exit code 1 if they differ
 
 
 """
