@@ -39,9 +39,9 @@ def commands_of(block):
 
 
 def caption(path, command):
-    """Caption of a picture: that of `--picture`, or of the end of its name."""
-    named = re.search(r"--picture (\w+)", command)
-    return CAPTIONS.get(named[1] if named else path.stem.rpartition("_")[2], "histories and impacts")
+    """Caption of a picture, from `--picture` or from its name."""
+    names = [*re.findall(r"--picture (\w+)", command), *re.split(r"[^a-z]+", path.stem)]
+    return next((CAPTIONS[name] for name in names if name in CAPTIONS), "histories and impacts")
 
 
 def draw(commands, place):
@@ -57,10 +57,12 @@ def draw(commands, place):
             (folder / shared).symlink_to(ROOT / shared)
         for command in commands:
             before = set(folder.glob("*.png"))
-            done = subprocess.run(["bash", "-ec", command], cwd=folder, env=environment, capture_output=True, text=True)
+            done = subprocess.run(
+                ["bash", "-ec", command], check=False, cwd=folder, env=environment, capture_output=True, text=True
+            )
             if done.returncode:
                 raise RuntimeError(f"{command}: {done.stderr}")
-            for path in sorted(set(folder.glob("*.png")) - before):
+            for path in sorted(set(folder.glob("*.png")) - before, key=lambda path: (len(path.name), path.name)):
                 kept = place.with_name(f"{place.name}-{path.name}")
                 shutil.copyfile(path, kept)
                 found.append((kept, caption(path, command)))
