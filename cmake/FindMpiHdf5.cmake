@@ -1,6 +1,6 @@
-# MpiHdf5::hdf5: the C library of HDF5 in the flavour of PETSc. With MPI that is Open MPI's unless MPI_HDF5_MODULE names another
-# one (hdf5-mpich), and the include directories of MPI, which its header needs, come with it; a program that loads the serial one
-# beside it would hold two libraries of the same symbols. Without MPI it is the serial one.
+# MpiHdf5::hdf5: the C library of HDF5 that matches PETSc. With MPI it is the one of Open MPI, or MPI_HDF5_MODULE (hdf5-mpich), with
+# the include directories of MPI that its header needs; loading the serial library as well would duplicate its symbols. Without MPI it
+# is the serial one.
 if(NOT MPI_HDF5_MODULE)
   set(MPI_HDF5_MODULE hdf5-openmpi)
 endif()

@@ -1,12 +1,12 @@
-# Parts of the scripts that build libraries into a folder of the user; they are sourced.
+# Functions of the scripts that build libraries into the cache folder of the user; source this file.
 
-# Who builds in the same folder waits until this process ends.
+# Locks the folder until this process ends.
 alone_in() {
   exec 9> "$1/lock"
   flock 9
 }
 
-# A command at low priority whose words go to the file $log; the end of them is shown where it fails.
+# Runs a command at low priority with its output in the file $log; prints the end of the log if it fails.
 run() {
   if ! nice "$@" >> "$log" 2>&1; then
     tail -n 30 "$log" >&2

@@ -1,4 +1,4 @@
-# The presets `clang` and `fuzz` take Clang by the name that it has on this machine.
+# Finds Clang under its name on this machine, for the presets `clang` and `fuzz`.
 include(${CMAKE_CURRENT_LIST_DIR}/clang_names.cmake)
 find_program(POUNDING_CLANG NAMES ${clang_names} REQUIRED)
 find_program(POUNDING_CLANGXX NAMES ${clang_names_cxx} REQUIRED)

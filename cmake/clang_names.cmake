@@ -1,4 +1,4 @@
-# Names that Clang may have on this machine: distributions add its version.
+# Possible names of Clang: distributions append its version.
 set(clang_names clang)
 foreach(version RANGE 22 14 -1)
   list(APPEND clang_names clang-${version})

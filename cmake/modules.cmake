@@ -1,18 +1,18 @@
-# A folder of pounding/ is a module. Modules are declared in one order, elements/CMakeLists.txt before lib/CMakeLists.txt, and
-# need only what was declared before them; tests/docs/test_modules.py holds every include against NEEDS.
+# A folder of pounding/ is a module. The modules are declared in order, elements/CMakeLists.txt before lib/CMakeLists.txt. Each needs
+# only modules declared before it; tests/docs/test_modules.py compares every include with NEEDS.
 
-# What most sources include is compiled once for each set of flags: GCC takes a precompiled header only with the flags that it
-# was made with. Every source still includes what it uses; -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON proves it.
+# Common headers are precompiled once per set of flags, since GCC accepts a precompiled header only with identical flags. Every
+# source still includes what it uses; check this with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
 set(pounding_headers <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <optional> <span> <stdexcept> <string>
   <string_view> <utility> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/SparseCore>)
 
-# Modules that do without Eigen are compiled without it in sight.
+# These modules may not include Eigen.
 set(pounding_without_eigen laws core links)
 
-# For sources that are not at work in each step: at -O1 the compiler needs a third less time for them.
+# For code outside the time steps: -O1 takes two thirds of the compile time of -O3.
 set(pounding_light_options $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
 
-# pounding_precompile(TARGET GROUP headers): the first target of a group makes its precompiled headers, the others take them.
+# pounding_precompile(TARGET GROUP headers): the first target of a group builds the precompiled header, the others reuse it.
 function(pounding_precompile target group)
   get_property(owner GLOBAL PROPERTY pounding_headers_of_${group})
   if(owner)
@@ -23,61 +23,47 @@ function(pounding_precompile target group)
   endif()
 endfunction()
 
-# pounding_module(NAME [NEEDS modules] [WITH packages] [SOURCES files] [BESIDE_THE_STEPS files]): the latter read, check, write or set
-# up, before and after the steps.
+# pounding_module(NAME [LIGHT] [NEEDS modules] [WITH packages] [SOURCES files]): LIGHT for modules that only read, check, set up or
+# write, before and after the steps.
 function(pounding_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "NEEDS;WITH;SOURCES;BESIDE_THE_STEPS")
+  cmake_parse_arguments(PARSE_ARGV 1 module "LIGHT" "" "NEEDS;WITH;SOURCES")
+  if(module_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "module ${name}: unknown arguments ${module_UNPARSED_ARGUMENTS}")
+  endif()
   list(TRANSFORM module_NEEDS PREPEND pounding_module_)
   foreach(need IN LISTS module_NEEDS)
     if(NOT TARGET ${need})
-      message(FATAL_ERROR "module ${name} needs ${need}, which is declared after it or not at all")
+      message(FATAL_ERROR "module ${name} needs ${need}, which is not declared before it")
     endif()
   endforeach()
   list(TRANSFORM module_SOURCES PREPEND pounding/${name}/)
-  list(TRANSFORM module_BESIDE_THE_STEPS PREPEND pounding/${name}/)
   set(target pounding_module_${name})
-  set(light ${target})
-  set(scope PUBLIC)
-  set(parts)
   if(module_SOURCES)
+    set(scope PUBLIC)
     add_library(${target} OBJECT ${module_SOURCES})
-    if(NOT name IN_LIST pounding_without_eigen)
+    target_link_libraries(${target} PRIVATE pounding_warnings)
+    if(module_LIGHT)
+      target_compile_options(${target} PRIVATE ${pounding_light_options})
+      pounding_precompile(${target} light ${pounding_headers})
+    elseif(NOT name IN_LIST pounding_without_eigen)
       pounding_precompile(${target} libraries ${pounding_headers})
     endif()
-    list(APPEND parts ${target})
-    set(light ${target}_beside)
-  endif()
-  if(module_BESIDE_THE_STEPS)
-    add_library(${light} OBJECT ${module_BESIDE_THE_STEPS})
-    target_compile_options(${light} PRIVATE ${pounding_light_options})
-    pounding_precompile(${light} light ${pounding_headers})
-    list(APPEND parts ${light})
-  endif()
-  if(NOT parts)
-    add_library(${target} INTERFACE)
+  else()
     set(scope INTERFACE)
-    set(parts ${target})
+    add_library(${target} INTERFACE)
   endif()
-  foreach(part IN LISTS parts)
-    target_compile_features(${part} ${scope} cxx_std_20)
-    target_include_directories(${part} ${scope} ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
-    target_link_libraries(${part} ${scope} ${module_NEEDS} ${module_WITH})
-    if(scope STREQUAL "PUBLIC")
-      target_link_libraries(${part} PRIVATE pounding_warnings)
-    endif()
-  endforeach()
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope} ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(${target} ${scope} ${module_NEEDS} ${module_WITH})
 endfunction()
 
-# pounding_public(NAME OF modules [WITH targets]): the library that users link, made of these modules.
+# pounding_public(NAME OF modules [WITH targets]): a library for users, made of these modules.
 function(pounding_public name)
   cmake_parse_arguments(PARSE_ARGV 1 public "" "" "OF;WITH")
   set(target pounding_${name})
   set(objects)
   foreach(module IN LISTS public_OF)
     list(APPEND objects $<TARGET_OBJECTS:pounding_module_${module}>)
-    if(TARGET pounding_module_${module}_beside)
-      list(APPEND objects $<TARGET_OBJECTS:pounding_module_${module}_beside>)
-    endif()
   endforeach()
   add_library(${target} ${objects})
   add_library(Pounding::${name} ALIAS ${target})

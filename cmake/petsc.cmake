@@ -1,15 +1,15 @@
-# PETSc and SLEPc: those that pkg-config finds, or first those in the folder PETSC_DIR, as `make petsc` leaves them. POUNDING_MPI
-# says whether this PETSc has MPI; given by the user it must agree.
+# PETSc and SLEPc as pkg-config finds them, first in the folder PETSC_DIR (see `make petsc`). POUNDING_MPI is whether this PETSc has
+# MPI; a value given by the user must agree.
 set(PETSC_DIR "" CACHE PATH "Folder that PETSc and SLEPc were installed into, instead of those of the system")
 if(PETSC_DIR)
   list(PREPEND CMAKE_PREFIX_PATH ${PETSC_DIR})
   set(ENV{PKG_CONFIG_PATH} "${PETSC_DIR}/lib/pkgconfig:$ENV{PKG_CONFIG_PATH}")
-  # What is installed finds its PETSc again.
+  # Installed files find the same PETSc.
   set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 endif()
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc>=3.18)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET slepc>=3.18)
-# Options that Debian compiled PETSc with, none that its headers need: all our sources are compiled with the same ones.
+# Drops the compile options of Debian's PETSc: its headers do not need them, and all sources are compiled with the same options.
 set_property(TARGET PkgConfig::PETSC PkgConfig::SLEPC PROPERTY INTERFACE_COMPILE_OPTIONS)
 
 find_file(POUNDING_PETSCCONF petscconf.h PATHS ${PETSC_INCLUDE_DIRS} NO_DEFAULT_PATH NO_CACHE REQUIRED)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds PETSc and SLEPc of one version from the source archives on PyPI into a folder of the user, and prints that folder last.
 #   petsc.sh VERSION on|off [FOLDER]     on: with MPI (the compilers mpicc and mpicxx), off: without
-# With what is needed: CHOLMOD of SuiteSparse, and with MPI MUMPS where the system has it for this MPI. Environment: JOBS, number of
-# processes; MPICC, MPICXX, MPIFC, the compilers (mpicc, mpicxx, mpif90); WITHOUT_MUMPS=1 leaves MUMPS out.
+# Uses CHOLMOD of SuiteSparse, and with MPI also MUMPS if the system has it for this MPI. Environment: JOBS, number of processes;
+# MPICC, MPICXX, MPIFC, the compilers (mpicc, mpicxx, mpif90); WITHOUT_MUMPS=1 excludes MUMPS.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 . "$here/building.sh"
@@ -23,7 +23,7 @@ jobs=${JOBS:-$(nproc)}
 work=$cache/build/petsc-$version-$kind
 log=$work/log
 mkdir -p "$work"
-# Who asks for the same while it is built waits for it.
+# Concurrent builds of the same version wait here.
 alone_in "$work"
 if [ -e "$prefix/ready" ]; then
   echo "$prefix"
@@ -44,8 +44,8 @@ options=(--prefix="$prefix" --with-debugging=0 --with-shared-libraries=1 --with-
   --with-blaslapack-lib="-llapack -lblas"
   --with-suitesparse=1 --with-suitesparse-include="${SUITESPARSE_INCLUDE:-/usr/include/suitesparse}"
   --with-suitesparse-lib="-lspqr -lumfpack -lklu -lcholmod -lamd"
-  # Calls inside the library stay inside when another PETSc is in the process. Its data do not: programs may hold PETSC_COMM_WORLD
-  # themselves (copy relocations of executables).
+  # Binds calls within the library even if another PETSc is in the process. Data stay global: executables may contain
+  # PETSC_COMM_WORLD (copy relocations).
   LDFLAGS=-Wl,-Bsymbolic-functions)
 if [ "$mpi" = on ]; then
   options+=(--with-cc="${MPICC:-mpicc}" --with-cxx="${MPICXX:-mpicxx}")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Downloads the source archives of PETSc of one version and of the SLEPc that belongs to it from PyPI into the user's cache, where they
-# are missing, and prints their places, PETSc's first.
+# Downloads missing source archives of one version of PETSc and the matching SLEPc from PyPI into the cache of the user, and prints
+# their paths, PETSc first.
 #   petsc_sources.sh VERSION
 set -euo pipefail
 . "$(dirname "$0")/building.sh"
@@ -12,10 +12,10 @@ cd "$folder"
 minor=${version%.*}
 missing=()
 [ -e "petsc-$version.tar.gz" ] || missing+=("petsc==$version")
-# SLEPc of the same minor version: the newest of its patches that is not newer than the version asked for may be another one.
+# SLEPc of the same minor version: its latest patch up to the requested version may differ from it.
 ls slepc-"$minor".*.tar.gz > /dev/null 2>&1 || missing+=("slepc==$minor.*")
 if [ ${#missing[@]} -gt 0 ]; then
-  # pip asks a source archive for its metadata, which needs these two; with them it builds nothing.
+  # pip reads the metadata of a source archive, which requires these two; it does not build.
   tools=$(mktemp -d)
   trap 'rm -rf "$tools"' EXIT
   python3 -m venv "$tools"

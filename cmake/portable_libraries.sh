@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Builds what a portable wheel takes in the place of Debian's libraries, from Debian's sources of the same versions, and prints the
-# folder last:
-#   portable_libraries.sh PETSC FOLDER     PETSC: what `make petsc` printed
+# Builds replacements of Debian's libraries for a portable wheel, from Debian's sources of the same versions, and prints the folder
+# last:
+#   portable_libraries.sh PETSC FOLDER     PETSC: the folder that `make petsc` printed
 # - CHOLMOD without its modules under the GPL, which leaves the simplicial factor (LGPL);
-# - UMFPACK, KLU and SPQR as names alone: PETSc's library asks for them, nothing here calls them, and two are under the GPL;
-# - HDF5 without the reader of files on the network, which brings some thirty libraries.
+# - UMFPACK, KLU and SPQR as symbols without code: PETSc links to them, pounding never calls them, and two are under the GPL;
+# - HDF5 without network access, which needs some thirty libraries.
 set -euo pipefail
 . "$(dirname "$0")/building.sh"
 petsc=$(realpath "$1")
 mkdir -p "$2"
 prefix=$(realpath "$2")
 jobs=${JOBS:-$(nproc)}
-# Who asks for the same while it is built waits for it.
+# Concurrent builds of the same version wait here.
 alone_in "$prefix"
 if [ -e "$prefix/ready" ] && [ "$prefix/ready" -nt "$petsc/ready" ]; then
   echo "$prefix"
@@ -23,7 +23,7 @@ mkdir -p "$work/lists/partial" "$prefix/lib/pkgconfig" "$prefix/include" "$prefi
 cd "$work"
 echo "Building HDF5 and CHOLMOD into $prefix: about three minutes on two free cores; the log is $log" >&2
 
-# Sources from the mirror that the system uses, without a change to the system's lists.
+# Sources from the mirror of the system, without changing its package lists.
 if ! ls hdf5_*.orig.tar.* suitesparse_*.orig.tar.* > /dev/null 2>&1; then
   release=$(. /etc/os-release && echo "$VERSION_CODENAME")
   mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' "Codename: $release" | head -n 1)
@@ -68,7 +68,7 @@ missing() {
   {
     echo '#include <stdio.h>'
     echo "static void *none(void) { fputs(\"pounding: this wheel comes without ${library^^}\\n\", stderr); return 0; }"
-    # A status below 0 of UMFPACK, an empty pointer or 0 of the others, is a failure.
+    # UMFPACK signals failure by a status below 0, the others by a null pointer or 0.
     for name in $names; do
       case $name in
         umfpack_*) echo "int $name(void) { none(); return -1; }" ;;
@@ -81,7 +81,7 @@ missing() {
 }
 missing umfpack '^umfpack_'
 missing klu '^klu_'
-# SPQR works with CHOLMOD of long indices.
+# SPQR uses CHOLMOD with long indices.
 missing spqr '^(SuiteSparseQR_|cholmod_l_)'
 cd "$prefix"
 for library in umfpack klu spqr; do

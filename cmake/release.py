@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Gathers a release: archives, their checksums, and the notes of this version from CHANGELOG.md.
+"""Collects a release: archives, checksums, and the notes of this version from CHANGELOG.md.
 
     release.py --out FOLDER ARCHIVE...
 
-The version stands in CMakeLists.txt. Every archive must have it in its name, and CHANGELOG.md must begin with it.
+CMakeLists.txt defines the version. The names of all archives must contain it, and CHANGELOG.md must begin with it.
 """
 
 import argparse
@@ -21,13 +21,13 @@ def version(root=ROOT):
 
 
 def notes(root=ROOT):
-    """What CHANGELOG.md says of this version, which must be its first section."""
+    """The section of CHANGELOG.md for this version, which must be the first."""
     wanted = version(root)
     sections = re.split(r"(?m)^## ", (root / "CHANGELOG.md").read_text())[1:]
     name, _, text = sections[0].partition("\n")
     if name.strip() != wanted:
         sys.exit(
-            f"CHANGELOG.md begins with {name.strip()}, and CMakeLists.txt has version {wanted}: write what changed, or correct the version"
+            f"CHANGELOG.md begins with {name.strip()}, and CMakeLists.txt has version {wanted}: add a section or correct the version"
         )
     return f"# pounding {wanted}\n\n{text.strip()}\n"
 

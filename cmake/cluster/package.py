@@ -1,5 +1,5 @@
-"""Recipe for Spack 1.0 and later, of the packages that cmake/install-debian.sh names. Not run: there was no Spack where
-this was written. Names of packages and variants are those of spack-packages of July 2026.
+"""Recipe for Spack 1.0 and later, of the packages that cmake/install-debian.sh names. Not run, since Spack was not
+available. Names of packages and variants are those of spack-packages of July 2026.
 
     spack repo create ~/recipes pounding_recipes
     mkdir -p ~/recipes/spack_repo/pounding_recipes/packages/pounding

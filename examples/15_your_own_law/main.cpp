@@ -1,4 +1,4 @@
-// A law of one's own: first in a link that a program steps by itself, then in a whole model.
+// A user-defined law: first in a link that a program steps, then in a whole model.
 
 #include <cstdio>
 

@@ -1,8 +1,7 @@
 """A city block: buildings in rows around a courtyard, 30 mm from one to the next.
 
-python3 examples/25_city_block/city_block.py > corner.yaml                # the corner building and its two
-neighbours python3 examples/25_city_block/city_block.py --ring 12 8 > block.yaml     # the whole block: 12 along x,
-8 between them along y
+python3 examples/25_city_block/city_block.py > corner.yaml                # the corner building, two neighbours
+python3 examples/25_city_block/city_block.py --ring 12 8 > block.yaml     # the block: 12 along x, 8 along y
 """
 
 import argparse
@@ -16,7 +15,7 @@ STOREYS = (14, 6, 9, 20, 7, 11, 8, 16, 6, 12)  #: of the buildings in a row, ove
 
 
 def building(storeys, bays=2):
-    """So many bays of 5 m along x and along y; the columns grow with the height."""
+    """A frame with `bays` bays of 5 m along x and along y; the columns grow with the height."""
     column = round(0.3 + 0.02 * storeys, 2)
     return {
         "frame": {
@@ -36,8 +35,8 @@ def building(storeys, bays=2):
 
 
 def corner():
-    """The corner building faces one neighbour along x and one along y. It is larger, so that they strike it beside its
-    middle."""
+    """The corner building faces one neighbour along x and one along y. It is larger, so the contacts are off
+    its centre."""
     south = plan.row({"corner": building(9, bays=3), "south1": building(6)}, GAP)
     west = plan.row({"west1": building(7)}, GAP, along="y", start=(0, plan.extent(south).y1 + GAP))
     return {**south, **west}
@@ -59,7 +58,7 @@ def ring(along, across):
     west = plan.row(side("west", across), GAP, along="y", start=(0, y1 + GAP))
     east = plan.row(side("east", across), GAP, along="y", start=(x1, y1 + GAP), align="high")
     inner = plan.extent(west).y1
-    # The northern row stands along the northern street: its sides are in line there.
+    # The northern row is aligned with the northern street.
     north = plan.row(street("north"), GAP, start=(0, inner + GAP + 15), align="high")
     return {**south, **west, **east, **north}
 

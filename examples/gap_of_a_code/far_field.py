@@ -4,7 +4,7 @@ field.
     python3 far_field.py [PAIRS]     PAIRS of periods from 0.1 s to 0.5 s, a power of two, 128 unless given
 
 The rule is the root of the sum of squares of both displacements, which a design spectrum of 1, 1.25 ... 2 times the
-mean of the records gives. A linear pair touches where it needs more than its gap, so one run without links tells for
+mean of the records gives. A linear pair touches if the required gap exceeds its gap, so one run without links covers
 every gap."""
 
 import sys

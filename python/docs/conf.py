@@ -1,6 +1,6 @@
 """The site: the repository's own pages where they are, and those of this folder. `make docs` builds it into build/docs.
 
-Sphinx takes the top level of the repository for its sources, so that links and pictures work as they stand.
+The top level of the repository is the source folder of Sphinx, so that links and pictures need no changes.
 """
 
 import re
@@ -16,7 +16,7 @@ author = "The pounding authors"
 copyright = "2026, The pounding authors; BSD-3 licence"
 version = release = re.search(r"project\(pounding\s+VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "pages", "lesson_pages", "header_reference"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", "pages", "lesson_pages", "header_reference"]
 root_doc = "python/docs/index"
 include_patterns = [
     "python/docs/**",
@@ -31,7 +31,7 @@ include_patterns = [
     "CHANGELOG.md",
 ]
 exclude_patterns = ["build*", ".venv*", ".git"]
-# Formulas between program text; a class Link is in pounding.results and another in pounding.opensees.
+# Some formulas are literal text; pounding.results and pounding.opensees both have a class Link.
 suppress_warnings = ["misc.highlighting_failure", "ref.python"]
 
 myst_enable_extensions = ["dollarmath", "amsmath"]
@@ -43,6 +43,8 @@ nb_merge_streams = True
 
 default_role = "code"
 smartquotes = False  # d' is a rate
+highlight_language = "none"  # indented blocks are formulas and commands
+copybutton_prompt_text = "$ "
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
@@ -53,7 +55,7 @@ toc_object_entries_show_parents = "hide"
 html_theme = "furo"
 html_title = f"pounding {version}"
 html_math_renderer = "mathml"
-# MathML needs a font that knows how to set formulas, which not every system has.
+# MathML needs a mathematical font, which some systems lack.
 html_static_path = ["_static", "/usr/share/fonts/opentype/stix-word/STIXMath-Regular.otf"]
 html_css_files = ["site.css"]
 html_search_scorer = str(HERE / "_static/scorer.js")

@@ -26,7 +26,7 @@ class Item:
     doc: str = ""  #: Markdown
     shares: bool = False  #: documented by the comment above a declaration before it
     elsewhere: bool = False  #: documented where it was first declared, or by its class
-    heads: bool = False  #: its comment stands above it, and so above those that follow
+    heads: bool = False  #: its comment is above it and applies to the following ones
     members: list[Item] = field(default_factory=list)
 
     def same_as(self, other: Item) -> bool:
@@ -36,13 +36,12 @@ class Item:
 
     @property
     def is_documented(self) -> bool:
-        """Whether somebody who reads the header is told what it is."""
+        """True if the header explains this declaration."""
         return bool(self.doc) or self.shares or self.elsewhere
 
 
 def installed_headers() -> list[Path]:
-    """The headers that cmake/install_headers.cmake installs, but for that of the version: the faces and what they
-    include."""
+    """The headers that cmake/install_headers.cmake installs, except version.hpp: the public headers and their includes."""
     parts = [ROOT / "elements", ROOT / "lib"]
     pending = [
         path
@@ -67,7 +66,7 @@ def headers_at(place: Path) -> list[Path]:
 
 
 def declarations(path: Path) -> tuple[str, list[Item]]:
-    """The comment of a header and what it declares. What is private or has a namespace `detail` is left out."""
+    """The comment of a header and its public declarations, without namespace `detail`."""
     reader = _Reader(path.read_text(), path.suffix == ".h")
     items = reader.scope("", "namespace")
     return reader.file_doc(), items
@@ -76,7 +75,7 @@ def declarations(path: Path) -> tuple[str, list[Item]]:
 class _Reader:
     def __init__(self, source: str, is_c: bool) -> None:
         self.is_c = is_c
-        self.leading: dict[int, str] = {}  # line -> text of a comment that stands alone
+        self.leading: dict[int, str] = {}  # line -> text of a comment without code
         self.trailing: dict[int, str] = {}
         self.used: set[int] = set()
         self.first_item = 0
@@ -117,7 +116,7 @@ class _Reader:
         if alone and not word.startswith("///<"):
             for offset, row in enumerate(body.split("\n")):
                 self.leading[line + offset] = row
-        elif alone:  # goes on with the comment behind the line above
+        elif alone:  # continues the trailing comment of the line above
             self.trailing[line - 1] = self.trailing.get(line - 1, "") + " " + body
         else:
             self.trailing[line] = body
@@ -212,7 +211,7 @@ class _Reader:
         item.doc = "\n\n".join(part for part in (above, behind) if part)
 
     def _declaration(self, prefix: str, kind: str) -> Item | list[Item] | None:
-        """Reads one. A list: what a namespace holds; None: nothing that a user sees."""
+        """Reads one declaration: a list for a namespace, None for private declarations."""
         begin, equals, colon = self.at, None, None
         while self.at < len(self.masked):
             c = self.masked[self.at]
@@ -338,7 +337,7 @@ class _Reader:
 
 
 def _is_noise(item: Item) -> bool:
-    """Destructors, copies and moves, specialisations of templates, and what is there for the compiler."""
+    """Destructors, copies and moves, template specialisations, and declarations without meaning to users."""
     if item.kind in ("struct", "class") and "<" in item.name:
         return True
     last = _last(item.name)
@@ -376,7 +375,7 @@ def _without_template(text: str) -> str:
 
 
 def _without_angles(text: str) -> str:
-    """Without what stands in angle brackets."""
+    """A text without template arguments."""
     before = None
     while before != text:
         before, text = text, re.sub(r"(?<=[\w])<[^<>]*>", "", text)

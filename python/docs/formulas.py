@@ -17,7 +17,7 @@ ENDS = {"greek", "index", "number", "letter", "close", "after"}
 
 
 def tex(formula):
-    """`xi = sqrt(5) z/2` is `\\xi =\\sqrt{5}\\,z/2`: words as text, the argument of a root or a power without its
+    """`xi = sqrt(5) z/2` is `\\xi =\\sqrt{5}\\,z/2`: names as text, the argument of a root or a power without
     brackets."""
     tokens = [(match.lastgroup, match.group()) for match in TOKEN.finditer(formula)]
     made, at = [], 0

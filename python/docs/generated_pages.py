@@ -15,7 +15,7 @@ def arguments(description, source, meaning):
     what = words.add_mutually_exclusive_group(required=True)
     what.add_argument("--write", action="store_true", help="write what is made")
     what.add_argument(
-        "--check", action="store_true", help="compare it with what is there; exit code 1 where it is another"
+        "--check", action="store_true", help="compare with the existing pages; exit code 1 if they differ"
     )
     given = words.parse_args()
     return given.source.resolve(), given.write
@@ -39,5 +39,5 @@ def write_or_compare(folder, texts, pictures, write):
 
 
 def refuse(complaint, source):
-    """Ends a check that found something else; `source` is what stands between script and --write."""
+    """Ends a failed check with the command that rewrites the page; `source` is the argument before --write."""
     sys.exit(f"{complaint}\nType: python3 {Path(sys.argv[0]).resolve().relative_to(ROOT)} {source} --write")

@@ -48,7 +48,7 @@ class Headers(SphinxDirective):
 
 
 def groups(items):
-    """Declarations of one kind that share a comment stand together."""
+    """Groups declarations of one kind that share a comment."""
     together = []
     for item in items:
         same = (
@@ -97,7 +97,7 @@ def declared(part: str) -> str:
 
 
 def split(text: str, sign: str) -> list[str]:
-    """At the signs that stand in no bracket and no text."""
+    """Splits at signs outside brackets and strings."""
     depth, parts = 0, [""]
     for word in re.findall(r'"(?:\\.|[^"\\])*"|.', text):
         if word == sign and depth == 0:

@@ -1,51 +1,83 @@
-"""Extension of Sphinx for the pages of the lessons: each shows its model before its commands, and behind them the
-pictures that they draw. The pictures are made when the page is read."""
+"""Extension of Sphinx for the pages of the lessons. Each page shows the files of the lesson, each model with a link to
+download it, then the commands, then the pictures that the commands draw. The commands run when the page is read."""
 
 import os
 import re
+import shutil
+import subprocess
+import sys
+import tempfile
 from pathlib import Path
-
-import matplotlib
 
 import pounding
 
+ROOT = Path(__file__).resolve().parents[2]
 PAGE = re.compile(r"examples/(\d\d_\w+|demo)/README")
-#: The block of commands, indented as on GitHub.
-COMMANDS = re.compile(r"(?m)^    \S.*\n(?:    .*\n)*")
-MODEL = re.compile(r"pounding run examples/\w+/([\w.]+)")
+#: The first block of commands.
+COMMANDS = re.compile(r"(?ms)^```sh\n(.*?)^```\n")
+#: Statements that the tests read.
+EXPECTATIONS = re.compile(r"(?ms)^<!--\nExpect\b.*?-->\n")
+MODEL = re.compile(r"pounding (?:run|study) examples/\w+/([\w.]+)")
 LANGUAGES = {".yaml": "yaml", ".hpp": "cpp", ".cpp": "cpp", ".py": "python"}
-NAMES = {
-    "run": "histories and impacts",
+CAPTIONS = {
     "profiles": "extreme values over the height",
+    "spectrum": "spectrum of the floor with the strongest motion",
     "model": "the structures at rest",
     "plan": "drifts and impacts in plan",
+    "loops": "hysteresis loops",
+    "gap": "distribution of the required gap",
+    "fragility": "fragility curve",
 }
-DOTS_PER_INCH = 128  #: 960 of them make the width of a page
+#: Films take minutes; the tests make short ones.
+SKIPPED = " animate "
 
 
-def pictures(commands):
-    """Pictures that the commands of a lesson draw, in their order: "run", "model", "profiles"."""
-    return re.findall(r"--plot|(?<=--picture )\w+", commands)
+def commands_of(block):
+    """Commands that draw on the site: those of the program, continued lines joined."""
+    lines = block.replace("\\\n", "").splitlines()
+    return [line for line in lines if "build/pounding" in line and SKIPPED not in line]
 
 
-def draw(model, names, place):
-    """Runs a model and writes a picture for each of the names. Returns their paths."""
-    matplotlib.use("Agg")
-    results = pounding.run(model, progress=False)
-    paths = [place.with_name(f"{place.name}-{name}.png") for name in names]
-    for name, path in zip(names, paths):
-        results.plot(name).savefig(path, dpi=DOTS_PER_INCH)
-    return paths
+def caption(path, command):
+    """Caption of a picture, from `--picture` or from its name."""
+    names = [*re.findall(r"--picture (\w+)", command), *re.split(r"[^a-z]+", path.stem)]
+    return next((CAPTIONS[name] for name in names if name in CAPTIONS), "histories and impacts")
+
+
+def draw(commands, place):
+    """Runs the commands in a temporary folder. Copies the pictures next to `place`, and returns (path, caption) of
+    each."""
+    environment = os.environ | {"POUNDING_PYTHON": sys.executable, "MPLBACKEND": "agg"}
+    found = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "build").mkdir()
+        (folder / "build/pounding").symlink_to(Path(pounding.__file__).parent / "bin/pounding")
+        for shared in ("examples", ".venv"):
+            (folder / shared).symlink_to(ROOT / shared)
+        for command in commands:
+            before = set(folder.glob("*.png"))
+            done = subprocess.run(
+                ["bash", "-ec", command], check=False, cwd=folder, env=environment, capture_output=True, text=True
+            )
+            if done.returncode:
+                raise RuntimeError(f"{command}: {done.stderr}")
+            for path in sorted(set(folder.glob("*.png")) - before, key=lambda path: (len(path.name), path.name)):
+                kept = place.with_name(f"{place.name}-{path.name}")
+                shutil.copyfile(path, kept)
+                found.append((kept, caption(path, command)))
+    return found
 
 
 def show_parts(app, docname, source):
-    """Adds model and pictures to the text of a lesson's README."""
+    """Adds files and pictures to the text of a lesson's README, and removes the statements for tests."""
     page = PAGE.fullmatch(docname)
     if not page:
         return
     folder = Path(app.env.doc2path(docname)).parent
-    commands = COMMANDS.search(source[0])
-    run = MODEL.search(commands[0])
+    text = EXPECTATIONS.sub("", source[0])
+    commands = COMMANDS.search(text)
+    run = MODEL.search(commands[1])
     # The model that is run comes first, then those that the text compares it with.
     files = sorted(
         (path for path in folder.iterdir() if path.suffix in LANGUAGES),
@@ -53,20 +85,16 @@ def show_parts(app, docname, source):
     )
     listings = "".join(
         f"```{{literalinclude}} {path.name}\n:language: {LANGUAGES[path.suffix]}\n:caption: {path.name}\n```\n\n"
+        + f"{{download}}`Download this model <{path.name}>`\n\n" * (path.suffix == ".yaml")
         for path in files
     )
-    shown = ""
-    if run:
-        place = Path(app.doctreedir) / "lessons" / page[1]
-        place.parent.mkdir(parents=True, exist_ok=True)
-        names = [name.replace("--plot", "run") for name in pictures(commands[0])]
-        shown = "\n" + "".join(
-            f"![{NAMES.get(name, name).capitalize()}]({os.path.relpath(path, folder)})\n\n"
-            for name, path in zip(names, draw(folder / run[1], names, place))
-        )
-    # Every number gets a line of its own.
-    rest = re.sub(r"(?m)^(?=Expect\b)", "\n", source[0][commands.end() :])
-    source[0] = source[0][: commands.start()] + listings + commands[0] + shown + rest
+    place = Path(app.doctreedir) / "lessons" / page[1]
+    place.parent.mkdir(parents=True, exist_ok=True)
+    shown = "".join(
+        f"![{words.capitalize()}]({os.path.relpath(path, folder)})\n\n"
+        for path, words in draw(commands_of(commands[1]), place)
+    )
+    source[0] = f"{text[: commands.start()]}{listings}{commands[0]}\n{shown}{text[commands.end() :]}"
 
 
 def setup(app):

@@ -100,7 +100,7 @@ def show_block(translator, node):
 
 
 def rst(text):
-    """A comment or docstring: an indented block is code, everything else but `names` as it stands."""
+    """A comment or docstring as reStructuredText: an indented block is code; other text is unchanged except for `names`."""
     rows, is_code = [], False
     for row in text.splitlines():
         if row.startswith("    ") and not is_code:
@@ -109,7 +109,7 @@ def rst(text):
         elif is_code and row.strip() and not row.startswith("    "):
             rows.append("")
             is_code = False
-        # Outside of names in backticks every sign stands for itself, and "file:line" is no address.
+        # Outside names in backticks all signs are literal, and "file:line" is not a URL.
         parts = re.split(r"(`[^`]+`)", row)
         rows.append(
             row

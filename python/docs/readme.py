@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Keeps the outputs and tables of the README and the guide those of the program.
+"""Compares the outputs and tables in the README and the guide with those of the program, or writes them.
 
-    python3 python/docs/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
-    python3 python/docs/readme.py build/pounding --write    # writes them into the pages; --accuracy takes a minute more
+    python3 python/docs/readme.py build/pounding            # exit code 1 on a difference
+    python3 python/docs/readme.py build/pounding --write    # rewrites the pages; --accuracy takes a minute more
 
-A block stands between <!-- begin NAME --> and <!-- end NAME --> on one page. Seconds of wall time differ from run to
-run and are not compared.
+A block lies between <!-- begin NAME --> and <!-- end NAME --> on one page. Wall times differ between runs and are not
+compared.
 """
 
 import json
@@ -34,8 +34,8 @@ def records():
     return str(found[0])
 
 
-def fenced(text):
-    return f"```\n{text}\n```"
+def fenced(text, language="text"):
+    return f"```{language}\n{text}\n```"
 
 
 def demo(program):
@@ -48,7 +48,7 @@ def demo(program):
 
 def two_oscillators(program):
     command = ["run", "examples/02_two_oscillators/model.yaml"]
-    return fenced(f"$ build/pounding {' '.join(command)}\n{output(program, *command)}")
+    return fenced(f"$ build/pounding {' '.join(command)}\n{output(program, *command)}", "console")
 
 
 def laws(program):
@@ -58,7 +58,7 @@ def laws(program):
         direct = [f"`{p['name']}`" for p in law["parameters"] if p["need"].startswith("instead")]
         direct += [" and ".join(f"`{p['name']}`" for p in law["parameters"] if p["need"].startswith("together"))]
         rows.append(
-            f"| [`{law['name']}`](elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(filter(None, direct)) or '-'} |"
+            f"| [`{law['name']}`](../../../elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(filter(None, direct)) or '-'} |"
         )
     return "\n".join(rows)
 
@@ -93,7 +93,7 @@ def main():
         block = re.compile(rf"(<!-- begin {name} -->\n)(.*?)(<!-- end {name} -->)", re.DOTALL)
         holders = [page for page, text in texts.items() if block.search(text)]
         if len(holders) != 1:
-            sys.exit(f"the block {name} stands on {len(holders)} pages; it must stand on one")
+            sys.exit(f"the block {name} is on {len(holders)} pages instead of one")
         page, now = holders[0], make(program) + "\n"
         new = formatted(block.sub(lambda match: match.group(1) + now + match.group(3), texts[page]))
         if comparable(new) != comparable(texts[page]):
@@ -106,7 +106,7 @@ def main():
         print("written:", ", ".join(wrong) or "nothing")
     elif wrong:
         sys.exit(
-            f"the pages do not show what the program prints: {', '.join(wrong)}. "
+            f"pages differ from the output of the program: {', '.join(wrong)}. "
             f"Type: python3 {Path(__file__).relative_to(ROOT)} build/pounding --write"
         )
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the page of the input's words and the JSON schema of a model from what the program reads.
+"""Generates the page of the input keys and the JSON schema of a model from the tables of the program.
 
-    python3 python/docs/word_pages.py build/pounding --write    # the page and the schema
-    python3 python/docs/word_pages.py build/pounding --check    # refuses, with exit code 1, what says something else
+python3 python/docs/word_pages.py build/pounding --write    # the page and the schema
+python3 python/docs/word_pages.py build/pounding --check    # exit code 1 if they differ
 
-The page is python/docs/reference/words.md, the schema python/pounding/model.schema.json.
+
 """
 
 import json
@@ -16,16 +16,15 @@ PAGE = ROOT / "python/docs/reference/words.md"
 SCHEMA = ROOT / "python/pounding/model.schema.json"
 FIRST = "0.1.0"
 
-HEAD = """# Words of the input
+HEAD = """# Input keys
 
-Every key that a model may hold, as the program reads it; `pounding words` prints the same, and `pounding words gap` one key. Where
-the kind of a value is a quantity, a number alone is in the unit in brackets, and any other unit of the same dimension may stand behind
-it: `20 mm`. Names in capitals are free, `[]` is each member of a list. Every key has been there since version {first} unless it says
-otherwise. [Input](../guide/input.md) explains the same in order.
+All keys of a model, as `pounding words` prints them; add a name, such as `gap`, for one key. A quantity without a unit is in the unit
+in brackets; any unit of the same dimension may follow the number: `20 mm`. Names in capitals are free, `[]` is each member of a list.
+Every key exists since version {first} unless stated otherwise. [Input](../guide/input.md) introduces them.
 
 ## In an editor
 
-`pounding words --schema` prints a JSON schema (draft 2020-12); installed, it is `share/pounding/model.schema.json`, and in the Python
+The option `--schema` of that command prints a JSON schema (draft 2020-12); installed, it is `share/pounding/model.schema.json`, and in the Python
 package `pounding/model.schema.json`. In VS Code with the extension YAML (Red Hat), begin a model with
 
 ```yaml
@@ -33,8 +32,8 @@ package `pounding/model.schema.json`. In VS Code with the extension YAML (Red Ha
 ```
 
 or name it for all of them in `settings.json`: `"yaml.schemas": {{"/usr/local/share/pounding/model.schema.json": "models/*.yaml"}}`.
-The editor then completes keys and laws, shows what they mean, and underlines unknown keys, wrong types, units and ranges. What
-several keys say together, and whether names and records exist, `pounding check` tells.
+The editor then completes keys and laws, shows their meaning, and underlines unknown keys, wrong types, units and ranges.
+`pounding check` also checks combinations of keys and the existence of names and records.
 """
 
 

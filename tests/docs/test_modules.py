@@ -20,7 +20,7 @@ def declared():
             name, *rest = words.split()
             keyword, needs = None, []
             for word in rest:
-                if word in ("NEEDS", "WITH", "SOURCES", "BESIDE_THE_STEPS"):
+                if word in ("LIGHT", "NEEDS", "WITH", "SOURCES"):
                     keyword = word
                 elif keyword == "NEEDS":
                     needs.append(word)

@@ -91,6 +91,13 @@ class Pages(unittest.TestCase):
             tree = re.search(rf"(?m)^{part}/pounding/\n((?:  .*\n)+)", text).group(1)
             self.assertEqual(re.findall(r"(?m)^  (\w+)/", tree), declared)
 
+    def test_EveryFenceHasALanguage(self):
+        wrong = []
+        for page in [*pages(), *ROOT.glob("elements/pounding/*/pages/*.md"), ROOT / "tests/verification/README.md"]:
+            fences = re.findall(r"(?m)^ *(```.*)$", page.read_text())
+            wrong += [str(page.relative_to(ROOT))] * fences[::2].count("```")
+        self.assertEqual(wrong, [])
+
     def test_TheReadmeShowsTheFirstCommandOnTheFirstScreen(self):
         lines = (ROOT / "README.md").read_text().splitlines()
         self.assertLess(next(number for number, line in enumerate(lines) if line.startswith("make demo")), 20)

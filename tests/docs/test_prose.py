@@ -48,7 +48,9 @@ PATTERNS = {
     "contains, stores, satisfies": r"\b(?:knows?|wants?|sees?|feels?|wants) (?:of |no |nothing|only|its|their|how|whether|where|what)\b",
     "fails, yields": r"\bgives? way\b|\bgave way\b",
 }
-COMPILED = [(term, re.compile(pattern, re.IGNORECASE if "^" not in pattern else 0)) for term, pattern in PATTERNS.items()]
+COMPILED = [
+    (term, re.compile(pattern, re.IGNORECASE if "^" not in pattern else 0)) for term, pattern in PATTERNS.items()
+]
 
 
 def marked_comments(text, mark):
@@ -128,7 +130,10 @@ def texts(path):
         return python_texts(text)
     if path.suffix == ".md":
         return markdown_paragraphs(text)
-    return [*marked_comments(text, MARKS[path.suffix]), *(cpp_messages(text) if path.suffix in (".hpp", ".cpp") else ())]
+    return [
+        *marked_comments(text, MARKS[path.suffix]),
+        *(cpp_messages(text) if path.suffix in (".hpp", ".cpp") else ()),
+    ]
 
 
 def hits(words):
@@ -139,7 +144,9 @@ def hits(words):
 def sources():
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
-            generated = "pages" in path.parts or path.name == "words.md" or path.parts[-2:] == ("verification", "README.md")
+            generated = (
+                "pages" in path.parts or path.name == "words.md" or path.parts[-2:] == ("verification", "README.md")
+            )
             if path.suffix in (*MARKS, ".py", ".md") and path.is_file() and "build" not in path.parts and not generated:
                 yield path
     yield from (ROOT / name for name in PAGES_AT_THE_TOP)

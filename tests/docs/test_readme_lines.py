@@ -32,7 +32,7 @@ def blocks(page, language):
     text, found = page.read_text(), []
     for match in FENCE.finditer(text):
         if match.group(1) == language:
-            below = re.match(r"\n\n```\n(.*?)^```$", text[match.end() :], re.DOTALL | re.MULTILINE)
+            below = re.match(r"\n\n```text\n(.*?)^```$", text[match.end() :], re.DOTALL | re.MULTILINE)
             found.append((match.group(2), below and below.group(1)))
     return found
 
@@ -254,7 +254,9 @@ class Models(Lines):
     def test_TheModelOfTheReadmePrintsWhatStandsBelowIt(self):
         readme = (ROOT / "README.md").read_text()
         (self.folder / "model.yaml").write_text(blocks(ROOT / "README.md", "yaml")[0][0])
-        printed = re.search(r"(?ms)^<!-- begin two_oscillators -->\n```\n\$ [^\n]*\n(.*?)^```$", readme).group(1)
+        printed = re.search(r"(?ms)^<!-- begin two_oscillators -->\n+```console\n\$ [^\n]*\n(.*?)^```$", readme).group(
+            1
+        )
         self.assertEqual(
             without_times(self.done(part("POUNDING_PROGRAM"), "run", "model.yaml")), without_times(printed)
         )

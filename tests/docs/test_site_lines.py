@@ -55,11 +55,10 @@ ELSEWHERE = {
 }
 
 
-def indented_lines(page):
-    """Commands of the lessons: indented lines after an empty one, those that end with a backslash joined to the
-    next."""
-    blocks = re.findall(r"(?m)(?:\A|\n)\n((?:    \S.*\n)(?:    .*\n)*)", page.read_text())
-    return [line for block in blocks for line in textwrap.dedent(block).replace("\\\n", "").splitlines()]
+def command_lines(page):
+    """Commands of a lesson: lines of its fences for the shell, continued lines joined."""
+    blocks = re.findall(r"(?ms)^```sh\n(.*?)^```$", page.read_text())
+    return [line for block in blocks for line in block.replace("\\\n", "").splitlines()]
 
 
 def code_in_sentences(pages):
@@ -90,7 +89,7 @@ class CommandsOfLessons(Lines):
     def test_AreRun(self):
         count = 0
         for page in LESSONS:
-            for line in indented_lines(page):
+            for line in command_lines(page):
                 for command in line.split(" && "):
                     words = shlex.split(command, comments=True)
                     if "build/pounding" in words:  # behind what is set for it

@@ -1,12 +1,13 @@
-"""Numbers that the README of a lesson states, and the changes of its model that they belong to.
+"""Numbers that the README of a lesson states in HTML comments, and the changes of its model that they belong to.
 
+    <!--
     Expect: `links/left-right/peak_force = 7178400` within 1e-5
-    Expect of `other.yaml` with `gap: 40 mm` instead of `gap: 20 mm`: `energy/impact = 41.5` and `links/a/impacts = 2`
-    within 1e-4 Expect without `wave: {velocity: 500 m/s, direction: x}`: `links/joint/impacts = 0` within 0
+    Expect of `other.yaml` with `gap: 40 mm` instead of `gap: 20 mm`: `energy/impact = 41.5` and `links/a/impacts = 2` within 1e-4
+    Expect without `wave: {velocity: 500 m/s, direction: x}`: `links/joint/impacts = 0` within 0
+    -->
 
-Before `=` stands the place in the object that `pounding run --json` prints, behind it the value in SI; the tolerance is
-relative. A change is made wherever its text stands in the model, as a reader does it; "without" takes a whole line
-away.
+The path before `=` locates the value in the output of `pounding run --json`; the value is in SI units and the tolerance is
+relative. A change applies to every occurrence of its text in the model; "without" removes a whole line.
 """
 
 import re
@@ -91,7 +92,7 @@ def unfounded(text, stated, models):
     given = " ".join([*models, *(new or "" for one in stated for _, new in one.changes)])
     values = [one.value for one in stated]
     ratios = [one.value / other.value for one in stated for other in stated if other.kind == one.kind and other.value]
-    text = re.sub(r"(?m)^Expect\b(?:.|\n)*?within \S+", "", text)
+    text = re.sub(r"(?s)<!--.*?-->", "", text)
     wrong = []
     for said in FIGURE.finditer(" ".join(re.sub(CODE, "", text).split())):
         figure, unit = float(said["figure"]), said["unit"]

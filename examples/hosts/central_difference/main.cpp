@@ -1,4 +1,4 @@
-// Two oscillators of examples/02 in a central-difference code of its own, with a contact law from the headers.
+// Two oscillators of examples/02 in a separate central-difference code, with a contact law from the headers.
 //   two_oscillators [STEPS]     prints the peak displacements [m], the peak force [N] and the number of impacts
 #include <algorithm>
 #include <cmath>

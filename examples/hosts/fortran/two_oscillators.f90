@@ -22,7 +22,7 @@ program two_oscillators
                                 pnd_value('restitution', 0.65_real64), pnd_value('reduced_mass', 6e4_real64)], law))
   do n = 1, steps
     call advance(-mass*3*sin(2*pi*n*h/0.6_real64))
-    ! The step is kept: an impact begins, goes on, or ends.
+    ! The step is accepted: an impact begins, continues or ends.
     touched = contact%touching > 0
     call stop_at_error(pnd_accept(law, dot_product(closes, u) - gap, dot_product(closes, v), contact))
     if (contact%touching > 0 .and. .not. touched) impacts = impacts + 1

@@ -1,4 +1,4 @@
-// Two oscillators of examples/02 in a PETSc program of its own: a GapLink in its TSALPHA2, on its communicator.
+// Two oscillators of examples/02 in a separate PETSc program: a GapLink in its TSALPHA2, on its communicator.
 //   petsc_alpha2 [-steps 30000]     prints the peak displacements [m], the peak force [N] and the number of impacts
 // Every TS, SNES and KSP option works: -ts_monitor, -snes_monitor, -ts_alpha_radius 0.9 ...
 #include <petscts.h>

@@ -1,9 +1,9 @@
 ! Pounding between two nodes as a user element of Abaqus/Standard: direct integration (HHT) of LFLAGS(1) = 11, 12.
 !
-! Two nodes, one degree of freedom each; the second node stands on the positive side of the first.
+! Two nodes, one degree of freedom each; the second node lies on the positive side of the first.
 ! PROPS(1:4)   gap [m], stiffness [N/m^1.5], restitution [-], reduced mass [kg] of the law jankowski
 ! SVARS(1:8)   the impact, pnd_contact; zeros at the start
-! SVARS(9)     force at the end of the last increment [N], which HHT asks for
+! SVARS(9)     force at the end of the last increment [N], which HHT requires
 subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, coords, mcrd, nnode, u, du, v, a, jtype, &
                time, dtime, kstep, kinc, jelem, params, ndload, jdltyp, adlmag, predef, npredf, lflags, mlvarx, ddlmag, &
                mdload, pnewdt, jprops, njprop, period)
