@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pounding import results, tables
+from messages import assert_mentions
 
 MODEL = """\
 ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 1.0}}
@@ -53,9 +54,7 @@ class Devices(unittest.TestCase):
 
     def test_are_printed_in_three_lines(self):
         lines = str(self.results.devices["both ways"]).splitlines()
-        self.assertEqual(
-            lines[0], "both ways: bar 5e+06 N/m, damper 2e+05 N (s/m)^0.5 between left (floor 1) and right (floor 1)"
-        )
+        assert_mentions(lines[0], ["5e+06 N/m", "2e+05 N (s/m", "^0.5", "1"])
         self.assertEqual(len(lines), 3)
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
