@@ -174,22 +174,10 @@ class Lesson(unittest.TestCase):
             if line.startswith("link ")
         ]
         pairs = {frozenset(end.split(".")[0] for end in name.split("#")[0].split("-")) for name in names}
-        ring = [
-            "south_west",
-            "south1",
-            "south2",
-            "south_east",
-            "east1",
-            "east2",
-            "east3",
-            "north_east",
-            "north2",
-            "north1",
-            "north_west",
-            "west3",
-            "west2",
-            "west1",
-        ]
+        ring = """
+            south_west south1 south2 south_east east1 east2 east3 north_east north2 north1 north_west
+            west3 west2 west1
+        """.split()
         self.assertEqual(pairs, {frozenset(pair) for pair in zip(ring, ring[1:] + ring[:1])})
         self.assertEqual(set(made.structures), set(ring))
 

@@ -71,19 +71,10 @@ class Rows(unittest.TestCase):
             plan_of(
                 engine="solver",
                 without_links="yes",
-                keep=[
-                    "displacement",
-                    "acceleration",
-                    "drift",
-                    "force",
-                    "penetration",
-                    "impacts",
-                    "impulse",
-                    "energy_lost",
-                    "required_gap",
-                    "gap_abs",
-                    "gap_srss",
-                ],
+                keep="""
+                    displacement acceleration drift force penetration impacts impulse energy_lost
+                    required_gap gap_abs gap_srss
+                """.split(),
             ),
             None,
             workers=0,
