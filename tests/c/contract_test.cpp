@@ -11,6 +11,7 @@
 #include <pounding/laws/free_impact.hpp>
 #include "ball_on_wall.h"
 #include "made.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace contract_test {
@@ -231,10 +232,7 @@ TEST(CInterface, RefusesAContactThatIsFarSofterThanItsDesign) {
   pnd_contact contact{};
   ASSERT_EQ(pnd_touch(law.get(), 0, &contact), PND_OK);
   EXPECT_EQ(pnd_accept(law.get(), 1e-3, 0.1, &contact), PND_BAD_ARGUMENT);
-  EXPECT_NE(std::string(pnd_error_text())
-                .find("bilinear_hertz takes its stiffness from the closing speed, 0 m/s in this impact"),
-            std::string::npos)
-      << pnd_error_text();
+  EXPECT_TRUE(test::mentions(pnd_error_text(), {"bilinear_hertz", "0 m/s"}));
   contact = {};
   ASSERT_EQ(pnd_touch(law.get(), 0.5, &contact), PND_OK);
   EXPECT_EQ(pnd_accept(law.get(), 1e-3, 0.1, &contact), PND_OK);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "made.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace errors_test {
@@ -19,10 +20,10 @@ test::LawInC hertz_damped() {
       {.law = "hertz_damped", .formula = {}, .restitution = 0.65, .values = {{"stiffness", 2.75e9}}});
 }
 
-#define EXPECT_REFUSED(call, words)        \
-  do {                                     \
-    EXPECT_EQ(call, PND_BAD_ARGUMENT);     \
-    EXPECT_STREQ(pnd_error_text(), words); \
+#define EXPECT_REFUSED(call, ...)                                 \
+  do {                                                            \
+    EXPECT_EQ(call, PND_BAD_ARGUMENT);                            \
+    EXPECT_TRUE(test::mentions(pnd_error_text(), {__VA_ARGS__})); \
   } while (false)
 
 TEST(CInterfaceErrors, TextIsEmptyBeforeTheFirst) {
@@ -36,18 +37,16 @@ TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
   const pnd_value soft[] = {{"stiffness", -1}, {"restitution", 0.65}};
   const pnd_value twice[] = {{"stiffness", 1}, {"stiffness", 2}}, nameless[] = {{nullptr, 1}};
   pnd_law* law = reinterpret_cast<pnd_law*>(&law);
-  EXPECT_REFUSED(pnd_create("hertz_damp", "", stiff, 2, &law),
-                 R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
+  EXPECT_REFUSED(pnd_create("hertz_damp", "", stiff, 2, &law), "hertz_damp", "hertz_damped");
   EXPECT_EQ(law, nullptr);
-  EXPECT_REFUSED(pnd_create("HERTZ", "", stiff, 1, &law), R"(unknown law "HERTZ". Did you mean "hertz"?)");
-  EXPECT_REFUSED(pnd_create("hertz_damped", "ye2009", stiff, 2, &law),
-                 R"(hertz_damped has no formula "ye2009". Did you mean "ye_2009"?)");
-  EXPECT_REFUSED(pnd_create("hertz_damped", "", soft, 2, &law), "stiffness is -1, but must be finite and positive");
-  EXPECT_REFUSED(pnd_create("hertz_damped", nullptr, stiff, 1, &law),
-                 "hertz_damped needs its damping: give restitution or damping_factor or damping_coefficient");
-  EXPECT_REFUSED(pnd_create("hertz", "", twice, 2, &law), "stiffness is given twice");
-  EXPECT_REFUSED(pnd_create("hertz", "", nameless, 1, &law), "name of a value is a null pointer");
-  EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, &law), "hertz needs stiffness (contact stiffness k)");
+  EXPECT_REFUSED(pnd_create("HERTZ", "", stiff, 1, &law), "HERTZ", "hertz");
+  EXPECT_REFUSED(pnd_create("hertz_damped", "ye2009", stiff, 2, &law), "ye2009", "ye_2009", "hertz_damped");
+  EXPECT_REFUSED(pnd_create("hertz_damped", "", soft, 2, &law), "-1", "stiffness");
+  EXPECT_REFUSED(pnd_create("hertz_damped", nullptr, stiff, 1, &law), "hertz_damped", "damping_factor",
+                 "damping_coefficient");
+  EXPECT_REFUSED(pnd_create("hertz", "", twice, 2, &law), "stiffness");
+  EXPECT_REFUSED(pnd_create("hertz", "", nameless, 1, &law), "name");
+  EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, &law), "hertz");
 }
 
 TEST(CInterfaceErrors, AMassThatIsNoMassIsRefused) {
@@ -56,7 +55,7 @@ TEST(CInterfaceErrors, AMassThatIsNoMassIsRefused) {
     for (const double mass : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
       const pnd_value values[] = {{"stiffness", 1e8}, {"damping_coefficient", 2e5}, {"reduced_mass", mass}};
       EXPECT_EQ(pnd_create(name, "", values, 3, &law), PND_BAD_ARGUMENT) << name << ' ' << mass;
-      EXPECT_EQ(std::string(pnd_error_text()).substr(0, 13), "reduced_mass ");
+      EXPECT_TRUE(test::mentions(pnd_error_text(), {"reduced_mass"}));
     }
 }
 
@@ -69,9 +68,9 @@ TEST(CInterfaceErrors, TextsOfTheCallerAreQuotedShortAndPrintable) {
   EXPECT_EQ(text.substr(0, 417), "unknown law \"" + letters.substr(0, 400) + "...\"");
   size_t index = 0;
   EXPECT_EQ(pnd_find_law("her\x1b[31m\ntz", &index), PND_BAD_ARGUMENT);
-  EXPECT_EQ(std::string(pnd_error_text()).substr(0, 33), R"(unknown law "her\x1b[31m\ntz". Al)");
+  EXPECT_TRUE(test::mentions(pnd_error_text(), {R"("her\x1b[31m\ntz")"}));
   const pnd_value twice[] = {{letters.c_str(), 1}, {letters.c_str(), 2}};
-  EXPECT_REFUSED(pnd_create("hertz", "", twice, 2, &law), (letters.substr(0, 400) + "... is given twice").c_str());
+  EXPECT_REFUSED(pnd_create("hertz", "", twice, 2, &law), letters.substr(0, 400) + "...");
 }
 
 TEST(CInterfaceErrors, NullPointersAreErrors) {
@@ -81,25 +80,25 @@ TEST(CInterfaceErrors, NullPointersAreErrors) {
   pnd_free_impact result{};
   size_t index = 0;
   pnd_law* made = nullptr;
-  EXPECT_REFUSED(pnd_create(nullptr, "", nullptr, 0, &made), "law is a null pointer");
-  EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 1, &made), "values is a null pointer");
-  EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, nullptr), "made is a null pointer");
-  EXPECT_REFUSED(pnd_touch(nullptr, 1, &contact), "law is a null pointer");
-  EXPECT_REFUSED(pnd_touch(law.get(), 1, nullptr), "contact is a null pointer");
-  EXPECT_REFUSED(pnd_respond(nullptr, &contact, 0, 0, &response), "law is a null pointer");
-  EXPECT_REFUSED(pnd_respond(law.get(), nullptr, 0, 0, &response), "contact is a null pointer");
-  EXPECT_REFUSED(pnd_respond(law.get(), &contact, 0, 0, nullptr), "response is a null pointer");
-  EXPECT_REFUSED(pnd_accept(nullptr, 0, 0, &contact), "law is a null pointer");
-  EXPECT_REFUSED(pnd_accept(law.get(), 0, 0, nullptr), "contact is a null pointer");
-  EXPECT_REFUSED(pnd_separate(nullptr, 0, &contact), "law is a null pointer");
-  EXPECT_REFUSED(pnd_separate(law.get(), 0, nullptr), "contact is a null pointer");
-  EXPECT_REFUSED(pnd_collide(nullptr, 1, 1, &result), "law is a null pointer");
-  EXPECT_REFUSED(pnd_collide(law.get(), 1, 1, nullptr), "result is a null pointer");
-  EXPECT_REFUSED(pnd_find_law(nullptr, &index), "name is a null pointer");
-  EXPECT_REFUSED(pnd_find_law("hertz", nullptr), "law is a null pointer");
-  EXPECT_REFUSED(pnd_describe_law(0, nullptr), "info is a null pointer");
-  EXPECT_REFUSED(pnd_describe_parameter(0, 0, nullptr), "info is a null pointer");
-  EXPECT_REFUSED(pnd_describe_formula(0, 0, nullptr), "info is a null pointer");
+  EXPECT_REFUSED(pnd_create(nullptr, "", nullptr, 0, &made), "law");
+  EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 1, &made), "values");
+  EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, nullptr), "made");
+  EXPECT_REFUSED(pnd_touch(nullptr, 1, &contact), "law");
+  EXPECT_REFUSED(pnd_touch(law.get(), 1, nullptr), "contact");
+  EXPECT_REFUSED(pnd_respond(nullptr, &contact, 0, 0, &response), "law");
+  EXPECT_REFUSED(pnd_respond(law.get(), nullptr, 0, 0, &response), "contact");
+  EXPECT_REFUSED(pnd_respond(law.get(), &contact, 0, 0, nullptr), "response");
+  EXPECT_REFUSED(pnd_accept(nullptr, 0, 0, &contact), "law");
+  EXPECT_REFUSED(pnd_accept(law.get(), 0, 0, nullptr), "contact");
+  EXPECT_REFUSED(pnd_separate(nullptr, 0, &contact), "law");
+  EXPECT_REFUSED(pnd_separate(law.get(), 0, nullptr), "contact");
+  EXPECT_REFUSED(pnd_collide(nullptr, 1, 1, &result), "law");
+  EXPECT_REFUSED(pnd_collide(law.get(), 1, 1, nullptr), "result");
+  EXPECT_REFUSED(pnd_find_law(nullptr, &index), "name");
+  EXPECT_REFUSED(pnd_find_law("hertz", nullptr), "law");
+  EXPECT_REFUSED(pnd_describe_law(0, nullptr), "info");
+  EXPECT_REFUSED(pnd_describe_parameter(0, 0, nullptr), "info");
+  EXPECT_REFUSED(pnd_describe_formula(0, 0, nullptr), "info");
   pnd_destroy(nullptr);
 }
 
@@ -109,30 +108,30 @@ TEST(CInterfaceErrors, ValuesThatAreNoNumbersChangeNothing) {
   ASSERT_EQ(pnd_touch(law.get(), 0.5, &contact), PND_OK);
   const pnd_contact before = contact;
   pnd_response response{7, 8, 9};
-  EXPECT_REFUSED(pnd_respond(law.get(), &contact, nan, 0, &response), "penetration is nan, but must be finite");
-  EXPECT_REFUSED(pnd_respond(law.get(), &contact, 0, nan, &response), "rate is nan, but must be finite");
+  EXPECT_REFUSED(pnd_respond(law.get(), &contact, nan, 0, &response), "penetration");
+  EXPECT_REFUSED(pnd_respond(law.get(), &contact, 0, nan, &response), "rate");
   EXPECT_EQ(response.force, 7);
-  EXPECT_REFUSED(pnd_accept(law.get(), nan, 0, &contact), "penetration is nan, but must be finite");
-  EXPECT_REFUSED(pnd_accept(law.get(), 0, nan, &contact), "rate is nan, but must be finite");
-  EXPECT_REFUSED(pnd_separate(law.get(), nan, &contact), "penetration is nan, but must be finite");
+  EXPECT_REFUSED(pnd_accept(law.get(), nan, 0, &contact), "penetration");
+  EXPECT_REFUSED(pnd_accept(law.get(), 0, nan, &contact), "rate");
+  EXPECT_REFUSED(pnd_separate(law.get(), nan, &contact), "penetration");
   EXPECT_EQ(std::memcmp(&contact, &before, sizeof before), 0);
 }
 
 TEST(CInterfaceErrors, ImpactsBeginAndEndInTurn) {
   const test::LawInC law = hertz_damped();
   pnd_contact contact{};
-  EXPECT_REFUSED(pnd_separate(law.get(), 0, &contact), "there is no impact to end: pnd_touch or pnd_accept begins one");
-  EXPECT_REFUSED(pnd_touch(law.get(), -0.5, &contact), "closing_speed is -0.5, but must be finite and not negative");
+  EXPECT_REFUSED(pnd_separate(law.get(), 0, &contact), "pnd_touch", "pnd_accept");
+  EXPECT_REFUSED(pnd_touch(law.get(), -0.5, &contact), "closing_speed", "-0.5");
   EXPECT_EQ(contact.touching, 0);
   ASSERT_EQ(pnd_touch(law.get(), 0.5, &contact), PND_OK);
-  EXPECT_REFUSED(pnd_touch(law.get(), 0.5, &contact), "the impact before has not ended: pnd_separate ends it");
+  EXPECT_REFUSED(pnd_touch(law.get(), 0.5, &contact), "pnd_separate");
 }
 
 TEST(CInterfaceErrors, FreeImpactsNeedAMassAndASpeed) {
   const test::LawInC law = hertz_damped();
   pnd_free_impact result{};
-  EXPECT_REFUSED(pnd_collide(law.get(), 0, 1, &result), "reduced_mass is 0, but must be finite and positive");
-  EXPECT_REFUSED(pnd_collide(law.get(), 1, nan, &result), "closing_speed is nan, but must be finite and positive");
+  EXPECT_REFUSED(pnd_collide(law.get(), 0, 1, &result), "reduced_mass", "0");
+  EXPECT_REFUSED(pnd_collide(law.get(), 1, nan, &result), "closing_speed");
 }
 
 TEST(CInterfaceErrors, LongTextIsCutAndEndsWithAZero) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "made.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace lists_test {
@@ -94,13 +95,13 @@ TEST(CInterfaceLists, WhatDoesNotExistIsRefused) {
   pnd_parameter_info parameter{};
   pnd_formula_info formula{};
   EXPECT_EQ(pnd_find_law("hertz_damp", &index), PND_BAD_ARGUMENT);
-  EXPECT_STREQ(pnd_error_text(), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
+  EXPECT_TRUE(test::mentions(pnd_error_text(), {"hertz_damp", "hertz_damped"}));
   EXPECT_EQ(pnd_describe_law(99, &law), PND_BAD_ARGUMENT);
-  EXPECT_STREQ(pnd_error_text(), "there is no law 99; there are 17");
+  EXPECT_TRUE(test::mentions(pnd_error_text(), {"99", "17"}));
   EXPECT_EQ(pnd_describe_parameter(0, 9, &parameter), PND_BAD_ARGUMENT);
-  EXPECT_STREQ(pnd_error_text(), "linear_spring has no parameter 9; it has 1");
+  EXPECT_TRUE(test::mentions(pnd_error_text(), {"linear_spring", "9"}));
   EXPECT_EQ(pnd_describe_formula(0, 0, &formula), PND_BAD_ARGUMENT);
-  EXPECT_STREQ(pnd_error_text(), "linear_spring has no formula 0; it has 0");
+  EXPECT_TRUE(test::mentions(pnd_error_text(), {"linear_spring"}));
 }
 
 TEST(CInterfaceLists, VersionsAreThoseOfTheLibrary) {

@@ -13,6 +13,7 @@
 
 #include <pounding.h>
 #include <pounding/hysteresis/all.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace yielding_test {
@@ -47,10 +48,10 @@ std::vector<hysteresis::Settings> every_setting() {
   return all;
 }
 
-#define EXPECT_REFUSED(call, words)        \
-  do {                                     \
-    EXPECT_EQ(call, PND_BAD_ARGUMENT);     \
-    EXPECT_STREQ(pnd_error_text(), words); \
+#define EXPECT_REFUSED(call, ...)                                 \
+  do {                                                            \
+    EXPECT_EQ(call, PND_BAD_ARGUMENT);                            \
+    EXPECT_TRUE(test::mentions(pnd_error_text(), {__VA_ARGS__})); \
   } while (false)
 
 TEST(YieldingInC, AnswersAsCppDoesToTheBit) {
@@ -114,28 +115,24 @@ TEST(YieldingInC, EveryPathBeginsUndeformed) {
 TEST(YieldingInC, RefusalsSayWhatIsAllowed) {
   pnd_yielding* law = nullptr;
   const std::array steel{pnd_value{"stiffness", 2e7}, pnd_value{"yield_force", 1.5e5}};
-  EXPECT_REFUSED(pnd_create_yielding("bouc_wenn", steel.data(), 2, nullptr, 0, &law),
-                 "unknown law of yielding \"bouc_wenn\". Did you mean \"bouc_wen\"?");
-  EXPECT_REFUSED(pnd_create_yielding("bilinear", steel.data(), 1, nullptr, 0, &law),
-                 "bilinear needs yield_force (force at the first yield Fy)");
+  EXPECT_REFUSED(pnd_create_yielding("bouc_wenn", steel.data(), 2, nullptr, 0, &law), "bouc_wenn", "bouc_wen");
+  EXPECT_REFUSED(pnd_create_yielding("bilinear", steel.data(), 1, nullptr, 0, &law), "yield_force");
   const std::array twice{steel[0], steel[0]};
-  EXPECT_REFUSED(pnd_create_yielding("bilinear", twice.data(), 2, nullptr, 0, &law), "stiffness is given twice");
+  EXPECT_REFUSED(pnd_create_yielding("bilinear", twice.data(), 2, nullptr, 0, &law), "stiffness");
   const std::array negative{steel[0], pnd_value{"yield_force", -1}};
-  EXPECT_REFUSED(pnd_create_yielding("bilinear", negative.data(), 2, nullptr, 0, &law),
-                 "yield_force is -1, but must be finite and positive");
+  EXPECT_REFUSED(pnd_create_yielding("bilinear", negative.data(), 2, nullptr, 0, &law), "yield_force", "-1");
   const pnd_word wrong{"memory", "lost"};
-  EXPECT_REFUSED(pnd_create_yielding("menegotto_pinto", steel.data(), 2, &wrong, 1, &law),
-                 "memory of menegotto_pinto cannot be \"lost\". Did you mean \"last\"?");
+  EXPECT_REFUSED(pnd_create_yielding("menegotto_pinto", steel.data(), 2, &wrong, 1, &law), "lost", "last",
+                 "menegotto_pinto");
   EXPECT_EQ(law, nullptr);
-  EXPECT_REFUSED(pnd_create_yielding("bilinear", nullptr, 2, nullptr, 0, &law), "values is a null pointer");
-  EXPECT_REFUSED(pnd_create_yielding(nullptr, nullptr, 0, nullptr, 0, &law), "law is a null pointer");
+  EXPECT_REFUSED(pnd_create_yielding("bilinear", nullptr, 2, nullptr, 0, &law), "values");
+  EXPECT_REFUSED(pnd_create_yielding(nullptr, nullptr, 0, nullptr, 0, &law), "law");
   const YieldingInC made = made_in_c({.law = "bilinear", .values = {{"stiffness", 2e7}, {"yield_force", 1.5e5}}});
   const std::array path{0.01, std::numeric_limits<double>::quiet_NaN()};
   std::array<double, 2> force{7, 7};
-  EXPECT_REFUSED(pnd_follow(made.get(), path.data(), 2, force.data(), nullptr, nullptr),
-                 "deformation[1] is nan, but must be finite");
+  EXPECT_REFUSED(pnd_follow(made.get(), path.data(), 2, force.data(), nullptr, nullptr), "[1]");
   EXPECT_EQ(force, (std::array<double, 2>{7, 7})) << "nothing is changed";
-  EXPECT_REFUSED(pnd_follow(nullptr, path.data(), 1, force.data(), nullptr, nullptr), "law is a null pointer");
+  EXPECT_REFUSED(pnd_follow(nullptr, path.data(), 1, force.data(), nullptr, nullptr), "law");
   EXPECT_EQ(pnd_follow(made.get(), nullptr, 0, nullptr, nullptr, nullptr), PND_OK);
   pnd_destroy_yielding(nullptr);
 }
@@ -170,7 +167,7 @@ TEST(YieldingInC, ListsAreThoseOfTheLibrary) {
   const std::string none = "there is no law of yielding 99; there are " + std::to_string(pnd_yielding_count());
   EXPECT_REFUSED(pnd_describe_yielding(99, &info), none.c_str());
   pnd_parameter_info parameter{};
-  EXPECT_REFUSED(pnd_describe_yielding_parameter(0, 99, &parameter), "bilinear has no parameter 99; it has 4");
+  EXPECT_REFUSED(pnd_describe_yielding_parameter(0, 99, &parameter), "99", "4");
 }
 
 }  // namespace yielding_test

@@ -11,6 +11,7 @@
 #include <pounding/core/names.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/laws/excerpt.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace text_test {
@@ -49,14 +50,14 @@ TEST(Excerpt, OfAWholeMessageKeepsLines) {
 
 TEST(WrongText, IsFoundAtItsLineAndColumn) {
   EXPECT_EQ(place_in("a\tb\r\nZ\u00fcrich\n"), "");
-  EXPECT_EQ(place_in("a: 1\n# \u00e4\xe4\n").substr(0, 32), "2:4: the byte E4 is no UTF-8; sa");
-  EXPECT_EQ(place_in("a\rb\n").substr(0, 31), "1:2: a carriage return stands a");
-  EXPECT_EQ(place_in("a\n\0b"sv), R"(2:1: the control character \x00 stands here; delete it)");
-  EXPECT_EQ(place_in("\xff\xfe"
-                     "a\0"sv),
-            "1:1: this file is in UTF-16; save it as UTF-8");
-  EXPECT_EQ(place_in("\0a\0b"sv), "1:1: this file is in UTF-16; save it as UTF-8");
-  EXPECT_EQ(place_in("\xff\xfe\0\0a\0\0\0"sv), "1:1: this file is in UTF-32; save it as UTF-8");
+  EXPECT_TRUE(test::mentions(place_in("a: 1\n# \u00e4\xe4\n").substr(0, 32), {"2:4", "E4", "UTF-8"}));
+  EXPECT_TRUE(test::mentions(place_in("a\rb\n").substr(0, 31), {"1:2"}));
+  EXPECT_TRUE(test::mentions(place_in("a\n\0b"sv), {"2:1", "x00"}));
+  EXPECT_TRUE(test::mentions(place_in("\xff\xfe"
+                                      "a\0"sv),
+                             {"1:1", "UTF-16", "UTF-8"}));
+  EXPECT_TRUE(test::mentions(place_in("\0a\0b"sv), {"1:1", "UTF-16", "UTF-8"}));
+  EXPECT_TRUE(test::mentions(place_in("\xff\xfe\0\0a\0\0\0"sv), {"1:1", "UTF-32", "UTF-8"}));
 }
 
 TEST(ShownLine, TakesOtherBytesAsLatin1) {
@@ -73,8 +74,8 @@ TEST(Parts, LieBetweenSeparatorsAndAreNotEmpty) {
 
 TEST(Names, AreShortAndWithoutControlCharacters) {
   EXPECT_EQ(wrong_name("Hochhaus \u00e4"), "");
-  EXPECT_EQ(wrong_name("a\nb"), R"(the name "a\nb" holds a control character; type letters, digits and blanks)");
-  EXPECT_EQ(wrong_name("\xe4"), R"(the name "\xe4" holds bytes that are no UTF-8; type letters, digits and blanks)");
+  EXPECT_TRUE(test::mentions(wrong_name("a\nb"), {"a\\nb"}));
+  EXPECT_TRUE(test::mentions(wrong_name("\xe4"), {"\\xe4", "UTF-8"}));
   EXPECT_NE(wrong_name(std::string(201, 'n')), "");
 }
 

@@ -19,6 +19,7 @@
 #include <pounding/input/frame_input.hpp>
 #include "support/book.hpp"
 #include "support/dense.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace frame_structure_test {
@@ -39,13 +40,9 @@ VectorXd solve(const Structure& s, const VectorXd& load) { return test::dense::s
 
 double relative(const SparseMatrix& a, const SparseMatrix& b) { return (a - b).norm() / b.norm(); }
 
-void refused(const std::function<void()>& act, const std::string& text) {
-  try {
-    act();
-    ADD_FAILURE() << "not refused: " << text;
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(error.what(), text);
-  }
+void refused(const std::function<void()>& act, const test::Facts& facts,
+             std::source_location line = std::source_location::current()) {
+  test::expect_message(test::refusal(act), "", facts, line);
 }
 
 const std::string material = "material: {E: 30 GPa}\n";
@@ -354,8 +351,8 @@ TEST(FrameSurface, AFloorInThePlaneIsTouchedAtItsOutermostNode) {
   EXPECT_EQ(right.motion[1].size(), s.size());
   EXPECT_EQ(right.motion[1].nonZeros(), 0);
   EXPECT_EQ(right.member, -1);
-  refused([&] { s.surface->floor(1, Side::plus_y, 0); }, "a plane frame is touched along x only");
-  refused([&] { s.surface->floor(2, Side::plus_x, 0); }, "there is no floor 3 among 2");
+  refused([&] { s.surface->floor(1, Side::plus_y, 0); }, {"x"});
+  refused([&] { s.surface->floor(2, Side::plus_x, 0); }, {"3", "2"});
 }
 
 TEST(FrameSurface, APointOnARigidFloorTurnsWithIt) {
@@ -380,18 +377,14 @@ TEST(FrameSurface, APointOnARigidFloorTurnsWithIt) {
   lift[unknown(s, "node 2.2.0 uz")] = 0.02;
   lift[unknown(s, "node 2.2.1 uz")] = 0.04;
   EXPECT_NEAR(motion(right, 2, lift), 0.035, 1e-15);
-  refused([&] { s.surface->floor(1, Side::plus_x, 5); },
-          "the edge of floor 2 goes from 0 mm to 4 m, and 5 m lies beside it");
+  refused([&] { s.surface->floor(1, Side::plus_x, 5); }, {"0 mm", "4 m", "5 m", "2"});
 }
 
 TEST(FrameSurface, AFlexibleFloorIsTouchedOnItsEdgeBeam) {
   std::string yaml = space_grid;
   yaml.replace(yaml.find("floor_mass"), 0, "rigid_floors: false, ");
   const Structure light = structure(yaml);
-  refused([&] { light.surface->floor(0, Side::plus_x, 2); },
-          "a push there acts on rz of node 1.2.0, which has no mass; type masses: {1.2.0: {rz: 100 kg m^2}}, or mass: "
-          "consistent with a "
-          "density");
+  refused([&] { light.surface->floor(0, Side::plus_x, 2); }, {"masses: {1.2.0: {rz: 100 kg m^2}}", "mass: consistent"});
   EXPECT_EQ(light.surface->floor(0, Side::plus_x, 4).member, -1) << "at the node itself nothing turns";
   const Structure s = structure(yaml + "masses: {1.2.0: {rz: 100}, 1.2.1: {rz: 100}}\n");
   const ContactPoint point = s.surface->floor(0, Side::plus_x, 1);
@@ -424,11 +417,9 @@ TEST(FrameSurface, AColumnIsTouchedBetweenItsFloors) {
   EXPECT_EQ(at_floor.member, -1);
   EXPECT_EQ(at_floor.position, Vector3d(11, 0, 4));
   EXPECT_NEAR(at_floor.mass, 30e3, 1e-8);
-  refused([&] { s.surface->column(7.5, Side::plus_x, 0); },
-          "there is no column 7.5 m up; its members reach from 0 mm to 7 m");
+  refused([&] { s.surface->column(7.5, Side::plus_x, 0); }, {"7.5 m", "0 mm", "7 m"});
   refused([&] { structure(shear_grid).surface->column(5.5, Side::plus_x, 0); },
-          "a push there acts on ry of node 1.2, which has no mass; type masses: {1.2: {ry: 100 kg m^2}}, or mass: "
-          "consistent with a density");
+          {"masses: {1.2: {ry: 100 kg m^2}}", "mass: consistent"});
 }
 
 TEST(FrameSurface, InSpaceTheColumnNearestToThePointIsTouched) {
@@ -463,7 +454,7 @@ TEST(FrameSurface, NodesAreTouchedByName) {
   const ContactPoint point = s.surface->node("2.2");
   EXPECT_EQ(point.position, Vector3d(11, 0, 7));
   EXPECT_NEAR(point.mass, 20e3, 1e-8) << "the rigid floor moves with it";
-  refused([&] { s.surface->node("2.3"); }, "unknown node \"2.3\". Did you mean \"2.0\"?");
+  refused([&] { s.surface->node("2.3"); }, {"2.3", "2.0"});
 }
 
 // A rod on a rotational spring at its foot, a weight on top: it falls over where the weight exceeds spring/length.
@@ -472,15 +463,6 @@ std::string inverted_pendulum(double weight, const std::string& more = "") {
          "nodes: {a: [0, 0], b: [0, 2]}\nmembers: {rod: {between: [a, b], section: s}}\n"
          "supports: {a: {fix: [ux, uz], springs: {ry: 4000}" +
          more + "}}\nmasses: {b: " + std::to_string(weight / 9.80665) + "}\nfloors: [{nodes: [b]}]\n";
-}
-
-void refused_input(const std::string& yaml, const std::string& text) {
-  try {
-    structure(yaml);
-    ADD_FAILURE() << "not refused: " << text;
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), text);
-  }
 }
 
 TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
@@ -497,8 +479,8 @@ TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
 }
 
 TEST(TurningFrame, ThatFallsOverIsRefusedWithWhatItCarries) {
-  refused_input(inverted_pendulum(2500),
-                "test.yaml:1:1: the frame buckles under its own loads; it carries 0.800 of them");
+  test::expect_message(test::refusal<InputError>([] { structure(inverted_pendulum(2500)); }),
+                       "test.yaml:1:1: ", {"0.800"});
   structure(inverted_pendulum(1990));
 }
 
@@ -511,16 +493,12 @@ TEST(TurningFrame, RefusesWhatItWouldShowWrong) {
            "supports: {a: fixed, d: " +
            foot + "}\nmasses: {b: 1000, c: 1000}\nfloors: [{nodes: [b, c]}]\n";
   };
-  refused_input(portal("{fix: [ux, uz, ry], delay: 1 s}"),
-                "test.yaml:1:1: with geometry: corotational all supports move alike; leave out their delay and "
-                "ground_motion, or type geometry: p_delta");
+  test::expect_message(test::refusal<InputError>([&] { structure(portal("{fix: [ux, uz, ry], delay: 1 s}")); }),
+                       "test.yaml:1:1: ", {"geometry: p_delta"});
   const Structure s = structure(portal("fixed"));
-  refused([&] { s.supports_along({1, 0, 0}); },
-          "a wave moves the supports of a frame one after the other, and with geometry: corotational all move alike; "
-          "type geometry: p_delta");
+  refused([&] { s.supports_along({1, 0, 0}); }, {"geometry: p_delta"});
   EXPECT_EQ(s.supports_along({0, 0, 1}).size(), 1u);
-  refused([&] { s.surface->column(1.5, Side::plus_x, 0); },
-          "with geometry: corotational a member is not hit between its ends; put a node there");
+  refused([&] { s.surface->column(1.5, Side::plus_x, 0); }, {"geometry: corotational"});
   EXPECT_GT(s.surface->column(3, Side::plus_x, 0).mass, 0);
 }
 

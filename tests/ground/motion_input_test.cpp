@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/motion_section.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace motion_input_test {
@@ -58,7 +59,7 @@ TEST_F(MotionInput, DisplacementIsAHarmonicASumOrARecord) {
   const GroundMotion record = read("displacement: {record: moved.csv, scale: -0.5}");
   EXPECT_NEAR(record.displacement(0.5), -0.015, 1e-15);
   EXPECT_EQ(record.velocity(0), 0);
-  EXPECT_EQ(record.source(), "moved.csv, two columns in mm, 3 points every 0.5 s, displacements, times -0.5");
+  EXPECT_TRUE(test::mentions(record.source(), {"moved.csv", "0.5 s", "3", "-0.5"}));
   const GroundMotion moving = read("displacement: {record: moved.csv, scale: -0.5, initial_velocity: 0.1}");
   EXPECT_DOUBLE_EQ(moving.velocity(0), 0.1);
   EXPECT_NEAR(moving.displacement(1), -0.01, 1e-15);
@@ -73,72 +74,62 @@ TEST_F(MotionInput, RecordTakesAStepAndAChannel) {
 }
 
 TEST_F(MotionInput, RecordErrorsSayWhatToType) {
-  EXPECT_EQ(error("{record: bare.txt, units: gal}"),
-            "m.yaml:1:10: record: bare.txt:2: 1 number; the line before has 3; values at a fixed step need \"step:\", "
-            "such as "
-            "step: 0.01 s");
-  EXPECT_EQ(error("{record: bare.txt, step: 0.02}"),
-            "m.yaml:1:10: record: bare.txt: the file does not state the unit of its accelerations; add \"units:\" with "
-            "g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(error("{record: acc.csv, step: 0.02}"),
-            "m.yaml:1:10: record: acc.csv:2: the first column holds times, every 0.02 s; remove \"step\"");
-  EXPECT_EQ(error("{record: bare.txt, units: g, step: 0}"),
-            "m.yaml:1:36: step: takes a time > 0 such as \"0.5 s\"; \"0\" is outside");
-  EXPECT_EQ(error("{record: two.csv}"),
-            "m.yaml:1:10: record: two.csv: 2 channels; add \"channel:\" with the number or the component of "
-            "one: 1: ns, column 2; 2: ew, column 3");
-  EXPECT_EQ(error("{record: acc.csv, units: m/s^2}"),
-            "m.yaml:1:10: record: acc.csv:1: the file states g, but \"units\" says m/s^2; remove \"units\"");
-  EXPECT_EQ(error("{record: moved.csv}"),
-            "m.yaml:1:10: record: moved.csv:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, "
-            "cm/s^2 or gal; for displacements type displacement: {record: FILE}");
-  EXPECT_EQ(error("displacement: {record: acc.csv}"),
-            "m.yaml:1:24: displacement.record: acc.csv:1: \"g\" is not the unit of a displacement; allowed are m, cm, "
-            "mm or in");
-  EXPECT_EQ(error("displacement: {record: moved.csv, pga: 1}"),
-            "m.yaml:1:35: displacement: unknown key \"pga\". Allowed: record, channel, units, "
-            "step, scale, initial_velocity.");
+  EXPECT_TRUE(test::mentions(error("{record: bare.txt, units: gal}"),
+                             {"m.yaml:1:10", "record", "step: 0.01 s", "bare.txt:2", "3"}));
+  EXPECT_TRUE(test::mentions(error("{record: bare.txt, step: 0.02}"),
+                             {"m.yaml:1:10", "record", "units:", "bare.txt", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(
+      test::mentions(error("{record: acc.csv, step: 0.02}"), {"m.yaml:1:10", "record", "step", "acc.csv:2", "0.02 s"}));
+  EXPECT_TRUE(test::mentions(error("{record: bare.txt, units: g, step: 0}"), {"m.yaml:1:36", "step", "0.5 s"}));
+  EXPECT_TRUE(test::mentions(error("{record: two.csv}"), {"m.yaml:1:10", "record", "channel:", "two.csv", "2", "3"}));
+  EXPECT_TRUE(test::mentions(error("{record: acc.csv, units: m/s^2}"),
+                             {"m.yaml:1:10", "record", "units", "acc.csv:1", "m/s^2"}));
+  EXPECT_TRUE(test::mentions(
+      error("{record: moved.csv}"),
+      {"m.yaml:1:10", "record", "mm", "displacement: {record: FILE}", "moved.csv:1", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(test::mentions(error("displacement: {record: acc.csv}"),
+                             {"m.yaml:1:24", "displacement.record", "g", "acc.csv:1"}));
+  EXPECT_TRUE(test::mentions(error("displacement: {record: moved.csv, pga: 1}"),
+                             {"m.yaml:1:35", "displacement", "pga", "record", "channel", "units"}));
 }
 
 TEST_F(MotionInput, AnglesAreNotMistaken) {
-  EXPECT_EQ(
-      error("harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90}"),
-      "m.yaml:1:59: harmonic.phase: takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"90\" is 5156.62 deg");
-  EXPECT_EQ(error("harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 5 %}"),
-            "m.yaml:1:59: harmonic.phase: takes an angle such as \"90 deg\"; \"5 %\" is none");
-  EXPECT_EQ(error("harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90 s}"),
-            "m.yaml:1:59: harmonic.phase: takes a number such as \"5 %\"; \"90 s\" is a time");
+  EXPECT_TRUE(test::mentions(error("harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90}"),
+                             {"m.yaml:1:59", "harmonic.phase", "90 deg", "-360 deg", "5156.62 deg"}));
+  EXPECT_TRUE(test::mentions(error("harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 5 %}"),
+                             {"m.yaml:1:59", "harmonic.phase", "90 deg", "5 %"}));
+  EXPECT_TRUE(test::mentions(error("harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90 s}"),
+                             {"m.yaml:1:59", "harmonic.phase", "5 %", "90 s"}));
 }
 
 TEST_F(MotionInput, KeysInTheWrongPlaceAreRefused) {
-  EXPECT_EQ(error("{harmonic: {amplitude: 1, period: 1}, duration: 3}"),
-            "m.yaml:1:39: duration: belongs to a sum; type harmonic: {..., duration: 3}");
-  EXPECT_EQ(error("{harmonic: {amplitude: 1, period: 1, duration: 3}, initial_velocity: 1}"),
-            "m.yaml:1:52: initial_velocity: belongs to a record, a harmonic (inside it) or a sum");
-  EXPECT_EQ(error("{pulse: {shape: sine, amplitude: 1, duration: 1}, step: 0.1}"),
-            "m.yaml:1:51: step: belongs to a record");
-  EXPECT_EQ(error("{sum: [{amplitude: 1, period: 1, duration: 3}], duration: 3}"),
-            "m.yaml:1:34: sum[0]: unknown key \"duration\". Allowed: amplitude, period, phase.");
-  EXPECT_EQ(error("{sum: [{amplitude: 1, period: 1}]}"),
-            "m.yaml:1:1: key \"duration\" is missing; type \"duration: 10 s\"");
-  EXPECT_EQ(error("{sum: [], duration: 3}"),
-            "m.yaml:1:7: sum: takes one harmonic or more; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
-  EXPECT_EQ(error("{sum: {amplitude: 1, period: 1}, duration: 3}"), "m.yaml:1:7: sum: takes a list such as [a, b]");
-  EXPECT_EQ(error("displacement: {}"),
-            "m.yaml:1:15: displacement: takes one of record, harmonic, sum; type displacement: {harmonic: "
-            "{amplitude: 20 mm, period: 1 s, duration: 10 s}}");
-  EXPECT_EQ(error("displacement: {pulse: {}}"),
-            "m.yaml:1:16: displacement: unknown key \"pulse\". Allowed: record, harmonic, sum.");
-  EXPECT_EQ(error("displacement: {harmonic: {}, sum: []}"),
-            "m.yaml:1:30: displacement.sum: \"harmonic\" and \"sum\" are both given; keep one of them");
-  EXPECT_EQ(
-      error("displacement: {harmonic: {amplitude: 0.2 g, period: 1, duration: 1}}"),
-      "m.yaml:1:38: displacement.harmonic.amplitude: takes a length such as \"20 mm\"; \"0.2 g\" is an acceleration");
-  EXPECT_EQ(error("displacement: {harmonic: {amplitude: 1 mm, period: 1, duration: 1, initial_velocity: 1}}"),
-            "m.yaml:1:68: displacement.harmonic: unknown key \"initial_velocity\". Allowed: amplitude, period, "
-            "duration, phase.");
-  EXPECT_EQ(error("{harmonic: {amplitude: 1, period: 1, duration: 1}, displacement: {}}"),
-            "m.yaml:1:52: displacement: \"harmonic\" and \"displacement\" are both given; keep one of them");
+  EXPECT_TRUE(test::mentions(error("{harmonic: {amplitude: 1, period: 1}, duration: 3}"),
+                             {"m.yaml:1:39", "duration", "harmonic: {..., duration: 3}"}));
+  EXPECT_TRUE(test::mentions(error("{harmonic: {amplitude: 1, period: 1, duration: 3}, initial_velocity: 1}"),
+                             {"m.yaml:1:52", "initial_velocity", "record"}));
+  EXPECT_TRUE(test::mentions(error("{pulse: {shape: sine, amplitude: 1, duration: 1}, step: 0.1}"),
+                             {"m.yaml:1:51", "step", "record"}));
+  EXPECT_TRUE(test::mentions(error("{sum: [{amplitude: 1, period: 1, duration: 3}], duration: 3}"),
+                             {"m.yaml:1:34", "sum[0]", "duration", "amplitude", "period", "phase"}));
+  EXPECT_TRUE(test::mentions(error("{sum: [{amplitude: 1, period: 1}]}"), {"m.yaml:1:1", "duration: 10 s"}));
+  EXPECT_TRUE(test::mentions(error("{sum: [], duration: 3}"),
+                             {"m.yaml:1:7", "sum", "sum: [{amplitude: 0.2 g, period: 0.5 s}]"}));
+  EXPECT_TRUE(test::mentions(error("{sum: {amplitude: 1, period: 1}, duration: 3}"), {"m.yaml:1:7", "sum", "[a, b]"}));
+  EXPECT_TRUE(
+      test::mentions(error("displacement: {}"),
+                     {"m.yaml:1:15", "displacement",
+                      "displacement: {harmonic: {amplitude: 20 mm, period: 1 s, duration: 10 s}}", "record", "sum"}));
+  EXPECT_TRUE(test::mentions(error("displacement: {pulse: {}}"),
+                             {"m.yaml:1:16", "displacement", "pulse", "record", "harmonic", "sum"}));
+  EXPECT_TRUE(test::mentions(error("displacement: {harmonic: {}, sum: []}"),
+                             {"m.yaml:1:30", "displacement.sum", "harmonic", "sum"}));
+  EXPECT_TRUE(test::mentions(error("displacement: {harmonic: {amplitude: 0.2 g, period: 1, duration: 1}}"),
+                             {"m.yaml:1:38", "displacement.harmonic.amplitude", "20 mm", "0.2 g"}));
+  EXPECT_TRUE(
+      test::mentions(error("displacement: {harmonic: {amplitude: 1 mm, period: 1, duration: 1, initial_velocity: 1}}"),
+                     {"m.yaml:1:68", "displacement.harmonic", "initial_velocity", "amplitude", "period", "duration"}));
+  EXPECT_TRUE(test::mentions(error("{harmonic: {amplitude: 1, period: 1, duration: 1}, displacement: {}}"),
+                             {"m.yaml:1:52", "displacement", "harmonic", "displacement"}));
 }
 
 }  // namespace motion_input_test

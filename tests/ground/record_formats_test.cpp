@@ -14,6 +14,7 @@
 
 #include <pounding/core/units.hpp>
 #include "ground/record_text.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace record_formats_test {
@@ -73,7 +74,7 @@ TEST(KnetRecord, CountsAreScaledAboutTheirMean) {
   EXPECT_EQ(record.station, "ABC001");
   EXPECT_EQ(record.channel, "N-S");
   EXPECT_EQ(record.title, "2001/02/03 04:05:00, M 6.2");
-  EXPECT_EQ(record.remark, "uncorrected, mean of 13190.0 counts removed");
+  EXPECT_TRUE(test::mentions(record.remark, {"13190.0"}));
   EXPECT_EQ(record.points(), 20u);
   EXPECT_DOUBLE_EQ(record.step(), 0.05);
   EXPECT_NEAR(record.measures.pga, 0.04954, 5e-6);  // 7813 counts are the 4.954 gal of the header
@@ -85,23 +86,19 @@ TEST(KnetRecord, KikNetNumbersItsChannels) {
   EXPECT_EQ(read(knet(0, 1, "1")).channel, "1: N-S, borehole");
   EXPECT_EQ(read(knet(0, 1, "5")).channel, "5: E-W, surface");
   EXPECT_EQ(read(knet(0, 1, "6"), {.channel = "u-d"}).channel, "6: U-D, surface");
-  EXPECT_EQ(error_of(knet(0, 1, "6"), {.channel = "5"}),
-            "r.txt: no channel has the number or the component \"5\"; the file has: 6: U-D, surface");
+  EXPECT_TRUE(test::mentions(error_of(knet(0, 1, "6"), {.channel = "5"}), {"5", "r.txt", "6"}));
 }
 
 TEST(KnetRecord, ErrorsSayWhere) {
   const std::string text = knet(0, 1);
-  EXPECT_EQ(error_of(knet(0, 1, "N-S", 19)),
-            "r.txt:20: the values end here, after 19; duration times sampling frequency states 20");
-  EXPECT_EQ(error_of(knet(0, 1, "N-S", 21)),
-            "r.txt:20: more values than the 20 that duration times sampling frequency states");
-  EXPECT_EQ(error_of(replaced(text, "3920(gal)", "3920(cm)")),
-            "r.txt:14: \"3920(cm)/6182761\" is no scale factor such as 3920(gal)/6182761");
-  EXPECT_EQ(error_of(replaced(text, "20Hz", "twentyHz")), "r.txt:11: \"twenty\" is not a finite number");
-  EXPECT_EQ(error_of(replaced(text, "/6182761", "/0")), "r.txt:14: the scale factor is inf; it must be a number > 0");
-  EXPECT_EQ(error_of(replaced(text, "Dir. ", "Dire ")), "r.txt:20: the header has no line \"DIR.\"");
-  EXPECT_EQ(error_of("Origin Time       2001/02/03 04:05:00\n"), "r.txt:1: the header has no line \"MAG.\"");
-  EXPECT_EQ(error_of(text, {.units = "g"}), "r.txt:14: the file states gal, but \"units\" says g; remove \"units\"");
+  EXPECT_TRUE(test::mentions(error_of(knet(0, 1, "N-S", 19)), {"r.txt:20", "19"}));
+  EXPECT_TRUE(test::mentions(error_of(knet(0, 1, "N-S", 21)), {"r.txt:20"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "3920(gal)", "3920(cm)")), {"3920(cm)/6182761", "r.txt:14"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "20Hz", "twentyHz")), {"twenty", "r.txt:11"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "/6182761", "/0")), {"r.txt:14"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "Dir. ", "Dire ")), {"DIR.", "r.txt:20"}));
+  EXPECT_TRUE(test::mentions(error_of("Origin Time       2001/02/03 04:05:00\n"), {"MAG.", "r.txt:1"}));
+  EXPECT_TRUE(test::mentions(error_of(text, {.units = "g"}), {"units", "r.txt:14"}));
 }
 
 // ESM.
@@ -139,25 +136,22 @@ TEST(EsmRecord, IsReadWithItsHeader) {
   EXPECT_EQ(record.channel, "HNE");
   EXPECT_EQ(record.title, "NOWHERE 20010203");
   EXPECT_EQ(record.remark, "");
-  EXPECT_EQ(record.summary(), "r.txt, ESM in cm/s^2, XX ABC NO_WHERE, channel HNE, 9 points every 0.005 s");
+  EXPECT_TRUE(test::mentions(record.summary(), {"r.txt", "NO_WHERE", "0.005 s", "cm/s^2", "9", "ESM", "ABC", "HNE"}));
   EXPECT_EQ(read(replaced(esm(), "BASELINE REMOVED", "BASELINE NOT REMOVED")).remark, "uncorrected");
   EXPECT_EQ(read(replaced(esm(), "manual (Paolucci et al., 2011)", "none")).remark, "uncorrected");
 }
 
 TEST(EsmRecord, ErrorsSayWhere) {
-  EXPECT_EQ(error_of(esm("VELOCITY", "cm/s")), "r.txt:16: holds \"VELOCITY\"; take the file of accelerations");
-  EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s^2"), {.displacement = true}),
-            "r.txt:16: holds \"ACCELERATION\"; take the file of displacements");
+  EXPECT_TRUE(test::mentions(error_of(esm("VELOCITY", "cm/s")), {"VELOCITY", "r.txt:16"}));
+  EXPECT_TRUE(
+      test::mentions(error_of(esm("ACCELERATION", "cm/s^2"), {.displacement = true}), {"ACCELERATION", "r.txt:16"}));
   EXPECT_DOUBLE_EQ(read(esm("DISPLACEMENT", "cm"), {.displacement = true}).initial_displacement, 0.01 * nine[0]);
-  EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s")),
-            "r.txt:13: \"cm/s\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(error_of(esm() + "1.0\n"), "r.txt:74: more values than the 9 that NDATA states");
-  EXPECT_EQ(error_of(replaced(esm(), "NDATA: 9", "NDATA: 10")),
-            "r.txt:73: the values end here, after 9; NDATA states 10");
-  EXPECT_EQ(error_of(replaced(esm(), "STREAM:", "STRAM:")), "r.txt:64: the header of 64 lines has no \"STREAM\"");
-  EXPECT_EQ(error_of(replaced(esm(), "0.005000", "0")), "r.txt:9: SAMPLING_INTERVAL_S is 0; it must be a time > 0");
-  EXPECT_EQ(error_of(esm().substr(0, esm().find("USER20"))),
-            "r.txt:20: the file ends here, before the end of the header of 64 lines");
+  EXPECT_TRUE(test::mentions(error_of(esm("ACCELERATION", "cm/s")), {"r.txt:13", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(test::mentions(error_of(esm() + "1.0\n"), {"r.txt:74", "9", "NDATA"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(esm(), "NDATA: 9", "NDATA: 10")), {"r.txt:73", "9", "10", "NDATA"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(esm(), "STREAM:", "STRAM:")), {"STREAM", "r.txt:64"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(esm(), "0.005000", "0")), {"r.txt:9", "SAMPLING_INTERVAL_S", "0"}));
+  EXPECT_TRUE(test::mentions(error_of(esm().substr(0, esm().find("USER20"))), {"r.txt:20", "64"}));
 }
 
 // USGS SMC.
@@ -203,21 +197,17 @@ TEST(SmcRecord, MoreDigitsAreReadWhereTheHeaderSaysSo) {
 }
 
 TEST(SmcRecord, ErrorsSayWhere) {
-  EXPECT_EQ(error_of(smc("3 VELOCITY")), "r.txt:1: holds \"3 VELOCITY\"; take the file of accelerations");
-  EXPECT_EQ(error_of(smc("4 DISPLACEMENT")), "r.txt:1: holds \"4 DISPLACEMENT\"; take the file of accelerations");
-  EXPECT_EQ(error_of(smc("5 RESPONSE SPECTRA")),
-            "r.txt:1: holds \"5 RESPONSE SPECTRA\"; take the file of accelerations");
-  EXPECT_EQ(error_of(replaced(smc(), "\n-8.0000E+0", "")),
-            "r.txt:30: the values end here, after 8; integer 17 of its header states 9");
-  EXPECT_EQ(error_of(smc() + "\n"), "no error");
-  EXPECT_EQ(error_of(replaced(smc(), "-8.0000E+0", "-8.0000E+0-8.0000E+0")),
-            "r.txt:31: more values than the 9 that integer 17 of its header states");
-  EXPECT_EQ(error_of(smc() + "-8.0000E+0\n"), "r.txt:32: more values than the 9 that integer 17 of its header states");
-  EXPECT_EQ(error_of(replaced(smc(), "-8.0000E+0", "**********")), "r.txt:31: \"**********\" is not a finite number");
-  EXPECT_EQ(error_of(replaced(smc(), "  2.0000000E+02", "  1.7000000E+38")),
-            "r.txt:18: states no sampling rate; files of uneven samples are not read");
-  EXPECT_EQ(error_of(replaced(smc(), "|\n", "")), "r.txt:13: integer 16 states 2 comments; 1 lines begin with \"|\"");
-  EXPECT_EQ(error_of(smc().substr(0, 700)), "r.txt:17: the file ends here, before the end of its header");
+  EXPECT_TRUE(test::mentions(error_of(smc("3 VELOCITY")), {"3 VELOCITY", "r.txt:1"}));
+  EXPECT_TRUE(test::mentions(error_of(smc("4 DISPLACEMENT")), {"4 DISPLACEMENT", "r.txt:1"}));
+  EXPECT_TRUE(test::mentions(error_of(smc("5 RESPONSE SPECTRA")), {"5 RESPONSE SPECTRA", "r.txt:1"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(smc(), "\n-8.0000E+0", "")), {"r.txt:30", "8", "17", "9"}));
+  EXPECT_EQ(error_of(smc() + "\n"), "taken");
+  EXPECT_TRUE(test::mentions(error_of(replaced(smc(), "-8.0000E+0", "-8.0000E+0-8.0000E+0")), {"r.txt:31", "9", "17"}));
+  EXPECT_TRUE(test::mentions(error_of(smc() + "-8.0000E+0\n"), {"r.txt:32", "9", "17"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(smc(), "-8.0000E+0", "**********")), {"**********", "r.txt:31"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(smc(), "  2.0000000E+02", "  1.7000000E+38")), {"r.txt:18"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(smc(), "|\n", "")), {"|", "r.txt:13", "16", "2"}));
+  EXPECT_TRUE(test::mentions(error_of(smc().substr(0, 700)), {"r.txt:17"}));
 }
 
 // CSMIP.
@@ -293,9 +283,7 @@ TEST(CsmipRecord, V1IsReadAsUncorrected) {
   EXPECT_EQ(record.unit, "g");
   EXPECT_EQ(record.channel, "2: Up, Roof - Center");
   EXPECT_EQ(record.remark, "uncorrected");
-  EXPECT_EQ(
-      record.summary(),
-      "r.txt, CSMIP V1 in g, 12345 Nowhere - Hall, channel 2: Up, Roof - Center, 9 points every 0.005 s, uncorrected");
+  EXPECT_TRUE(test::mentions(record.summary(), {"r.txt", "0.005 s", "V1", "12345", "2", "9", "CSMIP"}));
 }
 
 TEST(CsmipRecord, V1OfSsa1RecordersStatesItsPointsAsV2Does) {
@@ -336,51 +324,40 @@ TEST(CsmipRecord, V1OfFilmHoldsUnevenPairsInTenthsOfG) {
 TEST(CsmipRecord, ChannelIsChosenByNumberOrComponent) {
   const std::string text = csmip_v2(1, "90 Deg") + replaced(csmip_v2(2, "Up"), "     2.500", "     2.750") +
                            csmip_v2(5, "360 Deg   Location: Roof");
-  EXPECT_EQ(error_of(text),
-            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: "
-            "1: 90 Deg; 2: Up; 5: 360 Deg, Roof");
+  EXPECT_TRUE(test::mentions(error_of(text), {"channel:", "r.txt", "3", "90", "2", "5", "360"}));
   EXPECT_EQ(read(text, {.channel = "2"}).samples.accelerations[2], 0.0275);
   EXPECT_EQ(read(text, {.channel = "up"}).samples.accelerations[2], 0.0275);
   EXPECT_EQ(read(text, {.channel = "90 deg"}).samples.accelerations[2], 0.025);
   EXPECT_EQ(read(text, {.channel = "5"}).channel, "5: 360 Deg, Roof");
-  EXPECT_EQ(error_of(text, {.channel = "3"}),
-            "r.txt: no channel has the number or the component \"3\"; the file has: "
-            "1: 90 Deg; 2: Up; 5: 360 Deg, Roof");
-  EXPECT_EQ(error_of(csmip_v2(1, "Up") + csmip_v2(2, "Up"), {.channel = "Up"}),
-            "r.txt: 2 channels are \"Up\"; type the number of one: 1: Up; 2: Up");
-  EXPECT_EQ(error_of(csmip_v2(1, "Up") + csmip_v2(1, "90 Deg")),
-            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: Up; 2: 90 Deg");
+  EXPECT_TRUE(test::mentions(error_of(text, {.channel = "3"}), {"3", "r.txt", "90", "2", "5", "360"}));
+  EXPECT_TRUE(test::mentions(error_of(csmip_v2(1, "Up") + csmip_v2(2, "Up"), {.channel = "Up"}), {"Up", "r.txt", "2"}));
+  EXPECT_TRUE(test::mentions(error_of(csmip_v2(1, "Up") + csmip_v2(1, "90 Deg")), {"channel:", "r.txt", "2", "90"}));
 }
 
 TEST(CsmipRecord, ErrorsSayWhere) {
   const std::string v2 = csmip_v2(1, "Up");  // its values are on lines 47 and 48
-  EXPECT_EQ(error_of(replaced(v2, "  9 points of accel", " 10 points of accel")),
-            "r.txt:48: the values end here, after 9; line 46 states 10");
-  EXPECT_EQ(error_of(replaced(v2, "  9 points of accel", " 17 points of accel")),
-            "r.txt:48: the values end here, after 9; line 46 states 17");
-  EXPECT_EQ(error_of(replaced(v2, "  9 points of accel", "  8 points of accel")),
-            "r.txt:48: more values than the 8 that line 46 states");
-  EXPECT_EQ(error_of(replaced(v2, "  9 points of accel", "  7 points of accel")),
-            "r.txt:47: more values than the 7 that line 46 states");
-  EXPECT_EQ(error_of(v2.substr(0, v2.find("    -8.000"))), "r.txt:47: the values end here, after 8; line 46 states 9");
-  EXPECT_EQ(error_of(replaced(v2, "(8f10.3)", "(7f10.3)")),
-            "r.txt:47: goes on after 7 numbers of 10 characters, which line 46 allows");
-  EXPECT_EQ(error_of(replaced(v2, "in cm/sec2", "in cm/sec")),
-            "r.txt:46: \"cm/sec\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(error_of(replaced(v2, ".005 sec, in", ".000 sec, in")),
-            "r.txt:46: the spacing is 0; it must be a time > 0");
-  EXPECT_EQ(
-      error_of(replaced(v2, "points of accel data", "points of veloc data")),
-      "r.txt:1: the channel that begins here has no line \"points of accel data equally spaced at ... sec, in ...\"");
-  EXPECT_EQ(
-      error_of(v2 + "what is this\n"),
-      "r.txt:56: a channel begins here, but not with \"Corrected accelerogram\" or \"Uncorrected accelerogram data\"");
-  EXPECT_EQ(error_of(replaced(csmip_pairs(), "   .011", "   .005")),
-            "r.txt:28: time 0.005 does not come after the one before it");
-  EXPECT_EQ(error_of(replaced(csmip_pairs(), "\n100.010  -.030", "\n100.010")),
-            "r.txt:29: the values end here, after 11; line 11, two for a point, states 12");
-  EXPECT_EQ(error_of("Response and Fourier Amplitude Spectra\nCorrected accelerogram\nUncorrected Accelerogram Data\n"),
-            "r.txt:1: holds spectra (V3); take the file of accelerations, V1 or V2");
+  EXPECT_TRUE(test::mentions(error_of(replaced(v2, "  9 points of accel", " 10 points of accel")),
+                             {"r.txt:48", "9", "46", "10"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(v2, "  9 points of accel", " 17 points of accel")),
+                             {"r.txt:48", "9", "46", "17"}));
+  EXPECT_TRUE(
+      test::mentions(error_of(replaced(v2, "  9 points of accel", "  8 points of accel")), {"r.txt:48", "8", "46"}));
+  EXPECT_TRUE(
+      test::mentions(error_of(replaced(v2, "  9 points of accel", "  7 points of accel")), {"r.txt:47", "7", "46"}));
+  EXPECT_TRUE(test::mentions(error_of(v2.substr(0, v2.find("    -8.000"))), {"r.txt:47", "8", "46", "9"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(v2, "(8f10.3)", "(7f10.3)")), {"r.txt:47", "7", "10", "46"}));
+  EXPECT_TRUE(
+      test::mentions(error_of(replaced(v2, "in cm/sec2", "in cm/sec")), {"cm/sec", "r.txt:46", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(v2, ".005 sec, in", ".000 sec, in")), {"r.txt:46", "0"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(v2, "points of accel data", "points of veloc data")), {"r.txt:1"}));
+  EXPECT_TRUE(test::mentions(error_of(v2 + "what is this\n"),
+                             {"Corrected accelerogram", "Uncorrected accelerogram data", "r.txt:56"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(csmip_pairs(), "   .011", "   .005")), {"r.txt:28", "0.005"}));
+  EXPECT_TRUE(
+      test::mentions(error_of(replaced(csmip_pairs(), "\n100.010  -.030", "\n100.010")), {"r.txt:29", "11", "12"}));
+  EXPECT_TRUE(test::mentions(
+      error_of("Response and Fourier Amplitude Spectra\nCorrected accelerogram\nUncorrected Accelerogram Data\n"),
+      {"r.txt:1", "V3", "V1", "V2"}));
 }
 
 // COSMOS.
@@ -449,12 +426,10 @@ TEST(CosmosRecord, OnlyAccelerationsAreChannels) {
                            cosmos(1, "90 deg", "displacement", "cm(06),") +
                            replaced(cosmos(2, "Up"), "    2.500", "    2.750") +
                            cosmos(2, "Up", "velocity", "cm/sec(05),");
-  EXPECT_EQ(error_of(text),
-            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: 90 deg; 2: Up");
+  EXPECT_TRUE(test::mentions(error_of(text), {"channel:", "r.txt", "90 deg", "2"}));
   EXPECT_EQ(read(text, {.channel = "1"}).samples.accelerations[2], 0.025);
   EXPECT_EQ(read(text, {.channel = "Up"}).samples.accelerations[2], 0.0275);
-  EXPECT_EQ(error_of(cosmos(1, "90 deg", "velocity", "cm/sec(05),")),
-            "r.txt:46: holds velocity; take the file of accelerations");
+  EXPECT_TRUE(test::mentions(error_of(cosmos(1, "90 deg", "velocity", "cm/sec(05),")), {"r.txt:46"}));
 }
 
 TEST(CosmosRecord, ChannelsWithoutNumbersAreCounted) {
@@ -477,34 +452,30 @@ TEST(CosmosRecord, SeriesMayEndAsInTheSampleOfTheStandard) {
 
 TEST(CosmosRecord, ErrorsSayWhere) {
   const std::string text = cosmos(1, "Up");  // its values are on lines 47 and 48
-  EXPECT_EQ(error_of(cosmos(1, "Up", "acceleration", "counts (50),")),
-            "r.txt:46: \"counts\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(error_of(replaced(text, "       9 acceleration", "      10 acceleration")),
-            "r.txt:48: the values end here, after 9; line 46 states 10");
-  EXPECT_EQ(error_of(replaced(text, "       9 acceleration", "       8 acceleration")),
-            "r.txt:48: a series begins here, but not with \"(Format v01.20 ...\"");
-  EXPECT_EQ(error_of(replaced(text, "     5.000000", "    50.000000")),
-            "r.txt:36: real 62 states a spacing of 50 ms and real 63 a length of 0.045 s, which do not fit 9 points");
-  EXPECT_EQ(error_of(replaced(text, "     5.000000", "  -999.000000")),
-            "r.txt:36: real 62, the spacing in ms, is -999; it must be a time > 0");
-  EXPECT_EQ(error_of(replaced(text, " 100 Integer-header", " some Integer-header")),
-            "r.txt:14: is not the line that states how many integer-header values follow");
-  EXPECT_EQ(error_of(replaced(text, "(6F13.6)", "free")), "r.txt:25: states no columns such as \"Format= (8F10.5)\"");
-  EXPECT_EQ(error_of(text.substr(0, text.find(" 100 Real"))),
-            "r.txt:24: the file ends here, before the line that states real-header values");
+  EXPECT_TRUE(test::mentions(error_of(cosmos(1, "Up", "acceleration", "counts (50),")),
+                             {"counts", "r.txt:46", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "       9 acceleration", "      10 acceleration")),
+                             {"r.txt:48", "9", "46", "10"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "       9 acceleration", "       8 acceleration")),
+                             {"(Format v01.20 ...", "r.txt:48"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "     5.000000", "    50.000000")),
+                             {"r.txt:36", "50 ms", "0.045 s", "62", "63", "9"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "     5.000000", "  -999.000000")), {"r.txt:36", "62", "-999"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, " 100 Integer-header", " some Integer-header")), {"r.txt:14"}));
+  EXPECT_TRUE(test::mentions(error_of(replaced(text, "(6F13.6)", "free")), {"Format= (8F10.5)", "r.txt:25"}));
+  EXPECT_TRUE(test::mentions(error_of(text.substr(0, text.find(" 100 Real"))), {"r.txt:24"}));
 }
 
 TEST(RecordFormats, AnUnknownFormatListsTheKnownOnes) {
-  EXPECT_EQ(error_of("Response spectra of a site\nSite NBLC\nand so on\n"),
-            "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USC "
-            "V1 and V2, "
-            "GeoNet V1A and V2A, BHRC, AFAD (TR-NSMN), UNAM, USGS SMC, PEER AT2, columns of numbers");
+  EXPECT_TRUE(test::mentions(error_of("Response spectra of a site\nSite NBLC\nand so on\n"),
+                             {"r.txt", "V1", "V2", "V1A", "V2A", "AT2", "NET", "ESM", "COSMOS", "CSMIP", "USC", "BHRC",
+                              "AFAD", "NSMN", "UNAM", "USGS", "SMC", "PEER"}));
 }
 
 TEST(RecordFormats, ChannelIsRefusedWhereNoneIsNamed) {
-  const std::string message = "r.txt: the file has one channel without a name; remove \"channel\"";
-  EXPECT_EQ(error_of("time,acc (g)\n0,0\n0.02,1\n", {.channel = "1"}), message);
-  EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 2, DT= .01\n0 1\n", {.channel = "1"}), message);
+  EXPECT_TRUE(test::mentions(error_of("time,acc (g)\n0,0\n0.02,1\n", {.channel = "1"}), {"r.txt", "channel"}));
+  EXPECT_TRUE(
+      test::mentions(error_of("a\nb\nIN UNITS OF G\nNPTS= 2, DT= .01\n0 1\n", {.channel = "1"}), {"r.txt", "channel"}));
 }
 
 TEST(RecordFormats, LineEndsOfWindowsAreRead) {
@@ -526,12 +497,11 @@ TEST(RecordFormats, ALineMayEndTheData) {
     EXPECT_EQ(read(columns + end).samples.accelerations, values) << end;
   }
   EXPECT_EQ(read(knet(5, 3) + "*** End Data ***\n").samples.accelerations, read(knet(5, 3)).samples.accelerations);
-  EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 4, DT= .01\n0 1 2\n*** End Data ***\n"),
-            "r.txt:5: the values end here, after 3; NPTS states 4");
-  EXPECT_EQ(error_of(at2 + "*** End Data ***\n3\n"), "r.txt:7: more values than the 3 that NPTS states");
-  EXPECT_EQ(error_of(columns + "*** End Data ***\n0.03, 3\n"),
-            "r.txt:6: values go on after line 5, which ends them; keep one record in a file");
-  EXPECT_EQ(error_of(at2 + "*** Data ***\n"), "r.txt:6: more values than the 3 that NPTS states");
+  EXPECT_TRUE(test::mentions(error_of("a\nb\nIN UNITS OF G\nNPTS= 4, DT= .01\n0 1 2\n*** End Data ***\n"),
+                             {"r.txt:5", "3", "4", "NPTS"}));
+  EXPECT_TRUE(test::mentions(error_of(at2 + "*** End Data ***\n3\n"), {"r.txt:7", "3", "NPTS"}));
+  EXPECT_TRUE(test::mentions(error_of(columns + "*** End Data ***\n0.03, 3\n"), {"r.txt:6", "5"}));
+  EXPECT_TRUE(test::mentions(error_of(at2 + "*** Data ***\n"), {"r.txt:6", "3", "NPTS"}));
 }
 
 TEST(RecordFormats, NoTruncatedFileIsReadOrCrashes) {
@@ -539,7 +509,7 @@ TEST(RecordFormats, NoTruncatedFileIsReadOrCrashes) {
     // Up to the last value: what ends the channel is not needed.
     const std::size_t end = std::min({text.find("\n/&"), text.find("\nEnd-of"), text.size()});
     for (std::size_t length = 60; length + 20 < end; length += 37)
-      EXPECT_NE(error_of(text.substr(0, length)), "no error") << text.substr(0, 40) << length;
+      EXPECT_NE(error_of(text.substr(0, length)), "taken") << text.substr(0, 40) << length;
   }
 }
 

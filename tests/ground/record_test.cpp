@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/core/error.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace record_test {
@@ -23,12 +24,7 @@ Record read(const std::string& text, const std::string& units = {}) {
 }
 
 std::string error_of(const std::string& text, const std::string& units = {}) {
-  try {
-    read(text, units);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal<InputError>([&] { read(text, units); });
 }
 
 const std::string new_header =
@@ -82,35 +78,31 @@ TEST(PeerRecord, OtherUnitsAreConverted) {
 }
 
 TEST(PeerRecord, WrongCountIsAnErrorWithItsLine) {
-  EXPECT_EQ(error_of(new_header + "0 1 2 3 4\n5\n\n"), "r.txt:6: the values end here, after 6; NPTS states 7");
-  EXPECT_EQ(error_of(new_header + values + " 0.1\n"), "r.txt:7: more values than the 7 that NPTS states");
+  EXPECT_TRUE(test::mentions(error_of(new_header + "0 1 2 3 4\n5\n\n"), {"r.txt:6", "7", "NPTS"}));
+  EXPECT_TRUE(test::mentions(error_of(new_header + values + " 0.1\n"), {"r.txt:7", "NPTS"}));
 }
 
 TEST(PeerRecord, BrokenValueIsAnErrorWithItsLine) {
-  EXPECT_EQ(error_of(new_header + "0 1 2 3 4\n5 *****\n"), "r.txt:6: \"*****\" is not a finite number");
-  EXPECT_EQ(error_of(new_header + "0 1 NaN 3 4\n5 6\n"), "r.txt:5: \"NaN\" is not a finite number");
+  EXPECT_TRUE(test::mentions(error_of(new_header + "0 1 2 3 4\n5 *****\n"), {"*****", "r.txt:6"}));
+  EXPECT_TRUE(test::mentions(error_of(new_header + "0 1 NaN 3 4\n5 6\n"), {"NaN", "r.txt:5"}));
 }
 
 TEST(PeerRecord, BrokenHeaderIsAnErrorWithItsLine) {
   const std::string top = "title\nstation\nIN UNITS OF G\n";
-  EXPECT_EQ(error_of(top + "NPTS= , DT= .01 SEC\n0 1\n"),
-            "r.txt:4: NPTS and DT need a number each, as in \"NPTS= 5372, DT= .0100 SEC\"");
-  EXPECT_EQ(error_of(top + "NPTS= 2, DT= 0 SEC\n0 1\n"), "r.txt:4: DT is 0; it must be a time > 0");
-  EXPECT_EQ(error_of(top + "NPTS= 2.5, DT= 1 SEC\n0 1\n"), "r.txt:4: NPTS is 2.5; it must be an integer >= 2");
+  EXPECT_TRUE(test::mentions(error_of(top + "NPTS= , DT= .01 SEC\n0 1\n"), {"NPTS= 5372, DT= .0100 SEC", "r.txt:4"}));
+  EXPECT_TRUE(test::mentions(error_of(top + "NPTS= 2, DT= 0 SEC\n0 1\n"), {"r.txt:4", "0", "DT"}));
+  EXPECT_TRUE(test::mentions(error_of(top + "NPTS= 2.5, DT= 1 SEC\n0 1\n"), {"r.txt:4", "2.5", "NPTS"}));
 }
 
 TEST(PeerRecord, VelocityFileIsRefused) {
   std::string text = new_header + values;
   text.replace(text.find("ACCELERATION TIME SERIES IN UNITS OF G"), 38, "VELOCITY TIME SERIES IN UNITS OF CM/S");
-  EXPECT_EQ(error_of(text),
-            "r.txt:3: \"CM/S\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
+  EXPECT_TRUE(test::mentions(error_of(text), {"CM/S", "r.txt:3", "m/s^2", "cm/s^2"}));
 }
 
 TEST(PeerRecord, UnitIsNeverGuessed) {
   const std::string text = "title\nNPTS= 2, DT= .01\n0 1\n";
-  EXPECT_EQ(
-      error_of(text),
-      "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_TRUE(test::mentions(error_of(text), {"units:", "r.txt", "m/s^2", "cm/s^2"}));
   EXPECT_DOUBLE_EQ(read(text, "g").measures.pga, g);
 }
 
@@ -148,40 +140,32 @@ TEST(TwoColumns, TimesNeedNotBeEven) {
   const Record record = read("0 0\n0.1 1\n0.15 2\n", "g");
   EXPECT_FALSE(record.samples.uniform);
   EXPECT_EQ(record.step(), 0);
-  EXPECT_EQ(record.summary(), "r.txt, two columns in g, 3 points unevenly spaced");
+  EXPECT_TRUE(test::mentions(record.summary(), {"r.txt", "3"}));
 }
 
 TEST(TwoColumns, ErrorsSayWhere) {
-  EXPECT_EQ(error_of("0 0\n0.1 x\n", "g"), "r.txt:2: \"x\" is not a finite number");
-  EXPECT_EQ(error_of("0 0\n0.1 nan\n", "g"), "r.txt:2: \"nan\" is not a finite number");
-  EXPECT_EQ(error_of("0,0\n0.1,\n", "g"), "r.txt:2: \"\" is not a finite number");
-  EXPECT_EQ(error_of("0 0\n0.1\n", "g"), "r.txt:2: 1 number; the line before has 2");
-  EXPECT_EQ(error_of("0 0\n0.1 1\n0.2 1 1\n", "g"), "r.txt:3: 3 numbers; the lines before have 2");
-  EXPECT_EQ(error_of("0 0\n0.1 1\n0.1 2\n", "g"), "r.txt:3: time 0.1 does not come after the one before it");
-  EXPECT_EQ(error_of("-0.1 0\n0.1 1\n", "g"), "r.txt:1: time -0.1 is before 0, where every run begins");
-  EXPECT_EQ(error_of("0 0\nt,a\n", "g"), "r.txt:2: \"t\" is not a finite number");
-  EXPECT_EQ(error_of("0 0\n0.1 -0.2\n-0.3 0.1\n", "g"), "r.txt:3: time -0.3 is before 0, where every run begins");
-  EXPECT_EQ(error_of("0.1 0.2\n0.05 0.1\n", "g"),
-            "r.txt:2: time 0.05 does not come after the one before it; values at a fixed step "
-            "need \"step:\", such as step: 0.01 s");
-  EXPECT_EQ(error_of("time,acc (g)\n0,0\n"),
-            "r.txt: 1 sample; a record has two or more lines of time and acceleration");
-  EXPECT_EQ(error_of(""), "r.txt: 0 samples; a record has two or more lines of time and acceleration");
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1 x\n", "g"), {"x", "r.txt:2"}));
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1 nan\n", "g"), {"nan", "r.txt:2"}));
+  EXPECT_TRUE(test::mentions(error_of("0,0\n0.1,\n", "g"), {"r.txt:2"}));
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1\n", "g"), {"r.txt:2"}));
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1 1\n0.2 1 1\n", "g"), {"r.txt:3", "2"}));
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1 1\n0.1 2\n", "g"), {"r.txt:3", "0.1"}));
+  EXPECT_TRUE(test::mentions(error_of("-0.1 0\n0.1 1\n", "g"), {"r.txt:1", "-0.1"}));
+  EXPECT_TRUE(test::mentions(error_of("0 0\nt,a\n", "g"), {"t", "r.txt:2"}));
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1 -0.2\n-0.3 0.1\n", "g"), {"r.txt:3", "-0.3"}));
+  EXPECT_TRUE(test::mentions(error_of("0.1 0.2\n0.05 0.1\n", "g"), {"step: 0.01 s", "r.txt:2", "0.05"}));
+  EXPECT_TRUE(test::mentions(error_of("time,acc (g)\n0,0\n"), {"r.txt"}));
+  EXPECT_TRUE(test::mentions(error_of(""), {"r.txt"}));
 }
 
 TEST(TwoColumns, UnitErrorsSayWhatToDo) {
-  EXPECT_EQ(
-      error_of("0 0\n0.1 1\n"),
-      "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
-  EXPECT_EQ(
-      error_of("time,acc (mm)\n0,0\n0.1,1\n"),
-      "r.txt:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements type "
-      "displacement: {record: FILE}");
-  EXPECT_EQ(error_of("time,acc (g)\n0,0\n0.1,1\n", "m/s^2"),
-            "r.txt:1: the file states g, but \"units\" says m/s^2; remove \"units\"");
+  EXPECT_TRUE(test::mentions(error_of("0 0\n0.1 1\n"), {"units:", "r.txt", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(test::mentions(error_of("time,acc (mm)\n0,0\n0.1,1\n"),
+                             {"mm", "displacement: {record: FILE}", "r.txt:1", "m/s^2", "cm/s^2"}));
+  EXPECT_TRUE(test::mentions(error_of("time,acc (g)\n0,0\n0.1,1\n", "m/s^2"), {"units", "r.txt:1", "m/s^2"}));
   EXPECT_NO_THROW(read("time,acc (cm/s^2)\n0,0\n0.1,1\n", "gal"));
-  EXPECT_EQ(error_of("time (mm),acc (g)\n0,0\n0.1,1\n"), "r.txt:1: \"mm\" is not the unit of a time; type s or ms");
-  EXPECT_EQ(error_of("time (q),acc (g)\n0,0\n0.1,1\n"), "r.txt:1: \"q\" is not the unit of a time; type s or ms");
+  EXPECT_TRUE(test::mentions(error_of("time (mm),acc (g)\n0,0\n0.1,1\n"), {"mm", "r.txt:1"}));
+  EXPECT_TRUE(test::mentions(error_of("time (q),acc (g)\n0,0\n0.1,1\n"), {"q", "r.txt:1"}));
 }
 
 TEST(Record, MissingFileIsNamed) {
@@ -189,14 +173,14 @@ TEST(Record, MissingFileIsNamed) {
     read_record("no/such.AT2");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "no/such.AT2: no such record, or it cannot be read");
+    EXPECT_TRUE(test::mentions(error.what(), {"no/such.AT2"}));
   }
 }
 
 TEST(Record, BecomesAGroundMotion) {
   const GroundMotion motion = scaled(read("0 0\n0.02 1\n0.04 0\n", "m/s^2"), 3);
   EXPECT_DOUBLE_EQ(motion.acceleration(0.01), 1.5);
-  EXPECT_EQ(motion.source(), "r.txt, two columns in m/s^2, 3 points every 0.02 s, times 3");
+  EXPECT_TRUE(test::mentions(motion.source(), {"r.txt", "0.02 s", "m/s^2", "3"}));
 }
 
 TEST(Measures, TriangleHasItsClosedForms) {

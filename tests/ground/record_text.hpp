@@ -9,6 +9,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/ground/record.hpp>
+#include "support/messages.hpp"
 
 namespace pounding::test {
 
@@ -16,14 +17,9 @@ inline Record read(const std::string& text, const RecordOptions& options = {}) {
   return read_record_text(text, "r.txt", options);
 }
 
-/// The message that refuses a text; "no error" where none does.
+/// The message that refuses a text; "taken" where none does.
 inline std::string error_of(const std::string& text, const RecordOptions& options = {}) {
-  try {
-    read(text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal<InputError>([&] { read(text, options); });
 }
 
 /// The text with its first `part` replaced.

@@ -13,6 +13,7 @@
 
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/laws/root.hpp>
+#include "support/messages.hpp"
 
 namespace pounding::hysteresis {
 namespace published_values_test {
@@ -275,12 +276,7 @@ TEST(ClosedForms, ATrilinearBackboneGoesThroughItsBreaks) {
 }
 
 std::string refusal(const Settings& settings) {
-  try {
-    make_law(settings);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
+  return test::refusal([&] { make_law(settings); });
 }
 
 TEST(ClosedForms, IsolatorsAreLoopsByTheirOwnWords) {
@@ -301,12 +297,12 @@ TEST(ClosedForms, IsolatorsAreLoopsByTheirOwnWords) {
   EXPECT_NEAR(bearing.respond(bearing.advance({}, 0.1), 0).force, -3.75e5, 1e-6);
   const Elastomeric rubber = std::get<Elastomeric>(make_law(typical_settings(find_law("elastomeric"))));
   EXPECT_NEAR(rubber.respond({}, 0.01).force, 3.5e6 * 0.01 + 3.75e5 * std::tanh(0.01 / 0.012), 1e-6);
-  const std::string needs =
-      "lead_rubber needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead";
-  EXPECT_EQ(refusal({.law = "lead_rubber", .values = {{"strength", 1}, {"yield_displacement", 1}}}), needs);
-  EXPECT_EQ(refusal({.law = "lead_rubber",
-                     .values = {{"strength", 1}, {"yield_displacement", 1}, {"post_yield_stiffness", 1}, {"area", 1}}}),
-            needs);
+  EXPECT_TRUE(test::mentions(refusal({.law = "lead_rubber", .values = {{"strength", 1}, {"yield_displacement", 1}}}),
+                             {"lead_rubber", "post_yield_stiffness", "shear_modulus", "rubber_thickness"}));
+  EXPECT_TRUE(test::mentions(
+      refusal({.law = "lead_rubber",
+               .values = {{"strength", 1}, {"yield_displacement", 1}, {"post_yield_stiffness", 1}, {"area", 1}}}),
+      {"lead_rubber", "post_yield_stiffness", "shear_modulus", "rubber_thickness"}));
 }
 
 TEST(ByName, EveryLawOfTheDesignIsThere) {
@@ -317,21 +313,20 @@ TEST(ByName, EveryLawOfTheDesignIsThere) {
 }
 
 TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {
-  EXPECT_EQ(refusal({.law = "bouc_wenn"}), "unknown law of yielding \"bouc_wenn\". Did you mean \"bouc_wen\"?");
-  EXPECT_EQ(refusal({.law = "bilinear", .values = {{"stiffness", 1}}}),
-            "bilinear needs yield_force (force at the first yield Fy)");
-  EXPECT_EQ(refusal({.law = "bilinear", .values = {{"hardenning", 1}}}),
-            "bilinear has no parameter \"hardenning\". Did you mean \"hardening\"?");
+  EXPECT_TRUE(test::mentions(refusal({.law = "bouc_wenn"}), {"bouc_wenn", "bouc_wen"}));
+  EXPECT_TRUE(test::mentions(refusal({.law = "bilinear", .values = {{"stiffness", 1}}}), {"yield_force"}));
+  EXPECT_TRUE(test::mentions(refusal({.law = "bilinear", .values = {{"hardenning", 1}}}), {"hardenning", "hardening"}));
   const std::map<std::string, double, std::less<>> steel{{"stiffness", 1}, {"yield_force", 1}};
   EXPECT_EQ(refusal({.law = "menegotto_pinto", .values = steel, .words = {{"memory", "nested"}}}), "taken");
-  EXPECT_EQ(refusal({.law = "menegotto_pinto", .values = steel, .words = {{"memory", "lasst"}}}),
-            "memory of menegotto_pinto cannot be \"lasst\". Did you mean \"last\"?");
-  EXPECT_EQ(refusal({.law = "bilinear", .values = steel, .words = {{"memory", "last"}}}),
-            "bilinear has no parameter \"memory\" that takes a word.");
-  EXPECT_EQ(refusal({.law = "bouc_wen", .values = {{"stiffness", 1}, {"yield_force", 1}, {"gamma_share", 0.6}}}),
-            "gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy");
-  EXPECT_EQ(refusal({.law = "menegotto_pinto", .values = {{"stiffness", 1}, {"yield_force", 1}, {"R0", 10}}}),
-            "R0 is 10, but must be at least 1/(1 - cR1) = 13.333333333333341, so that R never falls below 1");
+  EXPECT_TRUE(test::mentions(refusal({.law = "menegotto_pinto", .values = steel, .words = {{"memory", "lasst"}}}),
+                             {"lasst", "last", "menegotto_pinto"}));
+  EXPECT_TRUE(test::mentions(refusal({.law = "bilinear", .values = steel, .words = {{"memory", "last"}}}), {"memory"}));
+  EXPECT_TRUE(test::mentions(
+      refusal({.law = "bouc_wen", .values = {{"stiffness", 1}, {"yield_force", 1}, {"gamma_share", 0.6}}}),
+      {"[0, 0.5]", "gamma_share", "0.6"}));
+  EXPECT_TRUE(
+      test::mentions(refusal({.law = "menegotto_pinto", .values = {{"stiffness", 1}, {"yield_force", 1}, {"R0", 10}}}),
+                     {"R0", "10", "cR1", "13.333333333333341"}));
 }
 
 }  // namespace published_values_test

@@ -15,6 +15,7 @@
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/describe.hpp>
 #include <pounding/model/plausible.hpp>
+#include "support/messages.hpp"
 #include "support/models.hpp"
 
 namespace pounding {
@@ -40,14 +41,13 @@ std::vector<std::string> names(const std::string& yaml) {
 }
 
 // `message` is the whole text after the name of the file; the hinges stand in line 4.
-void refused(const std::string& hinges, const std::string& message, const std::string& frame = grid) {
-  try {
-    structure(frame + "hinges: " + hinges + "\n");
-    ADD_FAILURE() << "this was taken: " << hinges << "\nnot refused: " << message;
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), "test.yaml:4:" + message) << hinges;
-  }
+void refused(const std::string& hinges, const std::string& place, const test::Facts& facts = {},
+             const std::string& frame = grid, std::source_location line = std::source_location::current()) {
+  const std::string yaml = frame + "hinges: " + hinges + "\n";
+  test::expect_message(test::refusal<InputError>([&] { structure(yaml); }), "test.yaml:" + place, facts, line);
 }
+
+using test::at, test::mentions;
 
 using Names = std::vector<std::string>;
 
@@ -107,7 +107,8 @@ TEST(HingeInput, SpringsFollowLawsByName) {
 TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
   const auto warnings = [](const std::string& hinges) {
     const Model model = test::model_of(
-        "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, storey_height: "
+        "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, "
+        "storey_height: "
         "3 m, "
         "bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n      "
         "hinges: " +
@@ -124,10 +125,8 @@ TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
       structure(grid + "hinges: {columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}\n");
   EXPECT_EQ(bare.yielding[0].parameter("spring_hardening"), 0.03);
   const std::string warning = warnings(by_member);
-  EXPECT_NE(warning.find("hinges.columns.bouc_wen.hardening: is the ratio of the member end; version 0.2.0 took 3 % as "
-                         "that of the bare spring, which is now "
-                         "spring_hardening: 3 % (where it is meant: accept: [hardening])"),
-            std::string::npos)
+  EXPECT_TRUE(test::mentions(
+      warning, {"accept: [hardening]", "hinges.columns.bouc_wen.hardening", "spring_hardening", "3 %", "0.2.0"}))
       << warning;
   EXPECT_EQ(
       warnings("{columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}").find("hardening"),
@@ -144,61 +143,50 @@ TEST(HingeInput, APartHasTheLengthOfItsMember) {
 
 TEST(HingeInput, RefusesTwoMeaningsOfHardening) {
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, hardening: 0.1, spring_hardening: 0.1}}}",
-          "72: hinges.beams.bouc_wen.spring_hardening: give hardening, the ratio of the member end, or "
-          "spring_hardening, that of the bare spring, not both");
+          at("4:72", "hinges.beams.bouc_wen.spring_hardening"), mentions({"spring_hardening"}));
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, spring_hardening: 1}}}",
-          R"(74: hinges.beams.bouc_wen.spring_hardening: takes a number in [0, 1) such as "5 %"; "1" is outside)");
+          at("4:74", "hinges.beams.bouc_wen.spring_hardening"), mentions({"5 %", "[0, 1)"}));
 }
 
 TEST(HingeInput, RefusesWhatIsWrong) {
-  refused("{beam x 1.1: {at: both, yield_moment: 1}}",
-          R"(10: hinges.beam x 1.1: unknown member "beam x 1.1". Did you mean "beam x 1.0"?)");
-  refused("{beams: {yield_moment: 1}}", R"(17: hinges.beams: key "at" is missing; type "at: both")");
-  refused("{beams: {at: middle, yield_moment: 1}}",
-          R"(22: hinges.beams.at: unknown end of a member "middle". Allowed: start, end, both, feet.)");
-  refused("{beams: {at: both}}", "17: hinges.beams: the yield moment is missing; type yield_moment: 210 kN m");
-  refused("{beams: {at: both, yield_moment: 0}}",
-          R"(42: hinges.beams.yield_moment: takes an energy or moment > 0 such as "12 kN m"; "0" is outside)");
-  refused("{beams: {at: both, yield_moment: 210 kN}}",
-          R"(42: hinges.beams.yield_moment: takes an energy or moment such as "12 kN m"; "210 kN" is a force)");
-  refused("{beams: {at: both, yield_moment: [1 kN m, 2 kN m]}}",
-          "51: hinges.beams.yield_moment[1]: the second moment is that of hogging, and negative; type [210 kN m, -260 "
-          "kN m]");
-  refused("{beams: {at: both, yield_moment: [1, -2, 3]}}",
-          "42: hinges.beams.yield_moment: takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 "
-          "kN m]; a list of 3 was read");
-  refused("{beams: {at: both, yield_moment: 1, hardening: 100 %}}",
-          R"(56: hinges.beams.hardening: takes a number in [0, 1) such as "5 %"; "100 %" is outside)");
-  refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}",
-          R"(45: hinges.beams: unknown key "hardning". Did you mean "hardening"?)");
+  refused("{beam x 1.1: {at: both, yield_moment: 1}}", at("4:10"),
+          mentions({"beam x 1.1", "beam x 1.0", "hinges.beam"}));
+  refused("{beams: {yield_moment: 1}}", at("4:17", "hinges.beams"), mentions({"at: both"}));
+  refused("{beams: {at: middle, yield_moment: 1}}", at("4:22", "hinges.beams.at"),
+          mentions({"middle", "start", "end", "both"}));
+  refused("{beams: {at: both}}", at("4:17", "hinges.beams"), mentions({"yield_moment: 210 kN m"}));
+  refused("{beams: {at: both, yield_moment: 0}}", at("4:42", "hinges.beams.yield_moment"), mentions({"12 kN m", "0"}));
+  refused("{beams: {at: both, yield_moment: 210 kN}}", at("4:42", "hinges.beams.yield_moment"),
+          mentions({"12 kN m", "210 kN"}));
+  refused("{beams: {at: both, yield_moment: [1 kN m, 2 kN m]}}", at("4:51", "hinges.beams.yield_moment[1]"),
+          mentions({"[210 kN m, -260 kN m]"}));
+  refused("{beams: {at: both, yield_moment: [1, -2, 3]}}", at("4:42", "hinges.beams.yield_moment"),
+          mentions({"[sagging, -hogging]", "[210 kN m, -260 kN m]", "3"}));
+  refused("{beams: {at: both, yield_moment: 1, hardening: 100 %}}", at("4:56", "hinges.beams.hardening"),
+          mentions({"5 %", "100 %", "[0, 1)"}));
+  refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}", at("4:45", "hinges.beams"),
+          mentions({"hardning", "hardening"}));
   for (const char* law : {"bouc_wen", "{bouc_wen: {yield_moment: 1}}"})
-    refused("{beams: {at: both, law: " + std::string(law) + "}}",
-            R"(28: hinges.beams: unknown key "law". Type "bouc_wen: {yield_moment: 210 kN m}" in its place.)");
-  refused(
-      "{beams: {at: both, bouc_wen: 210 kN m}}",
-      "38: hinges.beams.bouc_wen: takes keys with values such as {yield_moment: 210 kN m}; a single value was read");
-  refused("{beams: {at: feet, yield_moment: 1}}",
-          "22: hinges.beams.at: no end stands on a node that the ground holds; type at: start, at: end or at: both");
-  refused("{beams: {at: both, axis: z, yield_moment: 1}}",
-          "34: hinges.beams.axis: a plane frame bends about y only; leave the axis out");
-  refused("{beams: {at: both, yield_moment: 1}}",
-          "17: hinges.beams: the axis is missing, and a member in space bends about two; type axis: y, axis: z or "
-          "axis: both",
+    refused("{beams: {at: both, law: " + std::string(law) + "}}", at("4:28", "hinges.beams"),
+            mentions({"law", "bouc_wen: {yield_moment: 210 kN m}"}));
+  refused("{beams: {at: both, bouc_wen: 210 kN m}}", at("4:38", "hinges.beams.bouc_wen"),
+          mentions({"{yield_moment: 210 kN m}"}));
+  refused("{beams: {at: feet, yield_moment: 1}}", at("4:22", "hinges.beams.at"), mentions({"at: start", "at: both"}));
+  refused("{beams: {at: both, axis: z, yield_moment: 1}}", at("4:34", "hinges.beams.axis"));
+  refused("{beams: {at: both, yield_moment: 1}}", at("4:17", "hinges.beams"), mentions({"axis: y", "axis: both"}),
           space);
-  refused("{beams: 210 kN m}",
-          "17: hinges.beams: takes a map; type {at: both, yield_moment: 210 kN m, hardening: 3 %}");
-  refused("{beams: {at: both, yield_moment: 1, bilinear: {yield_moment: 1}}}",
-          "28: hinges.beams.yield_moment: belongs to a rigid-plastic hinge, and bilinear is given too; write it inside "
-          "bilinear, or leave bilinear out");
+  refused("{beams: 210 kN m}", at("4:17", "hinges.beams"),
+          mentions({"{at: both, yield_moment: 210 kN m, hardening: 3 %}"}));
+  refused("{beams: {at: both, yield_moment: 1, bilinear: {yield_moment: 1}}}", at("4:28", "hinges.beams.yield_moment"),
+          mentions({"hinge"}));
   refused("{beams: {at: both, bilinear: {yield_moment: 1}, bouc_wen: {yield_moment: 1}}}",
-          "57: hinges.beams.bouc_wen: a hinge follows one law, and bilinear is given too; keep one of the two");
-  refused("{beams: {at: both, bouc_wen: {yield_moment: [1, -2]}}}",
-          "53: hinges.beams.bouc_wen.yield_moment: bouc_wen yields at the same moment both ways; give one");
+          at("4:57", "hinges.beams.bouc_wen"), mentions({"hinge"}));
+  refused("{beams: {at: both, bouc_wen: {yield_moment: [1, -2]}}}", at("4:53", "hinges.beams.bouc_wen.yield_moment"),
+          mentions({"bouc_wen"}));
   refused("{beams: {at: both, bilinear: {yield_moment: 1, stiffness: 1, stiffness_factor: 2}}}",
-          "70: hinges.beams.bilinear.stiffness_factor: give stiffness or stiffness_factor, not both");
-  refused(
-      "{beams: {at: both, bilinear: {yield_moment: 1, sharpness: 1}}}",
-      R"(56: hinges.beams.bilinear: unknown key "sharpness". Allowed: yield_moment, stiffness, stiffness_factor, hardening, spring_hardening.)");
+          at("4:70", "hinges.beams.bilinear.stiffness_factor"), mentions({"stiffness_factor"}));
+  refused("{beams: {at: both, bilinear: {yield_moment: 1, sharpness: 1}}}", at("4:56", "hinges.beams.bilinear"),
+          mentions({"sharpness", "yield_moment", "stiffness", "stiffness_factor"}));
 }
 
 TEST(HingeInput, RefusesEndsThatCannotYield) {
@@ -208,35 +196,29 @@ TEST(HingeInput, RefusesEndsThatCannotYield) {
     structure(released + "hinges: {beams: {at: both, yield_moment: 210 kN m}}");
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "test.yaml:5:17: hinges.beams: member beam x 1.0: the hinge at its end: ry is released there, so no "
-                 "moment reaches it; "
-                 "leave out the release or the hinge");
+    EXPECT_TRUE(test::mentions(error.what(), {"test.yaml:5:17", "hinges.beams", "1.0", "ry"}));
   }
   // 10 t at each node, 98 kN, on a cantilever of 1 m.
   const std::string bracket =
       "material: {E: 30 GPa}\nnodes: {a: [0, 0], b: [1 m, 0]}\n"
       "members: {arm: {between: [a, b], section: {rectangle: [0.4, 0.4]}}}\n";
   refused("{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true",
-          "15: hinges.arm: hinge arm start: at rest, under gravity and loads alone, its moment is -98.07 kN m, and it "
-          "yields at -90 kN m; "
-          "give it a yield moment above that, or lighten what it carries",
-          bracket);
+          at("4:15", "hinges.arm"), mentions({"-98.07 kN m", "-90 kN m"}), bracket);
   refused(
       "{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true\ngeometry: "
       "corotational",
-      "15: hinges.arm: hinge arm start: with geometry: corotational no end of a member yields; type geometry: p_delta, "
-      "or leave the hinges out",
-      bracket);
+      at("4:15", "hinges.arm"), mentions({"geometry: p_delta"}), bracket);
 }
 
 // The weaker sense is 100 kN m, the other one 400 kN m: 10 mm to one side yield, to the other side they do not.
 TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
   const auto displaced = [](const std::string& by) {
     return "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m]}\n"
-           "      members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: {a: "
+           "      members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: "
+           "{a: "
            "fixed}\n"
-           "      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: [400 kN "
+           "      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: [400 "
+           "kN "
            "m, -100 kN m]}}\n"
            "    damping: 5 %\n    initial_displacement: " +
            by + "\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
@@ -247,8 +229,7 @@ TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
       test::model_of(displaced(by));
     } catch (const InputError& error) {
       ++refusals;
-      const std::string text = error.what();
-      EXPECT_NE(text.find(" rad, and it yields at 0.001172 rad; take less, or an initial_velocity"), text.npos) << text;
+      EXPECT_TRUE(test::mentions(error.what(), {"0.001172 rad", "initial_velocity"}));
     }
   }
   EXPECT_EQ(refusals, 1);
@@ -259,7 +240,8 @@ TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
 TEST(HingeInput, AreShownAsTheyWereResolved) {
   const Model model = test::model_of(
       "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n"
-      "      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: "
+      "      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, "
+      "beams: "
       "{rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n"
       "      hinges: {columns: {at: feet, yield_moment: 250 kN m, hardening: 2 %, ultimate_rotation: 0.04}}\n"
       "    damping: 5 %\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: "
@@ -271,8 +253,7 @@ TEST(HingeInput, AreShownAsTheyWereResolved) {
   EXPECT_EQ(hinge["ultimate_rotation"].as<double>(), 0.04);
   const double k = hinge["member_stiffness"].as<double>();
   EXPECT_NEAR(hinge["yield_rotation"].as<double>(), 250e3 / k, 1e-15);
-  EXPECT_NE(describe(model).find("     2 hinges: yield moment 250 kN m, yield rotation "), std::string::npos)
-      << describe(model);
+  EXPECT_TRUE(test::mentions(describe(model), {"250 kN m", "2"}));
 }
 
 }  // namespace hinge_input_test

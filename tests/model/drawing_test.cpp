@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <pounding/elements.hpp>
-#include "support/refusal.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace drawing_test {
@@ -93,14 +93,10 @@ TEST(DrawnGap, OfZeroIsRefusedWhereFramesLeanTogether) {
 TEST(DrawnGap, IsTheGivenOneWhereTheyDifferByRounding) {
   EXPECT_EQ(Pair(6.02).gap({.gap = 0.02009, .floors = FacingFloors::all}), 0.02009);
   EXPECT_EQ(Pair(6.333).gap({.gap = 1.0 / 3, .floors = FacingFloors::all}), 1.0 / 3) << "a thousandth";
-  EXPECT_EQ(refusal([] { Pair(6.02).gap({.gap = 0.0202, .floors = FacingFloors::all}); }),
-            "is 20.2 mm, but floor 1 of left (x = 6 m) and floor 1 of right (x = 6.02 m) are drawn 20 mm apart; leave "
-            "the gap out to take this "
-            "distance, or move right by 0.2 mm along x with its origin");
-  EXPECT_EQ(refusal([] { Pair(988).gap({.gap = 0.02, .floors = FacingFloors::all}); }),
-            "is 20 mm, but floor 1 of left (x = 6 m) and floor 1 of right (x = 988 m) are drawn 982 m apart; leave the "
-            "gap out to take this "
-            "distance, or move right by -981.98 m along x with its origin");
+  EXPECT_TRUE(test::mentions(refusal([] { Pair(6.02).gap({.gap = 0.0202, .floors = FacingFloors::all}); }),
+                             {"20.2 mm", "6 m", "6.02 m", "20 mm", "0.2 mm", "1"}));
+  EXPECT_TRUE(test::mentions(refusal([] { Pair(988).gap({.gap = 0.02, .floors = FacingFloors::all}); }),
+                             {"20 mm", "6 m", "988 m", "982 m", "-981.98 m", "1"}));
 }
 
 // A tower whose upper floors are set back.
@@ -147,9 +143,9 @@ TEST(DrawnGap, IsThatOfTheEndsWhereFramesReachOverEachOther) {
   const StructureHandle other = model.add("other", cantilever(14, 8.03), {.damping = 0.05});
   model.link(deck.floor(1), other.floor(1), {}, laws::Hertz{.stiffness = 1e9});
   EXPECT_EQ(model.links[0].gap, 0.03);
-  EXPECT_EQ(refusal([&] { model.link(deck.floor(1), low.floor(2), {}, laws::Hertz{.stiffness = 1e9}); }),
-            "floor deck of deck (x = 8 m) and floor 2 of low (x = 5 m) overlap by 3 m; move low by 3 m along x with "
-            "its origin, or farther");
+  EXPECT_TRUE(
+      test::mentions(refusal([&] { model.link(deck.floor(1), low.floor(2), {}, laws::Hertz{.stiffness = 1e9}); }),
+                     {"8 m", "5 m", "3 m", "2"}));
 }
 
 TEST(DrawnGap, IsOfEndsThatAreLevel) {
@@ -159,17 +155,16 @@ TEST(DrawnGap, IsOfEndsThatAreLevel) {
     return pair.model.links[0].gap;
   };
   EXPECT_EQ(first_floors(2.6), 0.02) << "beams of half a metre meet";
-  EXPECT_EQ(refusal([&] { first_floors(2.4); }),
-            "floor 1 of left (z = 3 m) and floor 1 of right (z = 2.4 m) do not face each other; link ends that are "
-            "level, or the column there, as in "
-            "{structure: right, elevation: 3 m}");
+  EXPECT_TRUE(
+      test::mentions(refusal([&] { first_floors(2.4); }), {"{structure: right, elevation: 3 m}", "2.4 m", "1"}));
 }
 
 TEST(DrawnGap, StaysRequiredWithoutADrawing) {
   Pair pair(6.02);
   const StructureHandle wall = pair.model.add("wall", make_wall());
-  EXPECT_EQ(refusal([&] { pair.model.link(pair.right.floor(1), wall, {}, laws::Hertz{.stiffness = 1e9}); }),
-            "the gap is missing; give it, as in {.gap = 0.02}");
+  EXPECT_TRUE(
+      test::mentions(refusal([&] { pair.model.link(pair.right.floor(1), wall, {}, laws::Hertz{.stiffness = 1e9}); }),
+                     {"{.gap = 0.02}"}));
 }
 
 }  // namespace drawing_test

@@ -11,7 +11,7 @@
 #include <pounding/ground/record.hpp>
 #include <pounding/model/describe.hpp>
 #include <pounding/model/plausible.hpp>
-#include "support/refusal.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace plausible_test {
@@ -40,30 +40,23 @@ TEST(Plausible, OrdinaryModelsAreNotDoubted) {
 }
 
 TEST(Plausible, PeriodsAndFloorsAreThoseOfBuildings) {
-  EXPECT_EQ(implausible(model_of(oscillator("mass: 100 t, stiffness: 90"))),
-            Texts{"structure a: the first period is 209.4 s, and those of structures lie from 0.02 s to 20 s; are "
-                  "masses and stiffnesses in kg and N/m, or with "
-                  "their units? (where it is meant: accept: [period])"});
-  EXPECT_EQ(implausible(model_of(oscillator("mass: 100, period: 0.8"))),
-            Texts{"structure a: floor 1 has 100 kg, under 1 t; a bare mass is in kg, type its unit, as in 250 t (where "
-                  "it is meant: accept: [mass])"});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(oscillator("mass: 100 t, stiffness: 90")))),
+                             {"accept: [period]", "209.4 s", "0.02 s", "20 s", "a"}));
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(oscillator("mass: 100, period: 0.8")))),
+                             {"accept: [mass]", "100 kg", "1 t", "250 t", "a"}));
   EXPECT_EQ(implausible(model_of(oscillator("mass: 100, stiffness: 90 MN/m"))).size(), 2u);
   EXPECT_EQ(implausible(model_of(oscillator("mass: 1 t, period: 0.021"))), Texts{});
   EXPECT_EQ(implausible(model_of(oscillator("mass: 1 t, period: 19.9"))), Texts{});
 }
 
 TEST(Plausible, MembersFitTheirFrame) {
-  EXPECT_EQ(implausible(model_of(frame("", "{rectangle: [400, 400]}")))[1],
-            "structure a: member column 1.0 is some 400 m deep, more than a storey of 3 m; a bare length is in m, type "
-            "its unit, as in 400 mm (where it is "
-            "meant: accept: [section])");
+  EXPECT_TRUE(test::mentions(implausible(model_of(frame("", "{rectangle: [400, 400]}")))[1],
+                             {"accept: [section]", "400 m", "3 m", "400 mm", "1.0", "a"}));
   EXPECT_EQ(implausible(model_of(frame("", "{rectangle: [0.3 m, 3.1 m]}"))).size(), 1u);
   EXPECT_EQ(implausible(model_of(frame("", "{rectangle: [0.3 m, 2.9 m]}"))), Texts{});
   const Texts soft = implausible(model_of(frame("", "{circle: 0.4}", "30000")));
   ASSERT_EQ(soft.size(), 2u) << "the period is doubted too";
-  EXPECT_EQ(soft[1],
-            "structure a: member column 1.0 has E = 30 kPa, under 100 MPa; a bare E is in Pa, type its unit, as in 30 "
-            "GPa (where it is meant: accept: [E])");
+  EXPECT_TRUE(test::mentions(soft[1], {"accept: [E]", "30 kPa", "100 MPa", "30 GPa", "1.0", "a"}));
 }
 
 TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
@@ -73,25 +66,18 @@ TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
   EXPECT_EQ(implausible(model_of(storey("200 kN"))), Texts{});
   // k = 6.1685 MN/m
   EXPECT_EQ(implausible(model_of(storey("62"))), Texts{});
-  EXPECT_EQ(implausible(model_of(storey("61"))),
-            Texts{"structure a: storey 1 yields at 0.009889 mm, under 0.01 mm; a bare force is in N, type its unit, as "
-                  "in 900 kN (where it is meant: "
-                  "accept: [yield])"});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(storey("61")))),
+                             {"accept: [yield]", "0.009889 mm", "0.01 mm", "900 kN", "1", "a"}));
   const auto hinges = [](const std::string& moment, const std::string& more = "") {
     return frame(", hinges: {beams: {at: both, yield_moment: " + moment + ", hardening: 2 %" + more + "}}");
   };
   EXPECT_EQ(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 0.03"))), Texts{});
   const Texts weak = implausible(model_of(hinges("250")));
   ASSERT_EQ(weak.size(), 1u) << "one line, and not one a hinge";
-  EXPECT_TRUE(weak[0].starts_with("structure a: beam x 1.0 start yields at ")) << weak[0];
-  EXPECT_TRUE(
-      weak[0].ends_with("a bare moment is in N m, type its unit, as in 250 kN m (where it is meant: accept: [yield])"))
-      << weak[0];
+  EXPECT_TRUE(test::mentions(weak[0], {"1.0", "N m", "250 kN m", "accept: [yield]"}));
   EXPECT_EQ(implausible(model_of(hinges("250"), "accept: [yield]\n")), Texts{});
-  EXPECT_EQ(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 30"))),
-            Texts{"structure a: beam x 1.0 start has an ultimate rotation of 30 rad, above 0.5 rad; a bare rotation is "
-                  "in rad, as in 0.03 (where it is meant: "
-                  "accept: [rotation])"});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 30")))),
+                             {"accept: [rotation]", "30 rad", "0.5 rad", "1.0", "0.03", "a"}));
 }
 
 TEST(Plausible, GapsAreNarrow) {
@@ -99,17 +85,15 @@ TEST(Plausible, GapsAreNarrow) {
   const std::string links = "links: [{between: [a, b], floors: all, law: hertz, stiffness: 2.75e9}]\n";
   const Model model = model_of(pair, links);
   EXPECT_EQ(model.links[0].gap, 12.02) << "the distance drawn";
-  EXPECT_EQ(implausible(model), Texts{"link a.1-b.1: the gap is 12.02 m, above 2 m; a bare length is in m, type its "
-                                      "unit, as in 20 mm, and look at the origins "
-                                      "(where it is meant: accept: [gap])"});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model)), {"accept: [gap]", "12.02 m", "2 m", "20 mm", "a.1-b.1"}));
   EXPECT_EQ(implausible(model_of(pair, links + "accept: [gap]\n")), Texts{});
 }
 
 // The first doubt of a model with one change; the doubt must be the only one unless `count` says otherwise.
-void expect_doubt(const Model& model, const std::string& name, const std::string& text, std::size_t count = 1) {
+void expect_doubt(const Model& model, const std::string& name, const test::Facts& facts, std::size_t count = 1) {
   const Texts found = implausible(model);
-  ASSERT_EQ(found.size(), count) << text;
-  EXPECT_TRUE(found[0].starts_with(text)) << found[0];
+  ASSERT_EQ(found.size(), count);
+  EXPECT_TRUE(test::mentions(found[0], facts));
   EXPECT_NE(found[0].find("accept: [" + name + "]"), std::string::npos) << found[0];
   Model accepted = read_model(Input::read_text(model.source_text, "test.yaml"));
   accepted.accept = {name};
@@ -127,21 +111,18 @@ std::string dense_frame(const std::string& floor_mass = "60 t", const std::strin
 TEST(Plausible, NumbersAsTheyAreTypedAreThoseOfBuildings) {
   EXPECT_EQ(implausible(model_of(dense_frame())), Texts{});
   // The members alone make floors of more than 1 t.
-  expect_doubt(model_of(dense_frame("90")), "mass",
-               "structures.a.frame.grid.floor_mass: 90 is below 1 t; a bare mass is in kg, type its unit, as in 90 t");
-  expect_doubt(model_of(dense_frame("[90, 80]")), "mass",
-               "structures.a.frame.grid.floor_mass[0]: 90 is below 1 t; a bare mass is in kg, type its unit, as in 90 "
-               "t (and 1 more)");
+  expect_doubt(model_of(dense_frame("90")), "mass", {"structures.a.frame.grid.floor_mass", "1 t", "90 t"});
+  expect_doubt(model_of(dense_frame("[90, 80]")), "mass", {"[0]", "structures.a.frame.grid.floor_mass", "1 t", "90 t"});
   expect_doubt(model_of(dense_frame("60 t", "2.5")), "density",
-               "structures.a.frame.material.density: 2.5 is below 100 kg/m^3");
+               {"structures.a.frame.material.density", "100 kg/m^3", "2.5"});
   expect_doubt(model_of(dense_frame("60 t", "25000")), "density",
-               "structures.a.frame.material.density: 25000 is above 1.5e+04 kg/m^3");
+               {"structures.a.frame.material.density", "1.5e+04 kg/m^3", "25000"});
   expect_doubt(model_of(dense_frame("60 t", "2500", "35")), "stiffness",
-               "structures.a.frame.sections.C.stiffness: 35 is above 2; it is a factor");
+               {"structures.a.frame.sections.C.stiffness", "35", "2"});
   expect_doubt(model_of(dense_frame("60 t", "2500", "0.35 %")), "stiffness",
-               "structures.a.frame.sections.C.stiffness: 0.35 % is below 0.02");
+               {"structures.a.frame.sections.C.stiffness", "0.35 %", "0.02"});
   expect_doubt(model_of(dense_frame("60 t", "2500", "0.7", "storey_height: 3 m, bay_width: 6000")), "height",
-               "structures.a.frame.grid.bay_width: 6000 is above 300 m; a bare length is in m");
+               {"structures.a.frame.grid.bay_width", "300 m", "6000"});
   for (const char* left_out : {"0", "0 t"}) EXPECT_EQ(implausible(model_of(dense_frame(left_out))), Texts{});
   EXPECT_EQ(implausible(model_of(dense_frame("60 t", "0"))), Texts{});
 }
@@ -159,12 +140,11 @@ TEST(Plausible, DampingRatiosAreThoseOfBuildings) {
   };
   for (const char* usual : {"5 %", "0", "0.5 %", "0.1 %", "30 %", "{rayleigh: {ratio: 2 %}}"})
     EXPECT_EQ(implausible(damped(usual)), Texts{}) << usual;
-  expect_doubt(damped("0.05 %"), "damping", "structures.a.damping: 0.05 % is below 0.001; 5 % is usual");
-  expect_doubt(damped("0.5"), "damping", "structures.a.damping: 0.5 is above 0.4; 5 % is usual");
-  expect_doubt(damped("{modal: {ratio: 0.05 %}}"), "damping",
-               "structures.a.damping.modal.ratio: 0.05 % is below 0.001");
+  expect_doubt(damped("0.05 %"), "damping", {"structures.a.damping", "0.05 %", "5 %", "0.001"});
+  expect_doubt(damped("0.5"), "damping", {"structures.a.damping", "5 %", "0.5", "0.4"});
+  expect_doubt(damped("{modal: {ratio: 0.05 %}}"), "damping", {"structures.a.damping.modal.ratio", "0.05 %", "0.001"});
   expect_doubt(model_of("  a: {oscillator: {mass: 100 t, period: 0.8, damping: 0.0005}}\n"), "damping",
-               "structures.a.oscillator.damping: 0.0005");
+               {"structures.a.oscillator.damping", "0.0005"});
 }
 
 TEST(Plausible, IsolatorsBearTheirWeight) {
@@ -177,17 +157,15 @@ TEST(Plausible, IsolatorsBearTheirWeight) {
   EXPECT_EQ(implausible(isolated(rubber + ", capacity: 350 mm")), Texts{});
   EXPECT_EQ(implausible(isolated("friction_pendulum: {radius: 2 m, friction: 6 %}")), Texts{});
   expect_doubt(isolated(rubber + ", capacity: 350"), "isolator",
-               "structures.a.shear_building.isolator.capacity: 350 is above 3 m; a bare length is in m");
+               {"structures.a.shear_building.isolator.capacity", "3 m", "350"});
   expect_doubt(isolated(rubber + ", capacity: 0.35 mm"), "isolator",
-               "structures.a.shear_building.isolator.capacity: 0.35 mm is below 10 mm");
+               {"structures.a.shear_building.isolator.capacity", "0.35 mm", "10 mm"});
   expect_doubt(isolated("lead_rubber: {strength: 300, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"),
-               "isolator",
-               "structure a: its isolators begin to move at 300 N, 0.0051 % of its weight of 5.884 MN, and 2 % to 15 % "
-               "are usual; a bare force is in N");
+               "isolator", {"300 N", "0.0051 %", "5.884 MN", "2 %", "15 %", "a"});
   expect_doubt(isolated("lead_rubber: {strength: 300 MN, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"),
-               "isolator", "structure a: its isolators");
+               "isolator", {"a"});
   expect_doubt(isolated("friction_pendulum: {radius: 2000, friction: 6 %}"), "isolator",
-               "structures.a.shear_building.isolator.friction_pendulum.radius: 2000");
+               {"structures.a.shear_building.isolator.friction_pendulum.radius", "2000"});
 }
 
 TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
@@ -197,13 +175,10 @@ TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
                     rest);
   };
   EXPECT_EQ(implausible(building(", height: 3.2 m")), Texts{});
-  expect_doubt(building(", height: 3200"), "height",
-               "structures.a.shear_building.height: 3200 is above 50 m; a bare length is in m");
-  expect_doubt(building(", height: 3.2 mm"), "height", "structures.a.shear_building.height: 3.2 mm is below 300 mm");
-  expect_doubt(building(", initial_displacement: 20"), "initial",
-               "structure a: it begins with a displacement of 20 m, above 2 m");
-  expect_doubt(building(", initial_velocity: 300"), "initial",
-               "structure a: it begins with a velocity of 300 m/s, above 10 m/s");
+  expect_doubt(building(", height: 3200"), "height", {"structures.a.shear_building.height", "50 m", "3200"});
+  expect_doubt(building(", height: 3.2 mm"), "height", {"structures.a.shear_building.height", "3.2 mm", "300 mm"});
+  expect_doubt(building(", initial_displacement: 20"), "initial", {"20 m", "2 m", "a"});
+  expect_doubt(building(", initial_velocity: 300"), "initial", {"300 m/s", "10 m/s", "a"});
   EXPECT_EQ(implausible(model_of("  ball: {body: {mass: 1 kg}, initial_velocity: 30 m/s}\n  w: {wall: {}}\n")), Texts{})
       << "bodies may be fast";
   const auto gap = [&](const std::string& width) {
@@ -211,8 +186,8 @@ TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
   };
   EXPECT_EQ(implausible(gap("0")), Texts{});
   EXPECT_EQ(implausible(gap("0.1 mm")), Texts{});
-  expect_doubt(gap("0.02 mm"), "gap", "link a.2-w: the gap is 0.02 mm, under 0.05 mm");
-  expect_doubt(gap("20"), "gap", "link a.2-w: the gap is 20 m, above 2 m");
+  expect_doubt(gap("0.02 mm"), "gap", {"0.02 mm", "0.05 mm", "a.2-w"});
+  expect_doubt(gap("20"), "gap", {"20 m", "2 m", "a.2-w"});
 }
 
 TEST(Plausible, GroundMotionsAreThoseOfEarthquakes) {
@@ -220,12 +195,11 @@ TEST(Plausible, GroundMotionsAreThoseOfEarthquakes) {
     return model_of(oscillator("mass: 100 t, period: 0.8"), "ground_motion: " + motion + "\n");
   };
   EXPECT_EQ(implausible(shaken("{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}")), Texts{});
-  expect_doubt(shaken("{harmonic: {amplitude: 300, period: 0.6, duration: 3.0}}"), "scale",
-               "ground motion: its peak acceleration is 30.59 g, above 10 g");
+  expect_doubt(shaken("{harmonic: {amplitude: 300, period: 0.6, duration: 3.0}}"), "scale", {"30.59 g", "10 g"});
   expect_doubt(shaken("{pulse: {shape: sine, amplitude: 0.3, duration: 0.5}}"), "pga",
-               "ground_motion.pulse.amplitude: a bare 0.3 is in m/s^2, 0.0306 g; did you mean 0.3 g?");
+               {"ground_motion.pulse.amplitude", "0.0306 g", "0.3 g", "m/s^2"});
   expect_doubt(shaken("{displacement: {harmonic: {amplitude: 20, period: 0.5 s, duration: 10 s}}}"), "amplitude",
-               "ground_motion.displacement.harmonic.amplitude: 20 is above 5 m", 2);
+               {"ground_motion.displacement.harmonic.amplitude", "5 m", "20"}, 2);
 }
 
 TEST(Plausible, DriftsOfMoreThanATenthOfTheStoreyAreDoubted) {
@@ -234,11 +208,9 @@ TEST(Plausible, DriftsOfMoreThanATenthOfTheStoreyAreDoubted) {
       "  b: {shear_building: {storeys: 1, mass: 100 t, stiffness: 100 MN/m}, damping: 5 %}\n");
   const std::vector<std::vector<double>> small{{0.29, 0.3}, {9}}, large{{0.31, 0.45}, {9}};
   EXPECT_EQ(implausible_drifts(model, small), Texts{}) << "of b no heights are known";
-  EXPECT_EQ(implausible_drifts(model, large),
-            Texts{"structure a: storey 2 drifts by 450 mm, 15 % of its height of 3 m and above 10 %, where no building "
-                  "stands; look at the units of masses, "
-                  "stiffnesses and ground motion, or type analysis: {collapse_drift: 10 %} to end the run there (where "
-                  "it is meant: accept: [drift])"});
+  EXPECT_TRUE(
+      test::mentions(test::only(implausible_drifts(model, large)),
+                     {"analysis: {collapse_drift: 10 %}", "accept: [drift]", "450 mm", "15 %", "3 m", "2", "a"}));
   model.accept = {"drift"};
   EXPECT_EQ(implausible_drifts(model, large), Texts{});
 }
@@ -247,9 +219,8 @@ TEST(Plausible, ABarePeakAccelerationIsDoubted) {
   const auto with_motion = [](const std::string& motion) {
     return implausible(model_of(oscillator("mass: 100 t, period: 0.8"), "ground_motion: " + motion + "\n"));
   };
-  EXPECT_EQ(with_motion("{synthetic: {seed: 1, duration: 1 s, pga: 0.35}}"),
-            Texts{"ground_motion.synthetic.pga: a bare 0.35 is in m/s^2, 0.0357 g; did you mean 0.35 g? Type its unit "
-                  "(where it is meant: accept: [pga])"});
+  EXPECT_TRUE(test::mentions(test::only(with_motion("{synthetic: {seed: 1, duration: 1 s, pga: 0.35}}")),
+                             {"accept: [pga]", "ground_motion.synthetic.pga", "0.0357 g", "0.35 g", "m/s^2"}));
   EXPECT_EQ(with_motion("{components: {x: {synthetic: {seed: 1, duration: 1 s, pga: 0.35}}}}").size(), 1u);
   for (const char* pga : {"0.35 g", "0.35 m/s^2", "3.5"})
     EXPECT_EQ(with_motion(std::string("{synthetic: {seed: 1, duration: 1 s, pga: ") + pga + "}}"), Texts{}) << pga;
@@ -259,22 +230,17 @@ TEST(Plausible, TolerancesAndPenetrationsAreSmall) {
   Model model = model_of(oscillator("mass: 100 t, period: 0.8") + "  w: {wall: {}}\n",
                          "links: [{between: [a, w], gap: 20 mm, law: hertz, stiffness: 2.75e9}]\n");
   const double deep[] = {0.0621}, shallow[] = {0.05};
-  EXPECT_EQ(implausible(model, true, deep), Texts{"link a-w: the bodies overlap by 62.1 mm, more than 50 mm; the "
-                                                  "contact is too soft, look at the unit of its stiffness "
-                                                  "(where it is meant: accept: [penetration])"});
+  EXPECT_TRUE(
+      test::mentions(test::only(implausible(model, true, deep)), {"accept: [penetration]", "62.1 mm", "50 mm", "a-w"}));
   EXPECT_EQ(implausible(model, true, shallow), Texts{});
   EXPECT_EQ(implausible(model, true, {}), Texts{});
-  EXPECT_EQ(implausible(model, false, {}),
-            Texts{"nothing moved: the model has no ground motion, no forces and no initial motion; type one of "
-                  "ground_motion:, forces:, "
-                  "initial_displacement: and initial_velocity: (where it is meant: accept: [motion])"});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model, false, {})),
+                             {"accept: [motion]", "ground_motion", "initial_displacement", "initial_velocity"}));
   model.accept = {"penetration", "motion"};
   EXPECT_EQ(implausible(model, true, deep), Texts{});
   EXPECT_EQ(implausible(model, false, {}), Texts{});
   model.analysis.tolerance = 0.05;
-  EXPECT_EQ(implausible(model), Texts{"analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; "
-                                      "1e-4 is usual (where it is meant: "
-                                      "accept: [tolerance])"});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model)), {"accept: [tolerance]", "5 %", "0.05", "1e-4"}));
 }
 
 // The intensity of 2 s at +-1 m/s^2 is even, so a cut at t takes 1 - t / 2 of it.
@@ -309,10 +275,7 @@ TEST(Plausible, RecordsAreNotCutByTheDuration) {
   EXPECT_EQ(doubts_of(shaken({record}, 1.92)), Texts{}) << "4 % are lost";
   const Texts cut = doubts_of(shaken({record}, 1));
   ASSERT_EQ(cut.size(), 1u);
-  EXPECT_EQ(cut[0],
-            "analysis: the duration of 1 s cuts 1 of 1 record, by more than 5 % of the Arias intensity and up to 50 %; "
-            "type a duration of at least 1.9 s, "
-            "or leave it out (where it is meant: accept: [duration])");
+  EXPECT_TRUE(test::mentions(cut[0], {"accept: [duration]", "1 s", "5 %", "50 %", "1.9 s"}));
   Model accepted = shaken({record}, 1);
   accepted.accept = {"duration"};
   EXPECT_EQ(doubts_of(std::move(accepted)), Texts{});
@@ -327,9 +290,7 @@ TEST(Plausible, RecordsCutByTheDurationAreCounted) {
             {.forces = {{.history = GroundMotion(even_record(1))}}});
   const Texts cut = doubts_of(std::move(model));
   ASSERT_EQ(cut.size(), 1u);
-  EXPECT_NE(cut[0].find("cuts 2 of 3 records, by more than 5 % of the Arias intensity and up to 62 %"),
-            std::string::npos)
-      << cut[0];
+  EXPECT_TRUE(test::mentions(cut[0], {"5 %", "62 %", "2", "3"}));
 }
 
 TEST(Plausible, ARecordIsCutWhereItArrivesLast) {
@@ -337,10 +298,7 @@ TEST(Plausible, ARecordIsCutWhereItArrivesLast) {
   model.add("late", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}), {.delay = 0.5});
   const Texts cut = doubts_of(std::move(model));
   ASSERT_EQ(cut.size(), 1u);
-  EXPECT_NE(cut[0].find("cuts 1 of 1 record, by more than 5 % of the Arias intensity and up to 25 %; type a duration "
-                        "of at least 2.4 s"),
-            std::string::npos)
-      << cut[0];
+  EXPECT_TRUE(test::mentions(cut[0], {"5 %", "25 %", "2.4 s"}));
 }
 
 TEST(Plausible, MotionsInClosedFormAreAsLongAsTheFileSays) {
@@ -352,7 +310,7 @@ TEST(Plausible, ByCodeUnknownNamesAreRefused) {
   model.add("a", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}));
   model.analysis.duration = 1;
   model.accept = {"gpa"};
-  EXPECT_EQ(test::refusal([&] { model.complete(); }), "unknown warning \"gpa\". Did you mean \"gap\"?");
+  EXPECT_TRUE(test::mentions(test::refusal([&] { model.complete(); }), {"gpa", "gap"}));
   model.accept = {"gap"};
   model.complete();
 }
@@ -361,10 +319,10 @@ TEST(Describe, HasALineAStructure) {
   const std::string text = describe(model_of(
       frame() +
       "  w: {wall: {}}\n  ball: {body: {mass: 3 t}}\n  o: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}\n"));
-  EXPECT_NE(text.find("structure a: frame, 2 floors, 120 t, first periods "), std::string::npos) << text;
+  EXPECT_TRUE(test::mentions(text, {"120 t", "2", "a"}));
   EXPECT_NE(text.find("structure w: wall\n"), std::string::npos) << text;
   EXPECT_NE(text.find("structure ball: body, 3 t\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("structure o: oscillator, 1 floor, 100 t, period 0.8 s\n"), std::string::npos) << text;
+  EXPECT_TRUE(test::mentions(text, {"100 t", "0.8 s", "o"}));
 }
 
 }  // namespace plausible_test

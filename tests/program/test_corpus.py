@@ -213,20 +213,10 @@ class Units(CorpusTest):
         for words in (
             [*hertz, "--restitution", "1e-300"],
             [*hertz, "--restitution", "0.5", "--velocity", "1e300"],
-            [
-                "calibrate",
-                "--cyclic",
-                "--law",
-                "jankowski",
-                "--m1",
-                "1e-300",
-                "--restitution",
-                "0.5",
-                "--velocity",
-                "1e-300",
-                "--stiffness",
-                "1e300",
-            ],
+            """
+                calibrate --cyclic --law jankowski --m1 1e-300 --restitution 0.5 --velocity 1e-300
+                --stiffness 1e300
+            """.split(),
         ):
             with self.subTest(words=words):
                 self.refused(*words, told="has no number for these values; look at their units")

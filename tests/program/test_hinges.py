@@ -11,6 +11,7 @@ import h5py
 import numpy as np
 
 from support import LAUNCHER, PROGRAM, ProgramTest
+from messages import assert_mentions
 
 SURROUNDINGS = {
     **os.environ,
@@ -236,44 +237,33 @@ class Hinges(ProgramTest):
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertRegex(done.stderr, r"model\.yaml:\d+:\d+: ")
                 for message in messages:
-                    self.assertIn(message, done.stderr)
+                    assert_mentions(done.stderr, message)
             self.assertEqual(list(self.folder.glob("*.h5")), [])
 
         def with_hinges(words, dimension=2, bays="1"):
             return single(dimension, f"      hinges: {{beams: {words}}}\n", bays)
 
-        refused(
-            with_hinges("{at: both, yield_moment: 0 kN m}"),
-            'hinges.beams.yield_moment: takes an energy or moment > 0 such as "12 kN m"',
-        )
+        refused(with_hinges("{at: both, yield_moment: 0 kN m}"), ["12 kN m", "hinges.beams.yield_moment"])
         refused(
             with_hinges("{at: both, yield_moment: 180 kN m, hardening: 100 %}"),
-            'hinges.beams.hardening: takes a number in [0, 1) such as "5 %"',
+            ["5 %", "[0, 1)", "hinges.beams.hardening"],
         )
         refused(
-            with_hinges("{at: both, yield_moment: 180 kN m, hardening: -1 %}"),
-            "hinges.beams.hardening: takes a number in [0, 1)",
+            with_hinges("{at: both, yield_moment: 180 kN m, hardening: -1 %}"), ["[0, 1)", "hinges.beams.hardening"]
         )
-        refused(
-            with_hinges("{at: both, yield_moment: 180 kN m}", 3, "[1, 1]"),
-            "the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both",
-        )
+        refused(with_hinges("{at: both, yield_moment: 180 kN m}", 3, "[1, 1]"), ["axis: y", "axis: both"])
         refused(
             with_hinges("{at: both, bouc_wen: {yield_moment: 180 kN m, gamma_share: 0.6}}"),
-            "hinges.beams: member beam x 1.0: the hinge at its start: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy",
+            ["[0, 0.5]", "hinges.beams", "gamma_share", "1.0", "0.6"],
         )
-        refused(
-            with_hinges("{at: both, yield_moment: 180 kN m, gamma_share: 0.5}"),
-            'hinges.beams: unknown key "gamma_share". Allowed: ',
-        )
+        refused(with_hinges("{at: both, yield_moment: 180 kN m, gamma_share: 0.5}"), ["gamma_share", "hinges.beams"])
         refused(
             with_hinges("{at: both, bilinear: {yield_moment: 180 kN m, gamma_share: 0.5}}"),
-            'hinges.beams.bilinear: unknown key "gamma_share". Allowed: yield_moment, stiffness, stiffness_factor, hardening, spring_hardening.',
+            ["gamma_share", "yield_moment", "stiffness", "stiffness_factor", "hinges.beams.bilinear"],
         )
         released = "      members: {beam x 1.0: {releases: {end: [ry]}}}\n"
         refused(
-            with_hinges("{at: both, yield_moment: 180 kN m}").replace("      hinges", released + "      hinges"),
-            "ry is released there, so no moment reaches it; leave out the release or the hinge",
+            with_hinges("{at: both, yield_moment: 180 kN m}").replace("      hinges", released + "      hinges"), "ry"
         )
         # 98 kN m at the foot of the bracket under gravity.
         refused(
@@ -292,7 +282,7 @@ class Hinges(ProgramTest):
     damping: 5 %
 """
             + ANALYSIS % "1e-4",
-            "under gravity and loads alone, its moment is -98.07 kN m, and it yields at -90 kN m; give it a yield moment above that",
+            ["-98.07 kN m", "-90 kN m"],
         )
 
     def test_go_on_to_the_bit(self):

@@ -7,6 +7,7 @@ import unittest
 
 import h5py
 from support import OSCILLATORS, PROGRAM, ProgramTest
+from messages import assert_mentions
 
 GRID = """\
 structures:
@@ -31,11 +32,7 @@ def within(gigabytes):
 class Sizes(ProgramTest):
     def test_of_a_grid_are_bounded(self):
         self.refused(
-            2,
-            "model.yaml:5:13: structures.a.frame.grid: a grid of 1000 storeys and 1000 bays has 1002001 nodes, and 200000 are "
-            "the most; take fewer storeys or bays",
-            "check",
-            self.write(GRID),
+            2, ["model.yaml:5:13", "structures.a.frame.grid", "1000", "1002001", "200000"], "check", self.write(GRID)
         )
 
     def test_that_the_memory_cannot_hold_are_refused_before_it_is_taken(self):
@@ -44,10 +41,7 @@ class Sizes(ProgramTest):
             [PROGRAM, "check", path], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(1.5)
         )
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn(
-            "a grid of 300 storeys and 300 bays has 90601 nodes, which take some 2.17 GB, and there are 1.5 GB; take fewer",
-            done.stderr,
-        )
+        assert_mentions(done.stderr, ["2.17 GB", "1.5 GB", "300", "90601"])
 
     def test_of_a_synthetic_motion_are_bounded(self):
         for words in ("duration: 1e9 s", "duration: 10 s, step: 1e-12", "duration: 1e300 s"):
@@ -55,15 +49,13 @@ class Sizes(ProgramTest):
                 "harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}", f"synthetic: {{seed: 1, pga: 1.0, {words}}}"
             )
             with self.subTest(words=words):
-                self.refused(2, "samples, and 1e+07 are the most; type a duration up to", "check", self.write(text))
+                self.refused(2, "1e+07", "check", self.write(text))
 
     def test_of_histories_are_bounded_by_the_memory(self):
         storeys = ROW.format(period=0.5, analysis="duration: 90, output_step: 0.01 ms").replace(
             "oscillator: {mass: 100 t, period: 0.5", "shear_building: {storeys: 900, mass: 100 t, stiffness: 1e8"
         )
-        self.refused(
-            2, "9e+06 output times of 4.5e+03 numbers each take 324 GB, and there are", "check", self.write(storeys)
-        )
+        self.refused(2, ["324 GB", "9e+06", "4.5e+03"], "check", self.write(storeys))
 
 
 class Steps(ProgramTest):
@@ -71,15 +63,14 @@ class Steps(ProgramTest):
         hopeless = ROW.format(period="1e-9", analysis="duration: 1e6 s, output_step: 1 s")
         self.refused(
             2,
-            "model.yaml:2:11: analysis: a run of 1e+06 s takes 1e+16 steps or more, and 100000000 are allowed: the period of 1e-09 s "
-            "of structure a makes them so short; look at the units, or type analysis: {duration: 0.01 s}",
+            ["model.yaml:2:11", "analysis", "analysis: {duration: 0.01 s}", "1e+06 s", "1e-09 s", "1e+16", "100000000"],
             "run",
             self.write(hopeless),
         )
 
     def test_that_patience_affords_say_what_to_type(self):
         many = ROW.format(period="0.1", analysis="duration: 1e6 s, output_step: 1000 s, most_steps: 50000000")
-        self.refused(2, "or {most_steps: 200000000} and some patience", "run", self.write(many))
+        self.refused(2, "{most_steps: 200000000}", "run", self.write(many))
 
     def test_end_at_the_budget_and_go_on(self):
         self.write(OSCILLATORS)
@@ -87,10 +78,7 @@ class Steps(ProgramTest):
         self.write(OSCILLATORS.replace("analysis: {", "analysis: {most_steps: 100, "), "short.yaml")
         cut = self.pounding("run", "short.yaml", "-o", "out.h5", "-q")
         self.assertEqual(cut.returncode, 3, cut.stderr)
-        self.assertRegex(
-            cut.stderr,
-            r"100 steps, and more are not allowed\)\nTo go on: pounding run --resume out.h5 -pounding_ts_max_steps 200\n",
-        )
+        assert_mentions(cut.stderr, ["100", "pounding run", "--resume", "-pounding_ts_max_steps", "h5", "200"])
         on = self.pounding("run", "--resume", "out.h5", "-q", "-pounding_ts_max_steps", "1000000")
         self.assertEqual((on.returncode, on.stderr), (0, ""))
         with h5py.File(self.folder / "whole.h5") as whole, h5py.File(self.folder / "out.h5") as resumed:
@@ -113,7 +101,7 @@ class Memory(ProgramTest):
             preexec_fn=within(0.75),
         )
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertRegex(done.stderr, "out of memory")
+        assert_mentions(done.stderr, "memory")
 
     def test_for_a_text_is_told(self):
         """A model of nearly 16 MB, of which the reader of YAML makes a tree."""
@@ -123,7 +111,7 @@ class Memory(ProgramTest):
             [PROGRAM, "check", "model.yaml"], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(0.75)
         )
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("out of memory", done.stderr)
+        assert_mentions(done.stderr, "memory")
 
 
 class Progress(ProgramTest):

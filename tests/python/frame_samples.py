@@ -300,20 +300,10 @@ def write_wall_link(file):
 
 
 def write_impacts(file, rows):
-    numbers = [
-        "t_start",
-        "t_end",
-        "t_release",
-        "v_approach",
-        "v_separation",
-        "restitution",
-        "peak_force",
-        "t_peak",
-        "peak_penetration",
-        "impulse",
-        "energy_lost",
-        "energy_stored",
-    ]
+    numbers = """
+        t_start t_end t_release v_approach v_separation restitution peak_force t_peak peak_penetration
+        impulse energy_lost energy_stored
+    """.split()
     impacts = np.zeros(len(rows), dtype=[("link", "S32"), *((key, "f8") for key in numbers)])
     for impact, (link, start, end, force) in zip(impacts, sorted(rows, key=lambda row: row[1])):
         impact["link"], impact["t_start"], impact["t_end"], impact["t_release"] = link.encode(), start, end, end

@@ -14,6 +14,7 @@ import frame_samples
 from pounding.runs import read
 from pounding.pictures.geometry import line_model, nearest_on_members, node_displacements
 from pounding.pictures.scene import Motion, Scene
+from messages import raises
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 
@@ -95,7 +96,7 @@ class Reading(Samples):
             envelope.axial_force.max, np.maximum(-envelope.member_force.min[:, 0], envelope.member_force.max[:, 6])
         )
         np.testing.assert_array_equal(envelope.section_force.times[:, 0], envelope.member_force.times[:, 0, ::-1])
-        with self.assertRaisesRegex(KeyError, "tall has no member x"):
+        with raises(KeyError):
             envelope.section("x")
         self.assertIsNone(forces.gravity_included)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import pounding
+from messages import assert_mentions
 
 G = 9.80665
 STEP = 0.02
@@ -90,19 +91,13 @@ class Records(unittest.TestCase):
     def test_wrong_words_are_told(self):
         path = self.write("0.1\n0.2\n0.3\n")
         for words, message in (
-            (
-                {},
-                'one column; time and acceleration are two, and values at a fixed step need "step:", such as step: 0.01 s',
-            ),
-            (
-                {"step": 0.01},
-                'the file does not state the unit of its accelerations; add "units:" with g, m/s^2, cm/s^2 or gal',
-            ),
-            ({"step": "10 mm"}, 'step: takes a time such as "0.5 s"; "10 mm" is a length'),
+            ({}, "step: 0.01 s"),
+            ({"step": 0.01}, ["units:", "m/s^2", "cm/s^2"]),
+            ({"step": "10 mm"}, ["step", "0.5 s", "10 mm"]),
         ):
             with self.subTest(words), self.assertRaises(pounding.InputError) as caught:
                 grounded({"record": str(path), **words})
-            self.assertIn(message, str(caught.exception))
+            assert_mentions(str(caught.exception), message)
 
 
 class ClosedForms(unittest.TestCase):
@@ -134,10 +129,7 @@ class ClosedForms(unittest.TestCase):
     def test_wrong_words_are_told(self):
         with self.assertRaises(pounding.InputError) as caught:
             grounded({"harmonic": {"amplitude": 3, "period": 0.6, "duration": 5, "phase": 90}})
-        self.assertIn(
-            'harmonic.phase: takes an angle from -360 deg to 360 deg such as "90 deg"; "90" is 5156.62 deg',
-            str(caught.exception),
-        )
+        assert_mentions(str(caught.exception), ["90 deg", "harmonic.phase", "-360 deg", "5156.62 deg"])
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import unittest
 import numpy as np
 
 import pounding
+from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 MASS = 6e4
@@ -108,7 +109,7 @@ class Forces(unittest.TestCase):
                     if slow == fast:
                         self.assertEqual(law.force(2e-3, 0.1), slow)
                     else:
-                        with self.assertRaisesRegex(pounding.InputError, f"{name} needs approach_velocity"):
+                        with raises(pounding.InputError, [f"{name}", "approach_velocity"]):
                             law.force(2e-3, 0.1)
 
     def test_only_a_law_with_memory_depends_on_the_order(self):
@@ -131,7 +132,7 @@ class Forces(unittest.TestCase):
         without = pounding.laws["jankowski"](stiffness=2.75e9, restitution=0.65)
         self.assertEqual(without.force(1e-3, 0.3, reduced_mass="60 t"), whole.force(1e-3, 0.3))
         self.assertEqual(without.free_impact(0.5, MASS), whole.free_impact(0.5))
-        with self.assertRaisesRegex(pounding.InputError, "jankowski needs reduced_mass"):
+        with raises(pounding.InputError, ["reduced_mass", "jankowski"]):
             without.force(1e-3, 0.3)
 
     def test_no_mass_is_asked_for_where_none_is_needed(self):
@@ -143,7 +144,7 @@ class Forces(unittest.TestCase):
         )
         self.assertAlmostEqual(bilinear.force(3e-3, 0.0), 4e8 * 1e-3 + 1e8 * 2e-3, delta=1e-6)
         self.assertEqual(list(bilinear.describe()), ["initial_stiffness", "secondary_stiffness", "yield_penetration"])
-        with self.assertRaisesRegex(pounding.InputError, "stiffness has no effect beside initial_stiffness"):
+        with raises(pounding.InputError, "initial_stiffness"):
             pounding.laws["bilinear_hertz"](
                 initial_stiffness=4e8, secondary_stiffness=1e8, yield_penetration=1e-3, stiffness=1e9
             )
@@ -212,27 +213,20 @@ class SameAsTheProgram(unittest.TestCase):
 
 
 class Refusals(unittest.TestCase):
-    def refused(self, text, call, *arguments, **named):
+    def refused(self, facts, call, *arguments, **named):
         with self.assertRaises(pounding.InputError) as caught:
             call(*arguments, **named)
-        self.assertEqual(str(caught.exception), text)
+        assert_mentions(str(caught.exception), facts)
         self.assertIsInstance(caught.exception, ValueError)
 
     def test_names_are_suggested(self):
-        self.refused('unknown law "jankowsky". Did you mean "jankowski"?', pounding.laws.__getitem__, "jankowsky")
+        self.refused(["jankowsky", "jankowski"], pounding.laws.__getitem__, "jankowsky")
+        self.refused(["JankowskiImpact", "jankowski"], pounding.laws.__getitem__, "JankowskiImpact")
+        self.refused(["lankarani", "lankarani_nikravesh", "law: hertz_damped"], pounding.laws.__getitem__, "lankarani")
+        self.refused(["HERTZ", "hertz"], pounding.laws.__getitem__, "HERTZ")
+        self.refused(["stifness", "stiffness", "hertz"], pounding.laws["hertz"], stifness=1)
         self.refused(
-            'unknown law "JankowskiImpact". Did you mean "jankowski"?', pounding.laws.__getitem__, "JankowskiImpact"
-        )
-        self.refused(
-            'unknown law "lankarani". "lankarani_nikravesh" is a formula for the damping of a law; type law: hertz_damped, '
-            "formula: lankarani_nikravesh.",
-            pounding.laws.__getitem__,
-            "lankarani",
-        )
-        self.refused('unknown law "HERTZ". Did you mean "hertz"?', pounding.laws.__getitem__, "HERTZ")
-        self.refused('hertz has no parameter "stifness". Did you mean "stiffness"?', pounding.laws["hertz"], stifness=1)
-        self.refused(
-            'hertz_damped has no formula "ye2009". Did you mean "ye_2009"?',
+            ["ye2009", "ye_2009", "hertz_damped"],
             pounding.laws["hertz_damped"],
             stiffness=1e9,
             restitution=0.5,
@@ -243,27 +237,15 @@ class Refusals(unittest.TestCase):
     def test_units_are_read_and_checked(self):
         same = [pounding.laws["hertz"](stiffness=k).force(1e-3, 0.0) for k in (2.75e9, "2.75e9", "2750 MN/m^1.5")]
         self.assertEqual(len(set(same)), 1)
-        self.refused(
-            'stiffness: takes a Hertz stiffness such as "2.75e9 N/m^1.5"; "20 mm" is a length',
-            pounding.laws["hertz"],
-            stiffness="20 mm",
-        )
+        self.refused(["stiffness", "2.75e9 N/m^1.5", "20 mm"], pounding.laws["hertz"], stiffness="20 mm")
         linear = pounding.laws["hertz"](stiffness="93500 kN/m", exponent=1)
         self.assertEqual(linear.force(1e-3, 0.0), 93500.0)
 
     def test_wrong_values_say_what_is_allowed(self):
-        self.refused(
-            "restitution is 1.2, but must be in (0, 1]", pounding.laws["hertz_damped"], stiffness=1e9, restitution=1.2
-        )
-        self.refused(
-            "approach_velocity is -1, but must be finite and not negative", typical("hertz_damped").force, 0, 0, -1
-        )
-        self.refused(
-            "stereomechanical has no force history", pounding.laws["stereomechanical"](restitution=0.5).force, 0, 0
-        )
-        self.refused(
-            "restitution is missing: the one to calibrate for, such as 0.65", pounding.calibrate, "jankowski", m1=1e5
-        )
+        self.refused(["1.2", "restitution"], pounding.laws["hertz_damped"], stiffness=1e9, restitution=1.2)
+        self.refused(["approach_velocity", "-1"], typical("hertz_damped").force, 0, 0, -1)
+        self.refused("stereomechanical", pounding.laws["stereomechanical"](restitution=0.5).force, 0, 0)
+        self.refused("0.65", pounding.calibrate, "jankowski", m1=1e5)
 
 
 if __name__ == "__main__":

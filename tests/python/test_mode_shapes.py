@@ -17,6 +17,7 @@ import frame_samples
 from pounding import mode_shapes
 from pounding.pictures.drawing import project
 from pounding.pictures.style import BadRequest
+from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 MODEL = """
@@ -86,11 +87,11 @@ class ModeShapes(unittest.TestCase):
         short["node_shapes"]["plane"][0].pop()
         missing["node_shapes"]["plane"] = []
         for wrong, words in (
-            (short, r"plane: node_shapes are \(11, 3\) numbers for 12 nodes"),
-            (missing, "plane: node_shapes of mode 1 are missing"),
-            ({"wall": []}, "no mode to draw"),
+            (short, ["plane", "node_shapes", "11", "3", "12"]),
+            (missing, ["plane", "node_shapes"]),
+            ({"wall": []}, ()),
         ):
-            with self.assertRaisesRegex(BadRequest, words):
+            with raises(BadRequest, words):
                 plot(wrong)
 
     def test_what_the_program_prints_is_drawn(self):
@@ -111,7 +112,7 @@ class ModeShapes(unittest.TestCase):
             file.write("no json")
             file.flush()
             self.assertEqual(mode_shapes.main([file.name, "-o", "x.png"]), 2)
-        self.assertIn(f"cannot read {file.name}:", errors.getvalue())
+        assert_mentions(errors.getvalue(), f"{file.name}")
 
 
 if __name__ == "__main__":

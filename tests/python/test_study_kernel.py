@@ -7,6 +7,7 @@ import numpy as np
 
 from pounding import _core
 from pounding.errors import InputError
+from messages import raises
 
 TIMES = 0.02 * np.arange(501)
 GROUND = np.sin(0.3 * TIMES) * (2.5 * np.sin(4.3 * TIMES) + 2 * np.sin(9.1 * TIMES) + np.sin(23 * TIMES))
@@ -95,13 +96,13 @@ class StudyKernel(unittest.TestCase):
 
     def test_WrongColumnsAreRefusedBeforeAnyRow(self):
         for columns, text in (
-            ({**pairs(), "gap": np.ones(3)}, "gap: 3 numbers for 40 rows"),
-            ({**pairs(), "mass": 1.0}, '"mass" is no column of a pair'),
-            ({k: v for k, v in pairs().items() if k != "gap"}, 'the column "gap" is missing'),
+            ({**pairs(), "gap": np.ones(3)}, ["gap", "3", "40"]),
+            ({**pairs(), "mass": 1.0}, "mass"),
+            ({k: v for k, v in pairs().items() if k != "gap"}, "gap"),
         ):
-            with self.assertRaisesRegex(InputError, text):
+            with raises(InputError, text):
                 run(columns)
-        with self.assertRaisesRegex(InputError, 'Did you mean "hertz_damped"'):
+        with raises(InputError, "hertz_damped"):
             run(pairs(), law="hertz_damp")
 
     def test_AModelRunsForEveryFactorOfTheRecord(self):

@@ -14,6 +14,7 @@ from pounding.studies.engines import DONE
 from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
 from study_samples import WORDS, pair
+from messages import assert_mentions, raises
 
 RIGID = {"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}
 BALL = {
@@ -33,15 +34,15 @@ ROW = {
 
 class Undefined(unittest.TestCase):
     def refused(self, text, words, **model):
-        with self.assertRaisesRegex(InputError, text):
+        with raises(InputError, text):
             make_plan(pair(**model), words, Path())
 
     def test_a_rigid_link_has_no_force(self):
-        instead = "link left-right has a rigid law, whose impacts have no finite force; keep impulse instead"
-        self.refused("study.keep: force: " + instead + "$", {"keep": ["force"]}, links=[RIGID])
-        self.refused("study.limits: force: " + instead, {"limits": {"force": "5 MN"}}, links=[RIGID])
-        self.refused("study.keep: force: " + instead + ", or force.right-third$", {"keep": ["force", "impacts"]}, **ROW)
-        self.refused("keep impulse.left-right instead$", {"keep": ["force.left-right"]}, **ROW)
+        instead = "left-right"
+        self.refused(["keep", instead], {"keep": ["force"]}, links=[RIGID])
+        self.refused(["limits", instead], {"limits": {"force": "5 MN"}}, links=[RIGID])
+        self.refused(["keep", instead], {"keep": ["force", "impacts"]}, **ROW)
+        self.refused([], {"keep": ["force.left-right"]}, **ROW)
         self.assertIn(
             "force.right-third", make_plan(pair(**ROW), {"keep": ["force.right-third"]}, Path()).template.kept.columns
         )
@@ -62,11 +63,7 @@ class Undefined(unittest.TestCase):
             ({"keep": ["drift.ball"]}, "keep"),
             ({"limits": {"drift": "30 mm"}}, "limits"),
         ):
-            self.refused(
-                f"study.{place}: drift is the motion of a floor relative to the one below, and ball has no storeys; keep displacement instead",
-                words,
-                **BALL,
-            )
+            self.refused(f"{place}", words, **BALL)
         # The others keep theirs.
         both = {**pair().structures, "ball": {"body": {"mass": "10 t"}}}
         kept = make_plan(pair(structures=both), {"keep": ["drift", "displacement.ball"]}, Path()).template.kept
@@ -83,16 +80,11 @@ class Undefined(unittest.TestCase):
             },
             "damping": "5 %",
         }
-        self.refused(
-            "displacement is that of floors, and mast has none; name them",
-            {"keep": ["displacement"]},
-            structures={"mast": frame},
-            links=[],
-        )
+        self.refused([], {"keep": ["displacement"]}, structures={"mast": frame}, links=[])
 
     def test_links_that_are_not_there_have_no_gap(self):
-        self.refused("required_gap is the gap of a link, and the model has none", {"keep": ["required_gap"]}, links=[])
-        self.refused('there is no link "left-rigth". Did you mean "left-right"?', {"keep": ["force.left-rigth"]})
+        self.refused("required_gap", {"keep": ["required_gap"]}, links=[])
+        self.refused(["left-rigth", "left-right"], {"keep": ["force.left-rigth"]})
 
     def test_a_correlation_that_is_undefined_stays_so(self):
         # In any order of the links: the first has none, the second one has.
@@ -130,9 +122,7 @@ class Undefined(unittest.TestCase):
         self.assertEqual(study.percentiles("force").count.sum(), 3)
         study.columns["force"][:] = np.nan
         for reading in (lambda: study.fragility("force", "1 N"), lambda: study.percentiles("force")):
-            with self.assertRaisesRegex(
-                InputError, "force is undefined in all of these rows .rigid links have no force: keep impulse"
-            ):
+            with raises(InputError):
                 reading()
 
 
@@ -148,14 +138,9 @@ class Bare(unittest.TestCase):
             lambda: study.fragility("acceleration.left", "0.4", bootstrap=0),
             lambda: study.gaps().exceedance(20),
         ):
-            with self.assertWarnsRegex(
-                pounding.ImplausibleWarning, "a bare (0.4|20) is in m(/s.2)?; if (0.4 g|20 mm) was meant, type its unit"
-            ):
+            with self.assertWarnsRegex(pounding.ImplausibleWarning, "(0.4 g|20 mm)"):
                 call()
-        with self.assertWarnsRegex(
-            pounding.ImplausibleWarning,
-            "a bare 0.02 is in m; the drift of a study is a length, and no ratio .* as in 20 mm",
-        ):
+        with self.assertWarnsRegex(pounding.ImplausibleWarning, "0.02.*20 mm"):
             study.fragility("drift.left", "0.02", bootstrap=0)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -168,7 +153,7 @@ class Bare(unittest.TestCase):
     def test_limits_are_finite(self):
         study = run_plan(make_plan(pair(), {**WORDS, "keep": ["impacts"]}, Path()), None, workers=0)
         for limit in (float("nan"), float("inf"), "nan"):
-            with self.assertRaisesRegex(InputError, "limit of impacts: takes a (finite )?number"):
+            with raises(InputError):
                 study.fragility("impacts", limit)
         with self.assertRaises(InputError):
             make_plan(pair(), {"limits": {"impacts": float("nan")}}, Path())
@@ -188,10 +173,7 @@ class Bare(unittest.TestCase):
                     ),
                     0,
                 )
-        self.assertEqual(
-            told.getvalue(),
-            "warning: limit of acceleration.left: a bare 0.4 is in m/s^2; if 0.4 g was meant, type its unit\n",
-        )
+        assert_mentions(told.getvalue(), ["warning", "acceleration.left", "0.4 g", "m/s^2"])
 
 
 if __name__ == "__main__":

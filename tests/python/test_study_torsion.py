@@ -9,6 +9,7 @@ import pounding
 from pounding.errors import InputError
 from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
+from messages import raises
 
 
 def corner(name, **grid):
@@ -87,9 +88,9 @@ class Torsion(unittest.TestCase):
         loose = model(rigid_floors=False)
         self.assertEqual(plan_of(loose, keep=["rotation"]).template.kept.columns, ("rotation.a",))
         for word in ("rotation.b", "edge_displacement.b", "rotation.rod"):
-            with self.subTest(word), self.assertRaisesRegex(InputError, "is that of rigid floors in space"):
+            with self.subTest(word), raises(InputError):
                 plan_of(loose, keep=[word])
-        with self.assertRaisesRegex(InputError, 'no structure "c" that moves'):
+        with raises(InputError, "c"):
             plan_of(loose, keep=["rotation.c"])
 
 

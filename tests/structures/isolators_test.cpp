@@ -13,6 +13,7 @@
 #include <pounding/structures/oscillators.hpp>
 #include <pounding/structures/sliding_spring.hpp>
 #include <pounding/structures/structure_damping.hpp>
+#include "support/messages.hpp"
 
 namespace pounding {
 namespace isolators_test {
@@ -29,12 +30,7 @@ Structure building(const hysteresis::Settings& law, std::optional<double> capaci
 }
 
 std::string refusal_of(const auto& make) {
-  try {
-    make();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal([&] { make(); });
 }
 
 TEST(Isolators, AreTheLowestStorey) {
@@ -81,9 +77,7 @@ TEST(Isolators, TakeNoPartInTheDamping) {
   Eigen::Matrix2d expected;
   expected << c, -c, -c, c;
   EXPECT_LT((Eigen::MatrixXd(s.whole_damping()) - expected).cwiseAbs().maxCoeff(), 1e-9 * c);
-  EXPECT_EQ(
-      s.damping_note,
-      "2 % in the first mode on a fixed base, period 0.397384 s, in proportion to the stiffness without the isolators");
+  EXPECT_TRUE(test::mentions(s.damping_note, {"2 %", "0.397384 s"}));
 }
 
 TEST(Isolators, AreNotBrakedByModalDamping) {
@@ -102,14 +96,11 @@ TEST(Isolators, AreNotBrakedByModalDamping) {
 TEST(Isolators, RefuseDampingThatWouldBrakeThem) {
   Structure s = building(lead_rubber);
   set_frequencies(s);
-  EXPECT_EQ(refusal_of([&] { set_damping(s, RayleighDamping{.ratio = 0.05}); }),
-            "on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the "
-            "stiffness above them, or "
-            "damping: {modal: {ratio: 2 %}}");
+  EXPECT_TRUE(test::mentions(refusal_of([&] { set_damping(s, RayleighDamping{.ratio = 0.05}); }),
+                             {"damping: {modal: {ratio: 2 %}}", "damping: 2 %"}));
   Structure block = make_shear_building({.storeys = 1, .mass = 200e3, .isolator = IsolatorOptions{.law = slider}});
   set_frequencies(block);
-  EXPECT_EQ(refusal_of([&] { set_damping(block, 0.02); }),
-            "nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
+  EXPECT_TRUE(test::mentions(refusal_of([&] { set_damping(block, 0.02); }), {"damping: 0"}));
   set_damping(block, 0);
   EXPECT_EQ(block.damping_note, "none");
 }
@@ -145,10 +136,10 @@ TEST(Isolators, LeaveTheMotionsOnAFixedBase) {
 }
 
 TEST(Isolators, RefuseWhatCannotBe) {
-  EXPECT_EQ(refusal_of([] { building(lead_rubber, -0.1); }), "isolators: capacity must be positive and finite");
+  EXPECT_TRUE(test::mentions(refusal_of([] { building(lead_rubber, -0.1); }), {"capacity"}));
   hysteresis::Settings rough = slider;
   rough.values["friction"] = -0.06;
-  EXPECT_EQ(refusal_of([&] { building(rough); }), "isolators: friction is -0.06, but must be finite and positive");
+  EXPECT_TRUE(test::mentions(refusal_of([&] { building(rough); }), {"-0.06", "friction"}));
 }
 
 // Pulled at a constant velocity it sticks over u_y mu(v)/mu_fast and then slides at mu(v) W; what it loses is that
@@ -238,10 +229,9 @@ TEST(SlidingSpring, SticksWhereItsSlipStops) {
 
 TEST(SlidingSpring, RefusesWhatCannotBe) {
   const auto spring = [](SlidingFriction law) { return refusal_of([&] { SlidingSpring{law}; }); };
-  EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.09, .fast = 0.08, .rate = 60}),
-            "friction is 0.09, but must be positive and, the first of two, at most the second, 0.08");
-  EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08}),
-            "rate is 0, but must be finite and positive");
+  EXPECT_TRUE(test::mentions(spring({.weight = 5e6, .radius = 2, .slow = 0.09, .fast = 0.08, .rate = 60}),
+                             {"0.09", "0.08", "friction"}));
+  EXPECT_TRUE(test::mentions(spring({.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08}), {"0", "rate"}));
 }
 
 }  // namespace isolators_test

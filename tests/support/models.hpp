@@ -3,13 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <source_location>
 #include <string>
 
+#include <pounding/core/error.hpp>
 #include <pounding/input/read_model.hpp>
+#include "support/messages.hpp"
 
 namespace pounding::test {
 
 inline Model model_of(const std::string& yaml) { return read_model(Input::read_text(yaml, "test.yaml")); }
+
+/// Checks that the model is refused with a message at this place of its text that contains the facts.
+inline void refused(const std::string& yaml, const std::string& place, const Facts& facts = {},
+                    std::source_location line = std::source_location::current()) {
+  expect_message(refusal<InputError>([&] { model_of(yaml); }), "test.yaml:" + place, facts, line);
+}
 
 /// Every law as it stands after "law: ".
 inline constexpr const char* every_law[] = {
