@@ -25,7 +25,7 @@ using pounding::c::guarded;
 using pounding::c::require;
 
 void require_new(bool is_new, std::string_view name) {
-  if (!is_new) throw std::invalid_argument(laws::excerpt(name) + " is given twice");
+  if (!is_new) throw std::invalid_argument(pounding::excerpt(name) + " is given twice");
 }
 
 hysteresis::Settings settings(const char* law, const pnd_value* values, size_t count, const pnd_word* words,

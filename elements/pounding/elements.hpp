@@ -14,11 +14,11 @@
 #include <pounding/input/resolved.hpp>
 #include <pounding/links.hpp>
 #include <pounding/model/contact_law.hpp>
-#include <pounding/model/describe.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/neighbours.hpp>
-#include <pounding/model/plausible.hpp>
-#include <pounding/model/pushover.hpp>
+#include <pounding/pushover/pushover.hpp>
+#include <pounding/reports/describe.hpp>
+#include <pounding/reports/plausible.hpp>
 #include <pounding/structures/oscillators.hpp>

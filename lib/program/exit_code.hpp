@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <pounding/base/excerpt.hpp>
 #include <pounding/core/error.hpp>
-#include <pounding/laws/excerpt.hpp>
 
 namespace pounding::program {
 
@@ -19,8 +19,6 @@ inline int exit_code(const std::exception& error) {
   return is_input ? bad_input : failed_solve;
 }
 
-inline void print_failure(const char* text) {
-  std::fprintf(stderr, "pounding: %s\n", laws::message_text(text).c_str());
-}
+inline void print_failure(const char* text) { std::fprintf(stderr, "pounding: %s\n", message_text(text).c_str()); }
 
 }  // namespace pounding::program

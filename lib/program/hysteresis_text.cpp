@@ -88,7 +88,7 @@ std::vector<double> read_path(const std::string& text) {
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
     if (read.ec != std::errc{} || read.ptr != word.data() + word.size() || !std::isfinite(value))
       throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"; \"" +
-                                  laws::excerpt(word) + "\" is no number");
+                                  excerpt(word) + "\" is no number");
     path.push_back(value);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }

@@ -112,8 +112,8 @@ void print_law(const laws::Entry& entry) {
 
 /// Whether a name that is no law is near that of a law of yielding, and near no contact law.
 bool is_meant_to_yield(std::string_view name) {
-  return laws::nearest_name(name, laws::names(laws::catalogue())).empty() &&
-         !laws::nearest_name(name, laws::names(hysteresis::catalogue())).empty();
+  return nearest_name(name, laws::names(laws::catalogue())).empty() &&
+         !nearest_name(name, laws::names(hysteresis::catalogue())).empty();
 }
 
 }  // namespace

@@ -16,11 +16,11 @@
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
-#include <pounding/model/describe.hpp>
-#include <pounding/model/yielding_report.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/reports/describe.hpp>
+#include <pounding/reports/yielding_report.hpp>
 #include <pounding/results/replaced_file.hpp>
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/restart.hpp>

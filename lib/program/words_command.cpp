@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <pounding/base/nearest_name.hpp>
 #include <pounding/core/error.hpp>
 #include <pounding/input/words/studies.hpp>
 #include <pounding/laws/compiled.hpp>
-#include <pounding/laws/nearest_name.hpp>
 #include "commands.hpp"
 #include "words_schema.hpp"
 #include "words_text.hpp"

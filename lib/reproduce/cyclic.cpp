@@ -31,7 +31,7 @@ std::vector<double> roots_of_eq19() {
   constexpr int parts = 1000;
   for (int i = 0; i < parts; ++i) {
     const double a = static_cast<double>(i) / parts, b = static_cast<double>(i + 1) / parts;
-    if (eq19(a) * eq19(b) < 0) roots.push_back(laws::find_root(eq19, a, eq19(a), b, eq19(b)));
+    if (eq19(a) * eq19(b) < 0) roots.push_back(find_root(eq19, a, eq19(a), b, eq19(b)));
   }
   return roots;
 }
@@ -44,7 +44,7 @@ double c_imp(double v, double e) { return damping_coefficient(proposed(e), v); }
 double equal_loop_velocity(double e) {
   const double wanted = c_imp(reference_speed, reference_restitution);
   const auto miss = [&](double v) { return c_imp(v, e) / wanted - 1; };
-  return laws::find_root(miss, 1e-3, miss(1e-3), 1e4, miss(1e4));
+  return find_root(miss, 1e-3, miss(1e-3), 1e4, miss(1e4));
 }
 
 /// This velocity for Eq. 16 without Table 2, N = M = 1.

@@ -170,7 +170,7 @@ Item make() {
   const double consistent = restitution_of_share(0.25);
   const double upper = restitution_of_share(std::sqrt(5.0) / 8), lower = consistent;
   const auto miss = [](double e) { return value(eq38, e) - value(exact, e); };
-  const double right = laws::find_root(miss, 0.5, miss(0.5), 0.99, miss(0.99));
+  const double right = find_root(miss, 0.5, miss(0.5), 0.99, miss(0.99));
   const auto at_start = [](double start) { return restitution_of_share(std::sqrt(start * std::numbers::pi / 4)); };
   item.paragraphs = {
       "The derivation equates the loss of a damper over a full cycle of steady harmonic motion (Eq. 22) with the "

@@ -18,10 +18,10 @@
 #include <pounding/input/pushover_input.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
-#include <pounding/model/describe.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/modes.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/reports/describe.hpp>
+#include <pounding/reports/plausible.hpp>
 #include <pounding/results/pushover_file.hpp>
 
 #include "bindings.hpp"

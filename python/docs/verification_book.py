@@ -30,6 +30,8 @@ CHAPTERS = {
     "tests/structures": "Structures and frames",
     "tests/stepping": "Time integration",
     "tests/linear": "Time integration",
+    "tests/reduction": "Reduced structures",
+    "tests/recording": "Recorded results",
     "tests/run": "Time integration",
     "tests/ground": "Ground motions",
     "tests/reproduce": "The paper, recomputed",

@@ -22,10 +22,10 @@
 
 #include <pounding/input/read_model.hpp>
 #include <pounding/linear/lowest_modes.hpp>
-#include <pounding/linear/reduced_solver.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/handle.hpp>
+#include <pounding/reduction/reduced_solver.hpp>
 #include <pounding/run/reduction_plan.hpp>
 #include <pounding/run/ts_setup.hpp>
 #include <pounding/stepping/stepper.hpp>

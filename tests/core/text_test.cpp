@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <pounding/base/excerpt.hpp>
 #include <pounding/core/error.hpp>
 #include <pounding/core/names.hpp>
 #include <pounding/core/text.hpp>
-#include <pounding/laws/excerpt.hpp>
 #include "support/messages.hpp"
 
 namespace pounding {
@@ -45,7 +45,7 @@ TEST(Excerpt, EscapesWhatActsOnATerminalAndWhatIsNoUtf8) {
 
 TEST(Excerpt, OfAWholeMessageKeepsLines) {
   EXPECT_STREQ(InputError("m.yaml:1:1: first\nsecond \x1b").what(), "m.yaml:1:1: first\nsecond \\x1b");
-  EXPECT_EQ(std::string(InputError(std::string(1'000'000, 'x')).what()).size(), laws::longest_message + 3);
+  EXPECT_EQ(std::string(InputError(std::string(1'000'000, 'x')).what()).size(), longest_message + 3);
 }
 
 TEST(WrongText, IsFoundAtItsLineAndColumn) {

@@ -90,7 +90,7 @@ class Names(unittest.TestCase):
                 "run/run_monitor",
                 "run/run_writer",
                 "run/ts_setup",
-                "run/recorder",
+                "recording/recorder",
                 "results/hdf5",
                 "results/replaced_file",
             )

@@ -17,7 +17,7 @@ void require_status(int status) {
   if (status == PND_OK) return;
   require(status == PND_BAD_ARGUMENT || status == PND_FAILED, "a status is one of those of the interface");
   const std::string_view text = pnd_error_text();
-  require(!text.empty() && text.size() < 512 && text == pounding::laws::message_text(text),
+  require(!text.empty() && text.size() < 512 && text == pounding::message_text(text),
           "an error has a text that can be printed", text);
 }
 

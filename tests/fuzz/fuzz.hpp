@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include <pounding/base/excerpt.hpp>
 #include <pounding/core/error.hpp>
-#include <pounding/laws/excerpt.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -32,7 +32,7 @@ inline void require(bool kept, std::string_view promise, std::string_view read =
 /// A message can be printed as it is.
 inline void require_printable(const std::exception& error) {
   const std::string_view text = error.what();
-  require(!text.empty() && text == laws::message_text(text), "messages are short, and UTF-8 without control characters",
+  require(!text.empty() && text == message_text(text), "messages are short, and UTF-8 without control characters",
           text);
 }
 

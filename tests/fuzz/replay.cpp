@@ -16,7 +16,8 @@ int main(int count, char** words) {
     if (!fs::is_directory(words[i]))
       files.emplace_back(words[i]);
     else
-      for (const auto& entry : fs::directory_iterator(words[i])) files.push_back(entry.path());
+      for (const auto& entry : fs::recursive_directory_iterator(words[i]))
+        if (entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {

@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <pounding/base/root.hpp>
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/laws/root.hpp>
 #include "support/messages.hpp"
 
 namespace pounding::hysteresis {
@@ -149,7 +149,7 @@ TEST(ClosedForms, BoucWenDriftsUnderASteadyForce) {
     const auto to_force = [&law](const BoucWen::State& kept, double force, double reach) {
       const auto miss = [&](double d) { return law.respond(kept, d).force - force; };
       const double end = kept.deformation + reach;
-      return law.advance(kept, laws::find_root(miss, kept.deformation, miss(kept.deformation), end, miss(end)));
+      return law.advance(kept, find_root(miss, kept.deformation, miss(kept.deformation), end, miss(end)));
     };
     BoucWen::State kept = to_force({}, 0.8, 10);
     for (int cycle = 0; cycle < 3; ++cycle) {

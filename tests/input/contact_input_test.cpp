@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include <pounding/input/resolved.hpp>
-#include <pounding/model/describe.hpp>
+#include <pounding/reports/describe.hpp>
 #include "support/messages.hpp"
 #include "support/models.hpp"
 

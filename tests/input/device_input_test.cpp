@@ -5,7 +5,7 @@
 #include <string>
 
 #include <pounding/input/resolved.hpp>
-#include <pounding/model/describe.hpp>
+#include <pounding/reports/describe.hpp>
 #include "support/messages.hpp"
 #include "support/models.hpp"
 

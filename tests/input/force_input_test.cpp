@@ -8,8 +8,8 @@
 
 #include <pounding/input/input.hpp>
 #include <pounding/input/read_model.hpp>
-#include <pounding/model/describe.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/reports/describe.hpp>
 #include "support/models.hpp"
 
 namespace pounding {

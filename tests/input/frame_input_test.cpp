@@ -10,7 +10,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/frames/sections.hpp>
-#include <pounding/input/frame_input.hpp>
+#include <pounding/input/frames/frame_input.hpp>
 #include "support/messages.hpp"
 
 namespace pounding {

@@ -11,10 +11,10 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/frames/frame_structure.hpp>
-#include <pounding/input/frame_input.hpp>
+#include <pounding/input/frames/frame_input.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/model/describe.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/reports/describe.hpp>
+#include <pounding/reports/plausible.hpp>
 #include "support/messages.hpp"
 #include "support/models.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/model/describe.hpp>
+#include <pounding/reports/describe.hpp>
 #include <pounding/structures/isolators.hpp>
 #include "support/messages.hpp"
 #include "support/models.hpp"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <pounding/elements.hpp>
-#include <pounding/model/describe.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/reports/describe.hpp>
+#include <pounding/reports/plausible.hpp>
 #include "support/models.hpp"
 
 namespace pounding {

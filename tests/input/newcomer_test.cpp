@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <pounding/model/doubt_names.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/reports/plausible.hpp>
 #include "support/models.hpp"
 
 namespace pounding {

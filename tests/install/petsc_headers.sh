@@ -31,7 +31,7 @@ others=$(pkg-config --cflags-only-I PETSc slepc hdf5-openmpi | tr ' ' '\n' | gre
 
 # One text for each module, as the build has them.
 mkdir "$place/texts"
-for file in "$root"/lib/pounding/{petsc,linear,run}/*.cpp "$root"/lib/pounding/stepping/ts_pounding.cpp; do
+for file in "$root"/lib/pounding/{petsc,linear,reduction,run}/*.cpp "$root"/lib/pounding/stepping/ts_pounding.cpp; do
   echo "#include \"$file\"" >> "$place/texts/$(basename "$(dirname "$file")").cpp"
 done
 

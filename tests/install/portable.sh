@@ -30,6 +30,6 @@ export POUNDING_PROGRAM POUNDING_WITHOUT_MPI=1
 POUNDING_PROGRAM=$(echo "$place"/venv/lib/python3*/site-packages/pounding/bin/pounding)
 venv/bin/python3 -m pip install --quiet --disable-pip-version-check "$wheel[all]"
 cd "$tests/python"
-"$place/venv/bin/python3" -m unittest test_demo test_device_results test_ground_motions test_laws test_mode_shapes test_models \
-  test_opensees_link test_printing test_process test_pushover test_run test_spring_results test_study_engines test_study_kernel test_study_plan \
-  test_study_readings test_study_rows test_yielding
+"$place/venv/bin/python3" -m unittest test_demo test_device_results test_ground_motions test_laws test_mode_shapes test_models test_opensees_link test_printing test_process test_pushover test_run test_spring_results test_study_kernel test_yielding
+cd studies
+"$place/venv/bin/python3" -m unittest test_study_engines test_study_plan test_study_readings test_study_rows

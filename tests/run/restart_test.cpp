@@ -10,8 +10,8 @@
 #include <string>
 
 #include <pounding/linear/modal_solver.hpp>
+#include <pounding/recording/recorder.hpp>
 #include <pounding/results/results.hpp>
-#include <pounding/run/recorder.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/stepping/step_controller.hpp>
 #include "support/runs.hpp"

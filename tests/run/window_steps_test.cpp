@@ -13,8 +13,8 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/linear/modal_solver.hpp>
-#include <pounding/linear/reduce.hpp>
-#include <pounding/linear/reduced_modes.hpp>
+#include <pounding/reduction/reduce.hpp>
+#include <pounding/reduction/reduced_modes.hpp>
 #include <pounding/run/impact_windows.hpp>
 #include <pounding/run/window_steps.hpp>
 #include <pounding/stepping/step_controller.hpp>

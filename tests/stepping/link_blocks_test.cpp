@@ -9,7 +9,7 @@
 
 #include <Eigen/LU>
 
-#include <pounding/stepping/link_blocks.hpp>
+#include <pounding/stepping/links/link_blocks.hpp>
 
 namespace pounding {
 namespace link_blocks_test {

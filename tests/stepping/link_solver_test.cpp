@@ -13,7 +13,7 @@
 #include <pounding/laws/hertz.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
-#include <pounding/stepping/link_solver.hpp>
+#include <pounding/stepping/links/link_solver.hpp>
 #include <pounding/structures/hysteretic_spring.hpp>
 
 #include "support/bilinear_spring.hpp"

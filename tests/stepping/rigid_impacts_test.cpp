@@ -9,7 +9,7 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/event_functions.hpp>
-#include <pounding/stepping/rigid_impacts.hpp>
+#include <pounding/stepping/links/rigid_impacts.hpp>
 
 namespace pounding {
 namespace rigid_impacts_test {

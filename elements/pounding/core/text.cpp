@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/base/excerpt.hpp>
 #include <pounding/core/error.hpp>
-#include <pounding/laws/excerpt.hpp>
 
 namespace pounding {
 namespace {
@@ -69,7 +69,7 @@ std::optional<WrongText> wrong_text(std::string_view text) {
     return WrongText{1, 1, fmt::format("this file is in {}; save it as UTF-8", other)};
   int line = 1, column = 1;
   while (!text.empty()) {
-    const laws::Character c = laws::first_character(text);
+    const Character c = first_character(text);
     if (!c.is_valid)
       return WrongText{
           line, column,
@@ -79,7 +79,7 @@ std::optional<WrongText> wrong_text(std::string_view text) {
     if (c.code == '\r' && !ends_line)
       return WrongText{line, column,
                        "a carriage return stands alone; save the file with the ends of lines of Unix or Windows"};
-    if (laws::is_control(c.code) && !ends_line && c.code != '\t')
+    if (is_control(c.code) && !ends_line && c.code != '\t')
       return WrongText{line, column,
                        fmt::format("the control character {} stands here; delete it", excerpt(text.substr(0, c.size)))};
     ++column;
@@ -95,8 +95,8 @@ std::optional<WrongText> wrong_text(std::string_view text) {
 std::string shown_line(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
-    const laws::Character c = laws::first_character(text);
-    if (laws::is_control(c.code))
+    const Character c = first_character(text);
+    if (is_control(c.code))
       shown += ' ';
     else if (c.is_valid)
       shown += text.substr(0, c.size);
@@ -121,8 +121,8 @@ std::string wrong_name(std::string_view name) {
   if (name.size() > longest_name)
     return fmt::format("a name has at most {} bytes; \"{}\" has {}", longest_name, excerpt(name), name.size());
   for (std::string_view rest = name; !rest.empty();) {
-    const laws::Character c = laws::first_character(rest);
-    if (!c.is_valid || laws::is_control(c.code))
+    const Character c = first_character(rest);
+    if (!c.is_valid || is_control(c.code))
       return fmt::format("the name \"{}\" holds {}; type letters, digits and blanks", excerpt(name),
                          c.is_valid ? "a control character" : "bytes that are no UTF-8");
     rest.remove_prefix(c.size);

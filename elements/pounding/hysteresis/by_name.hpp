@@ -40,11 +40,11 @@ void choose(L& law, std::string_view name, std::string_view word) {
       if (choice.info.name != name) continue;
       for (std::size_t i = 0; i < choice.info.words.size(); ++i)
         if (choice.info.words[i] == word) return choice.set(law, i);
-      throw std::invalid_argument(std::string(name) + " of " + std::string(L::name) + " cannot be \"" +
-                                  laws::excerpt(word) + "\"." + laws::suggestion(word, choice.info.words));
+      throw std::invalid_argument(std::string(name) + " of " + std::string(L::name) + " cannot be \"" + excerpt(word) +
+                                  "\"." + suggestion(word, choice.info.words));
     }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) +
-                              "\" that takes a keyword." + laws::suggestion(name, known));
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + excerpt(name) +
+                              "\" that takes a keyword." + suggestion(name, known));
 }
 
 /// Creates a validated law L. Throws std::invalid_argument for a setting that is missing, unknown or out of range.

@@ -40,7 +40,7 @@ struct Entry {
 
 /// The message about a law that is not in the catalogue.
 inline std::string unknown_law(std::string_view name, std::span<const Entry> catalogue) {
-  return "unknown law of yielding \"" + laws::excerpt(name) + "\"." + laws::suggestion(name, laws::names(catalogue));
+  return "unknown law of yielding \"" + excerpt(name) + "\"." + suggestion(name, laws::names(catalogue));
 }
 
 /// Settings of a law from the typical values of its table.

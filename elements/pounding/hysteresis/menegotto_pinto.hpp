@@ -5,11 +5,11 @@
 #include <optional>
 #include <string_view>
 
+#include <pounding/base/root.hpp>
 #include <pounding/hysteresis/integral.hpp>
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/hysteresis/table.hpp>
 #include <pounding/laws/checks.hpp>
-#include <pounding/laws/root.hpp>
 
 namespace pounding::hysteresis {
 
@@ -280,7 +280,7 @@ struct MenegottoPinto {
     if (at_end < 0) return {};
     const double at_begin = above(begin);
     if (at_begin >= 0) return begin;
-    return laws::find_root(above, begin, at_begin, d, at_end);
+    return find_root(above, begin, at_begin, d, at_end);
   }
 
   /// Deformation at z = 0 on a branch that approaches it.

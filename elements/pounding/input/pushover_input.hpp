@@ -4,7 +4,7 @@
 #include <string>
 
 #include <pounding/model/model.hpp>
-#include <pounding/model/pushover.hpp>
+#include <pounding/pushover/pushover.hpp>
 
 namespace pounding {
 

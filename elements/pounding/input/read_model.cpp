@@ -16,7 +16,7 @@
 #include <pounding/input/structure_input.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/model/ground_plan.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/reports/plausible.hpp>
 
 namespace pounding {
 namespace {

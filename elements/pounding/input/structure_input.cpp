@@ -13,7 +13,7 @@
 #include <pounding/input/face_input.hpp>
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/force_input.hpp>
-#include <pounding/input/frame_input.hpp>
+#include <pounding/input/frames/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/isolator_input.hpp>
 #include <pounding/input/spring_input.hpp>

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <pounding/base/excerpt.hpp>
 #include <pounding/core/error.hpp>
 #include <pounding/core/text.hpp>
-#include <pounding/laws/excerpt.hpp>
 
 namespace pounding {
 namespace {
@@ -51,8 +51,8 @@ class Limits : public YAML::EventHandler {
                     fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?",
                                 value.size(), longest_value)};
     for (std::string_view rest = value; !rest.empty();) {
-      const laws::Character c = laws::first_character(rest);
-      if (!c.is_valid || (laws::is_control(c.code) && c.code != '\n' && c.code != '\t'))
+      const Character c = first_character(rest);
+      if (!c.is_valid || (is_control(c.code) && c.code != '\n' && c.code != '\t'))
         throw Refusal{mark, fmt::format("\"{}\" holds the control character {}; leave it out", excerpt(value),
                                         excerpt(rest.substr(0, c.size)))};
       rest.remove_prefix(c.size);

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include <pounding/base/root.hpp>
 #include <pounding/laws/checks.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/root.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

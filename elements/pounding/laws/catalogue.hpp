@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include <pounding/laws/excerpt.hpp>
-#include <pounding/laws/nearest_name.hpp>
+#include <pounding/base/excerpt.hpp>
+#include <pounding/base/nearest_name.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

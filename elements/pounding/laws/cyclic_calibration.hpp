@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include <pounding/base/root.hpp>
 #include <pounding/laws/all.hpp>
 #include <pounding/laws/free_impact.hpp>
-#include <pounding/laws/root.hpp>
 
 namespace pounding::laws {
 

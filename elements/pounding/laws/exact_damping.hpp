@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <pounding/laws/root.hpp>
+#include <pounding/base/root.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

@@ -2,9 +2,9 @@
 #include <array>
 #include <string_view>
 
+#include <pounding/base/power.hpp>
 #include <pounding/laws/checks.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/power.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

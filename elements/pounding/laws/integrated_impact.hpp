@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
+#include <pounding/base/extrapolation.hpp>
+#include <pounding/base/root.hpp>
 #include <pounding/laws/checks.hpp>
-#include <pounding/laws/extrapolation.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/root.hpp>
 
 namespace pounding::laws {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string_view>
 
+#include <pounding/base/power.hpp>
 #include <pounding/laws/damping_formulas.hpp>
 #include <pounding/laws/exact_damping.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/power.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
+#include <pounding/base/power.hpp>
 #include <pounding/laws/integrated_impact.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/power.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

@@ -32,8 +32,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <pounding/base/gauss.hpp>
 #include <pounding/laws/checks.hpp>
-#include <pounding/laws/gauss.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include <pounding/base/quintic.hpp>
 #include <pounding/core/archive.hpp>
-#include <pounding/core/quintic.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/links/contact_state.hpp>
 #include <pounding/links/impact_row.hpp>

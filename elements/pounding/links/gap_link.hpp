@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <pounding/base/root.hpp>
 #include <pounding/laws/compiled.hpp>
-#include <pounding/laws/root.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/links/contact_state.hpp>
 #include <pounding/links/impact_log.hpp>
@@ -130,7 +130,7 @@ class GapLink final : public Contact {
       const Jet at = path.at(s);
       return slope({at.x, at.v}, at.a);
     };
-    const double top = laws::find_root(slope_at, 0, begin, 1, end);
+    const double top = find_root(slope_at, 0, begin, 1, end);
     const Jet at = path.at(top);
     log_.record_peak(step.begin + top * (step.end - step.begin), evaluate({at.x, at.v}).force);
   }

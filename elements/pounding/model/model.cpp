@@ -16,11 +16,11 @@
 #include <pounding/model/doubt_names.hpp>
 #include <pounding/model/first_yield.hpp>
 #include <pounding/model/ground_plan.hpp>
-#include <pounding/model/initial_shape.hpp>
 #include <pounding/model/place_ends.hpp>
-#include <pounding/model/preload.hpp>
 #include <pounding/model/reducible.hpp>
-#include <pounding/model/storey_heights.hpp>
+#include <pounding/model/start/initial_shape.hpp>
+#include <pounding/model/start/preload.hpp>
+#include <pounding/structures/storey_heights.hpp>
 
 namespace pounding {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include <pounding/laws/gauss.hpp>
+#include <pounding/base/gauss.hpp>
 #include <pounding/structures/make_spring.hpp>
 
 namespace pounding {
@@ -95,7 +95,7 @@ double DeviceSpring::damper_work(const LinkStep& step, double until) const noexc
   if (!damper_) return 0;
   // Exact for a linear damper and the motion of interpolate().
   return (step.end - step.begin) *
-         laws::gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
+         gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
 }
 
 Spring::Instant DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <pounding/base/gauss.hpp>
 #include <pounding/laws/checks.hpp>
-#include <pounding/laws/gauss.hpp>
 
 namespace pounding {
 namespace {
@@ -128,7 +128,7 @@ SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, do
         const LinkMotion at = motion(s);
         return friction(state, at) * at.rate;
       };
-      const double work = (step.end - step.begin) * laws::gauss_integral(power, from, until);
+      const double work = (step.end - step.begin) * gauss_integral(power, from, until);
       const double before = friction(state, begin), after = friction(state, end);
       state.lost += work - 0.5 * (after - before) * (after + before) / k0;
     }

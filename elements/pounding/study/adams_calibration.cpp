@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include <pounding/base/extrapolation.hpp>
+#include <pounding/base/root.hpp>
 #include <pounding/laws/adams_impact.hpp>
-#include <pounding/laws/extrapolation.hpp>
-#include <pounding/laws/root.hpp>
 
 namespace pounding::study {
 namespace {
@@ -44,17 +44,17 @@ class UnitImpact {
   static constexpr double tolerance = 1e-12, shortest = 1e-9;
 
   // By the fourth root of time, in which the first touch is smooth.
-  laws::ExtrapolatedStep<2> moved(double h) const {
+  ExtrapolatedStep<2> moved(double h) const {
     const auto slope = [&](double x, const State& y) {
       const double speed = 4 * x * x * x;
       return State{speed * y[1], -speed * law_.respond(y[0], y[1], impact_).force};
     };
-    return laws::extrapolated_step<2>(slope, x_, y_, h, tolerance);
+    return extrapolated_step<2>(slope, x_, y_, h, tolerance);
   }
   // Ends the step where the damping is full or the force is cut: the error estimate can overlook such places. It ends
   // where the bodies turn, too: those that come just as deep as the depth of full damping would pass it twice in one
   // step.
-  void land(laws::ExtrapolatedStep<2>& end) {
+  void land(ExtrapolatedStep<2>& end) {
     const auto place = [&](int which, const State& y) {
       return which == 0   ? y[1]
              : which == 1 ? law_.corner(y[0], y[1], impact_)
@@ -63,8 +63,7 @@ class UnitImpact {
     for (const int which : {0, 1, 2}) {
       const double before = place(which, y_), after = place(which, end.state);
       if (!(before * after < 0)) continue;
-      const double h =
-          laws::find_root([&](double part) { return place(which, moved(part).state); }, 0, before, h_, after);
+      const double h = find_root([&](double part) { return place(which, moved(part).state); }, 0, before, h_, after);
       if (h > shortest) h_ = h, end = moved(h);
     }
   }
@@ -113,7 +112,7 @@ class Table {
       low = std::exchange(high, 4 * high), at_low = at_high;
       at_high = miss(high);
     }
-    return scale * laws::find_root(miss, low, at_low, high, at_high);
+    return scale * find_root(miss, low, at_low, high, at_high);
   }
 
   // Logarithms of the numbers over one piece; nothing where they are not smooth: the bodies come just as deep as the
@@ -150,7 +149,7 @@ double tabled_adams_impact(const laws::CalibrationTarget& asked) {
   Table& table =
       tables.try_emplace({asked.restitution, asked.exponent}, asked.restitution, asked.exponent).first->second;
   return table.number(asked.depth /
-                      laws::impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent));
+                      impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent));
 }
 
 }  // namespace pounding::study

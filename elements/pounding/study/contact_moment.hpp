@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <pounding/core/quintic.hpp>
+#include <pounding/base/quintic.hpp>
 #include <pounding/study/link_contact.hpp>
 #include <pounding/study/modal_state.hpp>
 

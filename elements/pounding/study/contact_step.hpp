@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <pounding/core/quintic.hpp>
+#include <pounding/base/quintic.hpp>
 #include <pounding/study/clock.hpp>
 #include <pounding/study/contact_moment.hpp>
 

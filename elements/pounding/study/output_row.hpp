@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <pounding/core/quintic.hpp>
+#include <pounding/base/quintic.hpp>
 #include <pounding/study/cubic_top.hpp>
 #include <pounding/study/modal_state.hpp>
 #include <pounding/study/taylor.hpp>

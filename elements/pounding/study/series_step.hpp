@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <pounding/laws/gauss.hpp>
+#include <pounding/base/gauss.hpp>
 #include <pounding/study/clock.hpp>
 #include <pounding/study/contact_moment.hpp>
 #include <pounding/study/taylor.hpp>
@@ -139,8 +139,8 @@ class SeriesStep : public ContactMotion<Law, M, L> {
 
   // Integral of d'^2 over the last step, by Gauss's rule; the middle point stands alone.
   double squares_of_rate(const Polynomial& d) const noexcept {
-    static constexpr auto& points = laws::gauss_points;
-    static constexpr auto& weights = laws::gauss_weights;
+    static constexpr auto& points = gauss_points;
+    static constexpr auto& weights = gauss_weights;
     const Pack<4> t = length_ * four(points[0], points[1], points[3], points[4]);
     const double middle = length_ * points[2];
     Pack<4> v = four(0, 0, 0, 0);

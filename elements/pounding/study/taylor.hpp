@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include <pounding/core/bracketed_root.hpp>
-#include <pounding/core/quintic.hpp>
+#include <pounding/base/bracketed_root.hpp>
+#include <pounding/base/quintic.hpp>
 
 namespace pounding::study {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <pounding/model/pushover.hpp>
+#include <pounding/pushover/pushover.hpp>
 
 namespace pounding {
 

@@ -11,7 +11,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/links/contact.hpp>
-#include <pounding/model/plausible.hpp>
+#include <pounding/reports/plausible.hpp>
 #include <pounding/results/summary.hpp>
 #include <pounding/structures/isolators.hpp>
 

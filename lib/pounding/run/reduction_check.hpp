@@ -9,8 +9,8 @@
 #include <pounding/core/archive.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/reduction.hpp>
+#include <pounding/recording/floor_response.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/run/floor_response.hpp>
 #include <pounding/run/impact_windows.hpp>
 #include <pounding/stepping/stepper.hpp>
 

@@ -9,9 +9,9 @@
 #include <pounding/core/archive.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/reduction.hpp>
+#include <pounding/recording/floor_response.hpp>
+#include <pounding/recording/linear_quantities.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/run/floor_response.hpp>
-#include <pounding/run/linear_quantities.hpp>
 #include <pounding/stepping/stepper.hpp>
 
 namespace pounding {

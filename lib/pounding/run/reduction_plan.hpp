@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <string>
 
-#include <pounding/linear/reduce.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/reduction.hpp>
+#include <pounding/reduction/reduce.hpp>
 
 namespace pounding {
 

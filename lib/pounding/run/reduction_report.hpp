@@ -3,8 +3,8 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/recording/floor_response.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/run/floor_response.hpp>
 #include <pounding/run/reduction_check.hpp>
 #include <pounding/run/reduction_errors.hpp>
 #include <pounding/stepping/stepper.hpp>

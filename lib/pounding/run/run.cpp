@@ -14,11 +14,11 @@
 #include <pounding/core/error.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/linear/reduced_solver.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/recording/recorder.hpp>
+#include <pounding/reduction/reduced_solver.hpp>
 #include <pounding/results/replaced_file.hpp>
-#include <pounding/run/recorder.hpp>
 #include <pounding/run/reduction_plan.hpp>
 #include <pounding/run/reduction_report.hpp>
 #include <pounding/run/restart.hpp>
@@ -27,7 +27,7 @@
 #include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
-#include <pounding/stepping/link_memory.hpp>
+#include <pounding/stepping/links/link_memory.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <pounding/petsc/ranks.hpp>
-#include <pounding/run/recorder.hpp>
+#include <pounding/recording/recorder.hpp>
 #include <pounding/run/reduction_report.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/run_writer.hpp>

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <pounding/core/archive.hpp>
-#include <pounding/linear/reduce.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/recording/recorder.hpp>
+#include <pounding/reduction/reduce.hpp>
 #include <pounding/run/implausible.hpp>
-#include <pounding/run/recorder.hpp>
 #include <pounding/run/reduction_report.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <pounding/linear/structure_solver.hpp>
-#include <pounding/stepping/elastic_ranges.hpp>
-#include <pounding/stepping/link_set.hpp>
+#include <pounding/stepping/links/link_set.hpp>
+#include <pounding/stepping/links/rigid_impacts.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
-#include <pounding/stepping/rigid_impacts.hpp>
 #include <pounding/stepping/short_motions.hpp>
-#include <pounding/stepping/spring_forces.hpp>
-#include <pounding/stepping/spring_slips.hpp>
+#include <pounding/stepping/springs/elastic_ranges.hpp>
+#include <pounding/stepping/springs/spring_forces.hpp>
+#include <pounding/stepping/springs/spring_slips.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/stepping/support_excitation.hpp>
 

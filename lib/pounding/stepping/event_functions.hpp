@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include <pounding/stepping/link_set.hpp>
-#include <pounding/stepping/rigid_impacts.hpp>
+#include <pounding/stepping/links/link_set.hpp>
+#include <pounding/stepping/links/rigid_impacts.hpp>
 
 namespace pounding {
 

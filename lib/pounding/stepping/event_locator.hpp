@@ -7,7 +7,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/stepping/event_functions.hpp>
-#include <pounding/stepping/spring_corners.hpp>
+#include <pounding/stepping/springs/spring_corners.hpp>
 
 namespace pounding {
 

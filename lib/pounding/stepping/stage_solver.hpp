@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include <pounding/stepping/active_springs.hpp>
 #include <pounding/stepping/anderson.hpp>
 #include <pounding/stepping/equations.hpp>
 #include <pounding/stepping/error_norm.hpp>
-#include <pounding/stepping/link_solver.hpp>
+#include <pounding/stepping/links/link_solver.hpp>
+#include <pounding/stepping/springs/active_springs.hpp>
 
 namespace pounding {
 

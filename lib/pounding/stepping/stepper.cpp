@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <pounding/stepping/link_memory.hpp>
+#include <pounding/stepping/links/link_memory.hpp>
 
 namespace pounding {
 namespace {

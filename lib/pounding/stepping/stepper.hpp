@@ -10,7 +10,6 @@
 #include <pounding/core/archive_eigen.hpp>
 #include <pounding/linear/structure_solver.hpp>
 #include <pounding/model/scheme.hpp>
-#include <pounding/stepping/contact_events.hpp>
 #include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/dyadic_steps.hpp>
 #include <pounding/stepping/energy_budget.hpp>
@@ -18,6 +17,7 @@
 #include <pounding/stepping/error_norm.hpp>
 #include <pounding/stepping/event_locator.hpp>
 #include <pounding/stepping/held_forces.hpp>
+#include <pounding/stepping/links/contact_events.hpp>
 #include <pounding/stepping/stage_solver.hpp>
 #include <pounding/stepping/step_history.hpp>
 #include <pounding/stepping/time_scheme.hpp>

@@ -1,0 +1,307 @@
+#include <pounding/input/frames/frame_input.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/core/names.hpp>
+#include <pounding/frames/frame_structure.hpp>
+#include <pounding/input/frames/frame_parts_input.hpp>
+#include <pounding/input/frames/hinge_input.hpp>
+#include <pounding/input/words/sections.hpp>
+
+namespace pounding {
+namespace {
+
+// Reads masses, loads, springs, supports, ties, floors and reports of a frame.
+class FrameReader {
+ public:
+  explicit FrameReader(const Input& body) : body_(body), parts_(body) {}
+
+  FrameInput read() {
+    if (const auto masses = body_.find("masses"))
+      for (const auto& [name, node] : masses->entries()) read_mass(parts_.node_at_key(name, node), node);
+    if (const auto loads = body_.find("loads"))
+      for (const auto& [name, node] : loads->entries()) read_load(parts_.node_at_key(name, node), node);
+    if (const auto springs = body_.find("springs"))
+      for (const Input& node : springs->items()) read_spring(node);
+    read_supports();
+    if (const auto ties = body_.find("ties"))
+      for (const Input& node : ties->items()) read_tie(node);
+    const auto grid = body_.find("grid");
+    for (std::size_t i = 0; grid && i < model_.floors.size(); ++i) add_floor_place(*grid, grid->find("rigid_floors"));
+    if (const auto floors = body_.find("floors"))
+      for (const Input& node : floors->items()) read_floor(node);
+    make_floors_rigid();
+    if (const auto hinges = body_.find("hinges")) read_hinges(*hinges, parts_.frame);
+    read_gravity();
+    read_report();
+    model_.move_by(parts_.origin());
+    return std::move(parts_.frame);
+  }
+
+ private:
+  struct FloorPlace {
+    Input place;
+    bool rigid;
+    std::vector<double> weights;  // of the nodes, where the masses are none
+  };
+
+  void read_mass(int node, const Input& value) {
+    if (!value.is_map()) {
+      const double mass = value.as_quantity();
+      return placed(value, [&] { model_.frame.add_mass(node, mass); });
+    }
+    for (const auto& [key, each] : value.entries()) {
+      const Dof dof = parts_.words().dof_at_key(key, each);
+      const double mass = each.as_quantity();
+      placed(each, [&] { model_.frame.add_mass(node, dof, mass); });
+    }
+  }
+
+  void read_load(int node, const Input& value) {
+    if (!value.is_map()) value.fail("takes forces with their directions; type {uz: -10 kN}");
+    for (const auto& [key, each] : value.entries()) {
+      const Dof dof = parts_.words().dof_at_key(key, each);
+      placed(each, [&, &load = each] { model_.frame.add_load(node, dof, load.as_quantity()); });
+    }
+  }
+
+  void read_spring(const Input& node) {
+    node.only_keys();
+    const auto at = node.find("node"), between = node.find("between");
+    if (at && between) between->fail_at_key("a spring stands at one node or between two; keep one of node and between");
+    if (!at && !between) node.fail("its place is missing; type node: a for a spring to the ground, or between: [a, b]");
+    const Dof dof = parts_.words().dof(node.at("dof"));
+    const auto stiffness = node.find("stiffness"), damping = node.find("damping");
+    if (!stiffness && !damping) node.fail("has neither stiffness nor damping; type stiffness: 1 MN/m");
+    const double k = stiffness ? stiffness->as_quantity(of_spring(dof)) : 0;
+    const double c = damping ? damping->as_quantity(of_dashpot(dof)) : 0;
+    if (at) {
+      const int a = parts_.node_of(*at);
+      return placed(node, [&] {
+        if (stiffness) model_.frame.add_spring(a, dof, k);
+        if (damping) model_.frame.add_dashpot(a, dof, c);
+      });
+    }
+    if (!between->is_list() || between->items().size() != 2) between->fail("takes two nodes; type between: [a, b]");
+    const int a = parts_.node_of(between->items()[0]), b = parts_.node_of(between->items()[1]);
+    placed(node, [&] {
+      if (stiffness) model_.frame.add_spring(a, b, dof, k);
+      if (damping) model_.frame.add_dashpot(a, b, dof, c);
+    });
+  }
+
+  void read_tie(const Input& node) {
+    node.only_keys();
+    const Input at = node.at("master");
+    const int master = parts_.node_of(at);
+    const std::vector<int> nodes = parts_.nodes_of(node.at("nodes"));
+    const auto dofs = node.find("dofs"), rigid = node.find("rigid");
+    if (dofs && rigid) rigid->fail_at_key("a rigid tie holds all displacements; keep one of dofs and rigid");
+    if (!dofs && !(rigid && rigid->as_bool())) node.fail("what is tied is missing; type dofs: [ux], or rigid: true");
+    for (const int each : nodes)
+      placed(node, [&] {
+        if (dofs)
+          model_.frame.tie(master, each, parts_.words().dofs(*dofs));
+        else
+          model_.frame.tie_rigidly(master, each);
+      });
+  }
+
+  void add_support(const SupportWish& wish, const std::string& name, const std::vector<int>& nodes,
+                   const Input& place) {
+    for (const int node : nodes)
+      placed(place, [&] {
+        model_.frame.fix(node, wish.fixed);
+        for (const auto& [dof, stiffness] : wish.springs) model_.frame.add_spring(node, dof, stiffness);
+        for (const auto& [dof, damping] : wish.dashpots) model_.frame.add_dashpot(node, dof, damping);
+      });
+    if (wish.isolator)
+      for (const int node : nodes)
+        for (const Dof dof : dofs_of(parts_.dimension()))
+          if (dof == Dof::ux || dof == Dof::uy) {
+            model_.isolators.push_back({node, dof, *wish.isolator});
+            parts_.frame.isolator_places.push_back(place.at("isolator"));
+          }
+    if (wish.delay > 0 || wish.motion)
+      model_.supports.push_back({name, nodes, wish.delay, wish.motion});
+    else
+      common_.insert(common_.end(), nodes.begin(), nodes.end());
+  }
+
+  void read_supports() {
+    SupportWish of_feet;
+    for (const Dof dof : dofs_of(parts_.dimension())) of_feet.fixed.push_back(dof);
+    const std::vector<int>& feet = parts_.grid().feet;
+    std::vector<int> open = feet;
+    std::optional<Input> feet_place;
+    const auto supports = body_.find("supports");
+    if (supports && supports->is_scalar()) {
+      if (supports->as_text() != "none")
+        supports->fail(fmt::format(
+            "takes supports by their nodes, such as {{a: fixed}}, feet for those of a grid, or none; \"{}\" was read",
+            supports->as_text()));
+      model_.is_free = true;
+      return;
+    }
+    if (supports)
+      for (const auto& [name, node] : supports->entries()) {
+        if (name == "feet" && !feet.empty()) {
+          of_feet = parts_.words().support(node);
+          feet_place.emplace(node);
+          continue;
+        }
+        const int at = parts_.node_at_key(name, node);
+        std::erase(open, at);
+        add_support(parts_.words().support(node), name, {at}, node);
+      }
+    if (!open.empty()) add_support(of_feet, "feet", open, feet_place ? *feet_place : *body_.find("grid"));
+    if (!common_.empty()) model_.supports.insert(model_.supports.begin(), {.name = "", .nodes = common_});
+  }
+
+  void read_floor(const Input& node) {
+    node.only_keys();
+    FrameFloor floor;
+    const Input list = node.at("nodes");
+    floor.nodes = parts_.nodes_of(list);
+    for (std::size_t i = 0; i < floor.nodes.size(); ++i)
+      for (const FrameFloor* other : all_with(floor, i))
+        list.items()[i].fail(other == &floor ? std::string("stands twice in this floor; keep it once")
+                                             : fmt::format("belongs to floor {} already", other->label));
+    floor.elevation = model_.frame.position(floor.nodes.front()).z();
+    if (const auto elevation = node.find("elevation")) floor.elevation = elevation->as_quantity();
+    const auto label = node.find("label");
+    floor.label = label ? label->as_text() : std::to_string(model_.floors.size() + 1);
+    for (const FrameFloor& other : model_.floors)
+      if (other.label == floor.label)
+        (label ? *label : node).fail(fmt::format("two floors have the label {}; choose another one", floor.label));
+    if (!model_.floors.empty() && floor.elevation <= model_.floors.back().elevation)
+      node.fail(
+          fmt::format("floors stand in the order from the ground up, and this one at {} is not above floor {} at {}",
+                      height(floor.elevation), model_.floors.back().label, height(model_.floors.back().elevation)));
+    model_.floors.push_back(std::move(floor));
+    add_floor_place(node, node.find("rigid"));
+  }
+
+  // Notes the place of the floor that was added last. Floors in space are rigid unless the input says otherwise.
+  void add_floor_place(const Input& place, const std::optional<Input>& rigid) {
+    const bool of_grid = floor_places_.size() < grid_floors_;
+    floor_places_.push_back({place, rigid ? rigid->as_bool() : parts_.dimension() == 3,
+                             of_grid ? parts_.grid().weights : std::vector<double>{}});
+  }
+
+  std::string height(double z) const { return format_quantity(z + parts_.origin().z(), dimension::length); }
+
+  // The floors that hold the i-th node of this one beside that place.
+  std::vector<const FrameFloor*> all_with(const FrameFloor& floor, std::size_t i) const {
+    const auto end = floor.nodes.begin() + static_cast<std::ptrdiff_t>(i);
+    std::vector<const FrameFloor*> found;
+    if (std::find(floor.nodes.begin(), end, floor.nodes[i]) != end) found.push_back(&floor);
+    for (const FrameFloor& other : model_.floors)
+      if (std::find(other.nodes.begin(), other.nodes.end(), floor.nodes[i]) != other.nodes.end())
+        found.push_back(&other);
+    return found;
+  }
+
+  void make_floors_rigid() {
+    for (std::size_t i = 0; i < model_.floors.size(); ++i) {
+      const FloorPlace& from = floor_places_[i];
+      if (!from.rigid) continue;
+      placed(from.place, [&] { make_floor_rigid(model_, static_cast<int>(i), from.weights); });
+      // In space the floor has got a master.
+      if (model_.frame.nodes() > static_cast<int>(parts_.frame.node_places.size()))
+        parts_.frame.node_places.push_back(from.place);
+    }
+  }
+
+  void read_gravity() {
+    const auto geometry = body_.find("geometry"), gravity = body_.find("gravity");
+    if (geometry) {
+      const std::string choice = geometry->as_choice();
+      model_.geometry = choice == "p_delta"        ? FrameGeometry::p_delta
+                        : choice == "corotational" ? FrameGeometry::corotational
+                                                   : FrameGeometry::linear;
+    }
+    if (gravity) model_.gravity = gravity->as_bool();
+    if (geometry) placed(*geometry, [&] { model_.check_geometry(); });
+  }
+
+  std::vector<int> read_wish(const Input& node, std::string_view what, const std::map<std::string, int>& known,
+                             int all) const {
+    std::vector<int> numbers(all);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    if (node.is_scalar()) {
+      if (node.as_text() != "all") node.fail(fmt::format("takes all, or a list of {0}s; type {0}s: [a, b]", what));
+      return numbers;
+    }
+    numbers.clear();
+    std::vector<std::string> names;
+    for (const auto& [name, number] : known) names.push_back(name);
+    for (const Input& item : node.items()) {
+      const auto found = known.find(item.as_text());
+      if (found == known.end()) item.fail(unknown_name(what, item.as_text(), names));
+      numbers.push_back(found->second);
+    }
+    return numbers;
+  }
+
+  void read_report() {
+    const auto report = body_.find("report");
+    if (!report) return;
+    report->only_keys();
+    if (const auto nodes = report->find("nodes"))
+      model_.reported_nodes = read_wish(*nodes, "node", parts_.node_numbers(), model_.given_nodes());
+    if (const auto members = report->find("members"))
+      model_.reported_members = read_wish(*members, "member", parts_.member_numbers(), model_.frame.members());
+  }
+
+  const Input& body_;
+  FramePartsInput parts_;
+  FrameModel& model_ = parts_.frame.model;
+  std::size_t grid_floors_ = model_.floors.size();
+  std::vector<int> common_;  // supports without a motion of their own
+  std::vector<FloorPlace> floor_places_;
+};
+
+// At the place of the hinge, isolator, node or member that the refusal begins with, else at the frame.
+[[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
+  const Frame& frame = from.model.frame;
+  for (std::size_t hinge = 0; hinge < from.hinge_places.size(); ++hinge)
+    if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge)))))
+      from.hinge_places[hinge].fail(refusal);
+  for (std::size_t i = 0; i < from.isolator_places.size(); ++i) {
+    const std::string name = "isolator " + frame.node_name(from.model.isolators[i].node);
+    if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_places[i].fail(refusal);
+  }
+  for (int node = 0; node < frame.nodes(); ++node)
+    if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_places[node].fail(refusal);
+  for (int member = 0; member < frame.members(); ++member)
+    if (refusal.starts_with(fmt::format("member {}: ", frame.member_name(member))))
+      from.member_places[member].fail(refusal);
+  body.fail(refusal);
+}
+
+}  // namespace
+
+FrameInput read_frame(const Input& node) {
+  const Input body = node.in(words::frame);
+  body.only_keys();
+  return FrameReader(body).read();
+}
+
+Structure read_frame_structure(const Input& body) {
+  const FrameInput read = read_frame(body);
+  try {
+    return make_structure(read.model);
+  } catch (const std::invalid_argument& error) {
+    fail_at_part(error.what(), read, body);
+  }
+}
+
+}  // namespace pounding

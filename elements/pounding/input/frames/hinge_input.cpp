@@ -1,0 +1,199 @@
+#include <pounding/input/frames/hinge_input.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/core/names.hpp>
+#include <pounding/input/frames/frame_parts_input.hpp>
+#include <pounding/input/spring_input.hpp>
+#include <pounding/structures/make_spring.hpp>
+
+namespace pounding {
+namespace {
+
+// A member as the input names it: one of the frame, or all parts of one that is cut.
+struct Whole {
+  std::string name;
+  int first, last;    // members of the frame
+  double length = 0;  // of all parts
+};
+
+std::vector<Whole> wholes(const Frame& frame) {
+  std::vector<Whole> all;
+  for (int member = 0; member < frame.members(); ++member) {
+    const std::string name = frame.member_name(member), whole = name.substr(0, name.find('/'));
+    if (all.empty() || all.back().name != whole) all.push_back({whole, member, member});
+    all.back().last = member;
+    all.back().length += frame.beam(member).length();
+  }
+  return all;
+}
+
+// Yield moments: sagging, and hogging where two are given.
+std::pair<double, std::optional<double>> read_moments(const Input& node) {
+  if (!node.is_list()) return {node.as_quantity(dimension::energy, bounds::positive), std::nullopt};
+  const std::vector<Input> items = node.items();
+  if (items.size() != 2)
+    node.fail(fmt::format(
+        "takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of {} was read",
+        items.size()));
+  const double hogging = items[1].as_quantity(dimension::energy, bounds::any);
+  if (!(hogging < 0)) items[1].fail("the second moment is that of hogging, and negative; type [210 kN m, -260 kN m]");
+  return {items[0].as_quantity(dimension::energy, bounds::positive), -hogging};
+}
+
+class HingeReader {
+ public:
+  HingeReader(const Input& hinges, FrameInput& frame)
+      : hinges_(hinges), frame_(frame), wholes_(wholes(frame.model.frame)) {
+    grounded_ = frame.model.frame.grounded_nodes();
+  }
+
+  void read() {
+    for (const auto& [name, node] : hinges_.entries())
+      if (name == "beams" || name == "columns") read_entry(chosen(name, node), node);
+    for (const auto& [name, node] : hinges_.entries())
+      if (name != "beams" && name != "columns") read_entry({named(name, node)}, node);
+    for (const auto& [place, hinge] : found_) {
+      placed(hinge.second, [&, &made = hinge.first] { frame_.model.frame.add_hinge(made); });
+      frame_.hinge_places.push_back(hinge.second);
+    }
+  }
+
+ private:
+  const Frame& frame() const { return frame_.model.frame; }
+
+  // All level or all upright members.
+  std::vector<Whole> chosen(const std::string& group, const Input& node) const {
+    std::vector<Whole> all;
+    for (const Whole& whole : wholes_) {
+      const Beam& beam = frame().beam(whole.first);
+      const double rise = std::abs(beam.axes()(0, 2));
+      if (!beam.is_truss() && (group == "beams" ? rise < 1e-6 : rise > 1 - 1e-12)) all.push_back(whole);
+    }
+    if (all.empty())
+      node.fail_at_key(fmt::format("the frame has no {}: no member is {}; name its members one by one", group,
+                                   group == "beams" ? "level" : "upright"));
+    return all;
+  }
+
+  Whole named(const std::string& name, const Input& node) const {
+    std::vector<std::string> known{"beams", "columns"};
+    for (const Whole& whole : wholes_) {
+      known.push_back(whole.name);
+      if (whole.name == name) return whole;
+    }
+    node.fail_at_key(unknown_name("member", name, known));
+  }
+
+  std::vector<BendingAxis> read_axes(const Input& node) const {
+    const auto axis = node.find("axis");
+    const bool is_plane = frame().dimension() == 2;
+    if (!axis && is_plane) return {BendingAxis::y};
+    if (!axis)
+      node.fail("the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both");
+    const std::string word = axis->as_choice();
+    if (is_plane && word != "y") axis->fail("a plane frame bends about y only; leave the axis out");
+    if (word == "both") return {BendingAxis::y, BendingAxis::z};
+    return {word == "y" ? BendingAxis::y : BendingAxis::z};
+  }
+
+  bool is_foot(const Whole& whole, MemberEnd end) const {
+    const int node = end == MemberEnd::start ? frame().ends(whole.first)[0] : frame().ends(whole.last)[1];
+    return std::find(grounded_.begin(), grounded_.end(), node) != grounded_.end();
+  }
+
+  void read_entry(const std::vector<Whole>& members, const Input& node) {
+    if (!node.is_map()) node.fail("takes a map; type {at: both, yield_moment: 210 kN m, hardening: 3 %}");
+    node.only_keys();
+    const std::string at = node.at("at").as_choice();
+    Hinge hinge = read_law(node);
+    hinge.ultimate_rotation = node.find_quantity("ultimate_rotation");
+    const std::vector<BendingAxis> about = read_axes(node);
+    bool is_any = false;
+    for (const Whole& whole : members)
+      for (const MemberEnd end : {MemberEnd::start, MemberEnd::end}) {
+        const bool is_asked =
+            at == "both" || (at == "feet" ? is_foot(whole, end) : (at == "start") == (end == MemberEnd::start));
+        if (!is_asked) continue;
+        is_any = true;
+        for (const BendingAxis axis : about) {
+          hinge.member = end == MemberEnd::start ? whole.first : whole.last;
+          hinge.at = end;
+          hinge.about = axis;
+          hinge.member_length = whole.length;
+          found_.insert_or_assign(std::tuple(hinge.member, end, axis), std::pair(hinge, node));
+        }
+      }
+    if (!is_any)
+      node.at("at").fail("no end stands on a node that the ground holds; type at: start, at: end or at: both");
+  }
+
+  // Yield moment and what comes after it: rigid-plastic, or of a spring in series.
+  Hinge read_law(const Input& node) const {
+    if (const hysteresis::Entry* law = law_among_keys(node, "a hinge")) {
+      for (const char* const key : {"yield_moment", "hardening"})
+        if (const auto found = node.find(key))
+          found->fail_at_key(fmt::format(
+              "belongs to a rigid-plastic hinge, and {0} is given too; write it inside {0}, or leave {0} out",
+              law->name));
+      return read_spring(node.at(law->name), *law);
+    }
+    const auto moments = node.find("yield_moment");
+    if (!moments) node.fail("the yield moment is missing; type yield_moment: 210 kN m");
+    Hinge hinge{.hardening = node.quantity("hardening")};
+    std::tie(hinge.yield_moment, hinge.hogging_moment) = read_moments(*moments);
+    return hinge;
+  }
+
+  Hinge read_spring(const Input& node, const hysteresis::Entry& law) const {
+    node.only_keys();
+    Hinge hinge{.law = hysteresis::Settings{.law = std::string(law.name)}};
+    const Input moment = node.at("yield_moment");
+    const auto [sagging, hogging] = read_moments(moment);
+    hinge.law->values["yield_moment"] = sagging;
+    if (hogging) {
+      if (std::ranges::find(law.parameters, "negative_yield_force", &hysteresis::ParameterInfo::name) ==
+          law.parameters.end())
+        moment.fail(fmt::format("{} yields at the same moment both ways; give one", law.name));
+      hinge.law->values["negative_yield_moment"] = *hogging;
+    }
+    const auto stiffness = node.find("stiffness"), factor = node.find("stiffness_factor");
+    if (stiffness && factor) factor->fail_at_key("give stiffness or stiffness_factor, not both");
+    if (stiffness)
+      hinge.stiffness = stiffness->as_quantity();
+    else
+      hinge.stiffness_factor = node.quantity("stiffness_factor");
+    const auto of_member = node.find("hardening"), of_spring = node.find("spring_hardening");
+    if (of_member && of_spring)
+      of_spring->fail_at_key(
+          "give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+    if (of_member) hinge.law->values["hardening"] = of_member->as_quantity();
+    for (const hysteresis::ParameterInfo& parameter : law.parameters)
+      if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
+        if (const std::string word = in_moments(std::string(parameter.name)); const auto value = node.find(word))
+          hinge.law->values[word] = value->as_quantity();
+    hinge.law->words = read_choices(node, law);
+    return hinge;
+  }
+
+  const Input& hinges_;
+  FrameInput& frame_;
+  std::vector<Whole> wholes_;
+  std::vector<int> grounded_;
+  std::map<std::tuple<int, MemberEnd, BendingAxis>, std::pair<Hinge, Input>> found_;  // by member, which is their order
+};
+
+}  // namespace
+
+void read_hinges(const Input& hinges, FrameInput& frame) { HingeReader(hinges, frame).read(); }
+
+}  // namespace pounding

@@ -1,0 +1,54 @@
+#include <pounding/recording/collapse.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <pounding/results/spring_history.hpp>
+#include <pounding/structures/storey_heights.hpp>
+
+namespace pounding {
+namespace {
+
+// The parts that yielded, by name up to six, those with the largest ductility first.
+std::string yielded_parts(const SpringHistory& springs) {
+  constexpr std::size_t most_named = 6;
+  std::vector<SpringSummary> all = summaries(springs);
+  std::erase_if(all, [](const SpringSummary& part) { return !part.yielded(); });
+  if (all.empty()) return "nothing in it yielded";
+  std::ranges::stable_sort(all, std::ranges::greater{}, &SpringSummary::ductility);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) names.push_back(all[i].name);
+  return fmt::format("{} of {} parts yielded, most of all {}", all.size(), springs.size(), fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Collapse::Collapse(const Model& model, const FloorEnvelopes& floors, const std::vector<StructureHistory>& histories)
+    : model_(model), floors_(floors), histories_(histories), limit_(model.analysis.collapse_drift) {
+  if (is_asked())
+    for (const Structure& s : model.structures) heights_.push_back(storey_heights(s));
+}
+
+bool Collapse::has_come() const { return is_asked() && worst().drift > limit_; }
+
+Collapse::Worst Collapse::worst() const {
+  Worst most;
+  for (int k = 0; k < static_cast<int>(heights_.size()); ++k)
+    for (int i = 0; i < static_cast<int>(heights_[k].size()); ++i)
+      if (const double drift = floors_.peak_drift(k, i) / heights_[k][i]; drift > most.drift) most = {k, i, drift};
+  return most;
+}
+
+std::string Collapse::text(double time) const {
+  const Worst most = worst();
+  const Structure& s = model_.structures[most.structure];
+  return fmt::format(
+      "collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, and collapse_drift is {:.3g} %; "
+      "{}",
+      time, s.floors[most.storey].label, s.name, 100 * most.drift, 100 * limit_,
+      yielded_parts(histories_[most.structure].springs));
+}
+
+}  // namespace pounding

@@ -1,0 +1,79 @@
+#include <pounding/recording/device_histories.hpp>
+
+namespace pounding {
+namespace {
+
+DeviceHistory heading(const Device& device, const Model& model) {
+  DeviceHistory history;
+  history.name = device.name;
+  history.left = {model.structures[device.left.structure].name, device.left.floor + 1, device.left.label};
+  history.right = {model.structures[device.right.structure].name, device.right.floor + 1, device.right.label};
+  for (int i = 0; i < 3; ++i) {
+    history.position[i] = device.left.point.position[i];
+    history.direction[i] = device.direction[i];
+  }
+  history.stiffness = device.member->first_slope();
+  if (device.parts.damper) {
+    history.coefficient = device.parts.damper->coefficient;
+    history.exponent = device.parts.damper->exponent;
+  }
+  return history;
+}
+
+}  // namespace
+
+DeviceHistories::DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories)
+    : model_(model),
+      stepper_(stepper),
+      histories_(histories),
+      first_(stepper.system().contact_count() + stepper.system().springs.size() - model.devices.size()) {
+  for (const Device& device : model.devices) histories_.push_back(heading(device, model));
+}
+
+void DeviceHistories::begin() {
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    histories_[i].extremes.update(0, stepper_.time(), model_.devices[i].member->elongation());
+    histories_[i].extremes.update(1, stepper_.time(), force_now(i));
+  }
+}
+
+void DeviceHistories::step() {
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    const LinkStep& step = step_of(i);
+    const double h = step.end - step.begin;
+    Extremes& extremes = histories_[i].extremes;
+    extremes.update(0, step.begin, h, step.motion_begin.penetration, step.motion_begin.rate,
+                    step.motion_end.penetration, step.motion_end.rate);
+    extremes.update(1, step.begin, h, step.force_begin, step.force_middle, step.force_end);
+    extremes.update(1, step.end, force_now(i));  // a velocity may have jumped
+  }
+}
+
+void DeviceHistories::sample(double time, bool inside) {
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    const DeviceSpring& member = *model_.devices[i].member;
+    double elongation = member.elongation(), force = force_now(i);
+    if (inside) {
+      const LinkStep& step = step_of(i);
+      const double s = (time - step.begin) / (step.end - step.begin);
+      elongation = interpolate(step, s).penetration;
+      force = member.inside(step, s, elongation).force;
+    }
+    histories_[i].elongation.push_back(elongation);
+    histories_[i].force.push_back(force);
+  }
+}
+
+std::vector<DeviceSummary> DeviceHistories::summary() const {
+  std::vector<DeviceSummary> all;
+  for (std::size_t i = 0; i < histories_.size(); ++i)
+    all.push_back({histories_[i].name, histories_[i].extremes,
+                   model_.devices[i].member->damped() + model_.devices[i].member->lost()});
+  return all;
+}
+
+void DeviceHistories::archive(Archive& archive) {
+  for (DeviceHistory& history : histories_) archive(history.extremes);
+}
+
+}  // namespace pounding

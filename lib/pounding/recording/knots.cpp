@@ -1,0 +1,61 @@
+#include <pounding/recording/knots.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pounding {
+namespace {
+
+// Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both
+// as square roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves
+// it by da t^2/64. Three times as much leaves axial forces of beams that are hit more than 1e-3 off.
+constexpr double allowed_miss = 1e-5;
+
+}  // namespace
+
+Knots::Knots(const Stepper& stepper)
+    : stepper_(stepper), largest_(stepper.system().groups.size()), strayed_(largest_), norms_(largest_) {}
+
+void Knots::set(const Instant& instant) {
+  last_ = instant.time;
+  acceleration_ = instant.motion.col(Instant::a);
+  bend_ = instant.motion.col(Instant::u);
+  take_norms(bend_);
+  for (std::size_t g = 0; g < norms_.size(); ++g) largest_[g] = std::max(largest_[g], norms_[g]);
+  std::fill(strayed_.begin(), strayed_.end(), 0.0);
+}
+
+// The accelerations at the ends of the steps would lie on one line if the cubic were exact.
+bool Knots::reach_over_step() {
+  const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
+  const double time = end.time - last_, part = time / (begin.time - last_);
+  bend_ = end.motion.col(Instant::a) - part * begin.motion.col(Instant::a) - (1 - part) * acceleration_;
+  take_norms(bend_);
+  bool close = true;
+  for (std::size_t g = 0; g < norms_.size(); ++g) {
+    strayed_[g] += norms_[g];
+    close = close && strayed_[g] * time * time / 64 <= allowed_miss * largest_[g];
+  }
+  return close;
+}
+
+void Knots::archive(Archive& archive) {
+  archive(last_);
+  archive(acceleration_);
+  archive(largest_);
+  archive(strayed_);
+}
+
+// By group: sqrt(x^T K x), of all processes.
+void Knots::take_norms(const Eigen::VectorXd& x) {
+  const StructureSolver& solver = stepper_.base();
+  stiffness_times_.resize(x.size());
+  solver.stiffness_times(x, stiffness_times_);
+  std::fill(norms_.begin(), norms_.end(), 0.0);
+  for (const StructureSolver::Segment& part : solver.segments())
+    norms_[part.group] += x.segment(part.first, part.count).dot(stiffness_times_.segment(part.first, part.count));
+  solver.combine(norms_);
+  for (double& norm : norms_) norm = std::sqrt(std::max(0.0, norm));
+}
+
+}  // namespace pounding

@@ -1,0 +1,265 @@
+#include <pounding/recording/link_samples.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+#include <pounding/recording/histories.hpp>
+
+namespace pounding {
+namespace {
+
+// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak
+// force, and the peak itself is one of them: no picture shows less, and ten times closer ones would make a file of many
+// impacts three times as large.
+constexpr double max_chord_error = 1e-3;
+constexpr int max_depth = 5;  // halvings of half a step
+
+// The power of a link in a step, as the parabola through its values at both ends and in the middle.
+class LinkPower {
+ public:
+  explicit LinkPower(const LinkStep& step) noexcept
+      : h_(step.end - step.begin),
+        begin_(step.force_begin * step.motion_begin.rate),
+        middle_(step.force_middle * step.motion_middle.rate),
+        end_(step.force_end * step.motion_end.rate),
+        bend_(2 * (begin_ - 2 * middle_ + end_)),
+        slope_(end_ - begin_ - bend_) {}
+
+  /// Work in the part of the step after s, from 0 to 1 [J].
+  double work_after(double s) const noexcept {
+    return h_ * (begin_ * (1 - s) + slope_ / 2 * (1 - s * s) + bend_ / 3 * (1 - s * s * s));
+  }
+  /// Work in the second half of the step [J].
+  double work_of_second_half() const noexcept { return h_ / 24 * (5 * end_ + 8 * middle_ - begin_); }
+
+ private:
+  double h_, begin_, middle_, end_, bend_, slope_;
+};
+
+// Whether straight lines from the ends of a step to its middle might miss the force. They miss by a quarter of what one
+// line misses, but where the force turns from bending one way to the other: there it is steep, and a third derivative
+// of it cannot do that where it changes by less than a fifth.
+bool bends(const LinkStep& step, double peak_force) {
+  return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * max_chord_error * peak_force ||
+         std::abs(step.force_end - step.force_begin) > 0.2 * peak_force;
+}
+
+LinkHistory heading(const Link& link, const Model& model) {
+  LinkHistory history;
+  history.name = link.name;
+  history.gap = link.gap;
+  history.law = link.law;
+  history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
+  history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
+  // A frame has a place of its own; the other structures stand where their links are.
+  const bool only_right_has_place = model.structures[link.left.structure].geometry.positions.empty() &&
+                                    !model.structures[link.right.structure].geometry.positions.empty();
+  const LinkEnd& end = only_right_has_place ? link.right : link.left;
+  const Eigen::Vector3d position =
+      end.point.position + (only_right_has_place ? -1 : 1) * end.face.value_or(0) * link.direction;
+  for (int i = 0; i < 3; ++i) {
+    history.position[i] = position[i];
+    history.direction[i] = link.direction[i];
+  }
+  return history;
+}
+
+void append(std::span<const LinkSample> samples, LinkHistory& history) {
+  const auto add = [samples](std::vector<double>& column, double LinkSample::* value) {
+    std::ranges::transform(samples, std::back_inserter(column), value);
+  };
+  add(history.time, &LinkSample::time);
+  add(history.penetration, &LinkSample::penetration);
+  add(history.velocity, &LinkSample::velocity);
+  add(history.force, &LinkSample::force);
+  add(history.energy, &LinkSample::energy);
+  if (history.tangents == 0) return;
+  for (const LinkSample& s : samples)
+    history.friction.insert(history.friction.end(), s.friction.begin(), s.friction.begin() + history.tangents);
+}
+
+void append(const LinkSample& sample, LinkHistory& history) { append(std::span(&sample, 1), history); }
+
+void cut(LinkHistory& history, std::size_t length) {
+  cut_columns(history, length);
+  history.friction.resize(length * history.tangents);
+}
+
+}  // namespace
+
+// A step of a link in contact, from which samples inside it are taken.
+struct LinkSamples::Inside {
+  std::size_t link;
+  const LinkStep& step;
+  const Contact& contact;
+  double allowed;  // by which straight lines may miss the force [N]
+  Quintic path = pounding::path(step);
+  LinkPower power{step};
+  double work_at_end = contact.work();
+
+  double work(double s) const { return work_at_end - power.work_after(s); }
+};
+
+void ImpactSamples::begin_pressed(const LinkSample& sample) { samples_.push_back(sample); }
+
+void ImpactSamples::add(const LinkSample& sample) {
+  if (samples_.empty()) samples_.push_back({sample.time, sample.penetration, sample.velocity, 0, sample.energy, {}});
+  if (++skipped_ < stride_) {
+    last_ = sample;
+    return;
+  }
+  skipped_ = 0;
+  samples_.push_back(sample);
+  if (samples_.size() < max_count) return;
+  // The first two stay: they are the two sides of a jump at the touch.
+  for (std::size_t i = 1; 2 * i - 1 < samples_.size(); ++i) samples_[i] = samples_[2 * i - 1];
+  samples_.resize(samples_.size() / 2 + 1);
+  stride_ *= 2;
+}
+
+void ImpactSamples::show(LinkHistory& history) const {
+  append(samples_, history);
+  if (!samples_.empty() && samples_.back().time < last_.time) append(last_, history);
+}
+
+void ImpactSamples::finish(LinkHistory& history) {
+  if (empty()) return;
+  show(history);
+  samples_.clear();
+  stride_ = 1;
+  skipped_ = 0;
+}
+
+void ImpactSamples::archive(Archive& archive) {
+  archive(samples_);
+  archive(last_);
+  archive(stride_);
+  archive(skipped_);
+}
+
+LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories)
+    : model_(model), stepper_(stepper), histories_(histories) {
+  if (stepper.system().contact_count() == 0) return;
+  for (const Link& link : model.links) histories_.push_back(heading(link, model));
+  impacts_.resize(model.links.size());
+  first_tangent_.assign(model.links.size(), -1);
+  for (const Friction& friction : stepper.system().frictions) {
+    histories_[friction.contact].tangents = friction.count;
+    first_tangent_[friction.contact] = friction.first;
+  }
+}
+
+std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::* force) const {
+  std::array<double, 2> forces{};
+  for (int j = 0; j < histories_[link].tangents; ++j)
+    forces[j] = stepper_.link_step(static_cast<int>(first_tangent_[link] + j)).*force;
+  return forces;
+}
+
+void LinkSamples::add_inside(const Inside& in, double s, const Jet& at, double force) {
+  LinkSample sample{in.step.begin + s * (in.step.end - in.step.begin), at.x, at.v, force, in.work(s), {}};
+  for (int j = 0; j < histories_[in.link].tangents; ++j)
+    sample.friction[j] = force_inside(stepper_.link_step(static_cast<int>(first_tangent_[in.link] + j)), s);
+  impacts_[in.link].add(sample);
+}
+
+// Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss
+// the force.
+void LinkSamples::add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth) {
+  const double mid = 0.5 * (s + e);
+  const Jet at = in.path.at(mid);
+  // The path misses the motion by what the error of the step allows, and where hardly any force acts the formula of the
+  // law would pull on it.
+  const double force = in.contact.acting_force(in.contact.evaluate({at.x, at.v}).force);
+  const double missed = std::abs(force - 0.5 * (force_s + force_e));
+  if (missed <= in.allowed) return;
+  // Both halves miss by a quarter of this, or 0.35 of it where a force begins like the power 1.5 of the penetration.
+  const bool deeper = depth > 1 && missed > 2 * in.allowed;
+  if (deeper) add_between(in, s, force_s, mid, force, depth - 1);
+  add_inside(in, mid, at, force);
+  if (deeper) add_between(in, mid, force, e, force_e, depth - 1);
+}
+
+// Samples of a step in contact, without its ends.
+void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
+  const LinkMotion& middle = step.motion_middle;
+  // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
+  const bool looks =
+      bends(step, row.peak_force) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+  const bool peaks = row.t_peak > step.begin && row.t_peak < step.end;
+  const LinkSample at_middle{0.5 * (step.begin + step.end),
+                             middle.penetration,
+                             middle.rate,
+                             step.force_middle,
+                             contact.work() - LinkPower(step).work_of_second_half(),
+                             friction(link, &LinkStep::force_middle)};
+  if (!looks && !peaks) return impacts_[link].add(at_middle);
+  const Inside inside{link, step, contact, max_chord_error * row.peak_force};
+  const double at_peak = (row.t_peak - step.begin) / (step.end - step.begin);
+  const auto add_half = [&](double s, double force_s, double e, double force_e) {
+    if (peaks && at_peak > s && at_peak < e) {
+      if (looks) add_between(inside, s, force_s, at_peak, row.peak_force, max_depth);
+      add_inside(inside, at_peak, inside.path.at(at_peak), row.peak_force);
+      s = at_peak;
+      force_s = row.peak_force;
+    }
+    if (looks) add_between(inside, s, force_s, e, force_e, max_depth);
+  };
+  add_half(0, step.force_begin, 0.5, step.force_middle);
+  impacts_[link].add(at_middle);
+  add_half(0.5, step.force_middle, 1, step.force_end);
+}
+
+void LinkSamples::step(bool output_due) {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    const Contact& contact = *model_.links[i].contact;
+    const LinkStep& step = stepper_.link_step(static_cast<int>(i));
+    const std::span<const ImpactRow> rows = contact.impacts();
+    const bool begun = !rows.empty();
+    const bool presses = begun && std::isnan(rows.back().t_end);
+    const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
+    ImpactSamples& impact = impacts_[i];
+    const LinkMotion& end = step.motion_end;
+    if (presses || ends_here) {
+      if (impact.empty() && model_.links[i].preload && rows.size() == 1)
+        impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
+                              contact.work() - LinkPower(step).work_after(0), friction(i, &LinkStep::force_begin)});
+      if (step.force_middle != 0) add_inside(i, step, contact, rows.back());
+      // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would
+      // pull.
+      const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);
+      impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
+    }
+    if (presses) continue;
+    impact.finish(histories_[i]);
+    if (ends_here || output_due) append({step.end, end.penetration, end.rate, 0, contact.work(), {}}, histories_[i]);
+  }
+}
+
+void LinkSamples::end() {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) impacts_[i].finish(histories_[i]);
+}
+
+void LinkSamples::show_unfinished() {
+  lengths_.clear();
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    lengths_.push_back(histories_[i].time.size());
+    impacts_[i].show(histories_[i]);
+  }
+}
+
+void LinkSamples::hide_unfinished() {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) cut(histories_[i], lengths_[i]);
+}
+
+void LinkSamples::archive(Archive& archive) {
+  archive(impacts_);
+  for (LinkHistory& history : histories_) {
+    archive_length(archive, history);
+    history.friction.resize(history.time.size() * history.tangents);
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,83 @@
+#pragma once
+/// Turns the kept steps of a run into its results: histories, impacts, envelopes and the energy balance.
+
+#include <Eigen/Core>
+#include <functional>
+
+#include <pounding/core/archive_eigen.hpp>
+#include <pounding/model/ground_plan.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/recording/collapse.hpp>
+#include <pounding/recording/device_histories.hpp>
+#include <pounding/recording/floor_envelopes.hpp>
+#include <pounding/recording/floor_response.hpp>
+#include <pounding/recording/force_envelopes.hpp>
+#include <pounding/recording/link_samples.hpp>
+#include <pounding/recording/spring_histories.hpp>
+#include <pounding/recording/step_motion.hpp>
+#include <pounding/recording/storey_shears.hpp>
+#include <pounding/recording/structure_histories.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/results/summary.hpp>
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding {
+
+/// Fills the results of a run, step by step.
+class Recorder {
+ public:
+  /// Makes the histories in `results`. All arguments must outlive this.
+  Recorder(const Model& model, const Stepper& stepper, Results& results);
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// Records the initial state.
+  void begin();
+  /// Records the step that the stepper has just kept. Returns true if it contains an output time.
+  bool step();
+  /// Completes the results at the end of the run: unfinished impacts, the last energies.
+  void end();
+  /// Calls `write` while the results hold the present state as well: unfinished impacts stand in them for that time.
+  void with_present_state(const std::function<void()>& write);
+  /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these
+  /// histories to the lengths.
+  void archive(Archive& archive);
+
+  /// Whether and how a structure has collapsed until now.
+  const Collapse& collapse() const { return collapse_; }
+  /// Rows of the motion of the floors.
+  const FloorResponse& response() const { return response_; }
+  /// Impacts of all links so far.
+  int impacts() const;
+  /// Fills peaks, links, devices and energies of a summary from the run so far.
+  void summarize(Summary& summary) const;
+
+ private:
+  void sample_outputs_until(double end);
+  void sample(double time, bool inside);
+  void accelerations_of_ground(double time);
+  void sample_energy();
+  std::vector<ImpactRow> impacts_in_order() const;
+  bool has_links() const { return stepper_.system().contact_count() > 0; }
+
+  const Model& model_;
+  const Stepper& stepper_;
+  Results& results_;
+  GroundPlan plan_;
+  FloorResponse response_;
+  LinkSamples links_;
+  DeviceHistories devices_;
+  StructureHistories structures_;
+  SpringHistories springs_;
+  StepMotion step_motion_;
+  FloorEnvelopes floors_;
+  Collapse collapse_;
+  StoreyShears storeys_;
+  ForceEnvelopes forces_;
+  long outputs_ = 0;                          // output times so far
+  double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
+  Eigen::MatrixXd motion_;                    // of the floors at an output time
+  Eigen::VectorXd ground_;                    // accelerations of all ground motions there [m/s^2]
+};
+
+}  // namespace pounding

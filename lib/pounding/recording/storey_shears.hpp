@@ -1,0 +1,40 @@
+#pragma once
+/// Extremes of the shears of storeys that are springs.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <pounding/model/model.hpp>
+#include <pounding/recording/step_motion.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding {
+
+/// Fills the envelopes of storey shears of structures along one line, storey by storey from the drifts, in every step.
+class StoreyShears {
+ public:
+  /// Fills `results`. All arguments must outlive this.
+  StoreyShears(const Model& model, const Stepper& stepper, Results& results);
+
+  /// The present state is the initial one; `floors` is its motion as FloorResponse completes it.
+  void begin(const Eigen::MatrixXd& floors);
+  /// One kept step.
+  void step(const StepMotion& step);
+  /// Completes the envelopes: shears of elastic storeys follow from those of their drifts.
+  void show();
+
+ private:
+  void step_storey(int structure, std::size_t storey, const StepMotion& step);
+  template <class Visit>
+  void visit_storeys(bool elastic, Visit&& visit) const;
+
+  const Model& model_;
+  const Stepper& stepper_;
+  Results& results_;
+  std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey among the link steps
+  std::vector<int> first_row_;             // by structure: its lowest floor among the motions
+  bool has_inelastic_ = false;             // storeys that yield or have devices
+};
+
+}  // namespace pounding

@@ -1,0 +1,83 @@
+#include <pounding/stepping/springs/spring_corners.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pounding {
+namespace {
+
+// A corner this near an end of the trial, relative to its length, lies at that end.
+constexpr double corner_part = 1e-3;
+// Where springs give way, so does one this near, relative to the longest step: a step that ends at a corner may leave
+// so much to the next.
+constexpr double shortest_to_corner = 1e-4;
+// A bend of a force that depends on the rate, relative to the longest step: forces in the step that begins there come
+// from the state before it.
+constexpr double near_bend = 1e-6;
+// A jump of the slope by a smaller part of the initial stiffness is none.
+constexpr double least_jump = 1e-6;
+
+// Whether a spring has no slope wherever the cubic between two motions may go, which is within a third of the step
+// times the rates from its ends. What lies between two elastic deformations is elastic.
+bool stays_elastic(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h) {
+  const double third = h / 3 * std::max(std::abs(begin.rate), std::abs(end.rate));
+  const laws::Response low = spring.evaluate({std::min(begin.penetration, end.penetration) - third, 0});
+  const laws::Response high = spring.evaluate({std::max(begin.penetration, end.penetration) + third, 0});
+  return low.by_penetration == 0 && high.by_penetration == 0 && low.force == high.force;
+}
+
+// Position of the first corner of one spring between two motions, from 0 to 1. `near`: a corner this near an end lies
+// at that end.
+std::optional<double> corner(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h,
+                             double near) {
+  if (stays_elastic(spring, begin, end, h)) return std::nullopt;
+  const CubicPenetration between(begin, end, h);
+  const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
+  const auto inside = [near](double s) { return s > near && s < 1 - near; };
+  // The deformation grows or falls all the way between these two.
+  const auto onset = [&](double deformation, double low, double high) {
+    const double way = between.at(high) - between.at(low);
+    while (high - low > 1e-6) {
+      const double middle = 0.5 * (low + high);
+      ((between.at(middle) - deformation) * way > 0 ? high : low) = middle;
+    }
+    return high;
+  };
+  const double turned = turn < 1 ? between.at(turn) : end.penetration;
+  if (const auto deformation = spring.corner(turned))
+    if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
+  if (turn == 1) return std::nullopt;
+  const bool turns_sharply =
+      std::abs(spring.slope_lost(turned)) > least_jump * (spring.stiffness() + spring.first_slope());
+  if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
+  if (const auto deformation = spring.corner(end.penetration))
+    if (const double s = onset(*deformation, turn, 1); inside(s)) return s;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> SpringCorners::first(const Instant& now, const Trial& trial, double longest_step) const {
+  std::vector<LinkMotion> begin, end;
+  const auto stays = [&](const Eigen::VectorXd& force) {
+    return force.segment(links_.contacts(), links_.springs()) == now.force.segment(links_.contacts(), links_.springs());
+  };
+  const bool bends = springs_.any() && !(stays(trial.force_middle) && stays(trial.end.force));
+  if (bends) springs_.follow_first_slopes(now, trial, begin, end);
+  const double near = springs_.any() ? std::max(corner_part, shortest_to_corner * longest_step / trial.h) : corner_part;
+  std::optional<double> first;
+  for (int i = links_.contacts(); i < links_.frictions_from(); ++i) {
+    if (!links_.spring(i).has_corners()) continue;
+    const std::size_t k = i - links_.contacts();
+    const LinkMotion from = bends ? begin[k] : links_.motion(i, now), to = bends ? end[k] : links_.motion(i, trial.end);
+    const Spring& spring = links_.spring(i);
+    const std::optional<double> s =
+        spring.bends_with_rate()
+            ? spring.bend({links_.jet(i, now), links_.jet(i, trial.end), trial.h}, near_bend * longest_step / trial.h)
+            : corner(spring, from, to, trial.h, near);
+    if (s && (!first || *s < *first)) first = s;
+  }
+  return first;
+}
+
+}  // namespace pounding

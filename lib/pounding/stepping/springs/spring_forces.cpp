@@ -1,0 +1,203 @@
+#include <pounding/stepping/springs/spring_forces.hpp>
+
+#include <algorithm>
+
+namespace pounding {
+namespace {
+
+// A law is looked at this part of a step behind its beginning: further than a corner may lie from the end of the step
+// that was to end there (EventLocator).
+constexpr double just_behind = 4e-3;
+constexpr int max_branches = 8;
+
+}  // namespace
+
+Eigen::MatrixXd relief_among(const SparseMatrix& s, std::span<const int> springs) {
+  const auto count = static_cast<Eigen::Index>(springs.size());
+  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(count, count);
+  std::vector<Eigen::Index> place(static_cast<std::size_t>(s.rows()), -1);
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (springs[i] >= 0) place[springs[i]] = i;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    if (springs[j] < 0) continue;
+    for (SparseMatrix::InnerIterator it(s, springs[j]); it; ++it)
+      if (place[it.row()] >= 0) part(place[it.row()], j) = it.value();
+  }
+  return part;
+}
+
+bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
+  const int first = links_.contacts(), count = links_.springs();
+  const SparseMatrix& s = links_.relief().flexibility();
+  std::vector<bool> is_active(static_cast<std::size_t>(count), false);
+  active_.clear();
+  const auto gives_way = [&](int i) { return s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]; };
+  for (int i = 0; i < count; ++i)
+    if (!gives_way(i)) force[first + i] = links_.law(first + i, motions[first + i]).force;
+  for (;;) {
+    relief_.setZero(count);
+    links_.relief().add_relief(1, force.segment(first, count), relief_);
+    const std::size_t known = active_.size();
+    for (int i = 0; i < count; ++i) {
+      if (is_active[i] || !gives_way(i)) continue;
+      const LinkMotion& free = motions[first + i];
+      if (links_.law(first + i, {free.penetration - relief_[i], free.rate}).force == force[first + i]) continue;
+      is_active[i] = true;
+      active_.push_back(first + i);
+    }
+    if (active_.size() == known) break;
+    std::sort(active_.begin(), active_.end());
+    if (!solve(motions, force)) return false;
+  }
+  for (int i = 0; i < count; ++i) motions[first + i].penetration -= relief_[i];
+  return true;
+}
+
+void SpringForces::set_no_flexibility(Eigen::Index count) const {
+  zero_.resize(count, count);
+  none_.resize(count);
+  zero_.setZero();
+  none_.setZero();
+}
+
+// Newton's method for the active springs with the forces of the others; relief_ is S F.
+bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
+  const int first = links_.contacts(), count = static_cast<int>(active_.size());
+  std::vector<int> springs;
+  for (const int link : active_) springs.push_back(link - first);
+  flexibility_ = relief_among(links_.relief().flexibility(), springs);
+  set_no_flexibility(count);
+  Eigen::VectorXd own = force(active_);
+  const Eigen::VectorXd by_own = flexibility_ * own;
+  free_.resize(active_.size());
+  for (int k = 0; k < count; ++k) {
+    const LinkMotion& motion = motions[active_[k]];
+    free_[k] = {motion.penetration - (relief_[springs[k]] - by_own[k]), motion.rate};
+  }
+  const CondensedLinks condensed{
+      .active = active_, .free = free_, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
+  if (!solver_.solve(condensed, own)) return false;
+  force(active_) = own;
+  return true;
+}
+
+void SpringForces::relieve(Instant& x) const {
+  x.relief.setZero(links_.springs());
+  const auto forces = x.force.segment(links_.contacts(), links_.springs());
+  if (forces.cwiseAbs().sum() != 0) links_.relief().add_relief(1, forces, x.relief);
+}
+
+void SpringForces::slopes(const std::vector<LinkMotion>& motions, Eigen::VectorXd& slopes) const {
+  const int first = links_.contacts();
+  slopes.resize(links_.springs());
+  for (int i = 0; i < links_.springs(); ++i) slopes[i] = links_.law(first + i, motions[first + i]).by_penetration;
+}
+
+void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_springs) const {
+  const SparseMatrix& s = links_.relief().flexibility();
+  soft_.clear();
+  for (int i = 0; i < slopes.size(); ++i)
+    if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft_.push_back(i);
+  if (soft_.empty()) return;
+  const auto count = static_cast<Eigen::Index>(soft_.size());
+  flexibility_ = relief_among(s, soft_);
+  right_.resize(count, of_springs.cols());
+  for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
+  const Eigen::VectorXd own = slopes(soft_);
+  if (!answer_by_structure(own, right_)) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      flexibility_.col(i) *= own[i];
+      flexibility_(i, i) += 1;
+    }
+    if (!lu_ || lu_->rows() != count) lu_.emplace(count);
+    lu_->compute(flexibility_);
+    solved_ = lu_->solve(right_);
+    right_ = own.asDiagonal() * solved_;
+  }
+  change_.setZero(slopes.size());
+  for (Eigen::Index j = 0; j < of_springs.cols(); ++j) {
+    for (Eigen::Index i = 0; i < count; ++i) change_[soft_[i]] = right_(i, j);
+    links_.relief().add_relief(-1, change_, of_springs.col(j));
+  }
+}
+
+// Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all
+// yield.
+bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
+  if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
+  set_no_flexibility(slopes.size());
+  solved_ = rates;
+  const CondensedLinks condensed{
+      .active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
+  if (!soft_springs_.answer(condensed, slopes, solved_)) return false;
+  rates = solved_;
+  return true;
+}
+
+void SpringForces::find_force_rates(Instant& x) const {
+  const int first = links_.contacts(), count = links_.springs();
+  if (x.spring_slopes.isZero(0)) {
+    x.force_rates.setZero(count, 2);
+    return;
+  }
+  Eigen::MatrixXd moving = x.relative.block(first, Instant::v, count, 2);
+  rates(x.spring_slopes, moving);
+  x.force_rates = x.spring_slopes.asDiagonal() * moving;
+}
+
+void SpringForces::find_rates(const Instant& begin, Trial& trial) const {
+  const int first = links_.contacts(), count = links_.springs();
+  Instant& end = trial.end;
+  slopes(trial.middle, end.spring_slopes);
+  trial.spring_rates.resize(count, 5);
+  trial.spring_rates.leftCols(2) = begin.relative.block(first, Instant::v, count, 2);
+  trial.spring_rates.rightCols(2) = end.relative.block(first, Instant::v, count, 2);
+  for (int i = 0; i < count; ++i) trial.spring_rates(i, 2) = trial.middle[first + i].rate;
+  if (links_.moved())
+    for (int i = 0; i < count; ++i) {
+      trial.spring_rates.row(i).head(2) += begin.by_ground.row(first + i).segment(Instant::v, 2);
+      trial.spring_rates.row(i).tail(2) += end.by_ground.row(first + i).segment(Instant::v, 2);
+    }
+  if (end.spring_slopes.isZero(0)) {
+    trial.force_rates_begin.setZero(count, 2);
+    end.force_rates.setZero(count, 2);
+    return;
+  }
+  rates(end.spring_slopes, trial.spring_rates);
+  trial.force_rates_begin = end.spring_slopes.asDiagonal() * trial.spring_rates.leftCols(2);
+  end.force_rates = end.spring_slopes.asDiagonal() * trial.spring_rates.rightCols(2);
+  for (int i = 0; i < count; ++i) trial.middle[first + i].rate = trial.spring_rates(i, 2);
+}
+
+void SpringForces::follow_first_slopes(const Instant& begin, const Trial& trial, std::vector<LinkMotion>& first,
+                                       std::vector<LinkMotion>& last) const {
+  const int from = links_.contacts(), count = links_.springs();
+  first.resize(static_cast<std::size_t>(count));
+  last.resize(first.size());
+  Eigen::MatrixXd free(count, 3), way;  // rate at the beginning, way to the end, rate there
+  for (int i = 0; i < count; ++i) {
+    first[i] = links_.motion(from + i, begin);
+    LinkMotion start, end;
+    links_.without_relief(from + i, begin, start);
+    links_.without_relief(from + i, trial.end, end);
+    free.row(i) << first[i].rate, end.penetration - start.penetration, end.rate;
+  }
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(count), before;
+  way = free;
+  for (int branch = 0; branch < max_branches; ++branch) {
+    before = slopes;
+    for (int i = 0; i < count; ++i) {
+      const double rate = way(i, 0) + 0.5 * just_behind * (way(i, 2) - way(i, 0));
+      slopes[i] = links_.law(from + i, {first[i].penetration + just_behind * trial.h * rate, rate}).by_penetration;
+    }
+    if (slopes == before) break;
+    way = free;
+    rates(slopes, way);
+  }
+  for (int i = 0; i < count; ++i) {
+    first[i].rate = way(i, 0);
+    last[i] = {first[i].penetration + way(i, 1), way(i, 2)};
+  }
+}
+
+}  // namespace pounding
