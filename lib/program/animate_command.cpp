@@ -30,15 +30,15 @@ void add_animate(CLI::App& app) {
   command->add_option("--to", options->to, "time of the last frame [s]")->check(CLI::Number);
   command->add_option("--title", options->title, "title instead of that of the run");
   command->callback([options] {
-    std::vector<std::string> words;
-    if (!options->film.empty()) words = {"-o", options->film};
+    std::vector<std::string> arguments;
+    if (!options->film.empty()) arguments = {"-o", options->film};
     for (const auto& [name, value] : {std::pair{"--scale=", &options->scale},
                                       {"--frames=", &options->frames},
                                       {"--from=", &options->from},
                                       {"--to=", &options->to},
                                       {"--title=", &options->title}})
-      if (!value->empty()) words.push_back(name + *value);
-    run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, words,
+      if (!value->empty()) arguments.push_back(name + *value);
+    run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, arguments,
                {options->results});
   });
 }

@@ -21,10 +21,10 @@ struct CalibrateArguments {
   bool json = false, cyclic = false;
 };
 
-CollisionInput collision_words(const CalibrateArguments& words) {
-  CollisionInput collision = words.collision;
+CollisionInput collision_words(const CalibrateArguments& arguments) {
+  CollisionInput collision = arguments.collision;
   collision.before_names = "--";
-  for (const std::string& text : words.parameters) {
+  for (const std::string& text : arguments.parameters) {
     const auto equals = text.find('=');
     if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", excerpt(text)));
     collision.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
@@ -175,30 +175,30 @@ void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  const auto words = std::make_shared<CalibrateArguments>();
+  const auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* command = app.add_subcommand(
       "calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
-  command->add_option("--law", words->collision.law, "Contact law (see pounding laws)")->required();
-  command->add_option("--restitution", words->collision.restitution, "Restitution to calibrate for, in (0, 1]");
-  command->add_option("--m1", words->collision.m1, "Mass of the first body, such as 100 t or 1e5")->required();
-  command->add_option("--m2", words->collision.m2, "Mass of the second body, or wall")->capture_default_str();
-  command->add_option("--stiffness", words->collision.stiffness, "Contact stiffness, SI or with its unit");
-  command->add_option("--velocity", words->collision.velocity, "Closing speed");
-  command->add_option("--exponent", words->collision.exponent, "Exponent n of the law");
-  command->add_option("--parameter", words->parameters, "Another parameter of the law, NAME=VALUE");
+  command->add_option("--law", arguments->collision.law, "Contact law (see pounding laws)")->required();
+  command->add_option("--restitution", arguments->collision.restitution, "Restitution to calibrate for, in (0, 1]");
+  command->add_option("--m1", arguments->collision.m1, "Mass of the first body, such as 100 t or 1e5")->required();
+  command->add_option("--m2", arguments->collision.m2, "Mass of the second body, or wall")->capture_default_str();
+  command->add_option("--stiffness", arguments->collision.stiffness, "Contact stiffness, SI or with its unit");
+  command->add_option("--velocity", arguments->collision.velocity, "Closing speed");
+  command->add_option("--exponent", arguments->collision.exponent, "Exponent n of the law");
+  command->add_option("--parameter", arguments->parameters, "Another parameter of the law, NAME=VALUE");
   command->add_flag(
-      "--cyclic", words->cyclic,
+      "--cyclic", arguments->cyclic,
       "By the cyclic process of Naderpour et al. 2015: change what the formula is given until the area of the "
       "hysteresis loop is the kinetic energy loss");
-  command->add_flag("--json", words->json, "Print JSON");
-  command->callback([words] {
-    const Collision collision = read_collision(collision_words(*words));
-    if (words->cyclic) {
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments] {
+    const Collision collision = read_collision(collision_words(*arguments));
+    if (arguments->cyclic) {
       const std::vector<CyclicRow> rows = calibrate_cyclically(collision);
-      return words->json ? print_json(collision, rows) : print(collision, rows);
+      return arguments->json ? print_json(collision, rows) : print(collision, rows);
     }
     const std::vector<CalibratedRow> rows = calibrate(collision);
-    words->json ? print_json(collision, rows) : print(collision, rows);
+    arguments->json ? print_json(collision, rows) : print(collision, rows);
   });
 }
 

@@ -24,7 +24,7 @@ void add_plot(CLI::App& app);         ///< `plot RESULTS.h5`
 void add_animate(CLI::App& app);      ///< `animate RESULTS.h5`
 void add_export(CLI::App& app);       ///< `export RESULTS.h5`
 void add_reproduce(CLI::App& app);    ///< `reproduce`
-void add_words(CLI::App& app);        ///< `words [NAME]`
+void add_arguments(CLI::App& app);    ///< `words [NAME]`
 
 /// Refuses the empty name of an option that names a file, as in -o "": a variable of a script that holds nothing.
 inline CLI::Option* names_a_file(CLI::Option* option) {

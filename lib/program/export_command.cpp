@@ -19,9 +19,9 @@ void add_export(CLI::App& app) {
   names_a_file(
       command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS.xdmf in the current folder)"));
   command->callback([options] {
-    std::vector<std::string> words;
-    if (!options->output.empty()) words = {"-o", options->output};
-    run_python({.module = "export", .product = "export", .prints = true}, words, {options->results});
+    std::vector<std::string> arguments;
+    if (!options->output.empty()) arguments = {"-o", options->output};
+    run_python({.module = "export", .product = "export", .prints = true}, arguments, {options->results});
   });
 }
 

@@ -57,7 +57,7 @@ nlohmann::json law_json(const hysteresis::Entry& entry) {
   for (const hysteresis::ChoiceInfo& c : entry.choices)
     law["choices"].push_back({{"name", c.name},
                               {"meaning", c.meaning},
-                              {"words", std::vector<std::string>(c.words.begin(), c.words.end())}});
+                              {"words", std::vector<std::string>(c.arguments.begin(), c.arguments.end())}});
   for (const hysteresis::StateInfo& s : entry.state)
     law["state"].push_back({{"name", s.name}, {"unit", s.unit}, {"meaning", s.meaning}});
   return law;
@@ -73,7 +73,8 @@ void print_law(const hysteresis::Entry& entry) {
     fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning,
                need_text(p.need));
   for (const hysteresis::ChoiceInfo& c : entry.choices)
-    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.arguments.front(), c.meaning,
+               fmt::join(c.arguments, " or "));
 }
 
 std::vector<double> read_path(const std::string& text) {
@@ -81,14 +82,14 @@ std::vector<double> read_path(const std::string& text) {
   std::string_view rest = text;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(','), rest.size());
-    std::string_view word = rest.substr(0, end);
-    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
-    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
+    std::string_view argument = rest.substr(0, end);
+    while (!argument.empty() && argument.front() == ' ') argument.remove_prefix(1);
+    while (!argument.empty() && argument.back() == ' ') argument.remove_suffix(1);
     double value = 0;
-    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (read.ec != std::errc{} || read.ptr != word.data() + word.size() || !std::isfinite(value))
+    const auto read = std::from_chars(argument.data(), argument.data() + argument.size(), value);
+    if (read.ec != std::errc{} || read.ptr != argument.data() + argument.size() || !std::isfinite(value))
       throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"; \"" +
-                                  excerpt(word) + "\" is no number");
+                                  excerpt(argument) + "\" is no number");
     path.push_back(value);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }

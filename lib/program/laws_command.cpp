@@ -124,43 +124,45 @@ void add_laws(CLI::App& app) {
     int points = 1;
     bool json = false, yielding = false;
   };
-  const auto words = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "laws", "Contact laws and laws of yielding: their formulas, parameters, restitutions and loops");
-  command->add_option("NAME", words->name, "One law in detail");
-  command->add_flag("--json", words->json, "Print JSON");
+  command->add_option("NAME", arguments->name, "One law in detail");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->add_flag(
-      "--yielding", words->yielding,
+      "--yielding", arguments->yielding,
       "With --json and no NAME: the laws of yielding; with a NAME that a contact law has too: that of yielding");
-  command->add_option("--path", words->path,
+  command->add_option("--path", arguments->path,
                       "Loop of a law of yielding with typical parameters: turning points in yield deformations");
-  command->add_option("--points", words->points, "Points on each way of the loop, 1 for the turning points alone")
+  command->add_option("--points", arguments->points, "Points on each way of the loop, 1 for the turning points alone")
       ->check(CLI::Range(1, 100000));
-  command->callback([words] {
-    if (!words->path.empty() && words->name.empty())
+  command->callback([arguments] {
+    if (!arguments->path.empty() && arguments->name.empty())
       throw std::invalid_argument("--path: needs the NAME of a law of yielding");
-    if (words->name.empty() && !words->json) return print_all();
-    if (words->name.empty()) {
+    if (arguments->name.empty() && !arguments->json) return print_all();
+    if (arguments->name.empty()) {
       nlohmann::json list = nlohmann::json::array();
-      if (words->yielding)
+      if (arguments->yielding)
         for (const hysteresis::Entry& entry : hysteresis::catalogue()) list.push_back(law_json(entry));
       else
         for (const laws::Entry& entry : laws::catalogue()) list.push_back(law_json(entry));
       return fmt::print("{}\n", list.dump(2));
     }
     for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
-      if (entry.name != words->name) continue;
+      if (entry.name != arguments->name) continue;
       const bool is_contact_law_too =
           std::ranges::find(laws::catalogue(), entry.name, &laws::Entry::name) != laws::catalogue().end();
-      if (is_contact_law_too && !words->yielding && words->path.empty()) break;
-      if (!words->path.empty()) return print_loop(entry, read_path(words->path), words->points, words->json);
-      return words->json ? fmt::print("{}\n", law_json(entry).dump(2)) : print_law(entry);
+      if (is_contact_law_too && !arguments->yielding && arguments->path.empty()) break;
+      if (!arguments->path.empty())
+        return print_loop(entry, read_path(arguments->path), arguments->points, arguments->json);
+      return arguments->json ? fmt::print("{}\n", law_json(entry).dump(2)) : print_law(entry);
     }
-    if (is_meant_to_yield(words->name)) hysteresis::find_law(words->name);
-    const laws::Entry& entry = laws::find_law(words->name);
-    if (!words->path.empty())
-      throw std::invalid_argument("--path: " + words->name + " is a contact law, which has no loop by deformations");
-    if (words->json) return fmt::print("{}\n", law_json_with_table(entry).dump(2));
+    if (is_meant_to_yield(arguments->name)) hysteresis::find_law(arguments->name);
+    const laws::Entry& entry = laws::find_law(arguments->name);
+    if (!arguments->path.empty())
+      throw std::invalid_argument("--path: " + arguments->name +
+                                  " is a contact law, which has no loop by deformations");
+    if (arguments->json) return fmt::print("{}\n", law_json_with_table(entry).dump(2));
     print_law(entry);
   });
 }

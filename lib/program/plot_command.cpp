@@ -104,13 +104,13 @@ void add_plot(CLI::App& app) {
   command->add_flag("--compare", options->compare,
                     "also draw the run without links, dashed; profiles and plan do so whenever it is there");
   command->callback([options] {
-    std::vector<std::string> words;
-    if (!options->picture.empty()) words = {"-o", options->picture};
-    if (!options->title.empty()) words.push_back("--title=" + options->title);
-    if (options->kind != "run") words.push_back("--picture=" + options->kind);
-    if (options->compare) words.push_back("--compare");
-    if (!options->floors.empty()) words.push_back("--floors=" + options->floors);
-    run_python({.module = "plots", .product = "picture", .prints = true}, words, {options->results});
+    std::vector<std::string> arguments;
+    if (!options->picture.empty()) arguments = {"-o", options->picture};
+    if (!options->title.empty()) arguments.push_back("--title=" + options->title);
+    if (options->kind != "run") arguments.push_back("--picture=" + options->kind);
+    if (options->compare) arguments.push_back("--compare");
+    if (!options->floors.empty()) arguments.push_back("--floors=" + options->floors);
+    run_python({.module = "plots", .product = "picture", .prints = true}, arguments, {options->results});
   });
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 struct PushoverArguments {
   std::string model, output, picture;
-  PushoverWords words;
+  PushoverInput arguments;
   bool json = false, plot = false;
 };
 
@@ -29,7 +29,7 @@ void push_over(const PushoverArguments& given) {
   const petsc::Environment environment;
   const Model model = read_model(Input::read_file(given.model), petsc::lowest_modes);
   if (!given.picture.empty()) ReplacedFile(given.picture, picture_files).require_free();
-  const Pushover found = pushover(model, given.words, petsc::lowest_modes);
+  const Pushover found = pushover(model, given.arguments, petsc::lowest_modes);
   std::fputs(given.json ? (pushover_json(found) + "\n").c_str() : pushover_table(found).c_str(), stdout);
   if (!given.output.empty()) {
     write_pushover(given.output, found, model.source_text);
@@ -56,15 +56,16 @@ void add_pushover(CLI::App& app) {
   CLI::App* const command =
       app.add_subcommand("pushover", "Pushes a structure whose parts yield: curve, order of hinges, mechanism");
   command->add_option("MODEL", given->model, "Input file (YAML)")->required();
-  command->add_option("--structure", given->words.structure,
+  command->add_option("--structure", given->arguments.structure,
                       "Its name; may be left out where one structure of the model yields");
   command
-      ->add_option("--load", given->words.load,
+      ->add_option("--load", given->arguments.load,
                    "triangular, uniform or mode1, or a file with one force a floor, from the ground up")
       ->capture_default_str();
-  command->add_option("--direction", given->words.direction, "x, or in space y")->capture_default_str();
-  command->add_option("--to", given->words.to, "Displacement of the roof: \"250 mm\", or \"2 % roof\" of its height");
-  command->add_option("--cyclic", given->words.cyclic,
+  command->add_option("--direction", given->arguments.direction, "x, or in space y")->capture_default_str();
+  command->add_option("--to", given->arguments.to,
+                      "Displacement of the roof: \"250 mm\", or \"2 % roof\" of its height");
+  command->add_option("--cyclic", given->arguments.cyclic,
                       "Displacements that are reached before, one after the other: \"1 %, -1 %, 2 %\"");
   command->add_flag("--json", given->json, "Print one JSON object");
   command->add_flag(

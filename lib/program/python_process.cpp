@@ -201,10 +201,10 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
   throw InputError(failure + message);
 }
 
-void become_python(const std::string& module, const std::vector<std::string>& words) {
+void become_python(const std::string& module, const std::vector<std::string>& passed) {
   const std::string python = find_python();
   std::vector<std::string> arguments{python, "-m", "pounding." + module};
-  arguments.insert(arguments.end(), words.begin(), words.end());
+  arguments.insert(arguments.end(), passed.begin(), passed.end());
   std::vector<std::string> environment = environment_with(whole_package_path());
   // Ctrl-C waits until the modules are there and can answer it: Python would print where in their import it was.
   sigset_t interrupt;

@@ -24,6 +24,6 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
 
 /// Becomes `python3 -m pounding.MODULE WORDS`, with this terminal. The Python has to have the compiled part of the
 /// package. Throws InputError where Python cannot be started.
-[[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& words);
+[[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& arguments);
 
 }  // namespace pounding::program

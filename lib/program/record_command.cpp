@@ -22,7 +22,7 @@ namespace {
 struct RecordArguments {
   std::string file, units, channel, step;
   bool displacement = false;
-  SpectrumWords spectrum;
+  SpectrumArguments spectrum;
   bool json = false;
 };
 
@@ -40,11 +40,11 @@ double read_step(const std::string& text) {
 }
 
 /// Reads the record and prints its warnings.
-Record read(const RecordArguments& words) {
-  Record record = read_record(find_record(words.file, {}), {.units = words.units,
-                                                            .channel = words.channel,
-                                                            .step = read_step(words.step),
-                                                            .displacement = words.displacement});
+Record read(const RecordArguments& arguments) {
+  Record record = read_record(find_record(arguments.file, {}), {.units = arguments.units,
+                                                                .channel = arguments.channel,
+                                                                .step = read_step(arguments.step),
+                                                                .displacement = arguments.displacement});
   for (const std::string& text : record.warnings)
     std::fprintf(stderr, "pounding: warning: %s: %s\n", excerpt(record.file).c_str(), text.c_str());
   return record;
@@ -93,18 +93,18 @@ void print_info(const Record& record, bool is_displacement) {
        fmt::format("{:.4g} s (5 % at {:.4g} s, 95 % at {:.4g} s)", m.significant_duration(), m.t5, m.t95));
 }
 
-void show_record_spectrum(const RecordArguments& words) {
-  const double damping = words.spectrum.read_damping();
-  const std::vector<double> periods = words.spectrum.read_periods();
-  const Record record = read(words);
-  show_spectra(words.spectrum, fmt::format("{}, damping {:g} %", record.summary(), 100 * damping),
+void show_record_spectrum(const RecordArguments& arguments) {
+  const double damping = arguments.spectrum.read_damping();
+  const std::vector<double> periods = arguments.spectrum.read_periods();
+  const Record record = read(arguments);
+  show_spectra(arguments.spectrum, fmt::format("{}, damping {:g} %", record.summary(), 100 * damping),
                {{"", response_spectrum(scaled(record, 1), periods, damping)}});
 }
 
 }  // namespace
 
 void add_record(CLI::App& app) {
-  const auto words = std::make_shared<RecordArguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* const record = app.add_subcommand("record", "Look at an accelerogram");
   record->require_subcommand(1);
 
@@ -112,34 +112,34 @@ void add_record(CLI::App& app) {
     CLI::App* const command = record->add_subcommand(name, what);
     command
         ->add_option(
-            "file", words->file,
+            "file", arguments->file,
             "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USC, GeoNet, BHRC, AFAD, UNAM, USGS SMC, or columns of numbers")
         ->required();
-    command->add_option("--units", words->units,
+    command->add_option("--units", arguments->units,
                         "Unit when the file states none: g, m/s^2, cm/s^2, gal; of displacements m, cm, mm, in");
-    command->add_option("--channel", words->channel,
+    command->add_option("--channel", arguments->channel,
                         "Number or component, as in the file, when it has several channels");
-    command->add_option("--step", words->step, "Time between two values of a file without times, such as 0.01 s");
-    command->add_flag("--displacement", words->displacement, "The file holds displacements");
+    command->add_option("--step", arguments->step, "Time between two values of a file without times, such as 0.01 s");
+    command->add_flag("--displacement", arguments->displacement, "The file holds displacements");
     return command;
   };
   CLI::App* const info = add("info", "Points, spacing, peaks, Arias intensity, significant duration");
-  info->add_flag("--json", words->json, "One JSON object, in SI");
-  info->callback([words] {
-    const Record read_now = read(*words);
+  info->add_flag("--json", arguments->json, "One JSON object, in SI");
+  info->callback([arguments] {
+    const Record read_now = read(*arguments);
     // Names of files are not always UTF-8, which JSON demands.
     constexpr auto on_bad_text = nlohmann::json::error_handler_t::replace;
-    if (words->json)
+    if (arguments->json)
       fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));
     else
-      print_info(read_now, words->displacement);
+      print_info(read_now, arguments->displacement);
   });
 
   CLI::App* const spectrum = add("spectrum", "Elastic response spectrum");
-  words->spectrum.add_to(*spectrum);
-  spectrum->callback([words] {
-    show_record_spectrum(*words);
-    tell_written(words->spectrum);
+  arguments->spectrum.add_to(*spectrum);
+  spectrum->callback([arguments] {
+    show_record_spectrum(*arguments);
+    tell_written(arguments->spectrum);
   });
 }
 

@@ -77,7 +77,7 @@ void print(const std::vector<Item>& items, const std::string& report) {
     fmt::print("{}: {} ({})\n", item.name, item.title, item.sections);
     for (const Verdict& v : item.verdicts) {
       ++counts[static_cast<int>(v.judgement)];
-      fmt::print("  {:<18}  {}\n", word(v.judgement), v.place);
+      fmt::print("  {:<18}  {}\n", argument(v.judgement), v.place);
     }
     fmt::print("\n");
   }
@@ -91,7 +91,7 @@ void print_json(const std::vector<Item>& items, const std::string& report) {
     nlohmann::json verdicts = nlohmann::json::array();
     for (const Verdict& v : item.verdicts)
       verdicts.push_back(
-          {{"place", v.place}, {"judgement", word(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
+          {{"place", v.place}, {"judgement", argument(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
     list.push_back({{"name", item.name}, {"verdicts", verdicts}});
   }
   fmt::print("{}\n", nlohmann::json{{"report", report}, {"items", list}}.dump());
@@ -116,35 +116,36 @@ std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, 
   return items;
 }
 
-void reproduce_paper(const ReproduceArguments& words) {
-  const std::vector<const ItemMaker*> makers = chosen(words.only);
-  const fs::path directory = words.directory;
+void reproduce_paper(const ReproduceArguments& arguments) {
+  const std::vector<const ItemMaker*> makers = chosen(arguments.only);
+  const fs::path directory = arguments.directory;
   std::error_code error;
   fs::create_directories(directory, error);
-  if (error) throw InputError(fmt::format("-o {}: the folder cannot be made: {}", words.directory, error.message()));
+  if (error)
+    throw InputError(fmt::format("-o {}: the folder cannot be made: {}", arguments.directory, error.message()));
 
   const fs::path data = directory / "report.json", report = directory / "report.html";
   require_own(directory, data);
   const petsc::Environment environment;
   const std::vector<Item> items = compute_and_draw(makers, directory, data, report);
-  words.json ? print_json(items, report.string()) : print(items, report.string());
+  arguments.json ? print_json(items, report.string()) : print(items, report.string());
 }
 
 }  // namespace
 
 void add_reproduce(CLI::App& app) {
-  const auto words = std::make_shared<ReproduceArguments>();
+  const auto arguments = std::make_shared<ReproduceArguments>();
   CLI::App* command = app.add_subcommand(
       "reproduce", "Recompute Naderpour, Barros & Khatami 2015, with a verdict on each equation, table and figure");
   std::string names;
   for (const ItemMaker& maker : reproduce::item_makers())
     names += (names.empty() ? "" : ", ") + std::string(maker.name);
-  command->add_option("--only", words->only, "A part of the paper, or several: " + names)->delimiter(',');
-  names_a_file(command->add_option("-o,--output", words->directory,
+  command->add_option("--only", arguments->only, "A part of the paper, or several: " + names)->delimiter(',');
+  names_a_file(command->add_option("-o,--output", arguments->directory,
                                    "Folder of report.html, report.json, and of the figures as PNG and CSV"))
       ->capture_default_str();
-  command->add_flag("--json", words->json, "Print the verdicts as one JSON object");
-  command->callback([words] { reproduce_paper(*words); });
+  command->add_flag("--json", arguments->json, "Print the verdicts as one JSON object");
+  command->callback([arguments] { reproduce_paper(*arguments); });
 }
 
 }  // namespace pounding::program

@@ -121,14 +121,14 @@ Rest rest_of(const CLI::App& command) {
     rest.options.erase(rest.options.begin());
   }
   bool value = false;
-  for (const std::string& word : rest.options) {
-    const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view";
+  for (const std::string& argument : rest.options) {
+    const bool option = argument.rfind("-pounding_", 0) == 0 || argument == "-log_view";
     // PETSc would read the name of another option as such, not as a value.
-    if (!option && (!value || petsc::is_option_name(word)))
+    if (!option && (!value || petsc::is_option_name(argument)))
       throw InputError(
           fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
                       "are listed by pounding run --help",
-                      excerpt(word)));
+                      excerpt(argument)));
     value = option;
   }
   return rest;
@@ -168,29 +168,29 @@ struct Task {
   InterruptedRun earlier;
 };
 
-void run_task(const RunArguments& words, const Task& task) {
+void run_task(const RunArguments& arguments, const Task& task) {
   const auto& [model_file, options, earlier] = task;
-  const bool resume = !words.resume.empty();
+  const bool resume = !arguments.resume.empty();
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
   const Model model =
       read_model(model_file.empty() ? input_of(earlier) : Input::read_file(model_file), petsc::lowest_modes);
   RunOptions run_options;
-  const bool plot = words.plot || words.report || !words.picture.empty();
-  const bool keep = !words.output.empty() || plot || resume;
+  const bool plot = arguments.plot || arguments.report || !arguments.picture.empty();
+  const bool keep = !arguments.output.empty() || plot || resume;
   if (keep)
-    run_options.output = resume ? words.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
-  if (!words.output.empty()) run_options.output = words.output;
-  run_options.resume = words.resume;
+    run_options.output = resume ? arguments.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
+  if (!arguments.output.empty()) run_options.output = arguments.output;
+  run_options.resume = arguments.resume;
   run_options.command =
       fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file, resume ? " --resume " : "",
-                  words.resume, options.empty() ? "" : " ", fmt::join(options, " "));
-  const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
+                  arguments.resume, options.empty() ? "" : " ", fmt::join(options, " "));
+  const std::string picture = arguments.picture.empty() ? with_ending(run_options.output, ".png") : arguments.picture;
   if (plot) ReplacedFile(picture, picture_files).require_free();
-  const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && ranks.is_root();
+  const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet && ranks.is_root();
   RunProgress line;
   if (terminal)
     run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
-  if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
+  if (!arguments.json && !arguments.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
   const std::vector<std::string> warnings = implausible(model, effective_settings(model).stepper.tolerance);
   if (ranks.is_root()) print_warnings(warnings);
@@ -207,12 +207,12 @@ void run_task(const RunArguments& words, const Task& task) {
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
     print_new_warnings(failed.outcome());
-    if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
+    if (arguments.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().resumable) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     const long steps = failed.outcome().summary.solver.steps;
     const std::string more =
-        steps >= model.analysis.most_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
+        steps >= model.analysis.max_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
     throw SolverError(
         fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
   } catch (...) {
@@ -225,73 +225,73 @@ void run_task(const RunArguments& words, const Task& task) {
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n",
                  unread.front().c_str());
   print_new_warnings(outcome);
-  if (words.json)
+  if (arguments.json)
     std::puts(to_json(outcome.summary).c_str());
-  else if (!words.quiet)
+  else if (!arguments.quiet)
     std::fputs(to_table(outcome.summary).c_str(), stdout);
   if (!keep) return;
-  if (!words.json && !words.quiet) std::printf("\nresults      %s\n", run_options.output.c_str());
+  if (!arguments.json && !arguments.quiet) std::printf("\nresults      %s\n", run_options.output.c_str());
   if (!plot) return;
   draw(run_options.output, picture);
   std::vector<std::string> pictures{picture};
-  if (words.report) draw_report(outcome.summary, run_options.output, pictures);
-  if (!words.json && !words.quiet)
+  if (arguments.report) draw_report(outcome.summary, run_options.output, pictures);
+  if (!arguments.json && !arguments.quiet)
     for (const std::string& each : pictures) std::printf("picture      %s\n", each.c_str());
 }
 
-void run_model(const RunArguments& words, const CLI::App& command) {
+void run_model(const RunArguments& arguments, const CLI::App& command) {
   auto [model_file, options] = rest_of(command);
-  const bool resume = !words.resume.empty();
+  const bool resume = !arguments.resume.empty();
   if (model_file.empty() && !resume) throw InputError("MODEL is required; type pounding run MODEL.yaml");
   InterruptedRun earlier;
   if (resume) {
-    earlier = read_interrupted_run(words.resume);
+    earlier = read_interrupted_run(arguments.resume);
     add_earlier_options(earlier, options);
   }
   const petsc::Environment environment(options);
   petsc::run_collectively(
-      PETSC_COMM_WORLD, [&, &file = model_file, &given = options] { run_task(words, {file, given, earlier}); },
+      PETSC_COMM_WORLD, [&, &file = model_file, &given = options] { run_task(arguments, {file, given, earlier}); },
       abort_all);
 }
 
 }  // namespace
 
 void add_run(CLI::App& app) {
-  const auto words = std::make_shared<RunArguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
   names_a_file(run_command->add_option(
-      "--resume", words->resume,
+      "--resume", arguments->resume,
       "Results file of a run that was killed, stopped or cut: goes on in it with the model that it "
       "holds; MODEL and the PETSc options of the beginning need not be named again"));
   names_a_file(run_command->add_option(
-      "-o,--output", words->output,
+      "-o,--output", arguments->output,
       "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
-  run_command->add_flag("--plot", words->plot,
+  run_command->add_flag("--plot", arguments->plot,
                         "Draw the standard picture beside the results file; -o OUT.h5 says where");
   run_command->add_flag(
-      "--report", words->report,
+      "--report", arguments->report,
       "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
       "links, and of each structure the spectrum of the floor that is shaken hardest");
-  names_a_file(run_command->add_option("--picture", words->picture, "Name of the picture"));
-  run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
-  run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but warnings and errors");
+  names_a_file(run_command->add_option("--picture", arguments->picture, "Name of the picture"));
+  run_command->add_flag("--json", arguments->json, "Print the summary as one JSON object");
+  run_command->add_flag("-q,--quiet", arguments->quiet, "Print nothing but warnings and errors");
   run_command->allow_extras();
   run_command->footer(
       "PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
       "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  "
       "-pounding_ts_monitor");
-  run_command->callback([words, run_command] { run_model(*words, *run_command); });
+  run_command->callback([arguments, run_command] { run_model(*arguments, *run_command); });
 
-  const auto check_words = std::make_shared<RunArguments>();
+  const auto check_arguments = std::make_shared<RunArguments>();
   CLI::App* check_command = app.add_subcommand("check", "Read and check a model without running it");
-  check_command->add_option("MODEL", check_words->model, "Input file (YAML)")->required();
-  check_command->add_flag("--json", check_words->json, "Print one JSON object");
-  check_command->callback([check_words] {
+  check_command->add_option("MODEL", check_arguments->model, "Input file (YAML)")->required();
+  check_command->add_flag("--json", check_arguments->json, "Print one JSON object");
+  check_command->callback([check_arguments] {
     const petsc::Environment environment;
-    const Model model = read_model(Input::read_file(check_words->model), petsc::lowest_modes);
+    const Model model = read_model(Input::read_file(check_arguments->model), petsc::lowest_modes);
     const std::vector<std::string> warnings = implausible(model);
     print_warnings(warnings);
-    if (!check_words->json) {
+    if (!check_arguments->json) {
       const std::string yielding = yielding_table(model);
       std::fputs((describe(model) + "\n" + yielding + (yielding.empty() ? "" : "\n") + resolved_yaml(model)).c_str(),
                  stdout);

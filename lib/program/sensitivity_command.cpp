@@ -108,25 +108,25 @@ void add_sensitivity(CLI::App& app) {
     std::vector<double> factors{0.1, 0.3, 1, 3, 10};
     bool json = false;
   };
-  const auto words = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "sensitivity", "How the answer depends on the stiffness of the contacts: runs MODEL with each factor");
-  command->add_option("MODEL", words->model, "Input file (YAML)")->required();
-  is_positive(command->add_option("--factors", words->factors, "Factors of the contact stiffness, such as 0.1,1,10")
+  command->add_option("MODEL", arguments->model, "Input file (YAML)")->required();
+  is_positive(command->add_option("--factors", arguments->factors, "Factors of the contact stiffness, such as 0.1,1,10")
                   ->delimiter(','))
       ->capture_default_str();
-  command->add_flag("--json", words->json, "Print one JSON list");
-  command->callback([words] {
+  command->add_flag("--json", arguments->json, "Print one JSON list");
+  command->callback([arguments] {
     const petsc::Environment environment;
-    const Input input = Input::read_file(words->model);
+    const Input input = Input::read_file(arguments->model);
     std::vector<Response> rows;
     const bool shows_progress = isatty(STDERR_FILENO) != 0;
-    for (const double factor : words->factors) {
-      if (shows_progress) fmt::print(stderr, "\rrun {} of {} ", rows.size() + 1, words->factors.size());
+    for (const double factor : arguments->factors) {
+      if (shows_progress) fmt::print(stderr, "\rrun {} of {} ", rows.size() + 1, arguments->factors.size());
       rows.push_back(run_with(input, factor));
     }
     if (shows_progress) fmt::print(stderr, "\r\033[K");
-    if (words->json)
+    if (arguments->json)
       print_json(rows);
     else
       print(rows);

@@ -38,25 +38,25 @@ void require_one_process(CLI::App& command) {
 }
 
 // The message for a word that stands where a command should and is none; empty when there is no such word.
-std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& arguments) {
   const CLI::App* level = &app;
   std::string before;
-  for (const std::string& word : words) {
+  for (const std::string& argument : arguments) {
     const auto commands = level->get_subcommands([](const CLI::App*) { return true; });
-    if (commands.empty() || word.starts_with('-')) return {};
+    if (commands.empty() || argument.starts_with('-')) return {};
     std::vector<std::string_view> names;
     level = nullptr;
     for (const CLI::App* command : commands) {
       names.push_back(command->get_name());
-      if (command->get_name() == word) level = command;
+      if (command->get_name() == argument) level = command;
     }
     if (level == nullptr) {
-      const bool is_model = word.ends_with(".yaml") || word.ends_with(".yml");
-      return fmt::format(
-          "unknown command \"{}{}\".{}", before, excerpt(word),
-          is_model ? fmt::format(" To run this model type pounding run {}", excerpt(word)) : suggestion(word, names));
+      const bool is_model = argument.ends_with(".yaml") || argument.ends_with(".yml");
+      return fmt::format("unknown command \"{}{}\".{}", before, excerpt(argument),
+                         is_model ? fmt::format(" To run this model type pounding run {}", excerpt(argument))
+                                  : suggestion(argument, names));
     }
-    before += word + " ";
+    before += argument + " ";
   }
   return {};
 }
@@ -95,7 +95,7 @@ int serve(int argc, char** argv) {
   add_pushover(app);
   add_sensitivity(app);
   add_study(app);
-  add_words(app);
+  add_arguments(app);
   add_laws(app);
   add_calibrate(app);
   add_record(app);

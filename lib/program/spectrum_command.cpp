@@ -23,9 +23,9 @@ namespace {
 // Steps in a period that the straight lines between outputs need.
 constexpr double steps_in_a_period = 10;
 
-struct FloorWords {
+struct FloorArguments {
   std::string results, floor, direction = "x";
-  SpectrumWords spectrum;
+  SpectrumArguments spectrum;
 };
 
 // The absolute acceleration of a floor at the output times.
@@ -35,15 +35,15 @@ struct FloorMotion {
 };
 
 // "left.3" is the third floor from the ground of the structure "left", whose name may have points in it.
-FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& root) {
-  const std::size_t point = words.floor.rfind('.');
-  const std::string name = words.floor.substr(0, point),
-                    number = point == std::string::npos ? "" : words.floor.substr(point + 1);
+FloorMotion read_floor(hid_t file, const FloorArguments& arguments, const std::string& root) {
+  const std::size_t point = arguments.floor.rfind('.');
+  const std::string name = arguments.floor.substr(0, point),
+                    number = point == std::string::npos ? "" : arguments.floor.substr(point + 1);
   double floor = 0;
   if (name.empty() || !parse_number(number, floor))
     throw InputError(fmt::format(
         "--floor: takes a structure and a floor counted from 1 at the lowest, such as left.3; \"{}\" was read",
-        words.floor));
+        arguments.floor));
   const std::vector<std::string> structures = hdf5::members(file, (root + "structures").c_str());
   if (std::find(structures.begin(), structures.end(), name) == structures.end())
     throw InputError(
@@ -52,11 +52,11 @@ FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& r
   const std::vector<std::size_t> shape = hdf5::shape(file, place.c_str());
   const std::size_t floors = shape.at(1), directions = shape.at(2);
   if (!(floor >= 1 && floor <= static_cast<double>(floors) && floor == std::floor(floor)))
-    throw InputError(fmt::format("--floor: {} has floors 1 to {}; \"{}\" was read", name, floors, words.floor));
-  if (words.direction != "x" && (words.direction != "y" || directions < 2))
+    throw InputError(fmt::format("--floor: {} has floors 1 to {}; \"{}\" was read", name, floors, arguments.floor));
+  if (arguments.direction != "x" && (arguments.direction != "y" || directions < 2))
     throw InputError(fmt::format("--direction: {} moves along {}; \"{}\" was read", name,
-                                 directions > 1 ? "x and y" : "x alone", words.direction));
-  const std::size_t column = (static_cast<std::size_t>(floor) - 1) * directions + (words.direction == "y" ? 1 : 0);
+                                 directions > 1 ? "x and y" : "x alone", arguments.direction));
+  const std::size_t column = (static_cast<std::size_t>(floor) - 1) * directions + (arguments.direction == "y" ? 1 : 0);
   FloorMotion motion;
   std::vector<double> all, extremes;
   hdf5::read_array(file, (root + "time").c_str(), motion.times);
@@ -72,21 +72,21 @@ FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& r
 }
 
 // The outputs are too far apart, with the step to try.
-std::string coarse_outputs(const FloorWords& words, const FloorMotion& motion, const std::string& reason,
+std::string coarse_outputs(const FloorArguments& arguments, const FloorMotion& motion, const std::string& reason,
                            double shortest) {
   const double step = motion.times[1] - motion.times[0];
   return fmt::format(
       "the outputs every {:g} s are too far apart for this spectrum of {}: {}; run the model again with analysis: "
       "{{output_step: {:g}}}",
-      step, words.floor, reason, std::min(step / 10, shortest / steps_in_a_period));
+      step, arguments.floor, reason, std::min(step / 10, shortest / steps_in_a_period));
 }
 
 // Why the spectrum of these outputs is wrong: they miss the peak, which the run has tracked. Empty if they do not.
-std::string missed_peak(const FloorWords& words, const FloorMotion& motion, double shortest) {
+std::string missed_peak(const FloorArguments& arguments, const FloorMotion& motion, double shortest) {
   double seen = 0;
   for (const double a : motion.accelerations) seen = std::max(seen, std::abs(a));
   if (!(seen < enough_of_the_peak * motion.tracked)) return {};
-  return coarse_outputs(words, motion,
+  return coarse_outputs(arguments, motion,
                         fmt::format("they reach {:.4g} m/s^2 of the peak of {:.4g} m/s^2", seen, motion.tracked),
                         shortest);
 }
@@ -105,49 +105,49 @@ std::string leave_out(std::vector<NamedSpectrum>& spectra, double shortest) {
   return count == 0 ? "" : fmt::format("; periods below {:.4g} s are not drawn", shortest);
 }
 
-std::vector<SpectrumPoint> spectrum_of(const FloorWords& words, const FloorMotion& motion) {
-  if (motion.times.size() < 2) throw InputError(fmt::format("{}: holds no results over time yet", words.results));
+std::vector<SpectrumPoint> spectrum_of(const FloorArguments& arguments, const FloorMotion& motion) {
+  if (motion.times.size() < 2) throw InputError(fmt::format("{}: holds no results over time yet", arguments.results));
   const bool uniform = evenly_spaced(motion.times);
   return response_spectrum(GroundMotion(Samples{motion.times, motion.accelerations, uniform}),
-                           words.spectrum.read_periods(), words.spectrum.read_damping());
+                           arguments.spectrum.read_periods(), arguments.spectrum.read_damping());
 }
 
 // Shows the spectrum, or returns why it is wrong and not drawn. A table of it is printed with a warning.
-std::string show_floor_spectrum(const FloorWords& words) {
-  const std::vector<double> periods = words.spectrum.read_periods();
-  const double damping = words.spectrum.read_damping();
+std::string show_floor_spectrum(const FloorArguments& arguments) {
+  const std::vector<double> periods = arguments.spectrum.read_periods();
+  const double damping = arguments.spectrum.read_damping();
   FloorMotion with_links;
   std::optional<FloorMotion> without;
   try {
-    hdf5::open_file(words.results, [&](hid_t file) {
-      with_links = read_floor(file, words, "");
-      if (hdf5::has(file, "no_pounding")) without = read_floor(file, words, "no_pounding/");
+    hdf5::open_file(arguments.results, [&](hid_t file) {
+      with_links = read_floor(file, arguments, "");
+      if (hdf5::has(file, "no_pounding")) without = read_floor(file, arguments, "no_pounding/");
     });
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: cannot be read as a results file ({})", words.results, error.what()));
+    throw InputError(fmt::format("{}: cannot be read as a results file ({})", arguments.results, error.what()));
   }
-  std::vector<NamedSpectrum> spectra{{without ? "with links" : words.floor, spectrum_of(words, with_links)}};
-  if (without) spectra.push_back({"without links", spectrum_of(words, *without)});
-  std::string wrong = missed_peak(words, with_links, periods.front());
-  if (wrong.empty() && without) wrong = missed_peak(words, *without, periods.front());
-  const bool draws = !words.spectrum.picture.empty();
+  std::vector<NamedSpectrum> spectra{{without ? "with links" : arguments.floor, spectrum_of(arguments, with_links)}};
+  if (without) spectra.push_back({"without links", spectrum_of(arguments, *without)});
+  std::string wrong = missed_peak(arguments, with_links, periods.front());
+  if (wrong.empty() && without) wrong = missed_peak(arguments, *without, periods.front());
+  const bool draws = !arguments.spectrum.picture.empty();
   if (!wrong.empty() && draws) return wrong;
   const double shortest = shortest_resolved(with_links);
   if (wrong.empty() && periods.front() < shortest) {
-    wrong = coarse_outputs(words, with_links,
+    wrong = coarse_outputs(arguments, with_links,
                            fmt::format("a period of {:g} s needs {:g} of them", periods.front(), steps_in_a_period),
                            periods.front());
     if (draws && !(periods[periods.size() - 2] >= shortest)) return wrong;
     if (draws) wrong += leave_out(spectra, shortest);
   }
   if (!wrong.empty()) std::fprintf(stderr, "pounding: warning: %s\n", wrong.c_str());
-  show_spectra(
-      words.spectrum,
-      fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
-                  words.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0], 100 * damping),
-      spectra);
+  show_spectra(arguments.spectrum,
+               fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", arguments.floor,
+                           arguments.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0],
+                           100 * damping),
+               spectra);
   return {};
 }
 
@@ -155,24 +155,24 @@ std::string show_floor_spectrum(const FloorWords& words) {
 
 std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
                                 const std::string& picture) {
-  FloorWords words;
-  words.results = results;
-  words.floor = floor;
-  words.direction = direction;
-  words.spectrum.picture = picture;
-  return show_floor_spectrum(words);
+  FloorArguments arguments;
+  arguments.results = results;
+  arguments.floor = floor;
+  arguments.direction = direction;
+  arguments.spectrum.picture = picture;
+  return show_floor_spectrum(arguments);
 }
 
 void add_spectrum(CLI::App& app) {
-  const auto words = std::make_shared<FloorWords>();
+  const auto arguments = std::make_shared<FloorArguments>();
   CLI::App* const command = app.add_subcommand("spectrum", "Response spectrum of the motion of a floor");
-  command->add_option("results", words->results, "results file that `pounding run` wrote")->required();
-  command->add_option("--floor", words->floor, "Structure and floor, from 1 at the lowest: left.3")->required();
-  command->add_option("--direction", words->direction, "x, or in space y")->capture_default_str();
-  words->spectrum.add_to(*command);
-  command->callback([words] {
-    if (const std::string wrong = show_floor_spectrum(*words); !wrong.empty()) throw InputError(wrong);
-    tell_written(words->spectrum);
+  command->add_option("results", arguments->results, "results file that `pounding run` wrote")->required();
+  command->add_option("--floor", arguments->floor, "Structure and floor, from 1 at the lowest: left.3")->required();
+  command->add_option("--direction", arguments->direction, "x, or in space y")->capture_default_str();
+  arguments->spectrum.add_to(*command);
+  command->callback([arguments] {
+    if (const std::string wrong = show_floor_spectrum(*arguments); !wrong.empty()) throw InputError(wrong);
+    tell_written(arguments->spectrum);
   });
 }
 

@@ -75,7 +75,7 @@ std::string spectra_json(const std::string& title, double damping, const std::ve
 
 }  // namespace
 
-void SpectrumWords::add_to(CLI::App& command) {
+void SpectrumArguments::add_to(CLI::App& command) {
   command.add_option("--damping", damping, "Damping ratio")->capture_default_str();
   command.add_option("--periods", periods, "first:last:count [s], each the same factor longer than the one before")
       ->capture_default_str();
@@ -84,7 +84,7 @@ void SpectrumWords::add_to(CLI::App& command) {
       command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen"));
 }
 
-std::vector<double> SpectrumWords::read_periods() const {
+std::vector<double> SpectrumArguments::read_periods() const {
   const std::string& text = periods;
   const auto fail = [&]() -> InputError {
     return InputError(
@@ -105,7 +105,7 @@ std::vector<double> SpectrumWords::read_periods() const {
   return all;
 }
 
-double SpectrumWords::read_damping() const {
+double SpectrumArguments::read_damping() const {
   double ratio = 0;
   try {
     ratio = parse_quantity(damping, dimension::none);
@@ -118,15 +118,17 @@ double SpectrumWords::read_damping() const {
   return ratio;
 }
 
-void tell_written(const SpectrumWords& words) {
-  if (!words.csv.empty()) fmt::print("spectrum     {}\n", words.csv);
-  if (!words.picture.empty()) fmt::print("picture      {}\n", words.picture);
+void tell_written(const SpectrumArguments& arguments) {
+  if (!arguments.csv.empty()) fmt::print("spectrum     {}\n", arguments.csv);
+  if (!arguments.picture.empty()) fmt::print("picture      {}\n", arguments.picture);
 }
 
-void show_spectra(const SpectrumWords& words, const std::string& title, const std::vector<NamedSpectrum>& spectra) {
-  if (!words.csv.empty()) write_spectra(spectra, words.csv);
-  if (!words.picture.empty()) draw_spectra(spectra_json(title, words.read_damping(), spectra), words.picture);
-  if (words.csv.empty() && words.picture.empty()) print_spectra(title, spectra);
+void show_spectra(const SpectrumArguments& arguments, const std::string& title,
+                  const std::vector<NamedSpectrum>& spectra) {
+  if (!arguments.csv.empty()) write_spectra(spectra, arguments.csv);
+  if (!arguments.picture.empty())
+    draw_spectra(spectra_json(title, arguments.read_damping(), spectra), arguments.picture);
+  if (arguments.csv.empty() && arguments.picture.empty()) print_spectra(title, spectra);
 }
 
 }  // namespace pounding::program

@@ -11,7 +11,7 @@
 namespace pounding::program {
 
 /// How a spectrum is computed and where it goes.
-struct SpectrumWords {
+struct SpectrumArguments {
   std::string damping = "5 %", periods = "0.02:4:50", csv, picture;
 
   /// Adds --damping, --periods, --csv and --picture.
@@ -28,10 +28,11 @@ struct NamedSpectrum {
 };
 
 /// Prints the names of the files that show_spectra has written.
-void tell_written(const SpectrumWords& words);
+void tell_written(const SpectrumArguments& arguments);
 
 /// Writes the file and the picture that were asked for; where there are none, prints `title` and a table. Throws
 /// InputError.
-void show_spectra(const SpectrumWords& words, const std::string& title, const std::vector<NamedSpectrum>& spectra);
+void show_spectra(const SpectrumArguments& arguments, const std::string& title,
+                  const std::vector<NamedSpectrum>& spectra);
 
 }  // namespace pounding::program

@@ -15,9 +15,9 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
   command->footer(more);
   command->prefix_command();
   command->callback([command, name] {
-    std::vector<std::string> words{name};
-    for (const std::string& word : command->remaining()) words.push_back(word);
-    become_python("studies.command", words);
+    std::vector<std::string> arguments{name};
+    for (const std::string& argument : command->remaining()) arguments.push_back(argument);
+    become_python("studies.command", arguments);
   });
 }
 

@@ -9,7 +9,7 @@
 
 #include <pounding/base/nearest_name.hpp>
 #include <pounding/core/error.hpp>
-#include <pounding/input/words/studies.hpp>
+#include <pounding/input/keys/studies.hpp>
 #include <pounding/laws/compiled.hpp>
 #include "commands.hpp"
 #include "words_schema.hpp"
@@ -19,26 +19,26 @@ namespace pounding::program {
 namespace {
 
 /// A key and the section that it stands in.
-struct FoundWord {
-  const words::Section* section;
-  const words::Word* word;
+struct FoundKey {
+  const keys::Section* section;
+  const keys::Key* spec;
 };
 
-std::string place_of(const FoundWord& found) {
+std::string place_of(const FoundKey& found) {
   const std::string_view place = found.section->place;
-  return place.empty() ? std::string(found.word->key) : fmt::format("{}.{}", place, found.word->key);
+  return place.empty() ? std::string(found.spec->key) : fmt::format("{}.{}", place, found.spec->key);
 }
 
-std::vector<FoundWord> words_named(std::string_view key) {
-  std::vector<FoundWord> found;
-  for (const words::Section* section : all_sections())
-    if (const words::Word* word = section->find(key)) found.push_back({section, word});
+std::vector<FoundKey> keys_named(std::string_view key) {
+  std::vector<FoundKey> found;
+  for (const keys::Section* section : all_sections())
+    if (const keys::Key* spec = section->find(key)) found.push_back({section, spec});
   return found;
 }
 
-std::vector<const words::Section*> sections_named(std::string_view name) {
-  std::vector<const words::Section*> found;
-  for (const words::Section* section : all_sections())
+std::vector<const keys::Section*> sections_named(std::string_view name) {
+  std::vector<const keys::Section*> found;
+  for (const keys::Section* section : all_sections())
     if (section->name == name) found.push_back(section);
   return found;
 }
@@ -46,9 +46,9 @@ std::vector<const words::Section*> sections_named(std::string_view name) {
 /// Names that resemble this one, the nearest first.
 std::vector<std::string_view> resembling(std::string_view name) {
   std::set<std::string_view> known;
-  for (const words::Section* section : all_sections()) {
+  for (const keys::Section* section : all_sections()) {
     known.insert(section->name);
-    for (const words::Word& word : section->words) known.insert(word.key);
+    for (const keys::Key& spec : section->keys) known.insert(spec.key);
   }
   const std::vector<std::string_view> all(known.begin(), known.end());
   std::vector<std::string_view> near;
@@ -69,70 +69,70 @@ std::vector<std::string_view> resembling(std::string_view name) {
       fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", excerpt(name), hint));
 }
 
-void print_word(const FoundWord& found) {
-  const words::Word& word = *found.word;
-  fmt::print("{}\n  {}\n", place_of(found), word.meaning);
+void print_key(const FoundKey& found) {
+  const keys::Key& spec = *found.spec;
+  fmt::print("{}\n  {}\n", place_of(found), spec.meaning);
   const auto line = [](std::string_view name, std::string_view text) { fmt::print("  {:<10}{}\n", name, text); };
-  line("takes", taken_text(word));
-  line("needed", necessity_text(word, *found.section));
-  if (!word.otherwise.empty()) line("default", word.otherwise);
-  line("since", word.since);
-  line("example", fmt::format("{}: {}", word.key, word.example));
+  line("takes", taken_text(spec));
+  line("needed", necessity_text(spec, *found.section));
+  if (!spec.otherwise.empty()) line("default", spec.otherwise);
+  line("since", spec.since);
+  line("example", fmt::format("{}: {}", spec.key, spec.example));
 }
 
-void print_line(const words::Word& word, std::size_t depth) {
+void print_line(const keys::Key& spec, std::size_t depth) {
   constexpr std::size_t width = 28;
-  const std::string mark = word.need == words::Need::required ? " *" : word.need == words::Need::optional ? "" : " (*)";
-  const std::string name = fmt::format("{}{}{}", std::string(2 * depth, ' '), word.key, mark);
-  const std::size_t choices = word.choices.size();
+  const std::string mark = spec.need == keys::Need::required ? " *" : spec.need == keys::Need::optional ? "" : " (*)";
+  const std::string name = fmt::format("{}{}{}", std::string(2 * depth, ' '), spec.key, mark);
+  const std::size_t choices = spec.choices.size();
   const bool is_long = choices > 8;
   fmt::print("{:<{}} {}\n", name, width,
-             is_long ? fmt::format("one of {}, see pounding words {}", choices, word.key) : taken_text(word));
+             is_long ? fmt::format("one of {}, see pounding words {}", choices, spec.key) : taken_text(spec));
 }
 
-void print_section(const words::Section& section) {
+void print_section(const keys::Section& section) {
   fmt::print("{}\n  {}\n", section.place.empty() ? "the whole file" : section.place, section.meaning);
-  for (const words::Word& word : section.words) print_line(word, 1);
+  for (const keys::Key& spec : section.keys) print_line(spec, 1);
 }
 
 // Sections that stand in several places are shown in the first one.
-void print_tree(const words::Section& section, std::size_t depth, std::set<const words::Section*>& shown) {
-  for (const words::Word& word : section.words) {
-    print_line(word, depth);
-    if (word.inside && shown.insert(word.inside).second) print_tree(*word.inside, depth + 1, shown);
+void print_tree(const keys::Section& section, std::size_t depth, std::set<const keys::Section*>& shown) {
+  for (const keys::Key& spec : section.keys) {
+    print_line(spec, depth);
+    if (spec.inside && shown.insert(spec.inside).second) print_tree(*spec.inside, depth + 1, shown);
   }
 }
 
 void print_everything() {
-  std::set<const words::Section*> shown;
-  print_tree(words::model, 0, shown);
+  std::set<const keys::Section*> shown;
+  print_tree(keys::model, 0, shown);
   fmt::print("\nParameters of the laws, beside law in links:\n");
   for (const laws::Entry& law : laws::catalogue()) {
     std::vector<std::string_view> names;
-    for (const words::Word& word : words::parameters_of(law).words) names.push_back(word.key);
+    for (const keys::Key& spec : keys::parameters_of(law).keys) names.push_back(spec.key);
     fmt::print("  {:<30}{}\n", law.name, fmt::join(names, ", "));
   }
-  for (const words::Section* section : words::sections())
-    if (section != &words::model && shown.insert(section).second) {
+  for (const keys::Section* section : keys::sections())
+    if (section != &keys::model && shown.insert(section).second) {
       fmt::print("\n");
       print_section(*section);
     }
   fmt::print("\nA study:\n");
-  print_tree(words::study_file, 0, shown);
+  print_tree(keys::study_file, 0, shown);
   fmt::print("\n* required, (*) one of several. pounding words NAME shows one of them, a section or a law.\n");
 }
 
 void print_named(std::string_view name) {
-  const std::vector<FoundWord> found = words_named(name);
-  const std::vector<const words::Section*> sections = sections_named(name);
+  const std::vector<FoundKey> found = keys_named(name);
+  const std::vector<const keys::Section*> sections = sections_named(name);
   if (found.empty() && sections.empty()) refuse(name);
   const char* between = "";
-  for (const FoundWord& each : found) {
+  for (const FoundKey& each : found) {
     fmt::print("{}", between);
-    print_word(each);
+    print_key(each);
     between = "\n";
   }
-  for (const words::Section* section : sections) {
+  for (const keys::Section* section : sections) {
     fmt::print("{}", between);
     print_section(*section);
     between = "\n";
@@ -141,11 +141,11 @@ void print_named(std::string_view name) {
 
 nlohmann::ordered_json json_of(std::string_view name) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const words::Section* section : all_sections())
+  for (const keys::Section* section : all_sections())
     if (name.empty() || section->name == name) {
       json.push_back(section_json(*section));
-    } else if (const words::Word* word = section->find(name)) {
-      json.push_back(section_json({section->name, section->place, section->meaning, {word, 1}}));
+    } else if (const keys::Key* spec = section->find(name)) {
+      json.push_back(section_json({section->name, section->place, section->meaning, {spec, 1}}));
     }
   if (json.empty()) refuse(name);
   return json;
@@ -153,7 +153,7 @@ nlohmann::ordered_json json_of(std::string_view name) {
 
 }  // namespace
 
-void add_words(CLI::App& app) {
+void add_arguments(CLI::App& app) {
   struct Arguments {
     std::string name;
     bool json = false, schema = false;

@@ -9,7 +9,7 @@
 
 #include <pounding/core/unit_names.hpp>
 #include <pounding/core/version.hpp>
-#include <pounding/input/words/studies.hpp>
+#include <pounding/input/keys/studies.hpp>
 #include <pounding/laws/compiled.hpp>
 #include "words_text.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string reference_to(const words::Section& section) { return fmt::format("#/$defs/{}", section.name); }
+std::string reference_to(const keys::Section& section) { return fmt::format("#/$defs/{}", section.name); }
 
 // Where the unit is a product or a quotient, only the reader tells its dimension.
 std::string unit_pattern(const Dimension& dimension) {
@@ -35,31 +35,31 @@ Json number_schema(const Bounds& bounds, std::string_view type) {
 }
 
 // A number alone, or a text with a number and its unit. Of the range a text shows the sign only.
-std::vector<Json> quantity_schemas(const words::Word& word) {
-  const std::string sign = word.bounds.low >= 0 ? "[+]?" : "[-+]?";
+std::vector<Json> quantity_schemas(const keys::Key& spec) {
+  const std::string sign = spec.bounds.low >= 0 ? "[+]?" : "[-+]?";
   const auto text = [&](const Dimension& dimension) {
     return Json{{"type", "string"},
                 {"pattern",
                  R"(^[ \t]*)" + sign + R"(([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?)" + unit_pattern(dimension)}};
   };
-  std::vector<Json> all{number_schema(word.bounds, "number"), text(word.dimension)};
-  if (word.turning) all.push_back(text(*word.turning));
+  std::vector<Json> all{number_schema(spec.bounds, "number"), text(spec.dimension)};
+  if (spec.turning) all.push_back(text(*spec.turning));
   return all;
 }
 
-std::vector<Json> single_schemas(const words::Word& word) {
+std::vector<Json> single_schemas(const keys::Key& spec) {
   std::vector<Json> all;
-  using words::Takes;
-  switch (word.takes) {
+  using keys::Takes;
+  switch (spec.takes) {
     case Takes::nothing: break;
-    case Takes::quantity: all = quantity_schemas(word); break;
-    case Takes::integer: all = {number_schema(word.bounds, "integer")}; break;
+    case Takes::quantity: all = quantity_schemas(spec); break;
+    case Takes::integer: all = {number_schema(spec.bounds, "integer")}; break;
     case Takes::boolean: all = {Json{{"type", "boolean"}}}; break;
-    case Takes::choice: all = {Json{{"enum", word.choices}}}; break;
+    case Takes::choice: all = {Json{{"enum", spec.choices}}}; break;
     case Takes::text:
     case Takes::value: all = {Json{{"type", Json::array({"string", "number", "boolean"})}}}; break;
   }
-  if (word.inside) all.push_back(Json{{"$ref", reference_to(*word.inside)}});
+  if (spec.inside) all.push_back(Json{{"$ref", reference_to(*spec.inside)}});
   return all;
 }
 
@@ -67,21 +67,21 @@ Json any_of(std::vector<Json> alternatives) {
   return alternatives.size() == 1 ? alternatives.front() : Json{{"anyOf", alternatives}};
 }
 
-Json list_schema(const words::Word& word) {
-  Json list{{"type", "array"}, {"items", any_of(single_schemas(word))}};
-  if (word.least > 0) list["minItems"] = word.least;
-  if (word.most > 0) list["maxItems"] = word.most;
+Json list_schema(const keys::Key& spec) {
+  Json list{{"type", "array"}, {"items", any_of(single_schemas(spec))}};
+  if (spec.minimum > 0) list["minItems"] = spec.minimum;
+  if (spec.maximum > 0) list["maxItems"] = spec.maximum;
   return list;
 }
 
-std::vector<Json> alternatives_of(const words::Word& word) {
-  using words::Form;
-  std::vector<Json> all = single_schemas(word);
-  switch (word.form) {
+std::vector<Json> alternatives_of(const keys::Key& spec) {
+  using keys::Form;
+  std::vector<Json> all = single_schemas(spec);
+  switch (spec.form) {
     case Form::one: return all;
     case Form::one_or_each:
-    case Form::one_or_list: all.push_back(list_schema(word)); return all;
-    case Form::list: return {list_schema(word)};
+    case Form::one_or_list: all.push_back(list_schema(spec)); return all;
+    case Form::list: return {list_schema(spec)};
     case Form::by_storey: {
       const Json of_line{{"type", "array"}, {"items", any_of(all)}, {"minItems", 1}};
       std::vector<Json> of_storey = all;
@@ -94,43 +94,42 @@ std::vector<Json> alternatives_of(const words::Word& word) {
       return all;
     }
     case Form::named: return {Json{{"type", "object"}, {"additionalProperties", any_of(all)}}};
-    case Form::named_lists: return {Json{{"type", "object"}, {"additionalProperties", list_schema(word)}}};
+    case Form::named_lists: return {Json{{"type", "object"}, {"additionalProperties", list_schema(spec)}}};
   }
   return all;
 }
 
-Json word_schema(const words::Word& word, const words::Section& section) {
-  Json schema{{"description", fmt::format("{}\n\nTakes {}; {}.{}\nExample: {}: {}", word.meaning, taken_text(word),
-                                          necessity_text(word, section),
-                                          word.otherwise.empty() ? "" : fmt::format(" Default: {}.", word.otherwise),
-                                          word.key, word.example)}};
-  std::vector<Json> alternatives = alternatives_of(word);
-  if (!word.instead.empty()) alternatives.insert(alternatives.begin(), Json{{"enum", word.instead}});
+Json key_schema(const keys::Key& spec, const keys::Section& section) {
+  Json schema{{"description", fmt::format("{}\n\nTakes {}; {}.{}\nExample: {}: {}", spec.meaning, taken_text(spec),
+                                          necessity_text(spec, section),
+                                          spec.otherwise.empty() ? "" : fmt::format(" Default: {}.", spec.otherwise),
+                                          spec.key, spec.example)}};
+  std::vector<Json> alternatives = alternatives_of(spec);
+  if (!spec.instead.empty()) alternatives.insert(alternatives.begin(), Json{{"enum", spec.instead}});
   schema.update(any_of(alternatives));
-  const bool is_single = word.form == words::Form::one && word.takes != words::Takes::nothing;
-  if (is_single && word.takes == words::Takes::quantity) schema["examples"] = Json::array({word.example});
+  const bool is_single = spec.form == keys::Form::one && spec.takes != keys::Takes::nothing;
+  if (is_single && spec.takes == keys::Takes::quantity) schema["examples"] = Json::array({spec.example});
   return schema;
 }
 
 // Alternatives of which exactly one is given, or at least one.
-Json groups_of(const words::Section& section) {
+Json groups_of(const keys::Section& section) {
   Json groups = Json::array();
-  const auto add = [&](words::Need need, const char* how) {
+  const auto add = [&](keys::Need need, const char* how) {
     Json alternatives = Json::array();
     for (const std::string& key : keys_with(need, section)) alternatives.push_back({{"required", Json::array({key})}});
     if (!alternatives.empty()) groups.push_back({{how, alternatives}});
   };
-  add(words::Need::exactly_one, "oneOf");
-  add(words::Need::at_least_one, "anyOf");
+  add(keys::Need::exactly_one, "oneOf");
+  add(keys::Need::at_least_one, "anyOf");
   return groups;
 }
 
-Json section_schema(const words::Section& section) {
+Json section_schema(const keys::Section& section) {
   Json schema{{"description", section.meaning}, {"type", "object"}, {"properties", Json::object()}};
-  if (section.words.empty()) schema["type"] = Json::array({"object", "null"});
-  for (const words::Word& word : section.words)
-    schema["properties"][std::string(word.key)] = word_schema(word, section);
-  const std::vector<std::string> required = keys_with(words::Need::required, section);
+  if (section.keys.empty()) schema["type"] = Json::array({"object", "null"});
+  for (const keys::Key& spec : section.keys) schema["properties"][std::string(spec.key)] = key_schema(spec, section);
+  const std::vector<std::string> required = keys_with(keys::Need::required, section);
   if (!required.empty()) schema["required"] = required;
   if (const Json groups = groups_of(section); !groups.empty()) schema["allOf"] = groups;
   schema["additionalProperties"] = false;
@@ -139,17 +138,17 @@ Json section_schema(const words::Section& section) {
 
 // The law of a link says which other keys it has.
 Json links_schema() {
-  Json schema = section_schema(words::link);
+  Json schema = section_schema(keys::link);
   schema["allOf"] = Json::array();
   for (const laws::Entry& law : laws::catalogue()) {
-    const words::Section& own = words::parameters_of(law);
+    const keys::Section& own = keys::parameters_of(law);
     Json then = section_schema(own);
     then.erase("type");
     then.erase("description");
     then.erase("additionalProperties");
     Json names = Json::array();
-    for (const words::Word& word : words::link.words)
-      if (own.find(word.key) || !words::belongs_to_law(word.key)) names.push_back(word.key);
+    for (const keys::Key& spec : keys::link.keys)
+      if (own.find(spec.key) || !keys::belongs_to_law(spec.key)) names.push_back(spec.key);
     for (const laws::ParameterInfo& parameter : law.parameters) {
       names.push_back(parameter.name);
       // Completion offers the keys of every law; which of them are allowed the chosen law says.
@@ -163,58 +162,58 @@ Json links_schema() {
   return schema;
 }
 
-std::string name_of(words::Takes takes) {
+std::string name_of(keys::Takes takes) {
   constexpr const char* names[] = {"nothing", "quantity", "integer", "boolean", "choice", "text", "value"};
   return names[static_cast<std::size_t>(takes)];
 }
 
-std::string name_of(words::Form form) {
+std::string name_of(keys::Form form) {
   constexpr const char* names[] = {"one", "one or each", "one or list", "list", "named", "named lists", "by storey"};
   return names[static_cast<std::size_t>(form)];
 }
 
-Json word_json(const words::Word& word, const words::Section& section) {
-  Json json{{"key", word.key},
-            {"meaning", word.meaning},
-            {"takes", taken_text(word)},
-            {"kind", name_of(word.takes)},
-            {"form", name_of(word.form)},
-            {"need", necessity_text(word, section)},
-            {"since", word.since},
-            {"example", word.example}};
-  if (word.takes == words::Takes::quantity) json["unit"] = word.unit_text();
-  if (word.bounds.has_low()) json["low"] = word.bounds.low;
-  if (word.bounds.has_high()) json["high"] = word.bounds.high;
-  if (word.inside) json["section"] = word.inside->name;
-  if (!word.choices.empty()) json["choices"] = word.choices;
-  if (!word.instead.empty()) json["instead"] = word.instead;
-  if (!word.otherwise.empty()) json["default"] = word.otherwise;
+Json key_json(const keys::Key& spec, const keys::Section& section) {
+  Json json{{"key", spec.key},
+            {"meaning", spec.meaning},
+            {"takes", taken_text(spec)},
+            {"kind", name_of(spec.takes)},
+            {"form", name_of(spec.form)},
+            {"need", necessity_text(spec, section)},
+            {"since", spec.since},
+            {"example", spec.example}};
+  if (spec.takes == keys::Takes::quantity) json["unit"] = spec.unit_text();
+  if (spec.bounds.has_low()) json["low"] = spec.bounds.low;
+  if (spec.bounds.has_high()) json["high"] = spec.bounds.high;
+  if (spec.inside) json["section"] = spec.inside->name;
+  if (!spec.choices.empty()) json["choices"] = spec.choices;
+  if (!spec.instead.empty()) json["instead"] = spec.instead;
+  if (!spec.otherwise.empty()) json["default"] = spec.otherwise;
   return json;
 }
 
 }  // namespace
 
-nlohmann::ordered_json section_json(const words::Section& section) {
+nlohmann::ordered_json section_json(const keys::Section& section) {
   Json json{{"name", section.name}, {"place", section.place}, {"meaning", section.meaning}, {"keys", Json::array()}};
-  for (const words::Word& word : section.words) json["keys"].push_back(word_json(word, section));
+  for (const keys::Key& spec : section.keys) json["keys"].push_back(key_json(spec, section));
   return json;
 }
 
 nlohmann::ordered_json input_schema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "Input of pounding " POUNDING_VERSION}};
-  schema.update(section_schema(words::model));
+  schema.update(section_schema(keys::model));
   // The file of a study has a model, or names the file of one.
-  for (const words::Word& word : words::study_file.words)
-    schema["properties"].emplace(std::string(word.key), word_schema(word, words::study_file));
+  for (const keys::Key& spec : keys::study_file.keys)
+    schema["properties"].emplace(std::string(spec.key), key_schema(spec, keys::study_file));
   schema["anyOf"] = {{{"required", schema["required"]}}, {{"required", {"study", "model"}}}};
   schema.erase("required");
   schema["$defs"] = Json::object();
-  for (const words::Section* section : words::sections())
-    if (section != &words::model && section != &words::link)
+  for (const keys::Section* section : keys::sections())
+    if (section != &keys::model && section != &keys::link)
       schema["$defs"][std::string(section->name)] = section_schema(*section);
-  schema["$defs"][std::string(words::link.name)] = links_schema();
-  for (const words::Section* section : words::sections_of_studies())
+  schema["$defs"][std::string(keys::link.name)] = links_schema();
+  for (const keys::Section* section : keys::sections_of_studies())
     schema["$defs"][std::string(section->name)] = section_schema(*section);
   return schema;
 }

@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 
 namespace pounding::program {
 
 /// Every section in the order of reading; the parameters of each law follow at the end, a section a law.
-std::vector<const words::Section*> all_sections();
+std::vector<const keys::Section*> all_sections();
 
 /// Values that a key takes: "a length >= 0 [m], or a list of them", "one of firm, medium, soft", "a map, see harmonic".
-std::string taken_text(const words::Word& word);
+std::string taken_text(const keys::Key& spec);
 
 /// "required", "optional", "one of period, stiffness", "at least one of grid, nodes".
-std::string necessity_text(const words::Word& word, const words::Section& section);
+std::string necessity_text(const keys::Key& spec, const keys::Section& section);
 
 /// The keys of a section that have this need, in its order.
-std::vector<std::string> keys_with(words::Need need, const words::Section& section);
+std::vector<std::string> keys_with(keys::Need need, const keys::Section& section);
 
 }  // namespace pounding::program

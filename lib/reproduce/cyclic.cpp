@@ -148,7 +148,7 @@ Process process() {
                                       {"Eq. 14, Ye 2009", "ye_2009"},
                                       {"Eq. 16, proposed", "naderpour_2015"}}) {
     settings.formula = formula;
-    std::vector<double> asked, assumed;
+    std::vector<double> requested, assumed;
     for (int i = 10; i <= 95; ++i) {
       const double e = i / 100.0;
       try {
@@ -156,12 +156,12 @@ Process process() {
       } catch (const std::invalid_argument&) {
         continue;  // out of the formula's reach: the curve has a gap
       }
-      asked.push_back(e);
+      requested.push_back(e);
       const double a =
           damping_number(Asking{"hertz_damped", formula, stiffness, assumed.back()}.made(mass), reference_speed);
       result.worst = std::max(result.worst, std::abs(a / laws::exact_factor({.restitution = e}) - 1));
     }
-    result.figure.plot(name, asked, assumed);
+    result.figure.plot(name, requested, assumed);
   }
   result.figure.plot("no correction", {0.1, 0.95}, {0.1, 0.95}, Curve::Kind::dashed);
   return result;

@@ -38,7 +38,7 @@ Loop collide(const laws::Settings& law, double mass, double speed);
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points = 240);
 
 /// 100 (obtained - asked)/asked.
-inline double percent(double obtained, double asked) { return 100 * (obtained - asked) / asked; }
+inline double percent(double obtained, double requested) { return 100 * (obtained - requested) / requested; }
 /// The kinetic energy that a restitution e loses, the paper's Eq. 18 [J].
 inline double kinetic_loss(double mass, double speed, double e) { return 0.5 * mass * (1 - e * e) * speed * speed; }
 

@@ -11,7 +11,7 @@
 namespace pounding::reproduce::force_laws {
 namespace {
 
-constexpr double mass = 60e3, speed = 0.5, asked = 0.5;
+constexpr double mass = 60e3, speed = 0.5, requested = 0.5;
 
 struct Case {
   std::string name;  ///< of its row and curve
@@ -22,14 +22,14 @@ struct Case {
 /// The laws as the paper prints them.
 const std::vector<Case>& published() {
   static const std::vector<Case> cases{
-      {"linear spring, Eq. 3", {"linear_spring", "", 9.35e7, asked}},
-      {"Kelvin-Voigt, Eqs. 5-7", {"kelvin_voigt", "anagnostopoulos", 9.35e7, asked}},
-      {"Kelvin-Voigt without tension, Eqs. 5-7", {"kelvin_voigt_no_tension", "anagnostopoulos", 9.35e7, asked}},
-      {"modified Kelvin, Eq. 13", {"modified_kelvin", "ye_2009_linear", 9.35e7, asked}},
-      {"Jankowski, Eqs. 8-10", {"jankowski", "jankowski_2005", 2.75e9, asked}, false},
-      {"Hertz damped, Eqs. 11, 12", {"hertz_damped", "lankarani_nikravesh", 2.75e9, asked}, false},
-      {"Hertz damped, Eqs. 11, 13", {"hertz_damped", "hu_guo", 2.75e9, asked}, false},
-      {"Hertz damped, Eqs. 11, 14", {"hertz_damped", "ye_2009", 2.75e9, asked}, false}};
+      {"linear spring, Eq. 3", {"linear_spring", "", 9.35e7, requested}},
+      {"Kelvin-Voigt, Eqs. 5-7", {"kelvin_voigt", "anagnostopoulos", 9.35e7, requested}},
+      {"Kelvin-Voigt without tension, Eqs. 5-7", {"kelvin_voigt_no_tension", "anagnostopoulos", 9.35e7, requested}},
+      {"modified Kelvin, Eq. 13", {"modified_kelvin", "ye_2009_linear", 9.35e7, requested}},
+      {"Jankowski, Eqs. 8-10", {"jankowski", "jankowski_2005", 2.75e9, requested}, false},
+      {"Hertz damped, Eqs. 11, 12", {"hertz_damped", "lankarani_nikravesh", 2.75e9, requested}, false},
+      {"Hertz damped, Eqs. 11, 13", {"hertz_damped", "hu_guo", 2.75e9, requested}, false},
+      {"Hertz damped, Eqs. 11, 14", {"hertz_damped", "ye_2009", 2.75e9, requested}, false}};
   return cases;
 }
 
@@ -39,7 +39,7 @@ std::vector<Case> exact() {
   for (const laws::Entry& entry : laws::catalogue()) {
     const auto k = std::ranges::find(entry.parameters, "stiffness", &laws::ParameterInfo::name);
     cases.push_back({std::string(entry.name),
-                     {std::string(entry.name), entry.formulas.empty() ? "" : "exact", 0, asked},
+                     {std::string(entry.name), entry.formulas.empty() ? "" : "exact", 0, requested},
                      k != entry.parameters.end() && k->unit == "N/m"});
   }
   return cases;
@@ -71,14 +71,14 @@ void run_cases(const std::vector<Case>& cases, Table& table, Figure& figure) {
     if (!laws::find_law(c.law.law).instantaneous) {
       at_touch = std::visit([](const auto& law) { return law.contact(0, speed, laws::touch(law, speed)).force; },
                             c.law.made(mass));
-      const double least = *std::ranges::min_element(loop.force);
-      pull = least < -1e-9 * row.peak_force ? -least : 0;
+      const double minimum = *std::ranges::min_element(loop.force);
+      pull = minimum < -1e-9 * row.peak_force ? -minimum : 0;
       Panel& panel = figure.panels[c.linear ? 0 : 1];
       panel.curves.push_back({c.name, figure.add(c.name + ", penetration", "mm", scaled(loop.penetration, 1e3)),
                               figure.add(c.name + ", force", "kN", scaled(loop.force, 1e-3)), Curve::Kind::line});
     }
     table.rows.push_back({c.name,
-                          {row.restitution, lossless ? not_a_number : percent(row.restitution, asked),
+                          {row.restitution, lossless ? not_a_number : percent(row.restitution, requested),
                            row.energy_lost / 1e3, row.peak_force / 1e3, at_touch / 1e3, pull / 1e3,
                            1e3 * row.peak_penetration, 1e3 * (row.t_release - row.t_start)}});
   }
@@ -87,11 +87,11 @@ void run_cases(const std::vector<Case>& cases, Table& table, Figure& figure) {
 Verdict obtained(const Table& table, const char* place, const char* row, const char* claim, const char* printed,
                  const char* reason) {
   const double e = table.at(row, "restitution");
-  const bool right = std::abs(e - asked) < 1e-4;
+  const bool right = std::abs(e - requested) < 1e-4;
   return {place,
           claim,
           printed,
-          fmt::format("{:.4f} asked, {:.4f} obtained ({:+.2f} %)", asked, e, percent(e, asked)),
+          fmt::format("{:.4f} asked, {:.4f} obtained ({:+.2f} %)", requested, e, percent(e, requested)),
           right ? Judgement::agrees : Judgement::disagrees,
           reason};
 }
@@ -109,7 +109,7 @@ Item make() {
                                  "and disadvantages are numbers here: the pull at the end, the force at the first "
                                  "instant, the energy lost, the "
                                  "restitution obtained.",
-                                 speed, asked),
+                                 speed, requested),
                      "The letter $\\zeta$ stands for two things in the paper: a ratio without unit in Eqs. 6, 7, 10 "
                      "and 38, and a coefficient with "
                      "the unit N s/m$^{n+1}$ in Eqs. 12-14, used as $c = \\zeta\\,\\delta^n$ in Eq. 11. Table 1 writes "
@@ -147,10 +147,10 @@ Item make() {
   run_cases(exact(), exact_table, exact_loops);
 
   const Table& t = published_table;
-  const double xi = laws::jankowski_2005({.restitution = asked});
+  const double xi = laws::jankowski_2005({.restitution = requested});
   const double pull = t.at("Kelvin-Voigt, Eqs. 5-7", "largest pull"),
                push = t.at("Kelvin-Voigt, Eqs. 5-7", "peak force");
-  const double free_loss = kinetic_loss(mass, speed, asked) / 1e3;
+  const double free_loss = kinetic_loss(mass, speed, requested) / 1e3;
   double worst = 0;
   for (const Table::Row& row : exact_table.rows)
     if (std::isfinite(row.values[1])) worst = std::max(worst, std::abs(row.values[1]));
@@ -180,7 +180,7 @@ Item make() {
        fmt::format("$k_h\\,\\delta^{{1.5}}$, dashpot in the approach only. With the exponent but the dashpot in both "
                    "phases {} asked "
                    "gives {:.4f}",
-                   asked, laws::restitution_to_zero_penetration(2 * xi / std::sqrt(5.0))),
+                   requested, laws::restitution_to_zero_penetration(2 * xi / std::sqrt(5.0))),
        Judgement::disagrees,
        "exponent and switch are missing beside Jankowski 2005, whose formula for $\\zeta$ supposes both."},
       {"Eq. 9", "Nested root in $c_h$", "$2\\zeta\\sqrt{k_h\\sqrt{\\delta}\\,m}$", "the same", Judgement::agrees,
@@ -188,7 +188,7 @@ Item make() {
       obtained(
           t, "Eq. 10", "Jankowski, Eqs. 8-10", "Damping ratio of the nonlinear viscoelastic model", "from $CR$",
           fmt::format("Jankowski's first, approximate formula; that of 2006, not quoted in the paper, gives {:.4f}.",
-                      Asking{"jankowski", "jankowski_2006", 2.75e9, asked}.free_impact(mass, speed).restitution)
+                      Asking{"jankowski", "jankowski_2006", 2.75e9, requested}.free_impact(mass, speed).restitution)
               .c_str()),
       obtained(
           t, "Eq. 12", "Hertz damped, Eqs. 11, 12", "Damping of the Hertz model (Lankarani)", "from $CR$",

@@ -18,14 +18,15 @@ using Eigen::Matrix2d, Eigen::Matrix4d, Eigen::Vector2d, Eigen::Vector4d;
 
 // The paper names no numbers here. Floors of 100 t and 150 t, oscillators of 0.8 s and 0.4 s, a stiffness of the
 // literature.
-constexpr double m1 = 100e3, m2 = 150e3, reduced = m1 * m2 / (m1 + m2), stiffness = 9.35e7, speed = 0.5, asked = 0.65;
+constexpr double m1 = 100e3, m2 = 150e3, reduced = m1 * m2 / (m1 + m2), stiffness = 9.35e7, speed = 0.5,
+                 requested = 0.65;
 
 /// M, C and K of the touching pair.
 struct Touching {
   Matrix2d mass, damping, stiffness;
 };
 
-const Asking law{"kelvin_voigt", "anagnostopoulos", stiffness, asked};
+const Asking law{"kelvin_voigt", "anagnostopoulos", stiffness, requested};
 
 /// Two free bodies, or the two oscillators; the left one moves towards the right one, which it touches.
 Model touching_pair(bool is_free) {
@@ -132,7 +133,7 @@ Item make() {
           "The paper gives no numbers in this section. It is run with floors of 100 t and 150 t (those of its section "
           "5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = 93.5$ MN/m and "
           "$CR = {}$ by Eq. 7, which is $c = {:.1f}$ kN s/m. They touch at {} m/s.",
-          asked, c / 1e3, speed),
+          requested, c / 1e3, speed),
       "Eq. 1 speaks of one mass. It is the whole truth of a contact only when the bodies are free: the relative motion "
       "of two "
       "free bodies is that of one body with the reduced mass $m_1 m_2/(m_1+m_2)$. With their own springs they are two "

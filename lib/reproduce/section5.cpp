@@ -72,9 +72,9 @@ Figure error_figure() {
   figure.add("CR asked", "", e);
   for (const Named& f : compared) {
     std::vector<double> value, error;
-    for (const double asked : e) {
-      value.push_back(obtained(f, asked));
-      error.push_back(percent(value.back(), asked));
+    for (const double requested : e) {
+      value.push_back(obtained(f, requested));
+      error.push_back(percent(value.back(), requested));
     }
     const Curve::Kind kind = std::string_view(f.formula) == "exact" ? Curve::Kind::dashed : Curve::Kind::line;
     const std::string name = f.name;
@@ -142,17 +142,17 @@ Item make() {
           r.t_release - r.t_start, r.energy_lost / 1e3, kinetic_loss(mass, speed, e) / 1e3, r.impulse / 1e3}});
     return loop;
   };
-  const std::vector<double> asked(paper::restitutions.begin(), paper::restitutions.end());
+  const std::vector<double> requested(paper::restitutions.begin(), paper::restitutions.end());
   std::vector<double> wanted;
   double worst_balance = 0;
-  for (const double e : asked) wanted.push_back(kinetic_loss(mass, speed, e) / 1e3);
-  energy.add("CR asked", "", asked);
+  for (const double e : requested) wanted.push_back(kinetic_loss(mass, speed, e) / 1e3);
+  energy.add("CR asked", "", requested);
   energy.panels[0].curves.push_back({"Eq. 18", "CR asked", energy.add("Eq. 18", "kJ", wanted), Curve::Kind::dashed});
   for (const Named& f : compared) {
     const bool drawn = std::string_view(f.formula) == "naderpour_2015" || std::string_view(f.formula) == "exact";
     if (drawn) loops.panels.push_back({f.name, "Penetration [m]", "Contact force [MN]", {}});
     std::vector<double> lost, miss;
-    for (const double e : asked) {
+    for (const double e : requested) {
       const Loop loop = run_row(f, e);
       lost.push_back(loop.impact.energy_lost / 1e3);
       miss.push_back(percent(loop.impact.energy_lost, kinetic_loss(mass, speed, e)));

@@ -53,9 +53,9 @@ Figure ratio_figure() {
   figure.add("CR asked", "", e);
   for (const Ratio& r : ratios) {
     std::vector<double> zeta, given;
-    for (const double asked : e) {
-      zeta.push_back(value(r, asked));
-      given.push_back(obtained(r, asked));
+    for (const double requested : e) {
+      zeta.push_back(value(r, requested));
+      given.push_back(obtained(r, requested));
     }
     const std::string name = r.name;
     const Curve::Kind kind = name == "exact" ? Curve::Kind::dashed : Curve::Kind::line;

@@ -50,7 +50,7 @@ Figure example_figure() {
   for (int i = 10; i <= 90; ++i) e.push_back(i / 100.0);
   for (const Named& f : formulas) {
     std::vector<double> c;
-    for (const double asked : e) c.push_back(damping_coefficient(asking(f, asked).made(mass), speed) / 1e3);
+    for (const double requested : e) c.push_back(damping_coefficient(asking(f, requested).made(mass), speed) / 1e3);
     figure.plot(f.name, e, c);
   }
   return figure;
@@ -137,10 +137,10 @@ Item make() {
                           proposed_restitution(e, kilonewtons * 1e3), percent(proposed_restitution(e, kilonewtons), e),
                           fitting_k_over_v(e)}});
   const double best = best_k_over_v();
-  double least = rows.rows[0].values.back(), most = least;
+  double minimum = rows.rows[0].values.back(), maximum = minimum;
   for (const Table::Row& row : rows.rows) {
-    least = std::min(least, row.values.back());
-    most = std::max(most, row.values.back());
+    minimum = std::min(minimum, row.values.back());
+    maximum = std::max(maximum, row.values.back());
   }
   item.figures = {example_figure(), units_figure(best)};
 
@@ -184,7 +184,7 @@ Item make() {
        fmt::format("no one $k/v$ makes the rows exact: they need from {:.2g} to {:.1g}. The best is {:.2f}, with "
                    "{:.1f} % RMS, where "
                    "the law is nearly $(1-CR^2)/CR$ and Table 2 does nothing.",
-                   least, most, best, rms_error(best))},
+                   minimum, maximum, best, rms_error(best))},
       {"Fig. 6", "Four formulas compared", "a picture without numbers", "recomputed above",
        Judgement::cannot_be_checked,
        "the picture is not in the text at hand, and the motion behind it is not stated."}};

@@ -59,9 +59,9 @@ std::set<std::string, std::less<>> names_in_environment() {
   return names;
 }
 
-class KeptEnvironment {
+class SavedEnvironment {
  public:
-  ~KeptEnvironment() {
+  ~SavedEnvironment() {
     for (const std::string& name : names_in_environment())
       if (!before_.contains(name)) unsetenv(name.c_str());
   }
@@ -70,12 +70,12 @@ class KeptEnvironment {
   std::set<std::string, std::less<>> before_ = names_in_environment();
 };
 
-class KeptSignals {
+class SavedSignals {
  public:
-  KeptSignals() {
+  SavedSignals() {
     for (int i = 1; i < count; ++i) known_[i] = sigaction(i, nullptr, &before_[i]) == 0;
   }
-  ~KeptSignals() {
+  ~SavedSignals() {
     for (int i = 1; i < count; ++i)
       if (known_[i] && i != SIGKILL && i != SIGSTOP) sigaction(i, &before_[i], nullptr);
   }
@@ -93,8 +93,8 @@ void start_petsc() {
   if (session) return;
   if (ended) throw SolverError("PETSc has ended in this process; start another one");
   if (!alone) petsc::require_mpi_for_several();
-  const KeptEnvironment variables;
-  const KeptSignals signals;
+  const SavedEnvironment variables;
+  const SavedSignals signals;
   session = std::make_unique<Session>();
 }
 

@@ -87,7 +87,7 @@ void for_each_state(const L& law, const States& s, Take&& take) {
 
 /// `take(i, response)` for the successive states of one impact: each is accepted before the next.
 template <class L, class Take>
-void for_each_kept_state(const L& law, const States& s, Take&& take) {
+void for_each_accepted_state(const L& law, const States& s, Take&& take) {
   if (s.count == 0) return;
   laws::Impact impact = laws::touch(law, s.approach_velocity[0]);
   for (py::ssize_t i = 0; i < s.count; ++i) {
@@ -100,7 +100,7 @@ void for_each_kept_state(const L& law, const States& s, Take&& take) {
 void for_each(const laws::AnyLaw& law, const States& states, bool in_order, auto&& take) {
   std::visit(
       [&](const auto& chosen) {
-        in_order ? for_each_kept_state(chosen, states, take) : for_each_state(chosen, states, take);
+        in_order ? for_each_accepted_state(chosen, states, take) : for_each_state(chosen, states, take);
       },
       law);
 }

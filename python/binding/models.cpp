@@ -119,7 +119,7 @@ std::vector<StructureModes> modes_of_all(const Source& source, int count) {
 }
 
 /// The results of a pushover as JSON; written to `output` unless that is empty.
-std::string pushed_over(const Source& source, const PushoverWords& words, const std::string& output) {
+std::string pushed_over(const Source& source, const PushoverInput& words, const std::string& output) {
   return with_petsc([&] {
     const Model model = read(source);
     const Pushover found = pushover(model, words, petsc::lowest_modes);

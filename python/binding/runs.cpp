@@ -83,15 +83,15 @@ std::vector<std::byte> image_for_all(const petsc::Ranks& ranks, const Results& r
 
 Ran ran(const Model& model, Outcome outcome, std::string failure) {
   // The warning about energies, the last one, is reported separately.
-  std::vector<std::string> doubts = outcome.summary.warnings;
+  std::vector<std::string> warnings = outcome.summary.warnings;
   std::string of_energies = warning(outcome.summary, model.analysis.tolerance);
-  std::erase(doubts, of_energies);
+  std::erase(warnings, of_energies);
   if (!failure.empty()) of_energies.clear();
   Ran ran{.results = nullptr,
           .image = {},
           .summary = outcome.results.summary_json,
           .warning = std::move(of_energies),
-          .implausible = std::move(doubts),
+          .implausible = std::move(warnings),
           .failure = std::move(failure),
           .resumable = outcome.resumable};
   // Several processes create the image collectively now; a single one creates it on demand.

@@ -13,7 +13,7 @@
 #include <pybind11/stl.h>
 
 #include <pounding/input/input.hpp>
-#include <pounding/input/words/studies.hpp>
+#include <pounding/input/keys/studies.hpp>
 
 #include "bindings.hpp"
 
@@ -22,11 +22,11 @@ namespace py = pybind11;
 namespace pounding::python {
 namespace {
 
-using words::Form;
-using words::Need;
-using words::Takes;
+using keys::Form;
+using keys::Need;
+using keys::Takes;
 
-py::object read_section(const Input& node, const words::Section& section);
+py::object read_section(const Input& node, const keys::Section& section);
 
 bool is_null(const Input& node) { return !node.is_map() && !node.is_list() && !node.is_scalar(); }
 
@@ -40,7 +40,7 @@ bool read_flag(const Input& node) {
   return node.as_bool();
 }
 
-py::object read_single(const Input& node, const words::Word& word) {
+py::object read_single(const Input& node, const keys::Key& word) {
   if (word.inside && (node.is_map() || word.takes == Takes::nothing)) return read_section(node, *word.inside);
   switch (word.takes) {
     case Takes::quantity: return py::float_(node.as_quantity());
@@ -51,7 +51,7 @@ py::object read_single(const Input& node, const words::Word& word) {
   }
 }
 
-py::object read_value(const Input& node, const words::Word& word) {
+py::object read_value(const Input& node, const keys::Key& word) {
   if (word.form == Form::named) {
     py::dict named;
     for (const auto& [name, value] : node.entries()) named[py::str(name)] = read_single(value, word);
@@ -60,7 +60,7 @@ py::object read_value(const Input& node, const words::Word& word) {
   if (word.form == Form::one || (word.form == Form::one_or_list && !node.is_list())) return read_single(node, word);
   const std::vector<Input> items = node.items();
   const auto count = static_cast<int>(items.size());
-  if (count < word.least || (word.most > 0 && count > word.most))
+  if (count < word.minimum || (word.maximum > 0 && count > word.maximum))
     node.fail(fmt::format("takes a list such as {}; a list of {} was read", word.example, count));
   py::list values;
   for (const Input& item : items) values.append(read_single(item, word));
@@ -68,7 +68,7 @@ py::object read_value(const Input& node, const words::Word& word) {
 }
 
 /// The default of a key; null if it is only described.
-std::optional<py::object> default_of(const words::Word& word) {
+std::optional<py::object> default_of(const keys::Key& word) {
   if (word.form != Form::one) return std::nullopt;
   if (word.takes == Takes::boolean) return py::bool_(word.otherwise == "true");
   if (word.takes == Takes::choice && std::ranges::find(word.choices, word.otherwise) != word.choices.end())
@@ -81,12 +81,12 @@ std::optional<py::object> default_of(const words::Word& word) {
   return std::nullopt;
 }
 
-py::object read_section(const Input& node, const words::Section& section) {
+py::object read_section(const Input& node, const keys::Section& section) {
   const Input map = node.in(section);
   map.only_keys();
   py::dict values;
   std::vector<std::string_view> alternatives, given;
-  for (const words::Word& word : section.words) {
+  for (const keys::Key& word : section.words) {
     if (word.need == Need::exactly_one) alternatives.push_back(word.key);
     const auto value = word.need == Need::required ? map.at(word.key) : map.find(word.key);
     if (value && !is_null(*value)) {
@@ -104,18 +104,18 @@ py::object read_section(const Input& node, const words::Section& section) {
 
 /// The keys of `study:` in a text; models in the same file are not read.
 py::object read_study(const std::string& text, const std::string& name) {
-  const words::Section& file = *words::sections_of_studies().front();
+  const keys::Section& file = *keys::sections_of_studies().front();
   const auto study = Input::read_text(text, name).in(file).find("study");
-  const words::Section& inside = *file.find("study")->inside;
+  const keys::Section& inside = *file.find("study")->inside;
   if (study && !is_null(*study)) return read_section(*study, inside);
   return read_section(Input::read_text("study: {}", name).in(file).at("study"), inside);
 }
 
 py::dict examples() {
   py::dict found;
-  for (const words::Section* section : words::sections_of_studies()) {
+  for (const keys::Section* section : keys::sections_of_studies()) {
     py::dict keys;
-    for (const words::Word& word : section->words) keys[py::str(word.key)] = py::str(word.example);
+    for (const keys::Key& word : section->words) keys[py::str(word.key)] = py::str(word.example);
     found[py::str(section->name)] = keys;
   }
   return found;

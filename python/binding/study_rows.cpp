@@ -18,8 +18,8 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/input/ground_input.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/read_model.hpp>
-#include <pounding/input/words/sections.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/run/run.hpp>
@@ -85,7 +85,7 @@ using Files = std::map<std::string, std::string>;
 
 RowMotion read_row_motion(const std::string& text, const std::string& name, const Files& files) {
   return {read_ground_section(
-      Input::read_text(text, name, std::make_shared<const Files>(files)).in(words::model).at("ground_motion"))};
+      Input::read_text(text, name, std::make_shared<const Files>(files)).in(keys::model).at("ground_motion"))};
 }
 
 /// A structure as the kernel numbers its outputs.
@@ -189,7 +189,7 @@ class RowModel {
   /// Writes the values of a row, in the order of the places.
   void put(const std::vector<std::string>& values) {
     if (values == values_) return;
-    kept_.reset();
+    cached_.reset();
     for (std::size_t i = 0; i < values.size(); ++i) places_.at(i).rewrite(values[i]);
     values_ = values;
   }
@@ -245,25 +245,25 @@ class RowModel {
 
   // The model of the row as if it had just been read. Rows that differ in the motion of the ground alone share one.
   const Model& made_ready(const RowMotion* motion) {
-    if (!motion || motion->ground.wave || !kept_ || !kept_->model.can_move_otherwise()) {
-      kept_.reset();
-      kept_.emplace(read(motion, petsc::lowest_modes));
+    if (!motion || motion->ground.wave || !cached_ || !cached_->model.can_move_otherwise()) {
+      cached_.reset();
+      cached_.emplace(read(motion, petsc::lowest_modes));
     } else {
       try {
-        kept_->take_back();
-        kept_->model.move_otherwise(motion->ground);
+        cached_->take_back();
+        cached_->model.move_otherwise(motion->ground);
       } catch (const ModelError&) {
         // The reader reports the location.
-        kept_.reset();
-        kept_.emplace(read(motion, petsc::lowest_modes));
+        cached_.reset();
+        cached_.emplace(read(motion, petsc::lowest_modes));
       }
     }
-    return kept_->model;
+    return cached_->model;
   }
 
   // A model that runs repeatedly, with the initial state of its contacts.
-  struct Kept {
-    explicit Kept(Model read) : model(std::move(read)) {
+  struct CachedModel {
+    explicit CachedModel(Model read) : model(std::move(read)) {
       Archive archive;
       for (const Link& link : model.links) link.contact->archive(archive);
       contacts = archive.bytes();
@@ -280,7 +280,7 @@ class RowModel {
   Input root_;
   std::vector<Input> places_;
   std::vector<std::string> values_;
-  std::optional<Kept> kept_;
+  std::optional<CachedModel> cached_;
 };
 
 }  // namespace

@@ -55,9 +55,9 @@ constexpr int settling_steps = 40;  // before the clock starts
 
 using Words = std::map<std::string, std::string>;
 
-double number(const Words& words, const std::string& name, double otherwise) {
-  const auto found = words.find(name);
-  if (found == words.end()) return otherwise;
+double number(const Words& arguments, const std::string& name, double otherwise) {
+  const auto found = arguments.find(name);
+  if (found == arguments.end()) return otherwise;
   std::size_t used = 0;
   double value = 0;
   try {
@@ -70,8 +70,8 @@ double number(const Words& words, const std::string& name, double otherwise) {
   return value;
 }
 
-int count(const Words& words, const std::string& name, int otherwise) {
-  const double value = number(words, name, otherwise);
+int count(const Words& arguments, const std::string& name, int otherwise) {
+  const double value = number(arguments, name, otherwise);
   if (!(value >= 1 && value <= 1e6 && value == std::floor(value)))
     throw std::invalid_argument(name + ": a whole number from 1 on");
   return static_cast<int>(value);
@@ -184,17 +184,17 @@ GroundMotion motion_of(const std::string& path) {
   return GroundMotion(std::move(samples), path);
 }
 
-petsc::SolverKind base_kind(const Words& words) {
-  const auto found = words.find("--base");
-  if (found == words.end()) return petsc::SolverKind::automatic;
+petsc::SolverKind base_kind(const Words& arguments) {
+  const auto found = arguments.find("--base");
+  if (found == arguments.end()) return petsc::SolverKind::automatic;
   if (found->second == "modal") return petsc::SolverKind::modal;
   if (found->second == "sparse") return petsc::SolverKind::sparse;
   throw std::invalid_argument("--base: modal or sparse");
 }
 
-Scheme scheme(const Words& words) {
-  const auto found = words.find("--integrator");
-  if (found == words.end()) return {.kind = Scheme::Kind::generalized_alpha};
+Scheme scheme(const Words& arguments) {
+  const auto found = arguments.find("--integrator");
+  if (found == arguments.end()) return {.kind = Scheme::Kind::generalized_alpha};
   if (std::find(Scheme::names.begin(), Scheme::names.end(), found->second) == Scheme::names.end())
     throw std::invalid_argument("--integrator: generalized_alpha or esdirk4");
   return {.kind = Scheme::kind_of(found->second)};
@@ -264,13 +264,13 @@ struct Watch {
   }
 };
 
-nlohmann::json plane(const Words& words) {
+nlohmann::json plane(const Words& arguments) {
   constexpr double duration = 20.0, longest = 0.005;
-  const laws::AnyLaw law = law_named(words.contains("--law") ? words.at("--law") : "hertz_damped");
-  const double tolerance = number(words, "--tolerance", 1e-4);
-  if (!words.contains("--motion")) throw std::invalid_argument("--motion FILE is needed");
+  const laws::AnyLaw law = law_named(arguments.contains("--law") ? arguments.at("--law") : "hertz_damped");
+  const double tolerance = number(arguments, "--tolerance", 1e-4);
+  if (!arguments.contains("--motion")) throw std::invalid_argument("--motion FILE is needed");
   Pair pair({grid(8, 3, 0, 1.0), grid(6, 2, 0, 1.7)}, [&](int link) { return make_gap_link(law, gap, link); });
-  pair.system.grounds = {motion_of(words.at("--motion"))};
+  pair.system.grounds = {motion_of(arguments.at("--motion"))};
   // Errors are measured against a hundredth of what a structure of one second would move at the peak.
   const double w = 2 * M_PI;
   for (Group& group : pair.system.groups) {
@@ -278,8 +278,8 @@ nlohmann::json plane(const Words& words) {
     group.velocity_floor = 1e-2 * pair.system.grounds[0].peak() / w;
   }
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words), PETSC_COMM_WORLD);
-  Stepper stepper(pair.system, *base, {.tolerance = tolerance, .scheme = scheme(words), .max_step = longest});
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(arguments), PETSC_COMM_WORLD);
+  Stepper stepper(pair.system, *base, {.tolerance = tolerance, .scheme = scheme(arguments), .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(pair.system.size());
   stepper.start(0, zero, zero);
   Watch watch{stepper, {pair.unknown(0, 8, 3), pair.unknown(1, 6, 0)}, 0.1, {}, {0, 0}, 0, 0, {}, {}};
@@ -368,9 +368,9 @@ struct StepClock {
   }
 };
 
-nlohmann::json space(const Words& words) {
-  const int storeys = count(words, "--storeys", 12), bays = count(words, "--bays", 5);
-  const int bays_y = count(words, "--bays-y", bays), steps = count(words, "--steps", 100);
+nlohmann::json space(const Words& arguments) {
+  const int storeys = count(arguments, "--storeys", 12), bays = count(arguments, "--bays", 5);
+  const int bays_y = count(arguments, "--bays-y", bays), steps = count(arguments, "--steps", 100);
   const int lower = std::max(1, 4 * storeys / 5);
   Pair pair({grid(storeys, bays, bays_y, 1.0), grid(lower, bays, bays_y, 1.7)}, [](int link) {
     return std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = linear_stiffness}, 0.0, link);
@@ -381,9 +381,9 @@ nlohmann::json space(const Words& words) {
   pair.system.grounds = {GroundMotion(Samples{{0, far}, {0, -far}, true})};
 
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words), PETSC_COMM_WORLD);
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(arguments), PETSC_COMM_WORLD);
   const Eigen::VectorXd pushed = static_answer(pair, *base);
-  Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(words), .max_step = space_step});
+  Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(arguments), .max_step = space_step});
   // They press from the start, rather than touch at once.
   const Eigen::VectorXd closing = pair.system.gap_jacobian.transpose() * pushed;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
@@ -441,19 +441,19 @@ nlohmann::json space(const Words& words) {
 int main(int argc, char** argv) {
   const std::vector<std::string> own{"--law",     "--tolerance", "--motion", "--integrator", "--base",
                                      "--storeys", "--bays",      "--bays-y", "--steps"};
-  Words words;
+  Words arguments;
   std::vector<std::string> options;
   for (int i = 2; i < argc; ++i) {
     if (std::find(own.begin(), own.end(), argv[i]) == own.end())
       options.emplace_back(argv[i]);
     else if (i + 1 < argc)
-      words[argv[i]] = argv[i + 1], ++i;
+      arguments[argv[i]] = argv[i + 1], ++i;
   }
   const std::string kind = argc > 1 ? argv[1] : "";
   const petsc::Environment environment(options);
   try {
     if (kind != "plane" && kind != "space") throw std::invalid_argument("frames plane ..., or frames space ...");
-    const nlohmann::json result = kind == "plane" ? plane(words) : space(words);
+    const nlohmann::json result = kind == "plane" ? plane(arguments) : space(arguments);
     int rank = 0;
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
     if (rank == 0) std::cout << result.dump() << std::endl;

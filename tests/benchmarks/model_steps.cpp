@@ -88,7 +88,8 @@ nlohmann::json measure(const std::string& file) {
   const auto [u, v] = initial_state(model);
   const EffectiveSettings settings = effective_settings(model);
   const TsSetup setup = set_up_ts(settings, u, v, PETSC_COMM_SELF);
-  const petsc::ReductionPlan plan = reduction_plan(model, asked_reductions(model), u, v, settings.stepper.tolerance);
+  const petsc::ReductionPlan plan =
+      reduction_plan(model, requested_reductions(model), u, v, settings.stepper.tolerance);
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, settings.solver, plan, PETSC_COMM_SELF);
   Stepper stepper(system, *solver, settings.stepper);
   check(petsc::set_stepper(setup.ts, &stepper));

@@ -90,13 +90,13 @@ TEST(CInterface, BallComesBackWithTheRestitutionThatWasAsked) {
     const test::LawInC law = test::made_in_c(laws::typical_settings(entry));
     pnd_free_impact impact{};
     ASSERT_EQ(pnd_collide(law.get(), mass, speed, &impact), PND_OK);
-    const double asked = entry.takes_restitution    ? laws::typical_restitution
-                         : entry.leaves_indentation ? impact.restitution
-                                                    : 1;
+    const double requested = entry.takes_restitution    ? laws::typical_restitution
+                             : entry.leaves_indentation ? impact.restitution
+                                                        : 1;
     for (const double step : {2e-6, 2e-7}) {
       pnd_contact contact{};
       const double after = speed_after(law.get(), mass, speed, step, &contact);
-      EXPECT_NEAR(after / speed, asked, impact.peak_force * step / (mass * speed));
+      EXPECT_NEAR(after / speed, requested, impact.peak_force * step / (mass * speed));
       EXPECT_EQ(contact.touching, 0);
     }
   }

@@ -312,10 +312,10 @@ TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
   const int members = 12;
   for (const int dimension : {2, 3}) {
     const Model model = slender_cantilever(dimension, members);
-    const double most = dimension == 2 ? 2 : 0.95;  // turns; a rotation vector ends before one
-    const auto path = model.corotational().solve(2 * pi * most * unit_load(model, members, Dof::ry), 20);
+    const double maximum = dimension == 2 ? 2 : 0.95;  // turns; a rotation vector ends before one
+    const auto path = model.corotational().solve(2 * pi * maximum * unit_load(model, members, Dof::ry), 20);
     for (const auto& [factor, q] : path) {
-      const double turn = 2 * pi * most * factor, part = turn / members;
+      const double turn = 2 * pi * maximum * factor, part = turn / members;
       book.near("circle: turn of the tip [rad]", displacement(model, q, members, Dof::ry), turn, 1e-7);
       Vector3d tip(0, 0, 0);  // each member turned against the one before, half of that at the support
       for (int i = 0; i < members; ++i)
@@ -377,18 +377,18 @@ TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
       book.near("Lee's frame: error with 10 members over that with 20 [-]", coarser / error, 4, 0.2);
     }
     // Load and sag both turn back before the load turns to tension.
-    double least = 0, sag_at_least = 0, most_before = 0, most = 0;
+    double minimum = 0, sag_at_least = 0, most_before = 0, maximum = 0;
     for (const auto& [factor, q] : path) {
       const double sag = -displacement(model, q, loaded, Dof::uz);
-      most = std::max(most, sag);
-      if (factor < least) {
-        least = factor;
+      maximum = std::max(maximum, sag);
+      if (factor < minimum) {
+        minimum = factor;
         sag_at_least = sag;
-        most_before = most;
+        most_before = maximum;
       }
       EXPECT_LT((frame.force(q) - factor * load).norm(), 1e-6 * std::max(1.0, std::abs(factor)));
     }
-    book.near("Lee's frame: least load [kN]", least, -9.4144, members == 10 ? 0.25 : 0.06);
+    book.near("Lee's frame: least load [kN]", minimum, -9.4144, members == 10 ? 0.25 : 0.06);
     book.near("Lee's frame: sag at the least load [cm]", sag_at_least, 58.2, 1);
     book.near("Lee's frame: largest sag before [cm]", most_before, 61.0, 0.5);
   }

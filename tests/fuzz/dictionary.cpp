@@ -5,7 +5,7 @@
 #include <string>
 
 #include <pounding/core/unit_names.hpp>
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/laws/compiled.hpp>
 
 int main() {
@@ -13,27 +13,27 @@ int main() {
   std::set<std::string> all = {": ",  "- ", "{", "}", "[",     "]",      "&a ", "*a", "\\x0a  ",
                                "---", "#",  "|", ">", "1e308", "1e-308", "-1",  "nan"};
   const auto add = [&](std::string_view text) {
-    std::string word;
+    std::string spec;
     for (const char c : text) {
-      if (c == '"' || c == '\\') word += '\\';
-      word += c;
+      if (c == '"' || c == '\\') spec += '\\';
+      spec += c;
     }
-    if (!word.empty() && word.size() < 60) all.insert(word);
+    if (!spec.empty() && spec.size() < 60) all.insert(spec);
   };
-  const auto add_section = [&](const words::Section& section) {
-    for (const words::Word& word : section.words) {
-      add(word.key);
-      add(word.example);
-      for (const std::string_view choice : word.choices) add(choice);
-      for (const std::string_view instead : word.instead) add(instead);
-      for (const std::string_view unit : unit_names(word.dimension)) add(unit);
+  const auto add_section = [&](const keys::Section& section) {
+    for (const keys::Key& spec : section.keys) {
+      add(spec.key);
+      add(spec.example);
+      for (const std::string_view choice : spec.choices) add(choice);
+      for (const std::string_view instead : spec.instead) add(instead);
+      for (const std::string_view unit : unit_names(spec.dimension)) add(unit);
     }
   };
-  for (const words::Section* section : words::sections()) add_section(*section);
+  for (const keys::Section* section : keys::sections()) add_section(*section);
   for (const laws::Entry& law : laws::catalogue()) {
     add(law.name);
     for (const laws::Formula& formula : law.formulas) add(formula.name);
-    add_section(words::parameters_of(law));
+    add_section(keys::parameters_of(law));
   }
-  for (const std::string& word : all) std::printf("\"%s\"\n", word.c_str());
+  for (const std::string& spec : all) std::printf("\"%s\"\n", spec.c_str());
 }

@@ -10,11 +10,11 @@
 namespace {
 
 // The eigenvalues of a large structure take longer than everything that is sought here.
-constexpr int most_unknowns = 60;
+constexpr int max_unknowns = 60;
 
 pounding::Eigenmodes modes_of_small(const pounding::SparseMatrix& mass, const pounding::SparseMatrix& stiffness,
                                     int count) {
-  if (mass.rows() > most_unknowns) throw std::invalid_argument("the modes of so many unknowns are not sought here");
+  if (mass.rows() > max_unknowns) throw std::invalid_argument("the modes of so many unknowns are not sought here");
   return pounding::dense_modes(mass, stiffness, count);
 }
 

@@ -10,13 +10,13 @@
 
 namespace fs = std::filesystem;
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
   std::vector<fs::path> files;
   for (int i = 1; i < count; ++i) {
-    if (!fs::is_directory(words[i]))
-      files.emplace_back(words[i]);
+    if (!fs::is_directory(arguments[i]))
+      files.emplace_back(arguments[i]);
     else
-      for (const auto& entry : fs::recursive_directory_iterator(words[i]))
+      for (const auto& entry : fs::recursive_directory_iterator(arguments[i]))
         if (entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -50,9 +50,9 @@ struct LawName {
 TYPED_TEST_SUITE(HysteresisContract, TypesOf<AnyLaw>::type, LawName);
 
 /// Turning points: most of them within a few yield deformations, some far out, some hardly away from the last.
-std::vector<double> random_path(std::mt19937& random, double dy, int most_turns = 12) {
+std::vector<double> random_path(std::mt19937& random, double dy, int max_turns = 12) {
   std::uniform_real_distribution<double> near(-2, 2), far(-10, 10), decades(-6, 0);
-  std::uniform_int_distribution<int> turns(1, most_turns), kind(0, 9);
+  std::uniform_int_distribution<int> turns(1, max_turns), kind(0, 9);
   std::vector<double> path(static_cast<std::size_t>(turns(random)));
   double last = 0;
   for (double& d : path) {
@@ -216,14 +216,14 @@ TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) {
   const double unit = this->fy * this->dy, allowed = (gives_back<TypeParam> + 1e-11) * unit;
   for (int i = 0; i < 3000; ++i) {
     typename TypeParam::State kept;
-    double all = 0, most = 0;
+    double all = 0, maximum = 0;
     for (const double d : random_path(random, this->dy)) {
       const double begin = kept.deformation;
       for (int part = 1; part <= 4; ++part) {
         const double next = begin + 0.25 * part * (d - begin);
         all += lost(this->law, kept, next);
-        most = std::max(most, all);
-        ASSERT_GE(all, most - allowed) << "path " << i << ", from " << kept.deformation << " to " << next;
+        maximum = std::max(maximum, all);
+        ASSERT_GE(all, maximum - allowed) << "path " << i << ", from " << kept.deformation << " to " << next;
         kept = this->law.advance(kept, next);
         ASSERT_GE(this->law.stored(kept), 0);
       }

@@ -209,8 +209,8 @@ TEST(PublishedLoops, MoreTurnsThanAreRememberedForgetTheSmallestOnes) {
   for (int i = 0; i < 100; ++i) {
     kept = law.advance(kept, -1.5 - 0.3 * std::pow(0.97, i));
     kept = law.advance(kept, -1.5 - 0.01 * std::pow(0.97, i));
-    ASSERT_LE(kept.up.count, MenegottoPinto::most_branches);
-    ASSERT_LE(kept.down.count, MenegottoPinto::most_branches);
+    ASSERT_LE(kept.up.count, MenegottoPinto::max_branches);
+    ASSERT_LE(kept.down.count, MenegottoPinto::max_branches);
   }
   for (const double d : {-1.0, 0.0, 2.0, 3.9})
     EXPECT_NEAR(law.respond(kept, d).force, law.respond(before, d).force, 2e-13);

@@ -118,11 +118,11 @@ TEST(Faces, AreAdvisedWhereADrawingSeemsToBeOneOfAxes) {
           mentions({"face: 300 mm", "face: 250 mm", "40 mm", "18 m", "18.59 m", "590 mm", "-550 mm", "1"}));
   // A gap that the drawing gives, or that was taken from an earlier refusal, is doubted as well.
   for (const std::string rest : {"floors: level", "floors: level, gap: 590 mm"}) {
-    const std::vector<std::string> doubts =
+    const std::vector<std::string> warnings =
         implausible(model_of(pair("18.59 m", "", "", "{rectangle: [0.6, 0.6]}", rest)));
-    ASSERT_EQ(doubts.size(), 1u);
+    ASSERT_EQ(warnings.size(), 1u);
     EXPECT_TRUE(
-        mentions(doubts[0], {"accept: [face]", "face: auto", "590 mm", "300 mm", "250 mm", "40 mm", "A.1-B.1"}));
+        mentions(warnings[0], {"accept: [face]", "face: auto", "590 mm", "300 mm", "250 mm", "40 mm", "A.1-B.1"}));
     EXPECT_TRUE(
         implausible(model_of(pair("18.59 m", ", face: 0", ", face: 0", "{rectangle: [0.6, 0.6]}", rest))).empty());
   }

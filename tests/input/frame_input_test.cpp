@@ -47,9 +47,9 @@ FrameModel read(const std::string& yaml) { return read_frame(Input::read_text(ya
 Structure structure(const std::string& yaml) { return read_frame_structure(Input::read_text(yaml, "test.yaml")); }
 
 // `message` is the whole text after the name of the file.
-void refused(const std::string& yaml, const std::string& place, const test::Facts& facts = {},
+void refused(const std::string& yaml, const std::string& location, const test::Facts& facts = {},
              std::source_location line = std::source_location::current()) {
-  test::expect_message(test::refusal<InputError>([&] { structure(yaml); }), "test.yaml:" + place, facts, line);
+  test::expect_message(test::refusal<InputError>([&] { structure(yaml); }), "test.yaml:" + location, facts, line);
 }
 
 double stiffness(const Structure& s, const std::string& a, const std::string& b) {

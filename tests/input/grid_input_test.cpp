@@ -35,9 +35,9 @@ double depth(const FrameModel& model, const std::string& name) {
   throw std::invalid_argument("no member " + name);
 }
 
-void refused(const std::string& yaml, const std::string& place, const test::Facts& facts = {},
+void refused(const std::string& yaml, const std::string& location, const test::Facts& facts = {},
              std::source_location line = std::source_location::current()) {
-  test::expect_message(test::refusal<InputError>([&] { read(yaml); }), "test.yaml:" + place, facts, line);
+  test::expect_message(test::refusal<InputError>([&] { read(yaml); }), "test.yaml:" + location, facts, line);
 }
 
 TEST(GridInput, SectionsChangeWithTheStorey) {

@@ -41,10 +41,10 @@ std::vector<std::string> names(const std::string& yaml) {
 }
 
 // `message` is the whole text after the name of the file; the hinges stand in line 4.
-void refused(const std::string& hinges, const std::string& place, const test::Facts& facts = {},
+void refused(const std::string& hinges, const std::string& location, const test::Facts& facts = {},
              const std::string& frame = grid, std::source_location line = std::source_location::current()) {
   const std::string yaml = frame + "hinges: " + hinges + "\n";
-  test::expect_message(test::refusal<InputError>([&] { structure(yaml); }), "test.yaml:" + place, facts, line);
+  test::expect_message(test::refusal<InputError>([&] { structure(yaml); }), "test.yaml:" + location, facts, line);
 }
 
 using test::at, test::mentions;

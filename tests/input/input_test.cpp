@@ -25,30 +25,30 @@ std::string error_of(const std::function<void()>& action) {
 
 // Keys of these tests; a reader's own stand in the catalogue.
 constexpr std::string_view laws[] = {"hertz", "hertz_damped"};
-constexpr words::Word quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed = bounds::any) {
-  return {.key = key, .takes = words::Takes::quantity, .dimension = dimension, .bounds = allowed};
+constexpr keys::Key quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed = bounds::any) {
+  return {.key = key, .takes = keys::Takes::quantity, .dimension = dimension, .bounds = allowed};
 }
-constexpr words::Word integer(std::string_view key, const Bounds& allowed = bounds::any) {
-  return {.key = key, .takes = words::Takes::integer, .bounds = allowed};
+constexpr keys::Key integer(std::string_view key, const Bounds& allowed = bounds::any) {
+  return {.key = key, .takes = keys::Takes::integer, .bounds = allowed};
 }
-constexpr words::Word quantities[] = {
+constexpr keys::Key quantities[] = {
     quantity("gap", dimension::length),
     quantity("ratio", dimension::none),
     quantity("stiffness", dimension::stiffness),
     quantity("hertz", dimension::hertz_stiffness),
     quantity("period", dimension::time),
     quantity("v", dimension::velocity),
-    {.key = "mass", .takes = words::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
-    {.key = "start", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
-    {.key = "end", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
-const words::Section test_section{.name = "test", .place = "", .meaning = "", .words = quantities};
+    {.key = "mass", .takes = keys::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
+    {.key = "start", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
+    {.key = "end", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
+const keys::Section test_section{.name = "test", .location = "", .meaning = "", .keys = quantities};
 
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
 // That table, read by one word after the other.
-Input model(const std::string& text, std::span<const words::Word> table) {
-  static std::vector<std::unique_ptr<words::Section>> sections;
+Input model(const std::string& text, std::span<const keys::Key> table) {
+  static std::vector<std::unique_ptr<keys::Section>> sections;
   sections.push_back(
-      std::make_unique<words::Section>(words::Section{.name = "test", .place = "", .meaning = "", .words = table}));
+      std::make_unique<keys::Section>(keys::Section{.name = "test", .location = "", .meaning = "", .keys = table}));
   return model(text).in(*sections.back());
 }
 
@@ -159,11 +159,11 @@ TEST(Input, NothingIsReadBesideTheCatalogue) {
 }
 
 TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
-  constexpr words::Word table[] = {
-      {.key = "pair", .takes = words::Takes::quantity, .form = words::Form::list, .dimension = dimension::length},
+  constexpr keys::Key table[] = {
+      {.key = "pair", .takes = keys::Takes::quantity, .form = keys::Form::list, .dimension = dimension::length},
       {.key = "masses",
-       .takes = words::Takes::quantity,
-       .form = words::Form::named,
+       .takes = keys::Takes::quantity,
+       .form = keys::Form::named,
        .inside = &test_section,
        .dimension = dimension::mass}};
   const Input input = model("{pair: [1 mm, 2 mm], masses: {gap: 3 t, b: {mass: 4 t}}}", table);
@@ -208,15 +208,14 @@ TEST(Input, ValueOutsideItsBoundsIsRefused) {
   EXPECT_EQ(read("one", dimension::none, bounds::above_0_to_1), 1);
   EXPECT_EQ(read("zero", dimension::none, bounds::from_0_below_1), 0);
   EXPECT_EQ(read("zero", dimension::none, bounds::non_negative), 0);
-  constexpr words::Word table[] = {quantity("zero", dimension::mass, bounds::positive)};
+  constexpr keys::Key table[] = {quantity("zero", dimension::mass, bounds::positive)};
   EXPECT_TRUE(test::mentions(error_of([&] { model("zero: 0", table).quantity("zero"); }),
                              {"model.yaml:1:7", "zero", "100 t", "0"}));
 }
 
 TEST(Input, OneValueOrAListFromTheGroundUp) {
-  constexpr words::Word table[] = {quantity("one", dimension::mass),
-                                   quantity("three", dimension::mass, bounds::positive),
-                                   quantity("bad", dimension::mass)};
+  constexpr keys::Key table[] = {quantity("one", dimension::mass), quantity("three", dimension::mass, bounds::positive),
+                                 quantity("bad", dimension::mass)};
   const Input input = model("one: 250 t\nthree: [1 t, 2 t, 3]\nbad: [1 t, 2 mm, 3 t]\n", table);
   EXPECT_EQ(input.at("one").as_quantities(3), (std::vector<double>{250e3, 250e3, 250e3}));
   EXPECT_EQ(input.at("three").as_quantities(3), (std::vector<double>{1e3, 2e3, 3}));
@@ -229,7 +228,7 @@ TEST(Input, OneValueOrAListFromTheGroundUp) {
 }
 
 TEST(Input, IntegersAreWholeAndInRange) {
-  constexpr words::Word table[] = {
+  constexpr keys::Key table[] = {
       integer("n"), integer("real", {.low = 1}), integer("text"), integer("low"), integer("list"), integer("none")};
   const Input input = model("{n: 8, real: 8.0, text: eight, low: -1, list: [1], none: }", table);
   EXPECT_EQ(input.at("n").as_integer(), 8);
@@ -252,16 +251,15 @@ TEST(Input, BooleansAreTrueOrFalse) {
 }
 
 TEST(Input, ChoiceOffersTheNearestName) {
-  constexpr words::Word table[] = {
-      {.key = "law", .takes = words::Takes::choice, .choices = laws, .noun = "contact law"},
-      {.key = "other", .takes = words::Takes::choice, .choices = laws}};
+  constexpr keys::Key table[] = {{.key = "law", .takes = keys::Takes::choice, .choices = laws, .noun = "contact law"},
+                                 {.key = "other", .takes = keys::Takes::choice, .choices = laws}};
   const Input input = model("law: hertz_damp\nother: hertz_damp\n", table);
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("law").as_choice(); }),
                              {"model.yaml:1:6", "law", "hertz_damp", "hertz_damped"}));
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("other").as_choice(); }),
                              {"model.yaml:2:8", "other", "hertz_damp", "hertz_damped"}));
-  constexpr std::string_view asked[] = {"hertz_damp"};
-  EXPECT_EQ(input.at("law").as_choice("law", asked), "hertz_damp");
+  constexpr std::string_view requested[] = {"hertz_damp"};
+  EXPECT_EQ(input.at("law").as_choice("law", requested), "hertz_damp");
 }
 
 TEST(Input, WrongKindOfNodeIsRefused) {
@@ -276,7 +274,7 @@ TEST(Input, WrongKindOfNodeIsRefused) {
 }
 
 TEST(Input, EntriesKeepTheOrderOfTheFile) {
-  constexpr words::Word table[] = {integer("m")};
+  constexpr keys::Key table[] = {integer("m")};
   const auto entries = model("z: 1\na: 2\nm: 3\n", table).entries();
   ASSERT_EQ(entries.size(), 3u);
   EXPECT_EQ(entries[0].first, "z");

@@ -70,9 +70,9 @@ TEST(LevelFloors, AreThoseOfAGivenDifference) {
   refused(pair(0.01, "floors: level, level_within: 5 mm"), at("4:19", "links[0].between"), mentions({"floors: any"}));
   refused(pair(0, "floors: any, level_within: -1 mm"), at("4:54", "links[0].level_within"),
           mentions({"20 mm", "-1 mm"}));
-  const std::vector<std::string> doubts = implausible(model_of(pair(0, "floors: any, level_within: 50")));
-  ASSERT_EQ(doubts.size(), 1u);
-  EXPECT_TRUE(mentions(doubts[0], {"accept: [height]", "[0]", "2 m", "50 mm"}));
+  const std::vector<std::string> warnings = implausible(model_of(pair(0, "floors: any, level_within: 50")));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(mentions(warnings[0], {"accept: [height]", "[0]", "2 m", "50 mm"}));
 }
 
 // A floor belongs to one pair: the nearest two are paired, the other one hits the column.
@@ -109,9 +109,9 @@ TEST(LevelFloors, AreReportedWithTheirDifference) {
 }
 
 TEST(Joints, AreDoubtedWhereAColumnIsHitCloserThanItIsDeep) {
-  const std::vector<std::string> doubts = implausible(model_of(pair(0.01, "floors: any, level_within: 0")));
-  ASSERT_EQ(doubts.size(), 1u);
-  EXPECT_TRUE(mentions(doubts[0], {"accept: [joint]", "level_within: 10 mm", "a.1", "500 mm", "3.2m", "4"}));
+  const std::vector<std::string> warnings = implausible(model_of(pair(0.01, "floors: any, level_within: 0")));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(mentions(warnings[0], {"accept: [joint]", "level_within: 10 mm", "a.1", "500 mm", "3.2m", "4"}));
   EXPECT_TRUE(implausible(model_of(pair(0.6, "floors: any"))).empty());
   EXPECT_TRUE(implausible(model_of(pair(0.01, "floors: any"))).empty());
   // Also where the column is cut into parts, and by an elevation that is typed.

@@ -8,18 +8,18 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/words/devices.hpp>
-#include <pounding/input/words/hinges.hpp>
-#include <pounding/input/words/isolators.hpp>
-#include <pounding/input/words/sections.hpp>
-#include <pounding/input/words/springs.hpp>
+#include <pounding/input/keys/devices.hpp>
+#include <pounding/input/keys/hinges.hpp>
+#include <pounding/input/keys/isolators.hpp>
+#include <pounding/input/keys/sections.hpp>
+#include <pounding/input/keys/springs.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding::test {
 
-using words::Need;
-using words::Section;
-using words::Word;
+using keys::Key;
+using keys::Need;
+using keys::Section;
 
 /// Keys with their values, as they are typed.
 using Keys = std::map<std::string, std::string>;
@@ -93,117 +93,116 @@ inline std::string around(const Section& s) {
   Keys with_floor = bent;
   with_floor["floors"] = "[{nodes: [b, c]}]";
   const std::map<const Section*, std::string> models = {
-      {&words::model, "@"},
-      {&words::analysis,
+      {&keys::model, "@"},
+      {&keys::analysis,
        "structures: {left: {shear_building: {storeys: 1, mass: 100 t, stiffness: 60 MN/m, height: 3 m}, damping: 5 "
        "%}}\nanalysis: @"},
-      {&words::reduction, pair + "analysis: {duration: 1, reduction: @}"},
-      {&words::checkpoint, pair + "analysis: {duration: 1}\ncheckpoint: @"},
-      {&words::ground_motion, two_in_space + "ground_motion: @"},
-      {&words::components, two_in_space + "ground_motion: {components: @}"},
-      {&words::motion, pair + "ground_motion: {components: {x: @}}"},
-      {&words::wave, two_in_space + "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}, wave: @}"},
-      {&words::harmonic, pair + "ground_motion: {harmonic: @}"},
-      {&words::sum_part, pair + "ground_motion: {sum: [@], duration: 1}"},
-      {&words::displacement, pair + "analysis: {duration: 1}\nground_motion: {displacement: @}"},
-      {&words::moved_harmonic, pair + "ground_motion: {displacement: {harmonic: @}}"},
-      {&words::moved_part, pair + "ground_motion: {displacement: {sum: [@], duration: 1}}"},
-      {&words::pulse, pair + "ground_motion: {pulse: @}"},
-      {&words::synthetic, pair + "ground_motion: {synthetic: @}"},
-      {&words::structure, shaken + pair + "  a: @"},
-      {&words::body, shaken + pair + "  a: {body: @}"},
-      {&words::oscillator, shaken + pair + "  a: {oscillator: @}"},
-      {&words::shear_building, shaken + pair + "  a: {shear_building: @}"},
-      {&words::storey_spring, yielding("@")},
-      {&words::wall, shaken + pair + "  a: {wall: @}"},
-      {&words::damping,
-       shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
-      {&words::rayleigh,
+      {&keys::reduction, pair + "analysis: {duration: 1, reduction: @}"},
+      {&keys::checkpoint, pair + "analysis: {duration: 1}\ncheckpoint: @"},
+      {&keys::ground_motion, two_in_space + "ground_motion: @"},
+      {&keys::components, two_in_space + "ground_motion: {components: @}"},
+      {&keys::motion, pair + "ground_motion: {components: {x: @}}"},
+      {&keys::wave, two_in_space + "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}, wave: @}"},
+      {&keys::harmonic, pair + "ground_motion: {harmonic: @}"},
+      {&keys::sum_part, pair + "ground_motion: {sum: [@], duration: 1}"},
+      {&keys::displacement, pair + "analysis: {duration: 1}\nground_motion: {displacement: @}"},
+      {&keys::moved_harmonic, pair + "ground_motion: {displacement: {harmonic: @}}"},
+      {&keys::moved_part, pair + "ground_motion: {displacement: {sum: [@], duration: 1}}"},
+      {&keys::pulse, pair + "ground_motion: {pulse: @}"},
+      {&keys::synthetic, pair + "ground_motion: {synthetic: @}"},
+      {&keys::structure, shaken + pair + "  a: @"},
+      {&keys::body, shaken + pair + "  a: {body: @}"},
+      {&keys::oscillator, shaken + pair + "  a: {oscillator: @}"},
+      {&keys::shear_building, shaken + pair + "  a: {shear_building: @}"},
+      {&keys::storey_spring, yielding("@")},
+      {&keys::wall, shaken + pair + "  a: {wall: @}"},
+      {&keys::damping, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
+      {&keys::rayleigh,
        shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
-      {&words::modal, shaken + pair + "  a: {oscillator: {mass: 1 t, period: 1}, damping: {modal: @}}"},
-      {&words::force, shaken + "structures: {tower: {frame: " + map_of(with_floor) + ", forces: [@]}}"},
-      {&words::force_harmonic, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{harmonic: @}]}"},
-      {&words::force_sum_part, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{sum: [@], duration: 1}]}"},
-      {&words::force_pulse, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{pulse: @}]}"},
-      {&words::step_force, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{step_force: @}]}"},
-      {&words::frame, shaken + "structures: {tower: {frame: @}}"},
-      {&words::material, in_frame({{"material", "@"}})},
-      {&words::cross_section, in_frame({{"sections", "{one: @}"}})},
-      {&words::i_section, in_frame({{"sections", "{one: {i_section: @}}"}})},
-      {&words::tube, in_frame({{"sections", "{one: {tube: @}}"}})},
-      {&words::grid, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, grid: @, damping: 5 %}}}"},
-      {&words::bay_width,
+      {&keys::modal, shaken + pair + "  a: {oscillator: {mass: 1 t, period: 1}, damping: {modal: @}}"},
+      {&keys::force, shaken + "structures: {tower: {frame: " + map_of(with_floor) + ", forces: [@]}}"},
+      {&keys::force_harmonic, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{harmonic: @}]}"},
+      {&keys::force_sum_part, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{sum: [@], duration: 1}]}"},
+      {&keys::force_pulse, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{pulse: @}]}"},
+      {&keys::step_force, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{step_force: @}]}"},
+      {&keys::frame, shaken + "structures: {tower: {frame: @}}"},
+      {&keys::material, in_frame({{"material", "@"}})},
+      {&keys::cross_section, in_frame({{"sections", "{one: @}"}})},
+      {&keys::i_section, in_frame({{"sections", "{one: {i_section: @}}"}})},
+      {&keys::tube, in_frame({{"sections", "{one: {tube: @}}"}})},
+      {&keys::grid, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, grid: @, damping: 5 %}}}"},
+      {&keys::bay_width,
        shaken +
            "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, bays: [1, 1], "
            "storey_height: 3 m, columns: " +
            rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
-      {&words::member, in_frame({{"members", "{c1: @, " + others + "}"}})},
-      {&words::releases,
+      {&keys::member, in_frame({{"members", "{c1: @, " + others + "}"}})},
+      {&keys::releases,
        in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", releases: @}, " + others + "}"}})},
-      {&words::offsets,
+      {&keys::offsets,
        in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", offsets: @}, " + others + "}"}})},
-      {&words::support, in_frame({{"supports", "{a: @, d: fixed}"}})},
-      {&words::support_springs, in_space({{"supports", "{a: {springs: @}, d: fixed}"}})},
-      {&words::support_dashpots,
+      {&keys::support, in_frame({{"supports", "{a: @, d: fixed}"}})},
+      {&keys::support_springs, in_space({{"supports", "{a: {springs: @}, d: fixed}"}})},
+      {&keys::support_dashpots,
        in_space({{"supports", "{a: {dashpots: @}, d: fixed}"},
                  {"masses", "{a: {rx: 1 t m^2, ry: 1 t m^2, rz: 1 t m^2}, b: 10 t, c: 10 t}"}})},
-      {&words::isolator, isolated("@")},
-      {&words::floor, in_frame({{"floors", "[@]"}})},
-      {&words::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
-      {&words::node_loads, in_space({{"loads", "{b: @}"}})},
-      {&words::node_displacements, in_space({{"mass", "consistent"}, {"initial_node_displacements", "{b: @}"}})},
-      {&words::spring, in_space({{"springs", "[@]"}})},
-      {&words::tie, in_frame({{"ties", "[@]"}})},
-      {&words::report, in_frame({{"report", "@"}})},
-      {&words::hinge, in_frame({{"hinges", "{b1: @}"}})},
-      {&words::link, two_in_space + "links: [@]"},
-      {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
-      {&words::device, shaken + pair + "devices: {tie: @}"},
-      {&words::own_device,
+      {&keys::isolator, isolated("@")},
+      {&keys::floor, in_frame({{"floors", "[@]"}})},
+      {&keys::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
+      {&keys::node_loads, in_space({{"loads", "{b: @}"}})},
+      {&keys::node_displacements, in_space({{"mass", "consistent"}, {"initial_node_displacements", "{b: @}"}})},
+      {&keys::spring, in_space({{"springs", "[@]"}})},
+      {&keys::tie, in_frame({{"ties", "[@]"}})},
+      {&keys::report, in_frame({{"report", "@"}})},
+      {&keys::hinge, in_frame({{"hinges", "{b1: @}"}})},
+      {&keys::link, two_in_space + "links: [@]"},
+      {&keys::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
+      {&keys::device, shaken + pair + "devices: {tie: @}"},
+      {&keys::own_device,
        shaken + pair +
            "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, damping: 5 %, devices: {tie: @}}}"},
-      {&words::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
-      {&words::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
-      {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
-  for (const Section* law : words::laws_of_springs())
+      {&keys::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
+      {&keys::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
+      {&keys::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
+  for (const Section* law : keys::laws_of_springs())
     if (law == &s) return yielding(fmt::format("{{{}: @}}", law->name));
-  for (const Section* law : words::laws_of_devices())  // they are called device_LAW
+  for (const Section* law : keys::laws_of_devices())  // they are called device_LAW
     if (law == &s)
       return shaken + pair + fmt::format("devices: {{tie: {{between: [left, right], {}: @}}}}", law->name.substr(7));
-  for (const Section* law : words::laws_of_hinges())  // they are called hinge_LAW
+  for (const Section* law : keys::laws_of_hinges())  // they are called hinge_LAW
     if (law == &s) return in_frame({{"hinges", fmt::format("{{b1: {{at: both, {}: @}}}}", law->name.substr(6))}});
-  for (const Section* law : words::laws_of_isolators())  // they are called isolator_LAW
+  for (const Section* law : keys::laws_of_isolators())  // they are called isolator_LAW
     if (law == &s) return isolated(fmt::format("{{coupled: false, {}: @}}", law->name.substr(9)));
   return models.at(&s);
 }
 
 /// Keys that a section needs beside those that its table calls required, and values for its minimal models.
 inline const std::map<const Section*, Keys> beside = {
-    {&words::model, {{"analysis", "{duration: 1}"}}},
-    {&words::analysis, {{"duration", "1"}}},
-    {&words::reduction, {{"links", "5"}}},
-    {&words::ground_motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
-    {&words::components, {{"x", "{harmonic: {amplitude: 1, period: 1, duration: 1}}"}}},
-    {&words::motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
-    {&words::displacement, {{"harmonic", "{amplitude: 1 mm, period: 1, duration: 1}"}}},
-    {&words::structure, {{"oscillator", "{mass: 100 t, period: 0.8}"}, {"damping", "5 %"}}},
-    {&words::force, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
-    {&words::force_harmonic, {{"period", "1"}}},
-    {&words::force_sum_part, {{"period", "1"}}},
-    {&words::grid, {{"floor_mass", "20 t"}}},
-    {&words::oscillator, {{"damping", "5 %"}}},
-    {&words::shear_building, {{"damping", "5 %"}}},
-    {&words::frame, bent},
-    {&words::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
-    {&words::member, {{"between", "[a, b]"}, {"section", rectangle}}},
-    {&words::hinge, {{"yield_moment", "210 kN m"}}},
-    {&words::isolator, {{"coupled", "false"}}},
-    {&words::support, {{"fix", "[uz]"}, {"springs", "{ux: 20 MN/m}"}}},
-    {&words::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
-    {&words::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
+    {&keys::model, {{"analysis", "{duration: 1}"}}},
+    {&keys::analysis, {{"duration", "1"}}},
+    {&keys::reduction, {{"links", "5"}}},
+    {&keys::ground_motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&keys::components, {{"x", "{harmonic: {amplitude: 1, period: 1, duration: 1}}"}}},
+    {&keys::motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&keys::displacement, {{"harmonic", "{amplitude: 1 mm, period: 1, duration: 1}"}}},
+    {&keys::structure, {{"oscillator", "{mass: 100 t, period: 0.8}"}, {"damping", "5 %"}}},
+    {&keys::force, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&keys::force_harmonic, {{"period", "1"}}},
+    {&keys::force_sum_part, {{"period", "1"}}},
+    {&keys::grid, {{"floor_mass", "20 t"}}},
+    {&keys::oscillator, {{"damping", "5 %"}}},
+    {&keys::shear_building, {{"damping", "5 %"}}},
+    {&keys::frame, bent},
+    {&keys::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
+    {&keys::member, {{"between", "[a, b]"}, {"section", rectangle}}},
+    {&keys::hinge, {{"yield_moment", "210 kN m"}}},
+    {&keys::isolator, {{"coupled", "false"}}},
+    {&keys::support, {{"fix", "[uz]"}, {"springs", "{ux: 20 MN/m}"}}},
+    {&keys::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
+    {&keys::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
 
 /// Keys beside one word; an empty value takes the key out.
-inline const std::map<std::string, Keys> beside_word = {
+inline const std::map<std::string, Keys> beside_key = {
     {"reduction.modes", {{"links", ""}}},
     {"reduction.error", {{"links", ""}}},
     {"reduction.of", {{"links", ""}, {"error", "1e-4"}}},
@@ -306,24 +305,24 @@ inline const std::map<std::string, Keys> beside_word = {
     {"between.structure", {{"floor", "4"}}}};
 
 /// The keys of a minimal section with this word.
-inline Keys keys_around(const Section& s, const Word& word, const std::string& value) {
+inline Keys keys_around(const Section& s, const Key& spec, const std::string& value) {
   Keys keys;
-  for (const Word& each : s.words)
+  for (const Key& each : s.words)
     if (each.need == Need::required) keys[std::string(each.key)] = each.example;
   if (const auto more = beside.find(&s); more != beside.end())
     for (const auto& [key, text] : more->second) keys[key] = text;
-  if (word.need == Need::exactly_one)
-    for (const Word& each : s.words)
+  if (spec.need == Need::exactly_one)
+    for (const Key& each : s.words)
       if (each.need == Need::exactly_one) keys.erase(std::string(each.key));
-  keys[std::string(word.key)] = value;
+  keys[std::string(spec.key)] = value;
   for (const Need need : {Need::exactly_one, Need::at_least_one}) {
-    const auto is_one = [need](const Word& each) { return each.need == need; };
+    const auto is_one = [need](const Key& each) { return each.need == need; };
     const auto first = std::ranges::find_if(s.words, is_one);
     const bool has = std::ranges::any_of(
-        s.words, [&](const Word& each) { return is_one(each) && keys.contains(std::string(each.key)); });
+        s.words, [&](const Key& each) { return is_one(each) && keys.contains(std::string(each.key)); });
     if (first != s.words.end() && !has) keys[std::string(first->key)] = first->example;
   }
-  if (const auto more = beside_word.find(fmt::format("{}.{}", s.name, word.key)); more != beside_word.end())
+  if (const auto more = beside_key.find(fmt::format("{}.{}", s.name, spec.key)); more != beside_key.end())
     for (const auto& [key, text] : more->second) {
       if (text.empty())
         keys.erase(key);
@@ -334,17 +333,17 @@ inline Keys keys_around(const Section& s, const Word& word, const std::string& v
 }
 
 /// The keys of a link by this law with one of its parameters.
-inline Keys keys_of_law(const laws::Entry& law, const Word& word) {
-  const auto is = [&](const Word& each, laws::Need need) {
+inline Keys keys_of_law(const laws::Entry& law, const Key& spec) {
+  const auto is = [&](const Key& each, laws::Need need) {
     const auto found = std::ranges::find(law.parameters, each.key, &laws::ParameterInfo::name);
     return found != law.parameters.end() && found->need == need;
   };
-  const laws::Need needed = is(word, laws::Need::together) ? laws::Need::together : laws::Need::required;
-  const bool asks = needed == laws::Need::required && word.need != Need::exactly_one;
+  const laws::Need needed = is(spec, laws::Need::together) ? laws::Need::together : laws::Need::required;
+  const bool asks = needed == laws::Need::required && spec.need != Need::exactly_one;
   Keys keys{{"between", "[left, right]"}, {"gap", "20 mm"}, {"law", std::string(law.name)}};
-  for (const Word& each : words::parameters_of(law).words)
+  for (const Key& each : keys::parameters_of(law).keys)
     if (is(each, needed) || (each.key == "restitution" && asks)) keys[std::string(each.key)] = each.example;
-  keys[std::string(word.key)] = word.example;
+  keys[std::string(spec.key)] = spec.example;
   return keys;
 }
 
@@ -353,17 +352,17 @@ inline std::string with_keys(const Section& s, const Keys& keys) {
   return text.replace(text.find('@'), 1, map_of(keys)) + "\n";
 }
 
-inline std::string with_word(const Section& s, const Word& word, const std::string& value) {
-  if (s.name == "members" && word.key == "reference")
+inline std::string with_key(const Section& s, const Key& spec, const std::string& value) {
+  if (s.name == "members" && spec.key == "reference")
     return in_space({{"members", "{c1: {between: [a, b], section: " + rectangle + ", reference: " + value + "}, " +
                                      others + "}"}}) +
            "\n";
-  if (s.name == "between" && word.key == "face") {
+  if (s.name == "between" && spec.key == "face") {
     std::string text = two_in_space + "links: [{between: [{structure: left, face: " + value +
                        "}, right], law: hertz, stiffness: 1e9}]\n";
     return text.replace(text.find("6.02 m"), 6, "6.5 m");
   }
-  return with_keys(s, keys_around(s, word, value));
+  return with_keys(s, keys_around(s, spec, value));
 }
 
 /// The records that the examples name.

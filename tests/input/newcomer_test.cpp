@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <pounding/model/doubt_names.hpp>
+#include <pounding/model/warning_names.hpp>
 #include <pounding/reports/plausible.hpp>
 #include "support/models.hpp"
 
@@ -132,9 +132,9 @@ TEST(Newcomer, AsksForRestitutionsThatCannotBe) {
 }
 
 TEST(Newcomer, NamesTheLawsOfOtherPrograms) {
-  const auto meant = [](const std::string& word, const std::string& name) {
-    refused(law(word + ", stiffness: 2.75e9, restitution: 0.65"), at("5:47", "links[0].law"),
-            mentions({word, ". Did you mean", name}));
+  const auto meant = [](const std::string& spec, const std::string& name) {
+    refused(law(spec + ", stiffness: 2.75e9, restitution: 0.65"), at("5:47", "links[0].law"),
+            mentions({spec, ". Did you mean", name}));
   };
   meant("JankowskiImpact", "jankowski");
   meant("Jankowski", "jankowski");
@@ -151,9 +151,9 @@ TEST(Newcomer, NamesTheLawsOfOtherPrograms) {
 }
 
 TEST(Newcomer, GivesAFormulaForALaw) {
-  const auto meant = [](const std::string& word, const std::string& formula, const std::string& laws) {
-    refused(law(word + ", stiffness: 2.75e9, restitution: 0.65"), at("5:47", "links[0].law"),
-            mentions({word, ".", formula, "damping", laws}));
+  const auto meant = [](const std::string& spec, const std::string& formula, const std::string& laws) {
+    refused(law(spec + ", stiffness: 2.75e9, restitution: 0.65"), at("5:47", "links[0].law"),
+            mentions({spec, ".", formula, "damping", laws}));
   };
   meant("lankarani_nikravesh", "lankarani_nikravesh", "hertz_damped");
   meant("Lankarani-Nikravesh", "lankarani_nikravesh", "hertz_damped");
@@ -191,7 +191,7 @@ TEST(Newcomer, WritesTheLettersOfPapersForKeys) {
 TEST(Newcomer, AcceptsWarningsByTheirNames) {
   refused(rest(analysis + "accept: [gpa]\n"), at("7:10", "accept[0]"), mentions({"gpa", "gap"}));
   refused(rest(analysis + "accept: [everything]\n"),
-          fmt::format("7:10: accept[0]: unknown warning \"everything\". Allowed: {}.", fmt::join(doubt_names, ", ")));
+          fmt::format("7:10: accept[0]: unknown warning \"everything\". Allowed: {}.", fmt::join(warning_names, ", ")));
   refused(rest(analysis + "accept: gap\n"), at("7:9", "accept"), mentions({"[a, b]"}));
   refused(rest(analysis + "accept: {gap: true}\n"), at("7:9", "accept"), mentions({"[a, b]"}));
 }

@@ -132,9 +132,9 @@ TEST(ReductionInput, NeedsNoMatrixOfModalDamping) {
 }
 
 TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
-  const auto read = [](const std::string& place, const std::string& reduction) {
-    const std::string beside = place == "beside" ? ", damping: {modal: {ratio: 5 %}}" : "",
-                      inside = place == "inside" ? ", damping: {modal: {ratio: 5 %}}" : "";
+  const auto read = [](const std::string& location, const std::string& reduction) {
+    const std::string beside = location == "beside" ? ", damping: {modal: {ratio: 5 %}}" : "",
+                      inside = location == "inside" ? ", damping: {modal: {ratio: 5 %}}" : "";
     const std::string yaml =
         "structures:\n  a: {frame: {material: {E: 30 GPa}, grid: {storeys: 40, bays: 20, storey_height: 3 m, "
         "bay_width: 6 m, columns: "
@@ -145,9 +145,9 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
     };
     return read_model(Input::read_text(yaml, "test.yaml"), quick);
   };
-  for (const std::string place : {"beside", "inside"}) try {
-      read(place, "");
-      ADD_FAILURE() << "a matrix of 1680 modes was formed, damping " << place;
+  for (const std::string location : {"beside", "inside"}) try {
+      read(location, "");
+      ADD_FAILURE() << "a matrix of 1680 modes was formed, damping " << location;
     } catch (const InputError& error) {
       const std::string text = error.what();
       EXPECT_TRUE(test::mentions(text, {"damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}",

@@ -114,19 +114,19 @@ TYPED_TEST(LawContract, ContinuesSmoothlyPastTheSeparation) {
 
 TYPED_TEST(LawContract, PullsOnlyWhenItSaysSo) {
   std::mt19937 random(8);
-  double least = 0;
+  double minimum = 0;
   for (int i = 0; i < 2000; ++i) {
     State s = random_state(random);
     s.rate *= 5;
     const Response r = this->law.respond(s.penetration, s.rate, this->impact);
-    least = std::min(least, r.force);
+    minimum = std::min(minimum, r.force);
     const Response uncut = this->law.contact(s.penetration, s.rate, this->impact);
     const Response expected = may_pull<TypeParam> || uncut.force > 0 ? uncut : Response{};
     EXPECT_EQ(r.force, expected.force);
     EXPECT_EQ(r.by_penetration, expected.by_penetration);
     EXPECT_EQ(r.by_rate, expected.by_rate);
   }
-  EXPECT_EQ(least < 0, may_pull<TypeParam>);
+  EXPECT_EQ(minimum < 0, may_pull<TypeParam>);
 }
 
 TYPED_TEST(LawContract, ClosedCycleNeverGainsEnergy) {

@@ -325,9 +325,9 @@ TEST(FreeImpact, OverdampedKelvinVoigtNeverParts) {
   const FreeImpact r = free_impact(law, 1, 1);
   EXPECT_EQ(r.restitution, 0);
   EXPECT_TRUE(std::isinf(r.duration));
-  const KelvinVoigt asked{.stiffness = 1, .restitution = 0, .reduced_mass = 1};
-  EXPECT_EQ(asked.damping_number(1), 1);
-  EXPECT_EQ(free_impact(asked, 1, 1).restitution, 0);
+  const KelvinVoigt requested{.stiffness = 1, .restitution = 0, .reduced_mass = 1};
+  EXPECT_EQ(requested.damping_number(1), 1);
+  EXPECT_EQ(free_impact(requested, 1, 1).restitution, 0);
   // The integration creeps back until rounding lets the bodies part.
   EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0, 1e-12);
 }

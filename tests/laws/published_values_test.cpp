@@ -16,8 +16,8 @@
 namespace pounding::laws {
 namespace published_values_test {
 
-using reference::asked;
 using reference::half_unit;
+using reference::requested;
 
 constexpr const char* subject = "Published damping formulas: the damping and the restitution they give";
 constexpr const char* source =
@@ -71,8 +71,9 @@ void for_each_published(Check&& check) {
   for (const reference::FormulaRow& row : reference::formulas)
     for (const reference::Asking& asking : row.askings)
       for (std::size_t i = 0; i < 9; ++i) {
-        SCOPED_TRACE(std::string(row.name) + ", " + std::string(asking.law) + ", asked " + std::to_string(asked(i)));
-        check(row, asking, i, law_with(asking, asked(i)));
+        SCOPED_TRACE(std::string(row.name) + ", " + std::string(asking.law) + ", asked " +
+                     std::to_string(requested(i)));
+        check(row, asking, i, law_with(asking, requested(i)));
       }
 }
 
@@ -81,7 +82,7 @@ TEST(PublishedValues, ExactDampingAgreesWithTheReference) {
   for (const ExactRow& row : exact_damping)
     for (std::size_t i = 0; i < 9; ++i)
       book.near("damping number of " + std::string(row.law) + ", " + std::string(row.formula) + " [-]",
-                damping_number(law_with({row.law, row.formula}, asked(i)), 1), row.values[i], half_unit(6));
+                damping_number(law_with({row.law, row.formula}, requested(i)), 1), row.values[i], half_unit(6));
 }
 
 TEST(PublishedValues, EveryPublishedFormulaGivesItsValues) {
@@ -106,7 +107,8 @@ TEST(PublishedValues, ErrorInPercentIsThatOfTheReference) {
   test::Book book(subject, source, reason);
   for_each_published([&book](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
     const double e = free_impact(law, typical_reduced_mass, asking.speed).restitution;
-    book.near("obtained over asked restitution, less one [%]", 100 * (e / asked(i) - 1), row.percent[i], half_unit(2));
+    book.near("obtained over asked restitution, less one [%]", 100 * (e / requested(i) - 1), row.percent[i],
+              half_unit(2));
   });
 }
 
@@ -116,19 +118,20 @@ TEST(PublishedValues, JankowskiDashpotInBothPhasesGivesTheReference) {
   const reference::FormulaRow& row = reference::jankowski_in_both_phases;
   const double stiffness = 2.75e9, mass = typical_reduced_mass;
   for (std::size_t i = 0; i < 9; ++i) {
-    const double xi = jankowski_2005({.restitution = asked(i)}), z = 2 * xi / std::sqrt(5.0);
+    const double xi = jankowski_2005({.restitution = requested(i)}), z = 2 * xi / std::sqrt(5.0);
     const auto law = reference::jankowski_in_both_phases_of(xi, stiffness, mass);
     const double e = z < 1 ? integrated_free_impact(law, mass, 0.8).restitution : 0;
     book.near("restitution of Jankowski's dashpot left on in both phases [-]", e, row.obtained[i], half_unit(4));
-    book.near("the same over what was asked, less one [%]", 100 * (e / asked(i) - 1), row.percent[i], half_unit(2));
-    EXPECT_NEAR(e, restitution_to_zero_penetration(z), 1e-9) << asked(i);
+    book.near("the same over what was asked, less one [%]", 100 * (e / requested(i) - 1), row.percent[i], half_unit(2));
+    EXPECT_NEAR(e, restitution_to_zero_penetration(z), 1e-9) << requested(i);
   }
 }
 
 TEST(PublishedValues, Eq38GivesTheSameRatioToBothLawsThatOfferIt) {
   for (std::size_t i = 0; i < 9; ++i) {
-    const AnyLaw linear = law_with({"modified_linear_viscoelastic", "naderpour_2015_eq38"}, asked(i));
-    EXPECT_EQ(damping_number(law_with({"jankowski", "naderpour_2015_eq38"}, asked(i)), 1), damping_number(linear, 1));
+    const AnyLaw linear = law_with({"modified_linear_viscoelastic", "naderpour_2015_eq38"}, requested(i));
+    EXPECT_EQ(damping_number(law_with({"jankowski", "naderpour_2015_eq38"}, requested(i)), 1),
+              damping_number(linear, 1));
   }
 }
 
@@ -154,9 +157,9 @@ TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
   test::Book book(subject, source, reason);
   using namespace reference::bilinear;
   for (const reference::BilinearRow& row : rows) {
-    SCOPED_TRACE(row.asked);
+    SCOPED_TRACE(row.requested);
     const BilinearHertz law{.stiffness = 1,
-                            .restitution = row.asked,
+                            .restitution = row.requested,
                             .impact_velocity = design_speed,
                             .reduced_mass = mass,
                             .formula = muthukumar_desroches};
@@ -181,7 +184,7 @@ TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) 
   test::Book book(subject, source, reason);
   using namespace reference::bilinear;
   for (const reference::BilinearRow& row : rows) {
-    SCOPED_TRACE(row.asked);
+    SCOPED_TRACE(row.requested);
     const AnyLaw law = make_law({.law = "bilinear_hertz",
                                  .formula = {},
                                  .values = {{"initial_stiffness", row.stiffness_1},

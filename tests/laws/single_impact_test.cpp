@@ -22,10 +22,10 @@ TEST(SingleImpact, ExampleOfSection51GivesTheReferenceHistory) {
   test::Book book("Two floors that collide at 15 m/s (section 5.1 of the paper)", source, reason);
   using namespace reference::section_5_1;
   for (const reference::Section51Row& row : rows) {
-    SCOPED_TRACE(std::string(row.law) + ' ' + std::string(row.formula) + ' ' + std::to_string(row.asked));
+    SCOPED_TRACE(std::string(row.law) + ' ' + std::string(row.formula) + ' ' + std::to_string(row.requested));
     const AnyLaw law = make_law({.law = std::string(row.law),
                                  .formula = std::string(row.formula),
-                                 .restitution = row.asked,
+                                 .restitution = row.requested,
                                  .reduced_mass = mass,
                                  .values = {{"stiffness", stiffness}}});
     book.near(std::string(row.law) + ": damping number [-]", damping_number(law, speed), row.damping, half_unit(5));
@@ -62,10 +62,10 @@ TEST(SingleImpact, KelvinVoigtGivesTheReferenceHistoryWithAndWithoutPull) {
   test::Book book("Kelvin-Voigt impact with and without pull", source, reason);
   using namespace reference::kelvin_voigt;
   for (const reference::KelvinVoigtRow& row : rows) {
-    SCOPED_TRACE(row.asked);
-    const KelvinVoigt pulls{.stiffness = stiffness, .restitution = row.asked, .reduced_mass = mass};
+    SCOPED_TRACE(row.requested);
+    const KelvinVoigt pulls{.stiffness = stiffness, .restitution = row.requested, .reduced_mass = mass};
     const KelvinVoigtNoTension cut{
-        .stiffness = stiffness, .restitution = row.asked, .reduced_mass = mass, .formula = anagnostopoulos};
+        .stiffness = stiffness, .restitution = row.requested, .reduced_mass = mass, .formula = anagnostopoulos};
     book.near("kelvin_voigt: damping ratio [-]", pulls.damping_number(speed), row.ratio, half_unit(6));
     book.near("kelvin_voigt: dashpot coefficient [N s/m]", pulls.damping_for(speed), row.coefficient, half_unit(1));
     EXPECT_EQ(cut.damping_for(speed), pulls.damping_for(speed));
@@ -93,7 +93,7 @@ TEST(SingleImpact, ExampleOfSection5GivesTheReferenceValues) {
     SCOPED_TRACE(row.formula);
     const AnyLaw law = make_law({.law = "hertz_damped",
                                  .formula = std::string(row.formula),
-                                 .restitution = asked,
+                                 .restitution = requested,
                                  .values = {{"stiffness", stiffness}}});
     book.near("hertz_damped: damping factor [-]", damping_number(law, speed), row.factor, half_unit(6));
     book.near("hertz_damped: damping coefficient [kN s/m^2.5]",
@@ -105,7 +105,8 @@ TEST(SingleImpact, ExampleOfSection5GivesTheReferenceValues) {
       book.near("hertz_damped: energy lost [kJ]", r.energy_lost / kilonewton, row.lost, half_unit(5));
     }
     book.near("hertz_damped: energy lost if e were as asked (Eq. 18) [kJ]",
-              0.5 * mass * speed * speed * (1 - asked * asked) / kilonewton, row.lost_if_as_asked, half_unit(5));
+              0.5 * mass * speed * speed * (1 - requested * requested) / kilonewton, row.lost_if_as_requested,
+              half_unit(5));
   }
 }
 

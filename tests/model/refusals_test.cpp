@@ -114,12 +114,12 @@ TEST(ModelByCode, SaysWhatItLacks) {
   EXPECT_TRUE(test::mentions(refused_model([](Model& m) { m.analysis.output_step = 1e-9; }),
                              {"analysis: {output_step: 0.0001}", "1e+09"}));
   EXPECT_TRUE(
-      test::mentions(refused_model([](Model& m) { m.analysis.most_steps = 0; }), {"[1, 2000000000]", "most_steps"}));
-  EXPECT_TRUE(test::mentions(refused_model([](Model& m) { m.analysis.most_steps = 10; }),
+      test::mentions(refused_model([](Model& m) { m.analysis.max_steps = 0; }), {"[1, 2000000000]", "most_steps"}));
+  EXPECT_TRUE(test::mentions(refused_model([](Model& m) { m.analysis.max_steps = 10; }),
                              {"analysis: {duration: 0.5 s}", "{most_steps: 40}", "1 s", "20", "10"}));
   EXPECT_TRUE(
       test::mentions(refused_model([](Model& m) {
-                       m.analysis.most_steps = 1000;
+                       m.analysis.max_steps = 1000;
                        m.ground.components[0] = GroundMotion(Harmonic{1, 1e-3, 1});
                      }),
                      {"analysis: {duration: 0.1 s}", "{most_steps: 20000}", "1 m/s^2", "0.001 s", "1e+04", "1000"}));

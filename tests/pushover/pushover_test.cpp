@@ -150,7 +150,7 @@ class PushoverWithDevices : public testing::Test {
             "}, damping: 5 %}\nground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
             "analysis: {duration: 1}\n",
         "towers.yaml"));
-    PushoverWords words{.structure = "a", .to = "100 mm"};
+    PushoverInput words{.structure = "a", .to = "100 mm"};
     words.cyclic = cyclic;
     return pushover(model, words);
   }
@@ -232,12 +232,12 @@ TEST(Pushover, RefusesWhatCannotBePushed) {
   EXPECT_TRUE(test::mentions(text(one, {.targets = {0.004}}), {"10 mm", "11 mm"}));
 }
 
-class PushoverWordsTest : public testing::Test {
+class PushoverInputTest : public testing::Test {
  protected:
-  std::string refusal(PushoverWords words) {
+  std::string refusal(PushoverInput words) {
     return test::refusal<InputError>([&] { pushover(model_, words); });
   }
-  Pushover found(const PushoverWords& words) const { return pushover(model_, words); }
+  Pushover found(const PushoverInput& words) const { return pushover(model_, words); }
 
   Model model_ = read_model(Input::read_text(R"(
 structures:
@@ -250,7 +250,7 @@ analysis: {duration: 1}
                                              "towers.yaml"));
 };
 
-TEST_F(PushoverWordsTest, ReadsDisplacementsOfTheRoof) {
+TEST_F(PushoverInputTest, ReadsDisplacementsOfTheRoof) {
   EXPECT_NEAR(found({.structure = "old", .to = "2 % roof"}).options.targets.at(0), 0.12, 1e-15);
   EXPECT_NEAR(found({.structure = "old", .to = "-2%"}).options.targets.at(0), -0.12, 1e-15);
   EXPECT_NEAR(found({.structure = "old", .to = "25 cm roof"}).options.targets.at(0), 0.25, 1e-15);
@@ -261,7 +261,7 @@ TEST_F(PushoverWordsTest, ReadsDisplacementsOfTheRoof) {
   EXPECT_NEAR(cycles[3], 0.18, 1e-15);
 }
 
-TEST_F(PushoverWordsTest, SaysWhatToType) {
+TEST_F(PushoverInputTest, SaysWhatToType) {
   EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "250"}), {"250 mm", "2 % roof", "--to"}));
   EXPECT_TRUE(test::mentions(refusal({.structure = "old", .to = "0 mm"}), {"250 mm", "2 % roof", "--to"}));
   EXPECT_TRUE(test::mentions(refusal({.structure = "old"}), {"250 mm", "2 % roof", "--to"}));
@@ -281,7 +281,7 @@ TEST_F(PushoverWordsTest, SaysWhatToType) {
                              {"towers.yaml", "structures.old", "16.67 mm", "18 mm"}));
 }
 
-TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
+TEST_F(PushoverInputTest, ReadsForcesFromAFile) {
   const std::string path = testing::TempDir() + "forces.txt";
   std::ofstream(path) << "# from the ground up\n1\n3  # roof\n";
   EXPECT_NEAR(found({.structure = "old", .load = path, .to = "2 %"}).loads[1], 0.75, 1e-15);

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/laws/compiled.hpp>
 #include "input/minimal_models.hpp"
 
@@ -20,14 +20,14 @@ void write(const std::string& folder, std::string_view section, std::string_view
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** keys) {
   if (count != 2) return 2;
-  const std::string folder = words[1];
+  const std::string folder = keys[1];
   test::write_records(folder);
-  for (const words::Section* section : words::sections())
-    for (const words::Word& word : section->words)
-      write(folder, section->name, word.key, test::with_word(*section, word, std::string(word.example)));
+  for (const keys::Section* section : keys::sections())
+    for (const keys::Key& spec : section->keys)
+      write(folder, section->name, spec.key, test::with_key(*section, spec, std::string(spec.example)));
   for (const laws::Entry& law : laws::catalogue())
-    for (const words::Word& word : words::parameters_of(law).words)
-      write(folder, law.name, word.key, test::with_keys(words::link, test::keys_of_law(law, word)));
+    for (const keys::Key& spec : keys::parameters_of(law).keys)
+      write(folder, law.name, spec.key, test::with_keys(keys::link, test::keys_of_law(law, spec)));
 }

@@ -39,10 +39,10 @@ TEST(BeyondExtremes, AreFoundWhereverTheyAre) {
       const auto at = evaluated.col(q).head<batch>().array();
       const Eigen::Array<double, batch, 1> away = third * evaluated.col(q).tail<batch>().array().abs();
       const double largest = std::max((at + away).maxCoeff(), values[q] + third_begin * std::abs(rates[q]));
-      const double least = std::min((at - away).minCoeff(), values[q] - third_begin * std::abs(rates[q]));
+      const double minimum = std::min((at - away).minCoeff(), values[q] - third_begin * std::abs(rates[q]));
       const int kind = static_cast<int>(random() % 4);
       extremes.update(q, 0, kind == 1 ? std::nextafter(largest, -9) : largest);
-      extremes.update(q, 0, kind == 2 ? std::nextafter(least, 9) : least);
+      extremes.update(q, 0, kind == 2 ? std::nextafter(minimum, 9) : minimum);
       if (kind == 1 || kind == 2) wanted.push_back(q);
     }
     std::vector<int> found;

@@ -314,14 +314,14 @@ TEST(EqualStructures, ShareModesWhereTheyAreDrivenAlikeAndKeepTheBitsOfEachByIts
 }
 
 // A file is used where its time moves.
-TEST(KeptModes, AreThoseThatAreMade) {
+TEST(CachedModes, AreThoseThatAreMade) {
   namespace fs = std::filesystem;
   const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6}, lowest{.kind = Kind::lowest, .modes = 10};
   const Row row;
   const fs::path folder = fs::temp_directory_path() / fmt::format("kept_of_a_row_{}", getpid());
-  const auto groups = [&](const std::string& kept_in) {
+  const auto groups = [&](const std::string& cache_folder) {
     ReductionPlan plan{{"t0", "t1", "t2", "t3", "t4"}, {blocks, blocks, blocks, blocks, lowest}, row.u, row.v, 1e-4};
-    plan.kept_in = kept_in;
+    plan.cache_folder = cache_folder;
     return *reduced_groups(row.system, plan);
   };
   const ReducedGroups made = groups(""), kept = groups(folder);

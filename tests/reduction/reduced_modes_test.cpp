@@ -76,7 +76,7 @@ TEST_P(ReducedTower, HasTheNaturalModesWhereAllBlocksAreTaken) {
   ReducedModes reduced = tower.reduced();
   tower.inputs.links.setIdentity(tower.size(), tower.size());
   ReducedModes by_all_unknowns = tower.reduced();
-  const int count = reduced.most();
+  const int count = reduced.maximum();
   EXPECT_EQ(count, static_cast<int>(split_by_mass(tower.mass).dynamic.size()));
   const Eigenmodes natural = dense_modes(tower.mass, tower.stiffness, count);
   const GroupModes all = by_all_unknowns.modes({.links = 2, .ground = 1});

@@ -90,7 +90,7 @@ TEST(Plausible, GapsAreNarrow) {
 }
 
 // The first doubt of a model with one change; the doubt must be the only one unless `count` says otherwise.
-void expect_doubt(const Model& model, const std::string& name, const test::Facts& facts, std::size_t count = 1) {
+void expect_warning(const Model& model, const std::string& name, const test::Facts& facts, std::size_t count = 1) {
   const Texts found = implausible(model);
   ASSERT_EQ(found.size(), count);
   EXPECT_TRUE(test::mentions(found[0], facts));
@@ -111,18 +111,19 @@ std::string dense_frame(const std::string& floor_mass = "60 t", const std::strin
 TEST(Plausible, NumbersAsTheyAreTypedAreThoseOfBuildings) {
   EXPECT_EQ(implausible(model_of(dense_frame())), Texts{});
   // The members alone make floors of more than 1 t.
-  expect_doubt(model_of(dense_frame("90")), "mass", {"structures.a.frame.grid.floor_mass", "1 t", "90 t"});
-  expect_doubt(model_of(dense_frame("[90, 80]")), "mass", {"[0]", "structures.a.frame.grid.floor_mass", "1 t", "90 t"});
-  expect_doubt(model_of(dense_frame("60 t", "2.5")), "density",
-               {"structures.a.frame.material.density", "100 kg/m^3", "2.5"});
-  expect_doubt(model_of(dense_frame("60 t", "25000")), "density",
-               {"structures.a.frame.material.density", "1.5e+04 kg/m^3", "25000"});
-  expect_doubt(model_of(dense_frame("60 t", "2500", "35")), "stiffness",
-               {"structures.a.frame.sections.C.stiffness", "35", "2"});
-  expect_doubt(model_of(dense_frame("60 t", "2500", "0.35 %")), "stiffness",
-               {"structures.a.frame.sections.C.stiffness", "0.35 %", "0.02"});
-  expect_doubt(model_of(dense_frame("60 t", "2500", "0.7", "storey_height: 3 m, bay_width: 6000")), "height",
-               {"structures.a.frame.grid.bay_width", "300 m", "6000"});
+  expect_warning(model_of(dense_frame("90")), "mass", {"structures.a.frame.grid.floor_mass", "1 t", "90 t"});
+  expect_warning(model_of(dense_frame("[90, 80]")), "mass",
+                 {"[0]", "structures.a.frame.grid.floor_mass", "1 t", "90 t"});
+  expect_warning(model_of(dense_frame("60 t", "2.5")), "density",
+                 {"structures.a.frame.material.density", "100 kg/m^3", "2.5"});
+  expect_warning(model_of(dense_frame("60 t", "25000")), "density",
+                 {"structures.a.frame.material.density", "1.5e+04 kg/m^3", "25000"});
+  expect_warning(model_of(dense_frame("60 t", "2500", "35")), "stiffness",
+                 {"structures.a.frame.sections.C.stiffness", "35", "2"});
+  expect_warning(model_of(dense_frame("60 t", "2500", "0.35 %")), "stiffness",
+                 {"structures.a.frame.sections.C.stiffness", "0.35 %", "0.02"});
+  expect_warning(model_of(dense_frame("60 t", "2500", "0.7", "storey_height: 3 m, bay_width: 6000")), "height",
+                 {"structures.a.frame.grid.bay_width", "300 m", "6000"});
   for (const char* left_out : {"0", "0 t"}) EXPECT_EQ(implausible(model_of(dense_frame(left_out))), Texts{});
   EXPECT_EQ(implausible(model_of(dense_frame("60 t", "0"))), Texts{});
 }
@@ -140,11 +141,12 @@ TEST(Plausible, DampingRatiosAreThoseOfBuildings) {
   };
   for (const char* usual : {"5 %", "0", "0.5 %", "0.1 %", "30 %", "{rayleigh: {ratio: 2 %}}"})
     EXPECT_EQ(implausible(damped(usual)), Texts{}) << usual;
-  expect_doubt(damped("0.05 %"), "damping", {"structures.a.damping", "0.05 %", "5 %", "0.001"});
-  expect_doubt(damped("0.5"), "damping", {"structures.a.damping", "5 %", "0.5", "0.4"});
-  expect_doubt(damped("{modal: {ratio: 0.05 %}}"), "damping", {"structures.a.damping.modal.ratio", "0.05 %", "0.001"});
-  expect_doubt(model_of("  a: {oscillator: {mass: 100 t, period: 0.8, damping: 0.0005}}\n"), "damping",
-               {"structures.a.oscillator.damping", "0.0005"});
+  expect_warning(damped("0.05 %"), "damping", {"structures.a.damping", "0.05 %", "5 %", "0.001"});
+  expect_warning(damped("0.5"), "damping", {"structures.a.damping", "5 %", "0.5", "0.4"});
+  expect_warning(damped("{modal: {ratio: 0.05 %}}"), "damping",
+                 {"structures.a.damping.modal.ratio", "0.05 %", "0.001"});
+  expect_warning(model_of("  a: {oscillator: {mass: 100 t, period: 0.8, damping: 0.0005}}\n"), "damping",
+                 {"structures.a.oscillator.damping", "0.0005"});
 }
 
 TEST(Plausible, IsolatorsBearTheirWeight) {
@@ -156,16 +158,16 @@ TEST(Plausible, IsolatorsBearTheirWeight) {
       "lead_rubber: {strength: 300 kN, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}";
   EXPECT_EQ(implausible(isolated(rubber + ", capacity: 350 mm")), Texts{});
   EXPECT_EQ(implausible(isolated("friction_pendulum: {radius: 2 m, friction: 6 %}")), Texts{});
-  expect_doubt(isolated(rubber + ", capacity: 350"), "isolator",
-               {"structures.a.shear_building.isolator.capacity", "3 m", "350"});
-  expect_doubt(isolated(rubber + ", capacity: 0.35 mm"), "isolator",
-               {"structures.a.shear_building.isolator.capacity", "0.35 mm", "10 mm"});
-  expect_doubt(isolated("lead_rubber: {strength: 300, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"),
-               "isolator", {"300 N", "0.0051 %", "5.884 MN", "2 %", "15 %", "a"});
-  expect_doubt(isolated("lead_rubber: {strength: 300 MN, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"),
-               "isolator", {"a"});
-  expect_doubt(isolated("friction_pendulum: {radius: 2000, friction: 6 %}"), "isolator",
-               {"structures.a.shear_building.isolator.friction_pendulum.radius", "2000"});
+  expect_warning(isolated(rubber + ", capacity: 350"), "isolator",
+                 {"structures.a.shear_building.isolator.capacity", "3 m", "350"});
+  expect_warning(isolated(rubber + ", capacity: 0.35 mm"), "isolator",
+                 {"structures.a.shear_building.isolator.capacity", "0.35 mm", "10 mm"});
+  expect_warning(isolated("lead_rubber: {strength: 300, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"),
+                 "isolator", {"300 N", "0.0051 %", "5.884 MN", "2 %", "15 %", "a"});
+  expect_warning(isolated("lead_rubber: {strength: 300 MN, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"),
+                 "isolator", {"a"});
+  expect_warning(isolated("friction_pendulum: {radius: 2000, friction: 6 %}"), "isolator",
+                 {"structures.a.shear_building.isolator.friction_pendulum.radius", "2000"});
 }
 
 TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
@@ -175,10 +177,10 @@ TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
                     rest);
   };
   EXPECT_EQ(implausible(building(", height: 3.2 m")), Texts{});
-  expect_doubt(building(", height: 3200"), "height", {"structures.a.shear_building.height", "50 m", "3200"});
-  expect_doubt(building(", height: 3.2 mm"), "height", {"structures.a.shear_building.height", "3.2 mm", "300 mm"});
-  expect_doubt(building(", initial_displacement: 20"), "initial", {"20 m", "2 m", "a"});
-  expect_doubt(building(", initial_velocity: 300"), "initial", {"300 m/s", "10 m/s", "a"});
+  expect_warning(building(", height: 3200"), "height", {"structures.a.shear_building.height", "50 m", "3200"});
+  expect_warning(building(", height: 3.2 mm"), "height", {"structures.a.shear_building.height", "3.2 mm", "300 mm"});
+  expect_warning(building(", initial_displacement: 20"), "initial", {"20 m", "2 m", "a"});
+  expect_warning(building(", initial_velocity: 300"), "initial", {"300 m/s", "10 m/s", "a"});
   EXPECT_EQ(implausible(model_of("  ball: {body: {mass: 1 kg}, initial_velocity: 30 m/s}\n  w: {wall: {}}\n")), Texts{})
       << "bodies may be fast";
   const auto gap = [&](const std::string& width) {
@@ -186,8 +188,8 @@ TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
   };
   EXPECT_EQ(implausible(gap("0")), Texts{});
   EXPECT_EQ(implausible(gap("0.1 mm")), Texts{});
-  expect_doubt(gap("0.02 mm"), "gap", {"0.02 mm", "0.05 mm", "a.2-w"});
-  expect_doubt(gap("20"), "gap", {"20 m", "2 m", "a.2-w"});
+  expect_warning(gap("0.02 mm"), "gap", {"0.02 mm", "0.05 mm", "a.2-w"});
+  expect_warning(gap("20"), "gap", {"20 m", "2 m", "a.2-w"});
 }
 
 TEST(Plausible, GroundMotionsAreThoseOfEarthquakes) {
@@ -195,11 +197,11 @@ TEST(Plausible, GroundMotionsAreThoseOfEarthquakes) {
     return model_of(oscillator("mass: 100 t, period: 0.8"), "ground_motion: " + motion + "\n");
   };
   EXPECT_EQ(implausible(shaken("{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}")), Texts{});
-  expect_doubt(shaken("{harmonic: {amplitude: 300, period: 0.6, duration: 3.0}}"), "scale", {"30.59 g", "10 g"});
-  expect_doubt(shaken("{pulse: {shape: sine, amplitude: 0.3, duration: 0.5}}"), "pga",
-               {"ground_motion.pulse.amplitude", "0.0306 g", "0.3 g", "m/s^2"});
-  expect_doubt(shaken("{displacement: {harmonic: {amplitude: 20, period: 0.5 s, duration: 10 s}}}"), "amplitude",
-               {"ground_motion.displacement.harmonic.amplitude", "5 m", "20"}, 2);
+  expect_warning(shaken("{harmonic: {amplitude: 300, period: 0.6, duration: 3.0}}"), "scale", {"30.59 g", "10 g"});
+  expect_warning(shaken("{pulse: {shape: sine, amplitude: 0.3, duration: 0.5}}"), "pga",
+                 {"ground_motion.pulse.amplitude", "0.0306 g", "0.3 g", "m/s^2"});
+  expect_warning(shaken("{displacement: {harmonic: {amplitude: 20, period: 0.5 s, duration: 10 s}}}"), "amplitude",
+                 {"ground_motion.displacement.harmonic.amplitude", "5 m", "20"}, 2);
 }
 
 TEST(Plausible, DriftsOfMoreThanATenthOfTheStoreyAreDoubted) {
@@ -261,7 +263,7 @@ Model shaken(const GroundComponents& components, double duration) {
   return model;
 }
 
-Texts doubts_of(Model model) {
+Texts warnings_of(Model model) {
   model.complete();
   return implausible(model);
 }
@@ -271,15 +273,15 @@ TEST(Plausible, RecordsAreNotCutByTheDuration) {
   EXPECT_NEAR(arias_fraction_after(*record.samples(), 0.5), 0.75, 0.01);
   EXPECT_EQ(arias_fraction_after(*record.samples(), -1), 1);
   EXPECT_EQ(arias_fraction_after(*record.samples(), 2), 0);
-  EXPECT_EQ(doubts_of(shaken({record}, 2)), Texts{});
-  EXPECT_EQ(doubts_of(shaken({record}, 1.92)), Texts{}) << "4 % are lost";
-  const Texts cut = doubts_of(shaken({record}, 1));
+  EXPECT_EQ(warnings_of(shaken({record}, 2)), Texts{});
+  EXPECT_EQ(warnings_of(shaken({record}, 1.92)), Texts{}) << "4 % are lost";
+  const Texts cut = warnings_of(shaken({record}, 1));
   ASSERT_EQ(cut.size(), 1u);
   EXPECT_TRUE(test::mentions(cut[0], {"accept: [duration]", "1 s", "5 %", "50 %", "1.9 s"}));
   Model accepted = shaken({record}, 1);
   accepted.accept = {"duration"};
-  EXPECT_EQ(doubts_of(std::move(accepted)), Texts{});
-  EXPECT_EQ(doubts_of(shaken({record}, 0)), Texts{}) << "without a duration the run lasts as long as the record";
+  EXPECT_EQ(warnings_of(std::move(accepted)), Texts{});
+  EXPECT_EQ(warnings_of(shaken({record}, 0)), Texts{}) << "without a duration the run lasts as long as the record";
 }
 
 TEST(Plausible, RecordsCutByTheDurationAreCounted) {
@@ -288,7 +290,7 @@ TEST(Plausible, RecordsCutByTheDurationAreCounted) {
             {.ground_motion = GroundComponents{GroundMotion(even_record(4))}});
   model.add("c", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}),
             {.forces = {{.history = GroundMotion(even_record(1))}}});
-  const Texts cut = doubts_of(std::move(model));
+  const Texts cut = warnings_of(std::move(model));
   ASSERT_EQ(cut.size(), 1u);
   EXPECT_TRUE(test::mentions(cut[0], {"5 %", "62 %", "2", "3"}));
 }
@@ -296,13 +298,13 @@ TEST(Plausible, RecordsCutByTheDurationAreCounted) {
 TEST(Plausible, ARecordIsCutWhereItArrivesLast) {
   Model model = shaken({GroundMotion(even_record())}, 2);
   model.add("late", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}), {.delay = 0.5});
-  const Texts cut = doubts_of(std::move(model));
+  const Texts cut = warnings_of(std::move(model));
   ASSERT_EQ(cut.size(), 1u);
   EXPECT_TRUE(test::mentions(cut[0], {"5 %", "25 %", "2.4 s"}));
 }
 
 TEST(Plausible, MotionsInClosedFormAreAsLongAsTheFileSays) {
-  EXPECT_EQ(doubts_of(shaken({GroundMotion(Harmonic{.amplitude = 1, .period = 0.5, .duration = 9})}, 1)), Texts{});
+  EXPECT_EQ(warnings_of(shaken({GroundMotion(Harmonic{.amplitude = 1, .period = 0.5, .duration = 9})}, 1)), Texts{});
 }
 
 TEST(Plausible, ByCodeUnknownNamesAreRefused) {

@@ -41,9 +41,9 @@ void expect_printed(test::Book& book, const Table& table, const std::string& row
   SCOPED_TRACE(row);
   const auto column = std::ranges::find(table.headings, heading, &Table::Heading::name);
   const std::string unit = column == table.headings.end() || column->unit.empty() ? "-" : column->unit;
-  const bool is_asked =
+  const bool is_requested =
       heading.find_first_not_of("0123456789.") == std::string::npos;  // a column for each restitution asked
-  book.near(fmt::format("{} [{}]", is_asked ? "error where " + heading + " is asked" : heading, unit),
+  book.near(fmt::format("{} [{}]", is_requested ? "error where " + heading + " is asked" : heading, unit),
             table.at(row, heading), value, half_unit(decimals) + relative * std::abs(value), at);
 }
 
@@ -154,7 +154,7 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
     expect_printed(book, example, names[i], "penetration", row.penetration, 6);
     expect_printed(book, example, names[i], "peak force", row.force, 3);
     expect_printed(book, example, names[i], "energy lost", row.lost, 5);
-    expect_printed(book, example, names[i], "Eq. 18", row.lost_if_as_asked, 5);
+    expect_printed(book, example, names[i], "Eq. 18", row.lost_if_as_requested, 5);
   }
   // Reference: k/v = 3000, with k = 30000 and v = 10.
   constexpr reference::Nine obtained{0.0665, 0.1503, 0.2474, 0.3532, 0.4656, 0.5860, 0.7115, 0.8334, 0.9346};
@@ -192,7 +192,7 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
     const auto row = std::ranges::find(reference::formulas, in_reference, &reference::FormulaRow::name);
     ASSERT_NE(row, reference::formulas.end()) << in_reference;
     for (std::size_t i = 0; i < 9; ++i)
-      expect_printed(book, errors, name, fmt::format("{:.1f}", reference::asked(i)), row->percent[i], 2);
+      expect_printed(book, errors, name, fmt::format("{:.1f}", reference::requested(i)), row->percent[i], 2);
   }
   const Table& runs = item.table("runs");
   for (const reference::Section51Row& row : reference::section_5_1::rows) {
@@ -203,7 +203,7 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
                              : formula == "naderpour_2015"      ? "Eq. 16, proposed"
                              : formula == "lankarani_nikravesh" ? "Eq. 12, Lankarani"
                                                                 : "Eq. 14, Ye 2009";
-    const std::string key = fmt::format("{:.1f}, {}", row.asked, name);
+    const std::string key = fmt::format("{:.1f}, {}", row.requested, name);
     expect_printed(book, runs, key, "damping", row.damping, 5);
     expect_printed(book, runs, key, "restitution", row.restitution, 5);
     expect_printed(book, runs, key, "penetration", row.penetration, 6);
@@ -264,7 +264,7 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
   constexpr reference::Nine by_eq38{0.0040, 0.0170, 0.0423, 0.0863, 0.1606, 0.2823, 0.4677, 0.7050, 0.9175};
   const Table& ratios = item.table("ratios");
   for (std::size_t i = 0; i < 9; ++i) {
-    const std::string row = fmt::format("{:.1f}", reference::asked(i));
+    const std::string row = fmt::format("{:.1f}", reference::requested(i));
     expect_printed(book, ratios, row, "Eq. 38, proposed", eq38[i], 5);
     expect_printed(book, ratios, row, "Jankowski", jankowski[i], 5);
     expect_printed(book, ratios, row, "Mahmoud", mahmoud[i], 5);

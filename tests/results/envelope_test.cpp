@@ -63,17 +63,17 @@ TEST(Extremes, OfAPathOfDegreeFourAreFoundAndBounded) {
     extremes.update(0, 1, path.begin);
     extremes.update(0, 1, 2, path);
     const auto [low, high] = path.bounds();
-    double least = path.begin, largest = path.begin;
+    double minimum = path.begin, largest = path.begin;
     for (int k = 1; k <= 1000; ++k) {
       const double value = path.at(1e-3 * k);
-      least = std::min(least, value);
+      minimum = std::min(minimum, value);
       largest = std::max(largest, value);
     }
-    EXPECT_GE(least, low);
+    EXPECT_GE(minimum, low);
     EXPECT_LE(largest, high);
     // A parabola leaves a path by a 125th of the third derivative times the third power of its length.
     const double allowed = std::pow(0.25, 3) / 124 * (6 * std::abs(path.alpha) + 12 * std::abs(path.beta)) + 1e-6;
-    EXPECT_NEAR(extremes.min[0], least, allowed);
+    EXPECT_NEAR(extremes.min[0], minimum, allowed);
     EXPECT_NEAR(extremes.max[0], largest, allowed);
   }
 }
@@ -98,7 +98,7 @@ TEST(Extremes, OfManyStepsAreThoseOfEachStepAlone) {
   std::normal_distribution<double> any;
   for (int round = 0; round < 200; ++round) {
     Extremes cubics(1), parabolas(1);
-    double begin = 0, rate = 1, time = 0, least[2] = {0, 0}, largest[2] = {0, 0};
+    double begin = 0, rate = 1, time = 0, minimum[2] = {0, 0}, largest[2] = {0, 0};
     cubics.update(0, time, begin);
     parabolas.update(0, time, begin);
     for (int step = 0; step < 20; ++step) {
@@ -110,12 +110,12 @@ TEST(Extremes, OfManyStepsAreThoseOfEachStepAlone) {
       alone[0].update(0, time, h, begin, rate, end, rate_end);
       alone[1].update(0, time, h, begin, middle, end);
       for (int i = 0; i < 2; ++i) {
-        least[i] = std::min(least[i], alone[i].min[0]);
+        minimum[i] = std::min(minimum[i], alone[i].min[0]);
         largest[i] = std::max(largest[i], alone[i].max[0]);
       }
-      ASSERT_EQ(cubics.min[0], least[0]);
+      ASSERT_EQ(cubics.min[0], minimum[0]);
       ASSERT_EQ(cubics.max[0], largest[0]);
-      ASSERT_EQ(parabolas.min[0], least[1]);
+      ASSERT_EQ(parabolas.min[0], minimum[1]);
       ASSERT_EQ(parabolas.max[0], largest[1]);
       begin = end;
       rate = rate_end;

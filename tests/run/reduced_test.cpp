@@ -94,10 +94,10 @@ TEST_F(ReducedRun, TellsMoreThanItsErrors) {
   for (const int links : {2, 3, 4, 5}) {
     const Outcome reduced = Pair{}.run(fmt::format(", reduction: {{links: {}, ground: {}}}", links, 4 * links));
     ASSERT_EQ(reduced.summary.reduced.size(), 2u);
-    double told = 0;
+    double reported = 0;
     for (std::size_t k = 0; k < 2; ++k) {
       const ReducedStructure& s = reduced.summary.reduced[k];
-      told = std::max(told, s.error_force);
+      reported = std::max(reported, s.error_force);
       const double displacement =
           history_error(reduced.results.structures[k].displacement, all_modes().results.structures[k].displacement);
       const double shear =
@@ -113,9 +113,9 @@ TEST_F(ReducedRun, TellsMoreThanItsErrors) {
                      fmt::format("{} | {:.1e} {:.1e}", s.error_text(), displacement, shear));
     }
     const double force = force_error(reduced, all_modes());
-    EXPECT_LT(force, told + floor) << links;
-    EXPECT_LT(told, 500 * (force + floor)) << links;
-    RecordProperty(fmt::format("force_{}", links), fmt::format("{:.1e} told {:.1e}", force, told));
+    EXPECT_LT(force, reported + floor) << links;
+    EXPECT_LT(reported, 500 * (force + floor)) << links;
+    RecordProperty(fmt::format("force_{}", links), fmt::format("{:.1e} told {:.1e}", force, reported));
   }
 }
 
@@ -141,19 +141,19 @@ TEST_F(ReducedRun, TellsWhatAllUnknownsDoInItsHardestImpacts) {
     const Outcome checked = Pair{}.run(", reduction: " + how + ", check: true}"),
                   usual = Pair{}.run(", reduction: " + how + "}");
     EXPECT_EQ(checked.results.links[0].force, usual.results.links[0].force) << how;
-    double told = 0;
+    double reported = 0;
     for (const ReducedStructure& s : checked.summary.reduced) {
       EXPECT_EQ(s.checked_windows, 3) << how;
       EXPECT_TRUE(test::mentions(s.check_text(), {"3"}));
-      told = std::max(told, s.check_force);
+      reported = std::max(reported, s.check_force);
       EXPECT_GT(s.check_displacement, 0) << how;
     }
     EXPECT_EQ(usual.summary.reduced[0].checked_windows, 0);
     EXPECT_EQ(usual.summary.reduced[0].check_text(), "");
     EXPECT_TRUE(says(checked, "1e-05")) << how;
-    RecordProperty(how, fmt::format("told {:.1e}, truth {:.1e}", told, force_error(checked, all_modes())));
-    EXPECT_GT(told, force_error(checked, all_modes()) / 10) << how;
-    EXPECT_LT(told, 10 * (force_error(checked, all_modes()) + floor)) << how;
+    RecordProperty(how, fmt::format("told {:.1e}, truth {:.1e}", reported, force_error(checked, all_modes())));
+    EXPECT_GT(reported, force_error(checked, all_modes()) / 10) << how;
+    EXPECT_LT(reported, 10 * (force_error(checked, all_modes()) + floor)) << how;
   }
 }
 
@@ -310,10 +310,10 @@ double peak_displacement_error(const Outcome& found, const Outcome& exact) {
   return worst;
 }
 
-struct Told {
+struct Reported {
   double force = 0, displacement = 0;
 
-  explicit Told(const Outcome& outcome) {
+  explicit Reported(const Outcome& outcome) {
     for (const ReducedStructure& s : outcome.summary.reduced) {
       force = std::max(force, s.error_force);
       displacement = std::max(displacement, s.error_displacement);
@@ -322,11 +322,12 @@ struct Told {
 };
 
 void record(const Outcome& found, const Outcome& exact, const std::string& name) {
-  const Told told(found);
+  const Reported reported(found);
   testing::Test::RecordProperty(
-      name, fmt::format("forces {:.1e} told {:.1e}, displacements {:.1e} told {:.1e}, coordinates {}",
-                        force_error(found, exact), told.force, peak_displacement_error(found, exact), told.displacement,
-                        found.summary.reduced.empty() ? 0 : found.summary.reduced[0].coordinates));
+      name,
+      fmt::format("forces {:.1e} told {:.1e}, displacements {:.1e} told {:.1e}, coordinates {}",
+                  force_error(found, exact), reported.force, peak_displacement_error(found, exact),
+                  reported.displacement, found.summary.reduced.empty() ? 0 : found.summary.reduced[0].coordinates));
 }
 
 void expect_right(const Outcome& found, const Outcome& exact, double tolerance, const std::string& name) {
@@ -336,11 +337,11 @@ void expect_right(const Outcome& found, const Outcome& exact, double tolerance, 
 }
 
 // Both runs are so exact in time that what differs is the reduction.
-void expect_told(const Outcome& found, const Outcome& exact, const std::string& name) {
+void expect_reported(const Outcome& found, const Outcome& exact, const std::string& name) {
   record(found, exact, name);
   ASSERT_FALSE(found.summary.reduced.empty()) << name;
-  EXPECT_LT(force_error(found, exact), Told(found).force + floor) << name;
-  EXPECT_LT(peak_displacement_error(found, exact), Told(found).displacement + floor) << name;
+  EXPECT_LT(force_error(found, exact), Reported(found).force + floor) << name;
+  EXPECT_LT(peak_displacement_error(found, exact), Reported(found).displacement + floor) << name;
 }
 
 class ModalDampingReduced : public testing::Test {
@@ -364,7 +365,7 @@ TEST_F(ModalDampingReduced, HitsAsHardAsAllModes) {
   }
   for (const int links : {2, 4, 8}) {
     const Outcome fixed = pair("20 %", 1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
-    expect_told(fixed, exact, fmt::format("modal_{}_blocks", links));
+    expect_reported(fixed, exact, fmt::format("modal_{}_blocks", links));
   }
 }
 
@@ -376,7 +377,7 @@ TEST_F(ModalDampingReduced, SaysThatAllModesAreNeededWhereTheyRing) {
   EXPECT_TRUE(found.summary.reduced.empty());
   EXPECT_TRUE(says(found, "blocks"));
   expect_right(found, exact, 1e-3, "ringing");
-  expect_told(fixed, exact, "fixed");
+  expect_reported(fixed, exact, "fixed");
 }
 
 // Supports that move one after the other: every one of them loads the frames by itself.
@@ -397,8 +398,8 @@ TEST(SeveralSupports, AreGroundsOfTheChains) {
     expect_right(found, exact, tolerance, fmt::format("supports_{:g}", tolerance));
   }
   for (const int links : {2, 4})
-    expect_told(run(1e-6, fmt::format("{{links: {}, ground: 3}}", links)), exact,
-                fmt::format("supports_{}_blocks", links));
+    expect_reported(run(1e-6, fmt::format("{{links: {}, ground: 3}}", links)), exact,
+                    fmt::format("supports_{}_blocks", links));
 }
 
 // The largest difference of the peaks of friction, as a part of the largest force of all links.
@@ -417,14 +418,14 @@ double friction_error(const Outcome& found, const Outcome& exact) {
 
 // Least and largest part of Coulomb's force while links press: 0 is rest, 1 sliding.
 std::pair<double, double> use_of_friction(const Outcome& outcome, double coefficient) {
-  double least = 1, largest = 0;
+  double minimum = 1, largest = 0;
   for (const LinkHistory& link : outcome.results.links)
     for (std::size_t i = 0; i < link.force.size(); ++i) {
       if (link.force[i] < 0.05 * peak_force(outcome)) continue;
       const double part = std::abs(link.friction[i]) / (coefficient * link.force[i]);
-      least = std::min(least, part), largest = std::max(largest, part);
+      minimum = std::min(minimum, part), largest = std::max(largest, part);
     }
-  return {least, largest};
+  return {minimum, largest};
 }
 
 struct Rubbing {
@@ -461,8 +462,8 @@ TEST_P(FrictionReduced, SticksAndSlipsAsInAllModes) {
   }
   for (const int links : {2, 3, 4, 5}) {
     const Outcome fixed = GetParam().run(1e-6, fmt::format("{{links: {}, ground: 20}}", links));
-    expect_told(fixed, exact, fmt::format("friction_{}_blocks", links));
-    EXPECT_LT(friction_error(fixed, exact), Told(fixed).force + floor) << links;
+    expect_reported(fixed, exact, fmt::format("friction_{}_blocks", links));
+    EXPECT_LT(friction_error(fixed, exact), Reported(fixed).force + floor) << links;
     RecordProperty(fmt::format("rubs_{}_blocks", links), fmt::format("{:.1e}", friction_error(fixed, exact)));
   }
 }
@@ -516,8 +517,8 @@ TEST_P(DevicesReduced, ActAsInAllModes) {
   }
   for (const int links : {2, 4}) {
     const Outcome fixed = coupled.run(1e-6, fmt::format("{{links: {}, ground: 20}}", links));
-    expect_told(fixed, exact, fmt::format("devices_{}_blocks", links));
-    EXPECT_LT(device_error(fixed, exact), Told(fixed).force + floor) << links;
+    expect_reported(fixed, exact, fmt::format("devices_{}_blocks", links));
+    EXPECT_LT(device_error(fixed, exact), Reported(fixed).force + floor) << links;
     RecordProperty(fmt::format("forces_of_devices_{}_blocks", links),
                    fmt::format("{:.1e}", device_error(fixed, exact)));
   }
@@ -606,7 +607,7 @@ TEST_P(HingesReduced, YieldAsInAllModes) {
             10);
   for (const int links : {2, 5}) {
     const Outcome found = GetParam().pair(1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
-    expect_told(found, exact, fmt::format("hinges_{}_blocks", links));
+    expect_reported(found, exact, fmt::format("hinges_{}_blocks", links));
     const ReducedStructure& left = found.summary.reduced[0];
     EXPECT_EQ(left.parts, 31);
     EXPECT_TRUE(test::mentions(left.size_text(), {"2", "31"}));
@@ -647,7 +648,7 @@ TEST(IsolatedReduced, SlideAndHitAsInAllModes) {
   for (const SpringSummary& isolator : exact.summary.structures[0].springs) EXPECT_GT(isolator.ductility, 3);
   for (const int links : {2, 5}) {
     const Outcome found = isolated(1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
-    expect_told(found, exact, fmt::format("isolators_{}_blocks", links));
+    expect_reported(found, exact, fmt::format("isolators_{}_blocks", links));
     EXPECT_EQ(found.summary.reduced[0].parts, 4);
   }
   const Outcome coarse = isolated(1e-3).run(", reduction: {links: 5, ground: 20}");

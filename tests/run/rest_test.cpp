@@ -89,9 +89,9 @@ TEST(FramesAtRest, StayThere) {
           law, scheme));
       const StructureHistory& a = run.results.structures[0];
       const auto largest = [](const std::vector<double>& values) {
-        double most = 0;
-        for (const double value : values) most = std::max(most, std::abs(value));
-        return most;
+        double maximum = 0;
+        for (const double value : values) maximum = std::max(maximum, std::abs(value));
+        return maximum;
       };
       const SpringHistory& hinges = a.springs;
       const double moment = largest(hinges.force);

@@ -197,22 +197,22 @@ TEST_P(Windows, TellTheErrorOfTheirImpact) {
     exact.follow(run.windows->hardest()[0].end());
     const double peak = exact.first_peaks().maxCoeff(),
                  truth = (run.first_peaks() - exact.first_peaks()).cwiseAbs().maxCoeff(),
-                 told = found.forces.maxCoeff();
+                 reported = found.forces.maxCoeff();
     const auto after = std::ranges::find(run.times, exact.times.back());
     ASSERT_NE(after, run.times.end());
     const double floors =
         (run.floors[static_cast<std::size_t>(after - run.times.begin())] - exact.floors.back()).cwiseAbs().maxCoeff();
-    RecordProperty(fmt::format("forces_{}", links),
-                   fmt::format("told {:.2e}, truth {:.2e}, ratio {:.2f}", told / peak, truth / peak, told / truth));
+    RecordProperty(fmt::format("forces_{}", links), fmt::format("told {:.2e}, truth {:.2e}, ratio {:.2f}",
+                                                                reported / peak, truth / peak, reported / truth));
     RecordProperty(fmt::format("floors_{}", links),
                    fmt::format("told {:.2e}, truth at the end {:.2e}, ratio {:.2f}", found.floors / run.largest,
                                floors / run.largest, found.floors / floors));
-    EXPECT_LT(told, order * truth) << links;
-    EXPECT_GT(told, truth / order) << links;
+    EXPECT_LT(reported, order * truth) << links;
+    EXPECT_GT(reported, truth / order) << links;
     EXPECT_LT(found.floors, order * floors) << links;
     EXPECT_GT(found.floors, floors / order) << links;
-    EXPECT_LT(told / peak, last) << links;
-    last = told / peak;
+    EXPECT_LT(reported / peak, last) << links;
+    last = reported / peak;
   }
 }
 
@@ -225,7 +225,7 @@ TEST(ImpactWindowsOfARun, AreTheHardestOfAllInOrder) {
   run.start(run.blocks(3), 0, u, v);
   run.follow(2);
   const std::vector<ImpactWindow>& hardest = run.windows->hardest();
-  ASSERT_EQ(hardest.size(), ImpactWindows::most);
+  ASSERT_EQ(hardest.size(), ImpactWindows::maximum);
   const auto holds = [](const ImpactWindow& window, double time) {
     return window.begin() < time && time <= window.end();
   };

@@ -130,12 +130,12 @@ TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
   test::Book book("Orders of the time schemes",
                   "free impact of a Kelvin-Voigt contact in closed form, whose force jumps at the touch",
                   "the next order of the error");
-  const double asked = 0.65;
-  const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
+  const double requested = 0.65;
+  const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = requested, .reduced_mass = 6e4};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2)
-    errors.push_back(error_after_impact(law, duration, asked, h, alpha(GetParam())));
+    errors.push_back(error_after_impact(law, duration, requested, h, alpha(GetParam())));
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]", observed_order(errors), 2.0,
             0.2);
@@ -219,11 +219,11 @@ TEST(Esdirk4, AKelvinVoigtImpactIsOfOrderFour) {
   test::Book book("Orders of the time schemes",
                   "free impact of a Kelvin-Voigt contact in closed form, whose force jumps at the touch",
                   "the next order of the error");
-  const double asked = 0.65;
-  const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
+  const double requested = 0.65;
+  const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = requested, .reduced_mass = 6e4};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
-  for (double h = 1.6e-2; h > 1e-3; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, fourth));
+  for (double h = 1.6e-2; h > 1e-3; h /= 2) errors.push_back(error_after_impact(law, duration, requested, h, fourth));
   book.near("ESDIRK4: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 4.0, 0.3);
   book.below("ESDIRK4: error after a Kelvin-Voigt impact, shortest step [-]", errors.back(), 1e-6);
 }

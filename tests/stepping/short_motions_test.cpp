@@ -104,9 +104,10 @@ TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
                  error / periods(length, w) / tolerance, 1);
       book.below(fmt::format("{}, {:g}: imbalance of the energies, over the tolerance [-]", scheme, tolerance),
                  found.summary.energy.error / tolerance, 1);
-      const double energy = 0.5 * 1e3 * std::pow(w * size(expected, w), 2), most = 0.5 * 1e3 * std::pow(w * largest, 2);
+      const double energy = 0.5 * 1e3 * std::pow(w * size(expected, w), 2),
+                   maximum = 0.5 * 1e3 * std::pow(w * largest, 2);
       book.below(fmt::format("{}, {:g}: error of the input, over the tolerance [-]", scheme, tolerance),
-                 std::abs(found.summary.energy.input - energy) / most / tolerance, 1);
+                 std::abs(found.summary.energy.input - energy) / maximum / tolerance, 1);
     }
 }
 

@@ -196,10 +196,10 @@ TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
 // slip was largest. The slip is d - mu(v) W/k0, whose maximum a search over the step finds.
 TEST(SlidingSpring, SticksWhereItsSlipStops) {
   const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
-  const double k0 = 0.08 * 5e6 / 0.5e-3, h = 0.005, least = 5e-4, bend = 50;
+  const double k0 = 0.08 * 5e6 / 0.5e-3, h = 0.005, minimum = 5e-4, bend = 50;
   const auto at = [&](double s) {
     const double t = (s - 0.4) * h;
-    return Jet{0.01 + least * t + bend * t * t * t / 3, least + bend * t * t, 2 * bend * t};
+    return Jet{0.01 + minimum * t + bend * t * t * t / 3, minimum + bend * t * t, 2 * bend * t};
   };
   const auto slip = [&](double s) { return at(s).x - law.coefficient(at(s).v) * law.weight / k0; };
   double largest = slip(0), where = 0;

@@ -275,7 +275,7 @@ struct Fall {
   }
   /// The smallest value that `of(*this, t)` comes to in the first period.
   template <class Of>
-  double least(const Of& of) const {
+  double minimum(const Of& of) const {
     const double period = 2 * M_PI / fast;
     double at = 0.5 * period, low = 0, high = period;
     for (double t = at; t < high; t += 0.01 * period)
@@ -296,7 +296,7 @@ void expect_a_second_touch(double damping, const Of& of, const Law& law) {
   for (int i = 0; i < 40; ++i) {
     const double w = 100 + 0.37 * i, c = 10;
     double low = 0, high = 10 / w;
-    for (int k = 0; k < 60; ++k) (Fall{w, c, 0.5 * (low + high)}.least(of) > 0 ? low : high) = 0.5 * (low + high);
+    for (int k = 0; k < 60; ++k) (Fall{w, c, 0.5 * (low + high)}.minimum(of) > 0 ? low : high) = 0.5 * (low + high);
     LinearModel model;
     model.stiffness = {0}, model.damping = {damping * c}, model.load = {1};
     model.links.push_back({.gap = 0, .closing = {1}, .law = law(w, c)});

@@ -17,14 +17,14 @@ namespace pounding::study {
 namespace solver_test {
 
 /// A number that the environment may ask for.
-int asked(const char* name, int usual) {
+int requested(const char* name, int usual) {
   const char* text = std::getenv(name);
   return text ? std::atoi(text) : usual;
 }
 
 TEST(TheKernel, AgreesWithTheSolverOnRandomPairsByEveryPenaltyLaw) {
-  const auto count = static_cast<unsigned>(asked("POUNDING_STUDY_ROWS", 192)),
-             seed = static_cast<unsigned>(asked("POUNDING_STUDY_SEED", 7));
+  const auto count = static_cast<unsigned>(requested("POUNDING_STUDY_ROWS", 192)),
+             seed = static_cast<unsigned>(requested("POUNDING_STUDY_SEED", 7));
   std::vector<Differences> rows;
   for (unsigned number = 0; number < count; ++number) {
     const RandomRow row(seed, number);

@@ -20,7 +20,7 @@ inline double half_unit(int decimals) { return 0.5000001 * std::pow(10.0, -decim
 
 using Nine = std::array<double, 9>;  ///< asked restitution 0.1, 0.2 ... 0.9
 
-constexpr double asked(std::size_t i) { return static_cast<double>(i + 1) / 10; }
+constexpr double requested(std::size_t i) { return static_cast<double>(i + 1) / 10; }
 
 /// How a row is asked of this program.
 struct Asking {
@@ -177,7 +177,7 @@ inline const FormulaRow jankowski_in_both_phases{
 
 /// The example of the paper's section 5.1: m1 = 100 t, m2 = 150 t, k = 22000 kN/m^1.5, v = 15 m/s.
 struct Section51Row {
-  double asked;
+  double requested;
   std::string_view law, formula;
   double damping;                                                   // a or xi, five decimals
   double restitution, penetration, force, duration, lost, impulse;  // -, m, kN, s, kJ, kN s
@@ -216,7 +216,7 @@ inline constexpr Section51Row rows[] = {
 
 /// A linear spring and dashpot with the ratio of Anagnostopoulos, in contact until d = 0 (it pulls) or until F = 0.
 struct KelvinVoigtRow {
-  double asked, ratio, coefficient;  // -, -, N s/m
+  double requested, ratio, coefficient;  // -, -, N s/m
   double restitution_to_zero_penetration, restitution_to_zero_force;
   double penetration, force, force_at_penetration;  // largest [m], largest [N], where the penetration is largest [N]
   double duration_to_zero_penetration, duration_to_zero_force;  // s
@@ -236,10 +236,10 @@ struct Section5Row {
   std::string_view formula;                      // of hertz_damped
   double factor, damping;                        // a [-], zeta [kN s/m^2.5]
   double restitution, penetration, force, lost;  // -, m, kN, kJ
-  double lost_if_as_asked;                       // the paper's Eq. 18 [kJ]
+  double lost_if_as_requested;                   // the paper's Eq. 18 [kJ]
 };
 namespace section_5 {
-inline constexpr double mass = 755.76, stiffness = 30000e3, speed = 10, asked = 0.7;  // [kg], [N/m^1.5], [m/s], [-]
+inline constexpr double mass = 755.76, stiffness = 30000e3, speed = 10, requested = 0.7;  // [kg], [N/m^1.5], [m/s], [-]
 inline constexpr Section5Row rows[] = {
     {"lankarani_nikravesh", 0.382500, 1147.500, 0.79597, 0.091360, 867.178, 13.84657, 19.27188},
     {"hu_guo", 0.642857, 1928.571, 0.69730, 0.086982, 855.182, 19.41460, 19.27188},
@@ -250,7 +250,7 @@ inline constexpr Section5Row rows[] = {
 
 /// Bilinear law of Muthukumar & DesRoches for k = 1 N/m^1.5, design penetration 1 m, yield ratio 0.1.
 struct BilinearRow {
-  double asked, loss, stiffness, stiffness_1, stiffness_2, yield;  // -, J, effective, K1 and K2 [N/m], m
+  double requested, loss, stiffness, stiffness_1, stiffness_2, yield;  // -, J, effective, K1 and K2 [N/m], m
   double energy,
       restitution;  // under the loading curve up to the design penetration [J]; where that is just reached [-]
 };

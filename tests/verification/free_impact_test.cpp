@@ -52,9 +52,9 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
   const Case& c = GetParam();
   const double mass = 6e4, speed = 0.8;
   for (int tenths = 1; tenths <= 9; ++tenths) {
-    const double asked = c.formula.empty() ? 1 : tenths / 10.0;
+    const double requested = c.formula.empty() ? 1 : tenths / 10.0;
     const std::string damping =
-        c.formula.empty() ? "" : fmt::format(", restitution: {}, formula: {}", asked, c.formula);
+        c.formula.empty() ? "" : fmt::format(", restitution: {}, formula: {}", requested, c.formula);
     // Eq. 38 at small restitutions all but stops the bodies: they get time to part.
     const std::string yaml = fmt::format(
         "structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n"
@@ -62,23 +62,23 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
         "links: [{{between: [ball, wall], gap: 5 mm, law: {}{}{}}}]\n"
         "analysis: {{duration: 4, tolerance: 1e-8}}\n",
         mass, speed, c.law, c.parameters, damping);
-    if (c.law == "bilinear_hertz" && c.formula == "exact" && asked < min_of_bilinear_hertz) {
+    if (c.law == "bilinear_hertz" && c.formula == "exact" && requested < min_of_bilinear_hertz) {
       EXPECT_THROW(test::model_of(yaml), InputError) << "a loop cannot lose more than its own area";
       continue;
     }
     const Outcome run = test::run_text(yaml);
     laws::Settings settings{.law = c.law, .formula = c.formula, .reduced_mass = mass};
-    if (!c.formula.empty()) settings.restitution = asked;
+    if (!c.formula.empty()) settings.restitution = requested;
     for (const laws::ParameterInfo& p : laws::find_law(c.law).parameters)
       if (p.need == laws::Need::required) settings.values.emplace(p.name, p.typical);
     const laws::FreeImpact expected = laws::free_impact(laws::make_law(settings), mass, speed);
 
-    SCOPED_TRACE(fmt::format("asked {}", asked));
+    SCOPED_TRACE(fmt::format("asked {}", requested));
     ASSERT_EQ(run.results.impacts.size(), 1u);
     const ImpactRow& row = run.results.impacts[0];
     book.near(c.law + ": restitution [-]", row.restitution, expected.restitution, 1e-6);
     if (c.formula == "exact") {
-      book.near(c.law + ": restitution of exact, as asked [-]", row.restitution, asked, 1e-6);
+      book.near(c.law + ": restitution of exact, as asked [-]", row.restitution, requested, 1e-6);
     }
     book.near(c.law + ": peak force [N]", row.peak_force, expected.peak_force, 1e-5 * expected.peak_force);
     book.near(c.law + ": largest penetration [m]", row.peak_penetration, expected.peak_penetration,

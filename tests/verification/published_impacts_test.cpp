@@ -25,7 +25,7 @@ void PrintTo(const FormulaRow& row, std::ostream* out) { *out << row.name; }
 
 namespace published_impacts_test {
 
-using reference::asked;
+using reference::requested;
 
 // Against a table, by the time integration.
 class PrintedBook : public test::Book {
@@ -64,13 +64,13 @@ TEST_P(PublishedFormula, GivesTheRestitutionOfTheReference) {
   const reference::FormulaRow& row = GetParam();
   for (const reference::Asking& asking : row.askings)
     for (std::size_t i = 0; i < 9; ++i) {
-      SCOPED_TRACE(fmt::format("{} asked {}", asking.law, asked(i)));
+      SCOPED_TRACE(fmt::format("{} asked {}", asking.law, requested(i)));
       double stiffness = asking.stiffness;
       for (const laws::ParameterInfo& p : laws::find_law(asking.law).parameters)
         if (p.name == "stiffness" && stiffness == 0) stiffness = p.typical;
       const std::string damping = asking.ratio
-                                      ? fmt::format("damping_ratio: {}", asking.ratio({.restitution = asked(i)}))
-                                      : fmt::format("restitution: {}, formula: {}", asked(i), asking.formula);
+                                      ? fmt::format("damping_ratio: {}", asking.ratio({.restitution = requested(i)}))
+                                      : fmt::format("restitution: {}, formula: {}", requested(i), asking.formula);
       const Outcome run = test::run_text(
           ball_on_wall(6e4, asking.speed, fmt::format("{}, stiffness: {}, {}", asking.law, stiffness, damping), 20));
       book.printed(fmt::format("{} by {} [-]", asking.law, row.name), only_impact(run).restitution, row.obtained[i], 4);
@@ -89,8 +89,8 @@ TEST(JankowskiInBothPhases, GivesTheRestitutionOfTheReference) {
   const reference::FormulaRow& row = reference::jankowski_in_both_phases;
   const double mass = 6e4, speed = 0.8, stiffness = 2.75e9;
   for (std::size_t i = 0; i < 9; ++i) {
-    SCOPED_TRACE(asked(i));
-    const double xi = laws::jankowski_2005({.restitution = asked(i)});
+    SCOPED_TRACE(requested(i));
+    const double xi = laws::jankowski_2005({.restitution = requested(i)});
     Model model = test::model_of(ball_on_wall(mass, speed, fmt::format("hertz, stiffness: {}", stiffness), 2));
     Link& link = model.links[0];
     link.contact = std::make_unique<GapLink<reference::JankowskiInBothPhases>>(
@@ -113,8 +113,9 @@ TEST(PaperSection51, OfTheTimeIntegrationAgreesWithTheReference) {
                        link + "}]\nanalysis: {duration: 1, tolerance: 1e-8}\n"));
   };
   for (const reference::Section51Row& row : rows) {
-    SCOPED_TRACE(fmt::format("{} {} {}", row.law, row.formula, row.asked));
-    const ImpactRow impact = collide(fmt::format("{}, formula: {}, restitution: {}", row.law, row.formula, row.asked));
+    SCOPED_TRACE(fmt::format("{} {} {}", row.law, row.formula, row.requested));
+    const ImpactRow impact =
+        collide(fmt::format("{}, formula: {}, restitution: {}", row.law, row.formula, row.requested));
     book.printed(std::string(row.law) + ": restitution [-]", impact.restitution, row.restitution, 5);
     book.printed(std::string(row.law) + ": largest penetration [m]", impact.peak_penetration, row.penetration, 6);
     book.printed(std::string(row.law) + ": peak force [kN]", impact.peak_force / 1e3, row.force, 2);
@@ -132,12 +133,13 @@ TEST(KelvinVoigt, OfTheTimeIntegrationAgreesWithTheReferenceWithAndWithoutPull) 
   PrintedBook book("Kelvin-Voigt impact with and without pull, in the time integration");
   using namespace reference::kelvin_voigt;
   for (const reference::KelvinVoigtRow& row : rows) {
-    SCOPED_TRACE(row.asked);
+    SCOPED_TRACE(row.requested);
     const auto check = [&](const char* law, double restitution, double duration) {
       SCOPED_TRACE(law);
       const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
           mass, speed,
-          fmt::format("{}, stiffness: {}, restitution: {}, formula: anagnostopoulos", law, stiffness, row.asked), 1)));
+          fmt::format("{}, stiffness: {}, restitution: {}, formula: anagnostopoulos", law, stiffness, row.requested),
+          1)));
       book.printed(std::string(law) + ": restitution [-]", impact.restitution, restitution, 6);
       book.printed(std::string(law) + ": duration [s]", impact.t_release - impact.t_start, duration, 8);
       book.printed(std::string(law) + ": largest penetration [m]", impact.peak_penetration, row.penetration, 8);
@@ -156,7 +158,7 @@ TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
     const ImpactRow impact =
         only_impact(test::run_text(ball_on_wall(mass, speed,
                                                 fmt::format("hertz_damped, stiffness: {}, restitution: {}, formula: {}",
-                                                            stiffness, reference::section_5::asked, row.formula),
+                                                            stiffness, reference::section_5::requested, row.formula),
                                                 1)));
     book.printed("hertz_damped: restitution [-]", impact.restitution, row.restitution, 5);
     book.printed("hertz_damped: largest penetration [m]", impact.peak_penetration, row.penetration, 6);
@@ -171,11 +173,11 @@ TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheRefer
   PrintedBook book("Bilinear law at its design penetration, in the time integration");
   using namespace reference::bilinear;
   for (const reference::BilinearRow& row : rows) {
-    SCOPED_TRACE(row.asked);
+    SCOPED_TRACE(row.requested);
     const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
         mass, reaching_speed(row),
         fmt::format("bilinear_hertz, stiffness: 1, impact_velocity: {}, restitution: {}, formula: muthukumar_desroches",
-                    design_speed, row.asked),
+                    design_speed, row.requested),
         20)));
     book.printed("bilinear_hertz: largest penetration [m]", impact.peak_penetration, 1, 6);
     book.printed("bilinear_hertz: peak force [N]", impact.peak_force, row.stiffness, 6);

@@ -51,7 +51,7 @@ constexpr bool is_shown(std::uint32_t code) noexcept {
 
 /// Text for a message, truncated at a maximum length with "...". Unprintable characters and invalid UTF-8 are escaped
 /// as in "\n", "\x1b", "\u202e", except the character `kept`.
-inline std::string excerpt(std::string_view text, std::size_t most = longest_excerpt, char kept = ' ') {
+inline std::string excerpt(std::string_view text, std::size_t maximum = longest_excerpt, char kept = ' ') {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string shown;
   std::size_t count = 0;
@@ -74,7 +74,7 @@ inline std::string excerpt(std::string_view text, std::size_t most = longest_exc
           next += digits[(c.code >> shift) & 0xFu];
       count += next.size();
     }
-    if (count > most) return shown + "...";
+    if (count > maximum) return shown + "...";
     shown += next;
     text.remove_prefix(c.size);
   }

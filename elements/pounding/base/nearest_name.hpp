@@ -45,54 +45,54 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// A term used by other programs, papers and languages, and its name here.
-struct OtherWord {
+struct Synonym {
   std::string_view word, name;
 };
 
 /// Contact materials are those of OpenSees; `gap` is the contact element of many structural programs.
-inline constexpr std::array other_words{OtherWord{"ImpactMaterial", "bilinear_hertz"},
-                                        OtherWord{"Hertzdamp", "hertz_damped"},
-                                        OtherWord{"JankowskiImpact", "jankowski"},
-                                        OtherWord{"ViscoelasticGap", "kelvin_voigt"},
-                                        OtherWord{"ElasticPPGap", "linear_spring"},
-                                        OtherWord{"gap", "linear_spring"},
-                                        OtherWord{"kelvin", "kelvin_voigt"},
-                                        OtherWord{"linear_viscoelastic", "kelvin_voigt"},
-                                        OtherWord{"linear", "linear_spring"},
-                                        OtherWord{"newton", "stereomechanical"},
-                                        OtherWord{"cor", "restitution"},
-                                        OtherWord{"e", "restitution"},
-                                        OtherWord{"cr", "restitution"},
-                                        OtherWord{"coefficient_of_restitution", "restitution"},
-                                        OtherWord{"k", "stiffness"},
-                                        OtherWord{"mu", "friction"},
-                                        OtherWord{"n", "exponent"},
-                                        OtherWord{"m", "mass"},
-                                        OtherWord{"T", "period"},
-                                        OtherWord{"zeta", "damping"},
-                                        OtherWord{"xi", "damping"},
-                                        OtherWord{"rho", "density"},
-                                        OtherWord{"nu", "poisson"},
-                                        OtherWord{"young", "E"},
-                                        OtherWord{"percent", "%"},
-                                        OtherWord{"pct", "%"},
-                                        OtherWord{"meter", "m"},
-                                        OtherWord{"meters", "m"},
-                                        OtherWord{"metre", "m"},
-                                        OtherWord{"metres", "m"},
-                                        OtherWord{"millimetre", "mm"},
-                                        OtherWord{"millimetres", "mm"},
-                                        OtherWord{"inch", "in"},
-                                        OtherWord{"inches", "in"},
-                                        OtherWord{"feet", "ft"},
-                                        OtherWord{"sec", "s"},
-                                        OtherWord{"second", "s"},
-                                        OtherWord{"seconds", "s"},
-                                        OtherWord{"ton", "t"},
-                                        OtherWord{"tons", "t"},
-                                        OtherWord{"tonne", "t"},
-                                        OtherWord{"tonnes", "t"},
-                                        OtherWord{"newton", "N"}};
+inline constexpr std::array synonyms{Synonym{"ImpactMaterial", "bilinear_hertz"},
+                                     Synonym{"Hertzdamp", "hertz_damped"},
+                                     Synonym{"JankowskiImpact", "jankowski"},
+                                     Synonym{"ViscoelasticGap", "kelvin_voigt"},
+                                     Synonym{"ElasticPPGap", "linear_spring"},
+                                     Synonym{"gap", "linear_spring"},
+                                     Synonym{"kelvin", "kelvin_voigt"},
+                                     Synonym{"linear_viscoelastic", "kelvin_voigt"},
+                                     Synonym{"linear", "linear_spring"},
+                                     Synonym{"newton", "stereomechanical"},
+                                     Synonym{"cor", "restitution"},
+                                     Synonym{"e", "restitution"},
+                                     Synonym{"cr", "restitution"},
+                                     Synonym{"coefficient_of_restitution", "restitution"},
+                                     Synonym{"k", "stiffness"},
+                                     Synonym{"mu", "friction"},
+                                     Synonym{"n", "exponent"},
+                                     Synonym{"m", "mass"},
+                                     Synonym{"T", "period"},
+                                     Synonym{"zeta", "damping"},
+                                     Synonym{"xi", "damping"},
+                                     Synonym{"rho", "density"},
+                                     Synonym{"nu", "poisson"},
+                                     Synonym{"young", "E"},
+                                     Synonym{"percent", "%"},
+                                     Synonym{"pct", "%"},
+                                     Synonym{"meter", "m"},
+                                     Synonym{"meters", "m"},
+                                     Synonym{"metre", "m"},
+                                     Synonym{"metres", "m"},
+                                     Synonym{"millimetre", "mm"},
+                                     Synonym{"millimetres", "mm"},
+                                     Synonym{"inch", "in"},
+                                     Synonym{"inches", "in"},
+                                     Synonym{"feet", "ft"},
+                                     Synonym{"sec", "s"},
+                                     Synonym{"second", "s"},
+                                     Synonym{"seconds", "s"},
+                                     Synonym{"ton", "t"},
+                                     Synonym{"tons", "t"},
+                                     Synonym{"tonne", "t"},
+                                     Synonym{"tonnes", "t"},
+                                     Synonym{"newton", "N"}};
 
 /// Maximum length of names that are compared by edit distance.
 inline constexpr std::size_t longest_name_compared = 64;
@@ -101,7 +101,7 @@ inline constexpr std::size_t longest_name_compared = 64;
 inline std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed) {
   if (read.size() > longest_name_compared) return {};
   if (std::find(allowed.begin(), allowed.end(), read) == allowed.end())
-    for (const OtherWord& other : other_words)
+    for (const Synonym& other : synonyms)
       if (is_same_name(read, other.word) && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end())
         return other.name;
   // One error per three letters counts as a typing mistake; more is a different name.

@@ -19,7 +19,7 @@ inline constexpr double links = 1e5;
 inline constexpr double outputs = 1e7;
 /// Steps of a run unless analysis: {most_steps: ...} says otherwise, and the largest number that it may say: PETSc
 /// counts steps in 32 bits.
-inline constexpr long usual_steps = 100'000'000, most_steps = 2'000'000'000;
+inline constexpr long usual_steps = 100'000'000, max_steps = 2'000'000'000;
 /// Steps that integrate the oscillators of all periods of a response spectrum: some minutes.
 inline constexpr double spectrum_steps = 2e10;
 

@@ -35,7 +35,7 @@ void append_utf8(std::string& text, std::uint32_t latin) {
 
 }  // namespace
 
-std::string read_text_file(const std::string& path, std::string_view kind, std::size_t most) {
+std::string read_text_file(const std::string& path, std::string_view kind, std::size_t maximum) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status))
@@ -51,9 +51,9 @@ std::string read_text_file(const std::string& path, std::string_view kind, std::
   while (file) {
     file.read(part.data(), part.size());
     text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most)
+    if (text.size() > maximum)
       throw InputError(fmt::format("{}: has more than {} MB, and a {} has at most that; is it the right file?",
-                                   excerpt(path), most / 1'000'000, kind));
+                                   excerpt(path), maximum / 1'000'000, kind));
   }
   if (file.bad()) throw InputError(fmt::format("{}: cannot be read", excerpt(path)));
   return text;

@@ -10,9 +10,9 @@
 namespace pounding {
 
 /// The bytes of a file, "model" or "record" in messages. Pipes are read where they stand in /dev, as standard input
-/// does. Throws InputError for a file that is not there or cannot be read, a folder, another pipe, and more than `most`
-/// bytes.
-std::string read_text_file(const std::string& path, std::string_view kind, std::size_t most);
+/// does. Throws InputError for a file that is not there or cannot be read, a folder, another pipe, and more than
+/// `maximum` bytes.
+std::string read_text_file(const std::string& path, std::string_view kind, std::size_t maximum);
 
 /// Without the mark of UTF-8 (EF BB BF) in front that editors of Windows write.
 std::string_view without_mark(std::string_view text);

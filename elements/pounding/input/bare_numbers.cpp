@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -61,31 +61,32 @@ constexpr InGravity usual_in_gravity[] = {{"ground_motion", "pga", 0.02, 1.5}, {
                                           {"sum", "amplitude", 0.05, 0.99},    {"pulse", "amplitude", 0.05, 0.99}};
 
 // Quotes a bound in the unit of the number: "1 t", "2".
-std::string quoted(double value, const words::Word& word) {
-  return word.dimension == dimension::none ? fmt::format("{:g}", value) : format_quantity(value, word.dimension);
+std::string quoted(double value, const keys::Key& spec) {
+  return spec.dimension == dimension::none ? fmt::format("{:g}", value) : format_quantity(value, spec.dimension);
 }
 
-class Doubts {
+class Warnings {
  public:
-  void visit(const Input& node, const words::Section& section) {
+  void visit(const Input& node, const keys::Section& section) {
     for (const auto& [key, child] : node.entries()) {
-      const words::Word* const word = section.find(key);
-      if (!word) continue;
-      const bool named = word->form == words::Form::named || word->form == words::Form::named_lists;
+      const keys::Key* const spec = section.find(key);
+      if (!spec) continue;
+      const bool named = spec->form == keys::Form::named || spec->form == keys::Form::named_lists;
       if (named && child.is_map())
-        for (const auto& [name, value] : child.entries()) visit_value(value, section, *word);
+        for (const auto& [name, value] : child.entries()) visit_value(value, section, *spec);
       else
-        visit_value(child, section, *word);
+        visit_value(child, section, *spec);
     }
   }
 
   // One line for each kind of number, so that a row of many buildings with one mistake has one warning.
-  std::vector<Doubt> all() const {
-    std::vector<Doubt> doubts;
+  std::vector<Warning> all() const {
+    std::vector<Warning> warnings;
     for (const Found& found : found_)
-      doubts.push_back({std::string(found.name),
-                        found.count == 1 ? found.text : fmt::format("{} (and {} more)", found.text, found.count - 1)});
-    return doubts;
+      warnings.push_back({std::string(found.name), found.count == 1
+                                                       ? found.text
+                                                       : fmt::format("{} (and {} more)", found.text, found.count - 1)});
+    return warnings;
   }
 
  private:
@@ -96,39 +97,39 @@ class Doubts {
     int count;
   };
 
-  void visit_value(const Input& value, const words::Section& section, const words::Word& word) {
+  void visit_value(const Input& value, const keys::Section& section, const keys::Key& spec) {
     if (value.is_list()) {
-      for (const Input& item : value.items()) visit_value(item, section, word);
+      for (const Input& item : value.items()) visit_value(item, section, spec);
     } else if (value.is_map()) {
       const auto entries = value.entries();
       // Keys of a section, or storeys with a value each.
-      if (word.inside &&
-          std::ranges::any_of(entries, [&](const auto& entry) { return word.inside->find(entry.first); }))
-        visit(value, *word.inside);
+      if (spec.inside &&
+          std::ranges::any_of(entries, [&](const auto& entry) { return spec.inside->find(entry.first); }))
+        visit(value, *spec.inside);
       else
-        for (const auto& [key, child] : entries) visit_value(child, section, word);
-    } else if (value.is_scalar() && word.takes == words::Takes::quantity) {
-      visit_number(value, section, word);
+        for (const auto& [key, child] : entries) visit_value(child, section, spec);
+    } else if (value.is_scalar() && spec.takes == keys::Takes::quantity) {
+      visit_number(value, section, spec);
     }
   }
 
-  void visit_number(const Input& value, const words::Section& section, const words::Word& word) {
+  void visit_number(const Input& value, const keys::Section& section, const keys::Key& spec) {
     const std::string text = value.as_text();
     double number = 0;
     const bool is_bare = parse_number(text, number);
     for (const InGravity& rule : usual_in_gravity)
-      if (is_bare && rule.section == section.name && rule.key == word.key && number >= rule.low && number <= rule.high)
+      if (is_bare && rule.section == section.name && rule.key == spec.key && number >= rule.low && number <= rule.high)
         add(&rule, "pga",
             fmt::format("{}: a bare {} is in m/s^2, {:.3g} g; did you mean {} g? Type its unit", value.path(), text,
                         number / standard_gravity, text));
     for (const Usual& rule : usual_values) {
-      if (rule.section != section.name || rule.key != word.key) continue;
-      if (!is_bare) number = parse_quantity(text, word.dimension);
+      if (rule.section != section.name || rule.key != spec.key) continue;
+      if (!is_bare) number = parse_quantity(text, spec.dimension);
       if (number == 0 || (number >= rule.low && number <= rule.high)) continue;
       const bool is_low = number < rule.low;
       add(&rule, rule.name,
           fmt::format("{}: {} is {} {}; {}", value.path(), text, is_low ? "below" : "above",
-                      quoted(is_low ? rule.low : rule.high, word), rule.advice));
+                      quoted(is_low ? rule.low : rule.high, spec), rule.advice));
     }
   }
 
@@ -145,10 +146,10 @@ class Doubts {
 
 }  // namespace
 
-std::vector<Doubt> doubtful_numbers(const Input& input) {
-  Doubts doubts;
-  doubts.visit(input, words::model);
-  return doubts.all();
+std::vector<Warning> doubtful_numbers(const Input& input) {
+  Warnings warnings;
+  warnings.visit(input, keys::model);
+  return warnings.all();
 }
 
 }  // namespace pounding

@@ -11,6 +11,6 @@ namespace pounding {
 /// Doubts about the numbers of a complete input, as they are typed: a bare `pga: 0.35`, which is 0.036 g; `floor_mass:
 /// 90`, which is 90 kg and disappears beside the mass of the members; densities, damping ratios, factors on inertias,
 /// heights and numbers of isolators. One doubt per key; an input that read_model() refuses may throw InputError.
-std::vector<Doubt> doubtful_numbers(const Input& input);
+std::vector<Warning> doubtful_numbers(const Input& input);
 
 }  // namespace pounding

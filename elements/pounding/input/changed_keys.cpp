@@ -10,7 +10,7 @@ namespace pounding {
 namespace {
 
 // One warning per frame is enough, as its hinges were written at the same time.
-void doubt_hinges(const Input& hinges, std::vector<Doubt>& doubts) {
+void warn_about_hinges(const Input& hinges, std::vector<Warning>& warnings) {
   for (const auto& [name, hinge] : hinges.entries()) {
     if (!hinge.is_map()) continue;
     for (const auto& [law, numbers] : hinge.entries()) {
@@ -20,7 +20,7 @@ void doubt_hinges(const Input& hinges, std::vector<Doubt>& doubts) {
       const std::string text = hardening->as_text();
       if (double value = 1; parse_number(text.substr(0, text.find_first_of(" %")), value) && value == 0)
         continue;  // zero has one meaning
-      doubts.push_back(
+      warnings.push_back(
           {"hardening",
            fmt::format(
                "{}: is the ratio of the member end; version 0.2.0 took {} as that of the bare spring, which is now "
@@ -31,18 +31,18 @@ void doubt_hinges(const Input& hinges, std::vector<Doubt>& doubts) {
   }
 }
 
-void visit_hinges(const Input& node, std::vector<Doubt>& doubts) {
+void visit_hinges(const Input& node, std::vector<Warning>& warnings) {
   if (!node.is_map()) return;
-  if (node.key() == "hinges") return doubt_hinges(node, doubts);
-  for (const auto& [key, value] : node.entries()) visit_hinges(value, doubts);
+  if (node.key() == "hinges") return warn_about_hinges(node, warnings);
+  for (const auto& [key, value] : node.entries()) visit_hinges(value, warnings);
 }
 
 }  // namespace
 
-std::vector<Doubt> changed_keys(const Input& input) {
-  std::vector<Doubt> doubts;
-  visit_hinges(input, doubts);
-  return doubts;
+std::vector<Warning> changed_keys(const Input& input) {
+  std::vector<Warning> warnings;
+  visit_hinges(input, warnings);
+  return warnings;
 }
 
 }  // namespace pounding

@@ -9,6 +9,6 @@
 namespace pounding {
 
 /// Warnings about keys whose meaning has changed since version 0.2.0: `hardening` of a hinge with a law.
-std::vector<Doubt> changed_keys(const Input& input);
+std::vector<Warning> changed_keys(const Input& input);
 
 }  // namespace pounding

@@ -12,34 +12,34 @@
 namespace pounding {
 namespace {
 
-double read(const CollisionInput& words, std::string_view name, const std::string& text, const Dimension& expected) {
+double read(const CollisionInput& keys, std::string_view name, const std::string& text, const Dimension& expected) {
   try {
     return parse_quantity(text, expected);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}{} {}: {}", words.before_names, name, excerpt(text), error.what()));
+    throw InputError(fmt::format("{}{} {}: {}", keys.before_names, name, excerpt(text), error.what()));
   }
 }
 
-double read_mass(const CollisionInput& words, std::string_view name, const std::string& text) {
-  const double mass = read(words, name, text, dimension::mass);
+double read_mass(const CollisionInput& keys, std::string_view name, const std::string& text) {
+  const double mass = read(keys, name, text, dimension::mass);
   if (!(mass > 0))
-    throw InputError(fmt::format("{}{} {}: a mass must be positive", words.before_names, name, excerpt(text)));
+    throw InputError(fmt::format("{}{} {}: a mass must be positive", keys.before_names, name, excerpt(text)));
   return mass;
 }
 
 /// The reduced mass; a wall is infinitely heavy.
-double reduced_mass(const CollisionInput& words) {
-  const double m1 = read_mass(words, "m1", words.m1);
-  if (words.m2 == "wall") return m1;
-  const double m2 = read_mass(words, "m2", words.m2);
+double reduced_mass(const CollisionInput& keys) {
+  const double m1 = read_mass(keys, "m1", keys.m1);
+  if (keys.m2 == "wall") return m1;
+  const double m2 = read_mass(keys, "m2", keys.m2);
   return m1 / (1 + m1 / m2);
 }
 
-std::vector<std::pair<std::string, std::string>> given_parameters(const CollisionInput& words) {
+std::vector<std::pair<std::string, std::string>> given_parameters(const CollisionInput& keys) {
   std::vector<std::pair<std::string, std::string>> given;
-  if (!words.exponent.empty()) given.emplace_back("exponent", words.exponent);
-  if (!words.stiffness.empty()) given.emplace_back("stiffness", words.stiffness);
-  given.insert(given.end(), words.parameters.begin(), words.parameters.end());
+  if (!keys.exponent.empty()) given.emplace_back("exponent", keys.exponent);
+  if (!keys.stiffness.empty()) given.emplace_back("stiffness", keys.stiffness);
+  given.insert(given.end(), keys.parameters.begin(), keys.parameters.end());
   return given;
 }
 
@@ -73,44 +73,44 @@ std::string refused_impact(std::string_view before, std::string_view formula, st
   return refused;
 }
 
-Collision read_collision(const CollisionInput& words) {
-  Collision c{.law = laws::find_law(words.law), .settings = {}, .assumed = {}};
+Collision read_collision(const CollisionInput& keys) {
+  Collision c{.law = laws::find_law(keys.law), .settings = {}, .assumed = {}};
   c.settings = laws::typical_settings(c.law);
-  c.settings.reduced_mass = reduced_mass(words);
+  c.settings.reduced_mass = reduced_mass(keys);
   if (c.law.takes_restitution) {
-    if (words.restitution.empty())
+    if (keys.restitution.empty())
       throw InputError(
-          fmt::format("{}restitution is missing: the one to calibrate for, such as 0.65", words.before_names));
-    c.settings.restitution = read(words, "restitution", words.restitution, dimension::none);
-  } else if (!words.restitution.empty()) {
+          fmt::format("{}restitution is missing: the one to calibrate for, such as 0.65", keys.before_names));
+    c.settings.restitution = read(keys, "restitution", keys.restitution, dimension::none);
+  } else if (!keys.restitution.empty()) {
     throw InputError(
-        fmt::format("{}restitution: {} takes no restitution, it loses no energy", words.before_names, words.law));
+        fmt::format("{}restitution: {} takes no restitution, it loses no energy", keys.before_names, keys.law));
   }
-  const auto given = given_parameters(words);
+  const auto given = given_parameters(keys);
   for (const auto& [name, text] : given)
-    if (name == "exponent") c.settings.values["exponent"] = read(words, name, text, dimension::none);
+    if (name == "exponent") c.settings.values["exponent"] = read(keys, name, text, dimension::none);
   if (const auto n = c.settings.values.find("exponent"); n != c.settings.values.end()) c.exponent = n->second;
   for (const auto& [name, text] : given) {
     const auto p = std::ranges::find(c.law.parameters, name, &laws::ParameterInfo::name);
     // An unknown name stays in, so that make_law refuses it and says which ones there are.
     const Dimension expected =
         p == c.law.parameters.end() ? dimension::none : parse_unit_dimension(laws::resolved_unit(p->unit, c.exponent));
-    c.settings.values[name] = p == c.law.parameters.end() ? 0 : read(words, name, text, expected);
+    c.settings.values[name] = p == c.law.parameters.end() ? 0 : read(keys, name, text, expected);
   }
   for (const laws::ParameterInfo& p : c.law.parameters) {
     const bool is_given = std::ranges::find(given, p.name, &std::pair<std::string, std::string>::first) != given.end();
     if (p.need == laws::Need::required && !is_given && p.unit.find('n') != std::string_view::npos &&
-        !words.exponent.empty())
+        !keys.exponent.empty())
       throw InputError(
           fmt::format("{}exponent {} needs {}{} with it: a typical one is known for the usual exponent only",
-                      words.before_names, words.exponent, words.before_names, p.name));
+                      keys.before_names, keys.exponent, keys.before_names, p.name));
     if (p.need == laws::Need::required && !is_given)
       c.assumed.push_back(fmt::format("{} {:g} {}", p.name, p.typical, laws::resolved_unit(p.unit, c.exponent)));
   }
-  if (words.velocity.empty())
+  if (keys.velocity.empty())
     c.assumed.push_back(fmt::format("closing speed {:g} m/s", c.velocity));
   else
-    c.velocity = read(words, "velocity", words.velocity, dimension::velocity);
+    c.velocity = read(keys, "velocity", keys.velocity, dimension::velocity);
   return c;
 }
 

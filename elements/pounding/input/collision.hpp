@@ -40,7 +40,7 @@ struct CalibratedRow {
 std::string refused_impact(std::string_view before, std::string_view formula, std::string_view why);
 
 /// Throws InputError for a value that is missing or wrong, std::invalid_argument for an unknown law.
-Collision read_collision(const CollisionInput& words);
+Collision read_collision(const CollisionInput& keys);
 
 /// One row a formula; one without a name for a law that has none. Throws std::invalid_argument for a value or a
 /// parameter that the law refuses whatever the formula.

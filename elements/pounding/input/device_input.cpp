@@ -82,7 +82,7 @@ DeviceOptions read_parts(const Input& node) {
       const hysteresis::Entry& law = *law_among_keys(device, "a device");
       const Input node = device.at(law.name);
       if (device.find("bar")) node.fail_at_key(error.what());
-      place_of(error.what(), node, law).fail(error.what());
+      location_of(error.what(), node, law).fail(error.what());
     }
     case ModelOption::damper: device.at("damper").fail(error.what());
     default: device.fail(error.what());
@@ -138,10 +138,10 @@ void read_own_device(const std::string& name, const Input& node, const Structure
   }
   std::optional<DeviceAxis> chosen;
   if (axis) {
-    const std::string word = axis->as_choice();
-    chosen = word == "along" ? DeviceAxis::along
-             : word == "x"   ? DeviceAxis::x
-             : word == "y"   ? DeviceAxis::y
+    const std::string spec = axis->as_choice();
+    chosen = spec == "along" ? DeviceAxis::along
+             : spec == "x"   ? DeviceAxis::x
+             : spec == "y"   ? DeviceAxis::y
                              : DeviceAxis::z;
   }
   try {

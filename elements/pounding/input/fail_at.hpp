@@ -8,9 +8,9 @@ namespace pounding {
 
 /// Throws InputError at the place of the option that a model has refused: at its key where it should not be there at
 /// all.
-[[noreturn]] inline void fail_at(const Input& place, const ModelError& error) {
-  if (error.is_idle()) place.fail_at_key(error.what());
-  place.fail(error.what());
+[[noreturn]] inline void fail_at(const Input& location, const ModelError& error) {
+  if (error.is_idle()) location.fail_at_key(error.what());
+  location.fail(error.what());
 }
 
 }  // namespace pounding

@@ -10,7 +10,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/input/ground_input.hpp>
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
 namespace {

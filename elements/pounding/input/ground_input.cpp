@@ -17,7 +17,7 @@
 #include <pounding/ground/displacement_motion.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/synthetic.hpp>
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -244,10 +244,10 @@ Record read_named_record(const Input& file, const RecordOptions& options) {
   return read_record(find_record(file.as_text(), file.directory()), options);
 }
 
-GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(words::motion), {}); }
+GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(keys::motion), {}); }
 
 GroundSection read_ground_section(const Input& node) {
-  const Input section = node.in(words::ground_motion);
+  const Input section = node.in(keys::ground_motion);
   GroundSection ground;
   if (const auto wave = section.find("wave")) ground.wave = read_wave(*wave);
   const std::optional<Input> components = section.find("components");

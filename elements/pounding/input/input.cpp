@@ -35,15 +35,15 @@ std::string allowed_text(const Dimension& dimension, const Bounds& allowed) {
 }
 
 // Whether the key of a map is a name that the user has chosen, and not a word.
-bool names_values(words::Form form, std::string_view key) {
-  if (form == words::Form::by_storey) return !key.empty() && key.front() >= '0' && key.front() <= '9';
-  return form == words::Form::named || form == words::Form::named_lists;
+bool names_values(keys::Form form, std::string_view key) {
+  if (form == keys::Form::by_storey) return !key.empty() && key.front() >= '0' && key.front() <= '9';
+  return form == keys::Form::named || form == keys::Form::named_lists;
 }
 
 // How to type a value that is the name of an allowed key, or that has such a key alone, else how to type a name that is
 // a key inside of allowed ones: `"spring: {bouc_wen: {yield_force: 150 kN}}"`, where "law: bouc_wen" was read. Empty
 // where it is neither.
-std::string ways_to_type(const words::Section& section, std::span<const std::string_view> allowed,
+std::string ways_to_type(const keys::Section& section, std::span<const std::string_view> allowed,
                          const YAML::Node& value) {
   const bool holds_one = value.IsMap() && value.size() == 1;
   if (!value.IsScalar() && !holds_one) return {};
@@ -51,11 +51,11 @@ std::string ways_to_type(const words::Section& section, std::span<const std::str
   const auto typed = [](std::string_view key, std::string_view example) { return fmt::format("{}: {}", key, example); };
   std::string ways;
   for (const std::string_view key : allowed) {
-    const words::Word* const word = section.find(key);
-    if (!word) continue;
-    if (key == name) return fmt::format("\"{}\"", typed(key, word->example));
-    const words::Word* const inner =
-        !holds_one && word->inside && word->form == words::Form::one ? word->inside->find(name) : nullptr;
+    const keys::Key* const spec = section.find(key);
+    if (!spec) continue;
+    if (key == name) return fmt::format("\"{}\"", typed(key, spec->example));
+    const keys::Key* const inner =
+        !holds_one && spec->inside && spec->form == keys::Form::one ? spec->inside->find(name) : nullptr;
     if (inner)
       ways += fmt::format("{}\"{}\"", ways.empty() ? "" : " or ",
                           typed(key, fmt::format("{{{}}}", typed(name, inner->example))));
@@ -131,16 +131,17 @@ Input Input::read_text(std::string text, std::string name, Files files) {
   return root;
 }
 
-Input::Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key, Place key_place)
+Input::Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key,
+             Location key_location)
     : source_(std::move(source)),
       node_(std::move(node)),
       path_(std::move(path)),
       key_(std::move(key)),
-      place_(key_place),
-      key_place_(key_place) {
+      location_(key_location),
+      key_location_(key_location) {
   // A value that was left out has no place of its own.
   if (const YAML::Mark mark = node_.Mark(); !node_.IsNull() && !mark.is_null())
-    place_ = {mark.line + 1, mark.column + 1};
+    location_ = {mark.line + 1, mark.column + 1};
 }
 
 std::filesystem::path Input::directory() const { return std::filesystem::path(source_->name).parent_path(); }
@@ -153,28 +154,28 @@ const std::string* Input::file_content() const {
 
 Input Input::child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const {
   const YAML::Mark mark = key_node.Mark();
-  Input made(source_, value, joined(path_, key), std::string(key), Place{mark.line + 1, mark.column + 1});
-  const bool is_map_of_names = word_ && part_ == Part::value && names_values(word_->form, key);
+  Input made(source_, value, joined(path_, key), std::string(key), Location{mark.line + 1, mark.column + 1});
+  const bool is_map_of_names = spec_ && part_ == Part::value && names_values(spec_->form, key);
   if (is_map_of_names) {
-    made.word_ = word_;
+    made.spec_ = spec_;
     made.section_ = section_;
     made.part_ = Part::of_name;
-  } else if (const words::Word* known = section_ ? section_->find(key) : nullptr) {
-    made.word_ = known;
+  } else if (const keys::Key* known = section_ ? section_->find(key) : nullptr) {
+    made.spec_ = known;
     made.section_ = known->inside;
   }
   return made;
 }
 
-Input Input::in(const words::Section& section) const {
+Input Input::in(const keys::Section& section) const {
   Input same = *this;
   same.section_ = &section;
   return same;
 }
 
-const words::Word& Input::word() const {
-  if (!word_) throw std::logic_error(fmt::format("{} is read and has no word in the catalogue of the input", path_));
-  return *word_;
+const keys::Key& Input::spec() const {
+  if (!spec_) throw std::logic_error(fmt::format("{} is read and has no word in the catalogue of the input", path_));
+  return *spec_;
 }
 
 std::optional<Input> Input::find(std::string_view key) const {
@@ -196,7 +197,7 @@ Input Input::at(std::string_view key, std::string_view example) const {
 void Input::only_keys() const {
   if (!section_) throw std::logic_error(fmt::format("the keys of {} have no table", path_));
   std::vector<std::string_view> keys;
-  for (const words::Word& each : section_->words) keys.push_back(each.key);
+  for (const keys::Key& each : section_->keys) keys.push_back(each.key);
   only_keys(keys);
 }
 
@@ -228,8 +229,8 @@ std::vector<Input> Input::items() const {
   std::vector<Input> members;
   for (const auto& member : node_) {
     const std::string index = fmt::format("[{}]", members.size());
-    Input& made = members.emplace_back(Input(source_, member, path_ + index, key_ + index, place_));
-    made.word_ = word_;
+    Input& made = members.emplace_back(Input(source_, member, path_ + index, key_ + index, location_));
+    made.spec_ = spec_;
     made.section_ = section_;
     made.part_ = Part::item;
   }
@@ -247,9 +248,9 @@ void Input::rewrite(const std::string& text) {
   node_ = text;
 }
 
-double Input::as_quantity() const { return as_quantity(word().dimension, word().bounds); }
+double Input::as_quantity() const { return as_quantity(spec().dimension, spec().bounds); }
 
-double Input::as_quantity(const Dimension& dimension) const { return as_quantity(dimension, word().bounds); }
+double Input::as_quantity(const Dimension& dimension) const { return as_quantity(dimension, spec().bounds); }
 
 double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) const {
   if (!is_scalar()) {
@@ -267,23 +268,23 @@ double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) con
   return value;
 }
 
-std::vector<double> Input::as_quantities(int count) const { return as_quantities(count, word().bounds); }
+std::vector<double> Input::as_quantities(int count) const { return as_quantities(count, spec().bounds); }
 
 std::vector<double> Input::as_quantities(int count, const Bounds& allowed) const {
   const auto wanted = static_cast<std::size_t>(count);
-  if (!is_list()) return std::vector<double>(wanted, as_quantity(word().dimension, allowed));
+  if (!is_list()) return std::vector<double>(wanted, as_quantity(spec().dimension, allowed));
   const std::vector<Input> members = items();
   if (members.size() != wanted)
     fail(fmt::format("takes {} or a list of {} from the ground up; a list of {} was read",
-                     allowed_text(word().dimension, allowed), count, members.size()));
+                     allowed_text(spec().dimension, allowed), count, members.size()));
   std::vector<double> values;
-  for (const Input& member : members) values.push_back(member.as_quantity(word().dimension, allowed));
+  for (const Input& member : members) values.push_back(member.as_quantity(spec().dimension, allowed));
   return values;
 }
 
 long long Input::as_integer() const {
   constexpr auto unlimited = std::numeric_limits<long long>();
-  const Bounds& allowed = word().bounds;
+  const Bounds& allowed = spec().bounds;
   return as_integer(allowed.has_low() ? static_cast<long long>(allowed.low) : unlimited.min(),
                     allowed.has_high() ? static_cast<long long>(allowed.high) : unlimited.max());
 }
@@ -317,8 +318,8 @@ bool Input::as_bool() const {
 }
 
 std::string Input::as_choice() const {
-  const bool in_place_of_all = part_ == Part::value && !word().instead.empty();
-  return as_choice(word().noun.empty() ? word().key : word().noun, in_place_of_all ? word().instead : word().choices);
+  const bool in_place_of_all = part_ == Part::value && !spec().instead.empty();
+  return as_choice(spec().noun.empty() ? spec().key : spec().noun, in_place_of_all ? spec().instead : spec().choices);
 }
 
 std::string Input::as_choice(std::string_view what, std::span<const std::string_view> allowed) const {
@@ -340,20 +341,20 @@ std::optional<double> Input::find_quantity(std::string_view key) const {
   return found ? std::optional(found->as_quantity()) : std::nullopt;
 }
 
-void Input::fail(std::string_view message) const { fail_at(place_, message); }
+void Input::fail(std::string_view message) const { fail_at(location_, message); }
 
-void Input::fail_at_key(std::string_view message) const { fail_at(key_place_, message); }
+void Input::fail_at_key(std::string_view message) const { fail_at(key_location_, message); }
 
-void Input::fail_at(const Place& place, std::string_view message) const {
-  throw InputError(fmt::format("{}:{}:{}: {}{}", source_->name, place.line, place.column,
+void Input::fail_at(const Location& location, std::string_view message) const {
+  throw InputError(fmt::format("{}:{}:{}: {}{}", source_->name, location.line, location.column,
                                path_.empty() ? "" : excerpt(path_) + ": ", message));
 }
 
 void Input::expect_map() const {
   if (is_map()) return;
   const std::string_view read = node_.IsNull() ? "nothing" : is_scalar() ? "a single value" : "a list";
-  const bool shown = word_ && part_ == Part::value && word_->example.starts_with('{');
-  fail(fmt::format("takes keys with values such as {}; {} was read", shown ? word_->example : "{key: value}", read));
+  const bool shown = spec_ && part_ == Part::value && spec_->example.starts_with('{');
+  fail(fmt::format("takes keys with values such as {}; {} was read", shown ? spec_->example : "{key: value}", read));
 }
 
 }  // namespace pounding

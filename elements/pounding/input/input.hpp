@@ -16,7 +16,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/input/bounds.hpp>
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
 namespace pounding {
 
@@ -45,9 +45,9 @@ class Input {
     node_.reset(other.node_);
     path_ = other.path_;
     key_ = other.key_;
-    place_ = other.place_;
-    key_place_ = other.key_place_;
-    word_ = other.word_;
+    location_ = other.location_;
+    key_location_ = other.key_location_;
+    spec_ = other.spec_;
     section_ = other.section_;
     part_ = other.part_;
     return *this;
@@ -72,7 +72,7 @@ class Input {
   bool is_scalar() const { return node_.IsScalar(); }
 
   /// This node, whose keys are those of this section from here on.
-  Input in(const words::Section& section) const;
+  Input in(const keys::Section& section) const;
   /// Whether the section of this node has the key at all.
   bool knows(std::string_view key) const { return section_ && section_->find(key); }
 
@@ -133,7 +133,7 @@ class Input {
     std::string name, text;
     Files files = {};
   };
-  struct Place {
+  struct Location {
     int line = 1, column = 1;
   };
 
@@ -142,18 +142,19 @@ class Input {
   /// Part of what stands under the key of the word.
   enum class Part { value, of_name, item };
 
-  Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key, Place key_place);
+  Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key,
+        Location key_location);
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
-  const words::Word& word() const;
+  const keys::Key& spec() const;
   void expect_map() const;
-  [[noreturn]] void fail_at(const Place& place, std::string_view message) const;
+  [[noreturn]] void fail_at(const Location& location, std::string_view message) const;
 
   std::shared_ptr<const Source> source_;
   YAML::Node node_;
   std::string path_, key_;
-  Place place_, key_place_;
-  const words::Word* word_ = nullptr;
-  const words::Section* section_ = nullptr;
+  Location location_, key_location_;
+  const keys::Key* spec_ = nullptr;
+  const keys::Section* section_ = nullptr;
   Part part_ = Part::value;
 };
 

@@ -54,7 +54,7 @@ IsolatorOptions read_isolator_law(const Input& isolator) {
   try {
     make_isolator("", Row(1), options, 1);
   } catch (const std::invalid_argument& error) {
-    place_of(error.what(), law, *entry).fail(error.what());
+    location_of(error.what(), law, *entry).fail(error.what());
   }
   return options;
 }

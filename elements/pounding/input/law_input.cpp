@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/stiffness_input.hpp>
-#include <pounding/input/words/sections.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding {
@@ -46,7 +46,7 @@ LawInput read_law(const Input& node) {
   const Input law_node = node.at("law");
   settings.law = law_node.as_text();
   const laws::Entry& entry = entry_of(law_node);
-  const Input link = node.in(words::link_with(entry));
+  const Input link = node.in(keys::link_with(entry));
   link.only_keys();
 
   const double exponent = link.knows("exponent") ? link.quantity("exponent") : 1.5;
@@ -81,18 +81,18 @@ LawInput read_law(const Input& node) {
   return read;
 }
 
-Input place_of_law(const std::string& refusal, const Input& node) {
+Input location_of_law(const std::string& refusal, const Input& node) {
   const Input law = node.at("law");
   const laws::Entry& entry = laws::find_law(law.as_text());
-  const Input link = node.in(words::link_with(entry));
+  const Input link = node.in(keys::link_with(entry));
   std::vector<std::string_view> keys{"formula", "restitution", "impact_velocity", "reduced_mass"};
   for (const laws::ParameterInfo& parameter : entry.parameters) keys.push_back(parameter.name);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz_";
   for (std::size_t begin = 0; (begin = refusal.find_first_of(letters, begin)) != std::string::npos;) {
     const std::size_t end = std::min(refusal.find_first_not_of(letters, begin), refusal.size());
-    const std::string_view word = std::string_view(refusal).substr(begin, end - begin);
-    if (std::find(keys.begin(), keys.end(), word) != keys.end())
-      if (const auto found = link.find(word)) return *found;
+    const std::string_view spec = std::string_view(refusal).substr(begin, end - begin);
+    if (std::find(keys.begin(), keys.end(), spec) != keys.end())
+      if (const auto found = link.find(spec)) return *found;
     begin = end;
   }
   return law;

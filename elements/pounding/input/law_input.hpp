@@ -22,6 +22,6 @@ LawInput read_law(const Input& node);
 
 /// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that
 /// the text names.
-Input place_of_law(const std::string& refusal, const Input& node);
+Input location_of_law(const std::string& refusal, const Input& node);
 
 }  // namespace pounding

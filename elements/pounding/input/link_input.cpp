@@ -76,7 +76,7 @@ std::optional<FacingFloors> read_floors(const Input& link) {
 }
 
 // Location of the option that the model has refused.
-Input place_of(const ModelError& error, const Input& link, const Input& between) {
+Input location_of(const ModelError& error, const Input& link, const Input& between) {
   const auto at = [&](const char* key) { return link.find(key).value_or(link); };
   switch (error.option()) {
     case ModelOption::between: return between;
@@ -92,7 +92,7 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
     case ModelOption::friction: return at("friction");
     case ModelOption::sliding_velocity: return at("sliding_velocity");
     case ModelOption::reduced_mass: return at("reduced_mass");
-    case ModelOption::law: return place_of_law(error.what(), link);
+    case ModelOption::law: return location_of_law(error.what(), link);
     default: return link;
   }
 }
@@ -138,7 +138,7 @@ void read_links_of_neighbours(const Input& node, const Input& between, Model& mo
     const auto [options, law] = read_options_and_law(node, read_floors(node), 1, true);
     link_neighbours(model, options, law, within);
   } catch (const ModelError& error) {
-    fail_at(place_of(error, node, between), error);
+    fail_at(location_of(error, node, between), error);
   }
 }
 
@@ -169,7 +169,7 @@ void read_link(const Input& node, Model& model) {
     const auto [options, law] = read_options_and_law(node, floors, static_cast<int>(count), are_drawn(a, b));
     model.link(left, right, options, law);
   } catch (const ModelError& error) {
-    fail_at(place_of(error, node, between), error);
+    fail_at(location_of(error, node, between), error);
   }
 }
 

@@ -39,22 +39,22 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 // An option in words, which names itself in messages.
 class Option {
  public:
-  Option(const PushoverWords& words, std::string_view name) : name_(words.mark + std::string(name)) {}
+  Option(const PushoverInput& keys, std::string_view name) : name_(keys.mark + std::string(name)) {}
   [[noreturn]] void refuse(const std::string& text) const { throw InputError(name_ + ": " + text); }
 
  private:
   std::string name_;
 };
 
-const Structure& find_structure(const Model& model, const PushoverWords& words) {
-  const Option option(words, "structure");
+const Structure& find_structure(const Model& model, const PushoverInput& keys) {
+  const Option option(keys, "structure");
   std::vector<std::string> names, yielding;
   for (const Structure& s : model.structures) {
     names.push_back(s.name);
     if (!s.yielding.empty()) yielding.push_back(s.name);
-    if (s.name == words.structure) return s;
+    if (s.name == keys.structure) return s;
   }
-  if (!words.structure.empty()) option.refuse(unknown_name("structure", words.structure, names));
+  if (!keys.structure.empty()) option.refuse(unknown_name("structure", keys.structure, names));
   if (yielding.size() != 1)
     option.refuse(yielding.empty() ? "no structure of this model yields; give yield_force to an oscillator or a "
                                      "shear_building, or hinges to a frame"
@@ -97,14 +97,14 @@ double read_target(const Option& option, std::string_view text, double height) {
   return target;
 }
 
-std::vector<double> read_targets(const Structure& s, const PushoverWords& words) {
+std::vector<double> read_targets(const Structure& s, const PushoverInput& keys) {
   const double height = roof_height(s);
   std::vector<double> targets;
-  if (!words.cyclic.empty())
-    for (const std::string_view text : split(words.cyclic, ",", true))
-      targets.push_back(read_target(Option(words, "cyclic"), text, height));
-  if (!words.to.empty() || words.cyclic.empty())
-    targets.push_back(read_target(Option(words, "to"), trimmed(words.to), height));
+  if (!keys.cyclic.empty())
+    for (const std::string_view text : split(keys.cyclic, ",", true))
+      targets.push_back(read_target(Option(keys, "cyclic"), text, height));
+  if (!keys.to.empty() || keys.cyclic.empty())
+    targets.push_back(read_target(Option(keys, "to"), trimmed(keys.to), height));
   return targets;
 }
 
@@ -128,39 +128,39 @@ std::vector<double> read_forces(const Option& option, const std::string& path, s
   return forces;
 }
 
-void read_load(const Structure& s, const PushoverWords& words, PushoverOptions& options) {
-  const Option option(words, "load");
+void read_load(const Structure& s, const PushoverInput& keys, PushoverOptions& options) {
+  const Option option(keys, "load");
   constexpr std::string_view names[] = {"triangular", "uniform", "mode1"};
   for (const LoadPattern pattern : {LoadPattern::triangular, LoadPattern::uniform, LoadPattern::mode1})
-    if (words.load == name_of(pattern)) {
+    if (keys.load == name_of(pattern)) {
       options.pattern = pattern;
       return;
     }
   std::error_code unknown;
-  if (!std::filesystem::exists(words.load, unknown))
+  if (!std::filesystem::exists(keys.load, unknown))
     option.refuse(
-        fmt::format("\"{}\" is neither a pattern nor a file.{}", excerpt(words.load), suggestion(words.load, names)));
+        fmt::format("\"{}\" is neither a pattern nor a file.{}", excerpt(keys.load), suggestion(keys.load, names)));
   options.pattern = LoadPattern::given;
-  options.forces = read_forces(option, words.load, s.floors.size());
+  options.forces = read_forces(option, keys.load, s.floors.size());
 }
 
 }  // namespace
 
-Pushover pushover(const Model& model, const PushoverWords& words, const ModeSolver& modes) {
-  const Structure& s = find_structure(model, words);
+Pushover pushover(const Model& model, const PushoverInput& keys, const ModeSolver& modes) {
+  const Structure& s = find_structure(model, keys);
   PushoverOptions options;
-  if (words.direction != "x" && words.direction != "y")
-    Option(words, "direction").refuse(fmt::format("takes x or y; \"{}\" was read", excerpt(words.direction)));
-  options.direction = words.direction == "y" ? 1 : 0;
-  read_load(s, words, options);
-  options.targets = read_targets(s, words);
-  const std::string place = fmt::format("{}: structures.{}: ", model.source_file, s.name);
+  if (keys.direction != "x" && keys.direction != "y")
+    Option(keys, "direction").refuse(fmt::format("takes x or y; \"{}\" was read", excerpt(keys.direction)));
+  options.direction = keys.direction == "y" ? 1 : 0;
+  read_load(s, keys, options);
+  options.targets = read_targets(s, keys);
+  const std::string location = fmt::format("{}: structures.{}: ", model.source_file, s.name);
   try {
     return pushover(s, options, modes);
   } catch (const std::invalid_argument& error) {
-    throw InputError(place + error.what());
+    throw InputError(location + error.what());
   } catch (const SolverError& error) {
-    throw SolverError(place + error.what());
+    throw SolverError(location + error.what());
   }
 }
 

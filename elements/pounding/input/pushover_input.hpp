@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-struct PushoverWords {
+struct PushoverInput {
   std::string structure{};  ///< name; may be empty in a model in which one structure yields
   std::string load =
       "triangular";  ///< triangular, uniform, mode1, or a file with one force a floor, from the ground up, to any scale
@@ -20,6 +20,6 @@ struct PushoverWords {
 
 /// Pushes a structure of a model. Throws InputError for words that cannot be read or do not fit the structure: it says
 /// which one, what was read and what to type; SolverError with the name of the structure as push().
-Pushover pushover(const Model& model, const PushoverWords& words, const ModeSolver& modes = dense_modes);
+Pushover pushover(const Model& model, const PushoverInput& keys, const ModeSolver& modes = dense_modes);
 
 }  // namespace pounding

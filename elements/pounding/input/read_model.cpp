@@ -11,10 +11,10 @@
 #include <pounding/input/device_input.hpp>
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/ground_input.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/reduction_input.hpp>
 #include <pounding/input/structure_input.hpp>
-#include <pounding/input/words/sections.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/reports/plausible.hpp>
 
@@ -41,7 +41,7 @@ AnalysisSettings read_analysis(const Input& node) {
     settings.scheme.spectral_radius = radius->as_quantity();
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
-  if (const auto most = node.find("most_steps")) settings.most_steps = static_cast<long>(most->as_integer());
+  if (const auto maximum = node.find("most_steps")) settings.max_steps = static_cast<long>(maximum->as_integer());
   if (const auto reduction = node.find("reduction")) settings.reduction = read_reduction(*reduction);
   settings.collapse_drift = node.find_quantity("collapse_drift").value_or(0);
   return settings;
@@ -61,24 +61,24 @@ Input component(const Input& motion, int axis) {
 }
 
 // Modal damping of a structure, beside its kind or inside it.
-Input modal_damping_in(const Input& place) {
-  std::optional<Input> damping = place.find("damping");
-  for (const auto& [word, inside] : place.entries())
+Input modal_damping_in(const Input& location) {
+  std::optional<Input> damping = location.find("damping");
+  for (const auto& [spec, inside] : location.entries())
     if (!damping && inside.is_map()) damping = inside.find("damping");
-  return damping && damping->is_map() ? damping->find("modal").value_or(place) : place;
+  return damping && damping->is_map() ? damping->find("modal").value_or(location) : location;
 }
 
 // Location in the input of what the complete model was refused for.
-Input place_of(const ModelError& error, const Input& input) {
+Input location_of(const ModelError& error, const Input& input) {
   const Input structures = input.at("structures");
   const auto motion = input.find("ground_motion");
   if (error.option() == ModelOption::structures) return structures;
   if (error.structure() >= 0) {
-    const Input place = structures.entries()[error.structure()].second;
-    if (error.option() == ModelOption::damping) return modal_damping_in(place);
-    if (error.option() == ModelOption::delay) return place.find("delay").value_or(place);
-    if (error.option() == ModelOption::ground_component) return component(place.at("ground_motion"), error.axis());
-    return place;
+    const Input location = structures.entries()[error.structure()].second;
+    if (error.option() == ModelOption::damping) return modal_damping_in(location);
+    if (error.option() == ModelOption::delay) return location.find("delay").value_or(location);
+    if (error.option() == ModelOption::ground_component) return component(location.at("ground_motion"), error.axis());
+    return location;
   }
   if (error.option() == ModelOption::ground_component) return component(*motion, error.axis());
   if (error.option() == ModelOption::wave) return motion->at("wave");
@@ -92,7 +92,7 @@ Input place_of(const ModelError& error, const Input& input) {
 }  // namespace
 
 Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor, const GroundSection* ground) {
-  const Input root = input.in(words::model);
+  const Input root = input.in(keys::model);
   root.only_keys();
   Model model;
   model.mode_solver = modes;
@@ -105,7 +105,7 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   else if (const auto motion = root.find("ground_motion"))
     model.ground = read_ground_section(*motion);
   const Input structures = root.at("structures");
-  for (const auto& [name, place] : structures.entries()) read_structure(name, place, model);
+  for (const auto& [name, location] : structures.entries()) read_structure(name, location, model);
   if (const auto links = root.find("links")) {
     if (!links->is_list())
       links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
@@ -114,8 +114,8 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   if (const auto devices = root.find("devices"))
     for (const auto& [name, device] : devices->entries()) read_device(name, device, model);
   if (const auto analysis = root.find("analysis")) model.analysis = read_analysis(*analysis);
-  for (const auto& [name, place] : structures.entries())
-    if (const auto reduction = place.find("reduction")) model.analysis.reductions[name] = read_reduction(*reduction);
+  for (const auto& [name, location] : structures.entries())
+    if (const auto reduction = location.find("reduction")) model.analysis.reductions[name] = read_reduction(*reduction);
   if (const auto checkpoint = root.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
   if (const auto compare = root.find("compare")) {
     compare->as_choice();
@@ -123,12 +123,12 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   }
   if (const auto accept = root.find("accept"))
     for (const Input& name : accept->items()) model.accept.push_back(name.as_choice());
-  model.read_doubts = doubtful_numbers(input);
-  for (Doubt& doubt : changed_keys(input)) model.read_doubts.push_back(std::move(doubt));
+  model.read_warnings = doubtful_numbers(input);
+  for (Warning& warning : changed_keys(input)) model.read_warnings.push_back(std::move(warning));
   try {
     model.complete();
   } catch (const ModelError& error) {
-    fail_at(place_of(error, root), error);
+    fail_at(location_of(error, root), error);
   }
   check_reductions(model, root);
   return model;

@@ -9,9 +9,9 @@ namespace pounding {
 Reduction read_reduction(const Input& node) {
   Reduction reduction;
   if (!node.is_map()) {
-    const std::string word = node.as_choice();
-    reduction.kind = word == "auto"   ? Reduction::Kind::automatic
-                     : word == "none" ? Reduction::Kind::none
+    const std::string spec = node.as_choice();
+    reduction.kind = spec == "auto"   ? Reduction::Kind::automatic
+                     : spec == "none" ? Reduction::Kind::none
                                       : Reduction::Kind::all_modes;
     return reduction;
   }
@@ -60,8 +60,8 @@ void check_reductions(const Model& model, const Input& root) {
     if (!reduction_of(model, number).is_explicit()) continue;
     const std::string reason = why_not_reduced(model, number);
     if (reason.empty()) continue;
-    const auto& [name, place] = structures[i];
-    if (const auto own = place.find("reduction"))
+    const auto& [name, location] = structures[i];
+    if (const auto own = location.find("reduction"))
       own->fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: none", name, reason));
     if (model.structures[i].size() > small_structure)
       root.at("analysis")

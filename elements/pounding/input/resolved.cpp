@@ -272,7 +272,7 @@ void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
   if (const auto& law = device.parts.law) {
     out << YAML::Key << law->law << YAML::Value << YAML::BeginMap;
     for (const auto& [name, value] : law->values) emit(out, name, value);
-    for (const auto& [name, word] : law->words) out << YAML::Key << name << YAML::Value << word;
+    for (const auto& [name, spec] : law->words) out << YAML::Key << name << YAML::Value << spec;
     out << YAML::EndMap;
   }
   if (const auto& damper = device.parts.damper) {
@@ -315,7 +315,7 @@ std::string resolved_yaml(const Model& model) {
   if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
-  field(out, "most_steps") << model.analysis.most_steps;
+  field(out, "most_steps") << model.analysis.max_steps;
   if (model.analysis.reduction.kind != Reduction::Kind::none || !model.analysis.reductions.empty()) {
     field(out, "reduction") << YAML::BeginMap;
     for (std::size_t i = 0; i < model.structures.size(); ++i)
@@ -325,7 +325,7 @@ std::string resolved_yaml(const Model& model) {
   }
   if (model.analysis.collapse_drift > 0) emit(out, "collapse_drift", model.analysis.collapse_drift);
   out << YAML::EndMap;
-  if (model.checkpoint.asked()) {
+  if (model.checkpoint.requested()) {
     field(out, "checkpoint") << YAML::BeginMap;
     if (model.checkpoint.every > 0) emit(out, "every", model.checkpoint.every);
     if (model.checkpoint.every_simulated > 0) emit(out, "every_simulated", model.checkpoint.every_simulated);

@@ -47,13 +47,13 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
 }
 
 std::map<std::string, std::string, std::less<>> read_choices(const Input& law, const hysteresis::Entry& entry) {
-  std::map<std::string, std::string, std::less<>> words;
+  std::map<std::string, std::string, std::less<>> keys;
   for (const hysteresis::ChoiceInfo& choice : entry.choices)
-    if (const auto word = law.find(choice.name)) words.emplace(choice.name, word->as_choice());
-  return words;
+    if (const auto spec = law.find(choice.name)) keys.emplace(choice.name, spec->as_choice());
+  return keys;
 }
 
-Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
+Input location_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
   const std::string_view first = std::string_view(refusal).substr(0, refusal.find(' '));
   for (const hysteresis::ParameterInfo& parameter : entry.parameters)
     if (parameter.name == first)
@@ -77,8 +77,8 @@ SpringOptions read_storey_spring(const Input& spring, const std::vector<double>&
   for (int i = 0; i < storeys; ++i) try {
       make_spring(options.of_storey(i, stiffness));
     } catch (const std::invalid_argument& error) {
-      const Input place = place_of(error.what(), law, entry);
-      place.fail(place.is_list() ? fmt::format("storey {}: {}", first_storey + i, error.what()) : error.what());
+      const Input location = location_of(error.what(), law, entry);
+      location.fail(location.is_list() ? fmt::format("storey {}: {}", first_storey + i, error.what()) : error.what());
     }
   return options;
 }

@@ -20,7 +20,7 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what);
 std::map<std::string, std::string, std::less<>> read_choices(const Input& law, const hysteresis::Entry& entry);
 
 /// The key of the law that a refusal begins with, or the law itself.
-Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry);
+Input location_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry);
 
 /// Reads the section `spring`, for storeys with these stiffnesses [N/m], the first of which has this number. Throws
 /// InputError at the place of what is missing, unknown or out of range.

@@ -105,7 +105,7 @@ Structure read_wall(const Input& body) {
 }
 
 struct Kind {
-  std::string_view word;
+  std::string_view key;
   Structure (*read)(const Input& body);
 };
 
@@ -116,27 +116,28 @@ constexpr Kind structure_kinds[] = {{"body", read_body},
                                     {"frame", read_frame_structure},
                                     {"wall", read_wall}};
 
-const Kind& kind_of(const Input& place) {
-  std::vector<std::string_view> words;
-  for (const Kind& kind : structure_kinds) words.push_back(kind.word);
-  if (place.is_scalar() && place.as_text() == "wall") place.fail("a wall is written as {wall: {}}");
-  place.only_keys();
+const Kind& kind_of(const Input& location) {
+  std::vector<std::string_view> keys;
+  for (const Kind& kind : structure_kinds) keys.push_back(kind.key);
+  if (location.is_scalar() && location.as_text() == "wall") location.fail("a wall is written as {wall: {}}");
+  location.only_keys();
   const Kind* chosen = nullptr;
   for (const Kind& kind : structure_kinds) {
-    if (!place.has(kind.word)) continue;
+    if (!location.has(kind.key)) continue;
     if (chosen)
-      place.find(kind.word)->fail_at_key(
-          fmt::format("a structure has one kind, and a {} is given too; keep one of the two", chosen->word));
+      location.find(kind.key)->fail_at_key(
+          fmt::format("a structure has one kind, and a {} is given too; keep one of the two", chosen->key));
     chosen = &kind;
   }
-  if (!chosen) place.fail(fmt::format("the kind of the structure is missing; it is one of {}", fmt::join(words, ", ")));
+  if (!chosen)
+    location.fail(fmt::format("the kind of the structure is missing; it is one of {}", fmt::join(keys, ", ")));
   return *chosen;
 }
 
 // A key may stand under the kind's own word or beside it, not in both places.
-std::optional<Input> beside_or_inside(const Input& place, const Input& body, std::string_view key) {
+std::optional<Input> beside_or_inside(const Input& location, const Input& body, std::string_view key) {
   const std::optional<Input> inside = body.is_map() && body.knows(key) ? body.find(key) : std::nullopt;
-  const std::optional<Input> beside = place.find(key);
+  const std::optional<Input> beside = location.find(key);
   if (inside && beside) beside->fail_at_key(fmt::format("\"{}\" is given twice; keep one of the two", key));
   return inside ? inside : beside;
 }
@@ -200,24 +201,24 @@ std::vector<NodeDisplacement> read_node_displacements(const Input& nodes) {
 // Reads one structure; what the model refuses is reported at its place in the input.
 class StructureInput {
  public:
-  StructureInput(const std::string& name, const Input& place) : name_(name), place_(place) {}
+  StructureInput(const std::string& name, const Input& location) : name_(name), location_(location) {}
 
   void read(Model& model) {
     check_name();
-    const Kind& kind = kind_of(place_);
-    body_.emplace(*place_.find(kind.word));
+    const Kind& kind = kind_of(location_);
+    body_.emplace(*location_.find(kind.key));
     Structure s = made(kind);
     StructureOptions options;
-    damping_ = beside_or_inside(place_, *body_, "damping");
-    velocity_ = beside_or_inside(place_, *body_, "initial_velocity");
-    displacement_ = beside_or_inside(place_, *body_, "initial_displacement");
-    face_ = beside_or_inside(place_, *body_, "face");
-    const std::optional<Input> delay = place_.find("delay"), motion = place_.find("ground_motion");
+    damping_ = beside_or_inside(location_, *body_, "damping");
+    velocity_ = beside_or_inside(location_, *body_, "initial_velocity");
+    displacement_ = beside_or_inside(location_, *body_, "initial_displacement");
+    face_ = beside_or_inside(location_, *body_, "face");
+    const std::optional<Input> delay = location_.find("delay"), motion = location_.find("ground_motion");
     const bool is_damped = !s.is_rigid() && !s.is_free;
     if (damping_) options.damping = is_damped ? read_damping(*damping_, s) : Damping(0);
     if (velocity_) options.initial_velocity = read_velocity(*velocity_, s);
     if (displacement_) options.initial_displacement = read_displacement(*displacement_, s);
-    if (kind.word == "frame") node_displacements_ = body_->find("initial_node_displacements");
+    if (kind.key == "frame") node_displacements_ = body_->find("initial_node_displacements");
     if (node_displacements_) options.initial_node_displacements = read_node_displacements(*node_displacements_);
     if (motion) {
       GroundSection ground = read_ground_section(*motion);
@@ -226,7 +227,7 @@ class StructureInput {
     }
     if (delay) options.delay = delay->as_quantity();
     if (face_) options.face = read_face(*face_);
-    if (const auto forces = place_.find("forces")) options.forces = read_forces(*forces);
+    if (const auto forces = location_.find("forces")) options.forces = read_forces(*forces);
     const StructureHandle handle = [&] {
       try {
         return model.add(name_, std::move(s), options);
@@ -252,7 +253,7 @@ class StructureInput {
     try {
       require_structure_name(name_);
     } catch (const ModelError& error) {
-      place_.fail_at_key(error.what());
+      location_.fail_at_key(error.what());
     }
   }
 
@@ -264,7 +265,8 @@ class StructureInput {
         // The reading has let pass too many modes for modal damping, and what the solver of modes refuses.
         if (damping_->is_map() && damping_->has("modal")) damping_->at("modal").fail_at_key(error.what());
         break;
-      case ModelOption::forces: place_.at("forces").items()[static_cast<std::size_t>(error.item())].fail(error.what());
+      case ModelOption::forces:
+        location_.at("forces").items()[static_cast<std::size_t>(error.item())].fail(error.what());
       case ModelOption::initial_velocity: at = &*velocity_; break;
       case ModelOption::initial_displacement: at = &*displacement_; break;
       case ModelOption::face: at = &*face_; break;
@@ -275,14 +277,14 @@ class StructureInput {
   }
 
   const std::string& name_;
-  const Input& place_;
+  const Input& location_;
   std::optional<Input> body_, damping_, velocity_, displacement_, face_, node_displacements_;
 };
 
 }  // namespace
 
-void read_structure(const std::string& name, const Input& place, Model& model) {
-  StructureInput(name, place).read(model);
+void read_structure(const std::string& name, const Input& location, Model& model) {
+  StructureInput(name, location).read(model);
 }
 
 }  // namespace pounding

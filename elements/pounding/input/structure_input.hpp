@@ -9,6 +9,6 @@
 namespace pounding {
 
 /// Reads one structure, its kind and what stands beside it, and adds it to the model. Throws InputError with the place.
-void read_structure(const std::string& name, const Input& place, Model& model);
+void read_structure(const std::string& name, const Input& location, Model& model);
 
 }  // namespace pounding

@@ -102,11 +102,11 @@ class Limits : public YAML::EventHandler {
     inside.values += extent.values;
     inside.depth = std::max(inside.depth, extent.depth);
     read_ = std::max(read_ + 1, inside.values);
-    if (read_ > most_values)
+    if (read_ > max_values)
       throw Refusal{
           mark, fmt::format(
                     "more than {} values have been read until here, aliases written out; a model has at most that many",
-                    most_values)};
+                    max_values)};
   }
   void refuse_depth(const YAML::Mark& mark, int more) const {
     if (static_cast<int>(open_.size()) + more > deepest)
@@ -147,8 +147,8 @@ std::string remedy(std::string_view message) {
        R"(; look for a missing blank behind "-" or ":", a missing colon, or a line that is indented otherwise than its neighbours)"},
       {"end of sequence not found",
        R"(; look for a missing blank behind "-", or a line that is indented otherwise than its neighbours)"}};
-  for (const auto& [words, what] : known)
-    if (message.starts_with(words)) return what;
+  for (const auto& [keys, what] : known)
+    if (message.starts_with(keys)) return what;
   return "";
 }
 

@@ -35,11 +35,11 @@ inline double muthukumar_desroches(const CalibrationTarget& q) { return 1 - q.re
 /// loss at which the law has restitution e at its design speed. Throws std::invalid_argument if there is none.
 inline double exact_bilinear_loss(const CalibrationTarget& q) {
   const double e = q.restitution, high = largest_bilinear_loss(q.exponent, q.yield_ratio);
-  const double least = restitution_of_bilinear_loss(high, q.exponent, q.yield_ratio);
-  if (e <= least)
+  const double minimum = restitution_of_bilinear_loss(high, q.exponent, q.yield_ratio);
+  if (e <= minimum)
     throw std::invalid_argument("restitution " + number_text(e) +
                                 " is out of reach of bilinear_hertz with yield_ratio " + number_text(q.yield_ratio) +
-                                "; the restitution must exceed " + number_text(least) +
+                                "; the restitution must exceed " + number_text(minimum) +
                                 "; change restitution, yield_ratio or law");
   // The square of the restitution is a smoother function of the loss than the restitution itself, where e is small.
   const auto miss = [&](double loss) {

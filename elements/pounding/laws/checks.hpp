@@ -47,9 +47,9 @@ inline void require_not_negative(std::string_view name, const std::optional<doub
 /// Throws std::invalid_argument unless the restitution is in (0, 1], or in [0, 1] if the law `sticks_at_zero`.
 /// Subnormal numbers are treated as 0: damping proportional to 1/e would be infinite.
 inline void require_restitution(const std::optional<double>& value, bool sticks_at_zero = false) {
-  constexpr double least = std::numeric_limits<double>::min();
-  if (!value || (*value >= (sticks_at_zero ? 0 : least) && *value <= 1)) return;
-  if (*value >= 0 && *value < least)
+  constexpr double minimum = std::numeric_limits<double>::min();
+  if (!value || (*value >= (sticks_at_zero ? 0 : minimum) && *value <= 1)) return;
+  if (*value >= 0 && *value < minimum)
     refuse("restitution", *value,
            "in (0, 1]: this law cannot make the bodies stick; stereomechanical and kelvin_voigt allow 0");
   refuse("restitution", *value, sticks_at_zero ? "in [0, 1]" : "in (0, 1]");

@@ -134,8 +134,8 @@ System assemble(const Model& model, bool with_links) {
     group.rigid_motions = s.rigid_motions;
     // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
     const int number = static_cast<int>(i);
-    if (const double least = plan.least_displacement(number, w); least > 0) group.displacement_floor = least;
-    if (const double least = plan.least_velocity(number, w); least > 0) group.velocity_floor = least;
+    if (const double minimum = plan.min_displacement(number, w); minimum > 0) group.displacement_floor = minimum;
+    if (const double minimum = plan.min_velocity(number, w); minimum > 0) group.velocity_floor = minimum;
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
     // A structure at rest under a preload moves at this speed when it is let go.
     if (with_links && s.preload_displacement.size() > 0)

@@ -38,40 +38,41 @@ struct Steps {
   std::string reason;
 };
 
-Steps least_steps(const Model& model) {
+Steps min_steps(const Model& model) {
   const GroundPlan plan = ground_plan(model);
   const double duration = model.analysis.duration, step = longest_step(model, plan);
-  Steps least{duration / step, ""};
+  Steps minimum{duration / step, ""};
   if (step == model.analysis.max_step) {
-    least.reason = fmt::format("a max_step of {:g} s makes them so short", step);
+    minimum.reason = fmt::format("a max_step of {:g} s makes them so short", step);
   } else {
     double shortest = std::numeric_limits<double>::infinity();
     for (const Structure& s : model.structures)
       if (vibrates(s) && 2 * M_PI / s.frequencies[0] < shortest) {
         shortest = 2 * M_PI / s.frequencies[0];
-        least.reason = fmt::format("the period of {:.3g} s of structure {} makes them so short", shortest, s.name);
+        minimum.reason = fmt::format("the period of {:.3g} s of structure {} makes them so short", shortest, s.name);
       }
   }
   for (const GroundMotion& motion : plan.motions) {
     const double lasts = std::min(duration, motion.duration()) - motion.start(),
                  of_motion = motion.longest_step(motion.start());
-    if (lasts > least.count * of_motion)
-      least = {lasts / of_motion, fmt::format("the ground motion ({}) makes them so short", motion.source())};
+    if (lasts > minimum.count * of_motion)
+      minimum = {lasts / of_motion, fmt::format("the ground motion ({}) makes them so short", motion.source())};
   }
-  return least;
+  return minimum;
 }
 
 void require_steps(const Model& model) {
-  const double most = static_cast<double>(model.analysis.most_steps);
-  const Steps least = least_steps(model);
-  if (!(least.count > most)) return;
-  const bool can_be_raised = least.count < limits::most_steps;
+  const double maximum = static_cast<double>(model.analysis.max_steps);
+  const Steps minimum = min_steps(model);
+  if (!(minimum.count > maximum)) return;
+  const bool can_be_raised = minimum.count < limits::max_steps;
   refuse_analysis(fmt::format(
       "a run of {:g} s takes {:.3g} steps or more, and {:.10g} are allowed: {}; look at the units, or type analysis: "
       "{{duration: "
       "{:.2g} s}}{}",
-      model.analysis.duration, least.count, most, least.reason, model.analysis.duration * most / least.count,
-      can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}} and some patience", std::ceil(2 * least.count)) : ""));
+      model.analysis.duration, minimum.count, maximum, minimum.reason,
+      model.analysis.duration * maximum / minimum.count,
+      can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}} and some patience", std::ceil(2 * minimum.count)) : ""));
 }
 
 // Numbers that the histories keep at each output time.

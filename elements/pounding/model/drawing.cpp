@@ -74,9 +74,9 @@ void require_facing(const Ends& ends, int axis, double reach) {
 
 // The advice to a drawing by axes where a difference from the requested gap, or the distance itself, has the size of
 // columns; else empty.
-std::string cause_by_axes(const Model& model, const Ends& ends, Side side, double asked, double drawn) {
+std::string cause_by_axes(const Model& model, const Ends& ends, Side side, double requested, double drawn) {
   const AxisAdvice advice = advice_on_axes(model, ends.left, ends.right, side);
-  const double difference = drawn - asked;
+  const double difference = drawn - requested;
   bool is_of_columns = advice.sum() > 0 && drawn >= std::max(narrowest_between_axes, (1 - about) * advice.sum()) &&
                        drawn <= widest_between_axes;
   for (const double half : {advice.halves[0], advice.halves[1], advice.sum()})
@@ -122,8 +122,8 @@ AxisAdvice advice_on_axes(const Model& model, const LinkEnd& left, const LinkEnd
   return advice;
 }
 
-double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side, std::optional<double> asked,
-                 double level) {
+double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side,
+                 std::optional<double> requested, double level) {
   const Ends ends{model.structures[left.structure], model.structures[right.structure], left, right};
   const bool along_x = side == Side::plus_x || side == Side::minus_x;
   const double drawn = drawn_distance(left, right, side);
@@ -131,17 +131,18 @@ double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, 
     throw ModelError(ModelOption::between,
                      fmt::format("{} overlap by {}{}; {}{}{}", ends.at(along_x ? 0 : 1), metres(-drawn), ends.faces(),
                                  ends.has_face() ? "leave face out where a frame is drawn by its faces, or " : "",
-                                 ends.move(side, asked.value_or(0) - drawn), asked ? "" : ", or farther"));
+                                 ends.move(side, requested.value_or(0) - drawn), requested ? "" : ", or farther"));
   require_facing(ends, 2, level + drawn_rounding);
   // A plane frame has no place across its plane.
   if (ends.a.dimension == 3 && ends.b.dimension == 3) require_facing(ends, along_x ? 1 : 0, usual_offset);
-  if (!asked) return std::max(0.0, std::round(drawn * nanometres) / nanometres);
-  if (std::abs(*asked - drawn) > std::max(drawn_rounding, relative_rounding * *asked))
-    throw ModelError(ModelOption::gap,
-                     fmt::format("is {}, but {} are drawn {} apart{}; {}leave the gap out to take this distance, or {}",
-                                 metres(*asked), ends.at(along_x ? 0 : 1), metres(drawn), ends.faces(),
-                                 cause_by_axes(model, ends, side, *asked, drawn), ends.move(side, *asked - drawn)));
-  return *asked;
+  if (!requested) return std::max(0.0, std::round(drawn * nanometres) / nanometres);
+  if (std::abs(*requested - drawn) > std::max(drawn_rounding, relative_rounding * *requested))
+    throw ModelError(
+        ModelOption::gap,
+        fmt::format("is {}, but {} are drawn {} apart{}; {}leave the gap out to take this distance, or {}",
+                    metres(*requested), ends.at(along_x ? 0 : 1), metres(drawn), ends.faces(),
+                    cause_by_axes(model, ends, side, *requested, drawn), ends.move(side, *requested - drawn)));
+  return *requested;
 }
 
 }  // namespace pounding

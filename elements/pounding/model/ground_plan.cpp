@@ -12,7 +12,7 @@ namespace pounding {
 namespace {
 
 // Errors are compared with at least this part of the static response to the largest acceleration.
-constexpr double least_part = 1e-2;
+constexpr double min_part = 1e-2;
 
 // Delay of a travelling wave at a position after its arrival at the first support of all [s].
 double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
@@ -98,27 +98,27 @@ double GroundPlan::longest_step(double t) const {
   return shortest;
 }
 
-template <class Least>
-double GroundPlan::largest(int structure, const Least& least) const {
+template <class Minimum>
+double GroundPlan::largest(int structure, const Minimum& minimum) const {
   double found = 0;
-  for (std::size_t k = 0; k < motions.size() - forces.size(); ++k) found = std::max(found, least(motions[k]));
+  for (std::size_t k = 0; k < motions.size() - forces.size(); ++k) found = std::max(found, minimum(motions[k]));
   for (const Force& force : forces)
     if (force.structure == structure)
-      found = std::max(found, force.share * least(motions[static_cast<std::size_t>(force.motion)]));
+      found = std::max(found, force.share * minimum(motions[static_cast<std::size_t>(force.motion)]));
   return found;
 }
 
-double GroundPlan::least_displacement(int structure, double w) const {
+double GroundPlan::min_displacement(int structure, double w) const {
   return largest(structure, [w](const GroundMotion& motion) {
-    return std::min({least_part * motion.peak() / (w * w), motion.peak_velocity() / w,
+    return std::min({min_part * motion.peak() / (w * w), motion.peak_velocity() / w,
                      motion.peak_displacement() + last_velocity(motion) / w});
   });
 }
 
-double GroundPlan::least_velocity(int structure, double w) const {
+double GroundPlan::min_velocity(int structure, double w) const {
   return largest(structure, [w](const GroundMotion& motion) {
-    return std::min({least_part * motion.peak() / w, motion.peak_velocity(),
-                     w * motion.peak_displacement() + last_velocity(motion)});
+    return std::min(
+        {min_part * motion.peak() / w, motion.peak_velocity(), w * motion.peak_displacement() + last_velocity(motion)});
   });
 }
 

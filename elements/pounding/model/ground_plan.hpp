@@ -35,13 +35,13 @@ struct GroundPlan {
   /// > 0 [rad/s]: a hundredth of its static response to the largest acceleration; the response to the velocity or
   /// displacement of the ground where that is smaller, as it is to a short pulse. Forces count in the structure on
   /// which they act. Displacement [m] and velocity [m/s].
-  double least_displacement(int structure, double w) const;
-  double least_velocity(int structure, double w) const;
+  double min_displacement(int structure, double w) const;
+  double min_velocity(int structure, double w) const;
 
  private:
   // The largest of least(motion), times the share where the motion is that of a force on the structure.
-  template <class Least>
-  double largest(int structure, const Least& least) const;
+  template <class Minimum>
+  double largest(int structure, const Minimum& minimum) const;
 };
 
 /// The ground under a model. A support without a motion of its own has the model's, later by the delay of the support

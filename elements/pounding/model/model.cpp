@@ -13,13 +13,13 @@
 #include <pounding/core/units.hpp>
 #include <pounding/model/arrivals.hpp>
 #include <pounding/model/cost.hpp>
-#include <pounding/model/doubt_names.hpp>
 #include <pounding/model/first_yield.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/place_ends.hpp>
 #include <pounding/model/reducible.hpp>
 #include <pounding/model/start/initial_shape.hpp>
 #include <pounding/model/start/preload.hpp>
+#include <pounding/model/warning_names.hpp>
 #include <pounding/structures/storey_heights.hpp>
 
 namespace pounding {
@@ -328,15 +328,15 @@ void Model::check_settings() const {
   if (analysis.duration > 0 && analysis.output_step > analysis.duration)
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step,
                        analysis.duration));
-  if (analysis.most_steps < 1 || analysis.most_steps > limits::most_steps)
-    refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::most_steps, analysis.most_steps));
+  if (analysis.max_steps < 1 || analysis.max_steps > limits::max_steps)
+    refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::max_steps, analysis.max_steps));
   if (const std::string text = fault_of_collapse(structures, analysis.collapse_drift); !text.empty()) refuse(text);
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)
-    if (std::find(doubt_names.begin(), doubt_names.end(), name) == doubt_names.end())
+    if (std::find(warning_names.begin(), warning_names.end(), name) == warning_names.end())
       throw ModelError(ModelOption::accept,
-                       fmt::format("unknown warning \"{}\".{}", excerpt(name), suggestion(name, doubt_names)));
+                       fmt::format("unknown warning \"{}\".{}", excerpt(name), suggestion(name, warning_names)));
   if (!is_time(checkpoint.every) || !is_time(checkpoint.every_simulated))
     throw ModelError(ModelOption::checkpoint, "every and every_simulated must be finite and not negative");
 }

@@ -85,9 +85,9 @@ struct AnalysisSettings {
                            ///< motions, without samples a thousandth of the duration
   Scheme scheme{};         ///< scheme of the time stepping
   double max_step = 0;  ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
-  long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and
-                                          ///< can be resumed
-  Reduction reduction{};                  ///< of all structures
+  long max_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and
+                                         ///< can be resumed
+  Reduction reduction{};                 ///< of all structures
   std::map<std::string, Reduction> reductions{};  ///< of structures by their names, where they differ
   double collapse_drift =
       0;  ///< size of the drift of a storey over its height at which the run ends, as done [-]; 0: none
@@ -99,7 +99,7 @@ struct CheckpointSettings {
   double every_simulated = 0;  ///< of simulated time [s]
 
   /// Whether anything is asked for.
-  bool asked() const { return every > 0 || every_simulated > 0; }
+  bool requested() const { return every > 0 || every_simulated > 0; }
 };
 
 /// Where a link touches a structure, to be found on its surface. Made by a StructureHandle.
@@ -210,7 +210,7 @@ struct DeviceEnd {
 };
 
 /// Something in a model that can be and was probably not meant.
-struct Doubt {
+struct Warning {
   std::string name;  ///< that Model::accept silences it by
   std::string text;  ///< where, the number, and the likely cause
 };
@@ -230,8 +230,8 @@ class Model {
   bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
   /// Multiplies the stiffness of every contact that is linked from now on, to see how the answer depends on it.
   double stiffness_factor = 1;
-  std::vector<std::string> accept;  ///< names of the doubts, see doubt_names.hpp, that are meant as they are
-  std::vector<Doubt> read_doubts;   ///< those of the reader, about how numbers were written
+  std::vector<std::string> accept;     ///< names of the doubts, see warning_names.hpp, that are meant as they are
+  std::vector<Warning> read_warnings;  ///< those of the reader, about how numbers were written
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;
   std::string source_text{built_by_code};  ///< the input as given

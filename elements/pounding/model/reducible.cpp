@@ -10,7 +10,7 @@ namespace {
 
 // Columns of a damping matrix beside the Rayleigh and the modal damping that are dashpots still; modal damping above
 // isolators fills all of them.
-constexpr int most_dashpots = 64;
+constexpr int max_dashpots = 64;
 
 int columns_in_use(const SparseMatrix& matrix) {
   int count = 0;
@@ -34,7 +34,7 @@ std::string why_not_reduced(const Model& model, int structure) {
   if (s.is_rigid()) return "a wall has no modes";
   if (s.elastic) return "its members turn (corotational), so that its stiffness changes";
   if (s.is_free || s.rigid_motions > 0) return "nothing holds it to the ground, so that it has no static answers";
-  if (columns_in_use(s.damping) > most_dashpots)
+  if (columns_in_use(s.damping) > max_dashpots)
     return "its damping is a full matrix, as modal damping makes it above isolators; type damping: 5 %, in proportion "
            "to the stiffness above them";
   for (const Link& link : model.links) {

@@ -18,12 +18,12 @@ double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen
   if (s.at_rest.size() == 0 && s.preload_displacement.size() == 0) return of_sum;
   const Eigen::SimplicialLDLT<SparseMatrix> factor(s.stiffness);
   if (factor.info() != Eigen::Success) return of_sum;
-  Eigen::Index most_in_a_row = 0;
+  Eigen::Index max_in_a_row = 0;
   for (Eigen::Index j = 0; j < s.stiffness.outerSize(); ++j)
-    most_in_a_row =
-        std::max<Eigen::Index>(most_in_a_row, s.stiffness.outerIndexPtr()[j + 1] - s.stiffness.outerIndexPtr()[j]);
+    max_in_a_row =
+        std::max<Eigen::Index>(max_in_a_row, s.stiffness.outerIndexPtr()[j + 1] - s.stiffness.outerIndexPtr()[j]);
   const Eigen::VectorXd answer = factor.solve(row), change = s.stiffness.cwiseAbs() * u.cwiseAbs();
-  return of_sum + static_cast<double>(most_in_a_row) * eps * answer.cwiseAbs().dot(change);
+  return of_sum + static_cast<double>(max_in_a_row) * eps * answer.cwiseAbs().dot(change);
 }
 
 }  // namespace pounding

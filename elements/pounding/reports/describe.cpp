@@ -33,11 +33,11 @@ std::string range(const std::string& from, const std::string& to) { return from 
 std::string describe_isolators(const Structure& s) {
   constexpr double none = std::numeric_limits<double>::infinity();
   struct Range {
-    double least = none, largest = 0;
-    void take(double value) { least = std::min(least, value), largest = std::max(largest, value); }
+    double minimum = none, largest = 0;
+    void take(double value) { minimum = std::min(minimum, value), largest = std::max(largest, value); }
     std::string text(const Dimension& dimension) const {
       const auto shown = [&](double value) { return format_quantity(value, dimension, 4); };
-      return range(shown(least), shown(largest));
+      return range(shown(minimum), shown(largest));
     }
   };
   Range stiffness, yield, force, capacity;
@@ -64,7 +64,7 @@ std::string describe_isolators(const Structure& s) {
 
 // "     8 hinges: yield moments 180 kN m to 250 kN m, yield rotations 0.000192 to 0.000208, at rest up to 31 % of them"
 std::string describe_hinges(const Structure& s) {
-  double weakest = std::numeric_limits<double>::infinity(), strongest = 0, least = weakest, largest = 0, at_rest = 0;
+  double weakest = std::numeric_limits<double>::infinity(), strongest = 0, minimum = weakest, largest = 0, at_rest = 0;
   int count = 0;
   for (const YieldingPart& part : s.yielding) {
     if (part.kind != YieldingPart::Kind::hinge) continue;
@@ -72,7 +72,7 @@ std::string describe_hinges(const Structure& s) {
     for (const double rotation : {part.limits.positive, part.limits.negative}) {
       const double moment = rotation * part.spring->stiffness();
       weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
-      least = std::min(least, rotation), largest = std::max(largest, rotation);
+      minimum = std::min(minimum, rotation), largest = std::max(largest, rotation);
     }
     at_rest = std::max({at_rest, part.at_rest / part.limits.positive, -part.at_rest / part.limits.negative});
   }
@@ -80,7 +80,7 @@ std::string describe_hinges(const Structure& s) {
   if (count == 0) return {};
   std::string text = fmt::format("     {} hinge{}: yield moment {}, yield rotation {}", count, count == 1 ? "" : "s",
                                  range(moment(weakest), moment(strongest)),
-                                 range(fmt::format("{:.4g}", least), fmt::format("{:.4g}", largest)));
+                                 range(fmt::format("{:.4g}", minimum), fmt::format("{:.4g}", largest)));
   if (at_rest > 0) text += fmt::format(", at rest up to {:.3g} % of it", 100 * at_rest);
   return text + '\n';
 }

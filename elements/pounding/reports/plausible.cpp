@@ -28,8 +28,8 @@ constexpr double largest_drift = 0.1;                          // of the height 
 constexpr double lightest_floor = 1e3;                         // [kg]
 constexpr double thinnest_member = 2e-3;                       // [m]
 constexpr double softest_material = 1e8;                       // [Pa]
-constexpr double least_yield_drift = 1e-5;                     // [m]
-constexpr double least_yield_rotation = 2e-5;                  // [rad]
+constexpr double min_yield_drift = 1e-5;                       // [m]
+constexpr double min_yield_rotation = 2e-5;                    // [rad]
 constexpr double largest_ultimate_rotation = 0.5;              // [rad]
 constexpr double deepest_penetration = 0.05;                   // [m]
 constexpr double coarsest_tolerance = 1e-2;
@@ -38,26 +38,26 @@ constexpr double max_cut = 0.05;  // of the Arias intensity of a record
 // Bodies are no buildings: balls and trucks may be light.
 bool stands(const Structure& s) { return !s.is_rigid() && !s.is_free; }
 
-void doubt_period(const Structure& s, std::vector<Doubt>& doubts) {
+void warn_about_period(const Structure& s, std::vector<Warning>& warnings) {
   const double period = 2 * M_PI / s.frequencies[0];
   if (period >= shortest_period && period <= longest_period) return;
-  doubts.push_back(
+  warnings.push_back(
       {"period",
        fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to {:g} s; are "
                    "masses and stiffnesses in kg and N/m, or with their units?",
                    s.name, period, shortest_period, longest_period)});
 }
 
-void doubt_mass(const Structure& s, std::vector<Doubt>& doubts) {
+void warn_about_mass(const Structure& s, std::vector<Warning>& warnings) {
   // The number that makes the floors light has been doubted as it was read.
   const std::string place = fmt::format("structures.{}.", s.name);
-  if (std::ranges::any_of(doubts,
-                          [&](const Doubt& doubt) { return doubt.name == "mass" && doubt.text.starts_with(place); }))
+  if (std::ranges::any_of(
+          warnings, [&](const Warning& warning) { return warning.name == "mass" && warning.text.starts_with(place); }))
     return;
   const auto lightest = std::min_element(s.floors.begin(), s.floors.end(),
                                          [](const Floor& a, const Floor& b) { return a.mass < b.mass; });
   if (lightest == s.floors.end() || lightest->mass >= lightest_floor) return;
-  doubts.push_back(
+  warnings.push_back(
       {"mass", fmt::format("structure {}: floor {} has {}, under 1 t; a bare mass is in kg, type its unit, as in 250 t",
                            s.name, lightest->label, format_quantity(lightest->mass, dimension::mass))});
 }
@@ -74,14 +74,14 @@ double highest_storey(const Structure& s) {
   return s.floors.empty() ? high->z() - low->z() : highest;
 }
 
-void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
+void warn_about_members(const Structure& s, std::vector<Warning>& warnings) {
   const Geometry& g = s.geometry;
   if (g.members.empty()) return;
   const auto deepest = std::max_element(g.depths.begin(), g.depths.end());
   const auto name_of = [&](std::ptrdiff_t member) -> const std::string& { return g.member_names[member]; };
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
   if (const double storey = highest_storey(s); storey > 0 && *deepest > storey)
-    doubts.push_back(
+    warnings.push_back(
         {"section",
          fmt::format(
              "structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
@@ -89,38 +89,38 @@ void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
              s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});
   const auto thinnest = std::min_element(g.depths.begin(), g.depths.end());
   if (*thinnest < thinnest_member)
-    doubts.push_back(
+    warnings.push_back(
         {"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; look at the unit of its section",
                                 s.name, name_of(thinnest - g.depths.begin()), metres(*thinnest))});
   const auto softest = std::min_element(g.moduli.begin(), g.moduli.end());
   if (*softest < softest_material)
-    doubts.push_back(
+    warnings.push_back(
         {"E", fmt::format(
                   "structure {}: member {} has E = {}, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa",
                   s.name, name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
 }
 
 // Isolators stick until they slide, and dampers have no limit.
-void doubt_yielding(const Structure& s, std::vector<Doubt>& doubts) {
-  const auto first_doubt = [&](const char* name, auto&& text_of) {
+void warn_about_yielding(const Structure& s, std::vector<Warning>& warnings) {
+  const auto first_warning = [&](const char* name, auto&& text_of) {
     for (const YieldingPart& part : s.yielding)
       if (const std::string text = text_of(part); !text.empty()) {
-        doubts.push_back({name, fmt::format("structure {}: {} {}", s.name, part.name, text)});
+        warnings.push_back({name, fmt::format("structure {}: {} {}", s.name, part.name, text)});
         return;
       }
   };
-  first_doubt("yield", [](const YieldingPart& part) -> std::string {
+  first_warning("yield", [](const YieldingPart& part) -> std::string {
     const double first = std::min(part.limits.positive, part.limits.negative);
-    if (part.kind == YieldingPart::Kind::storey && first < least_yield_drift)
+    if (part.kind == YieldingPart::Kind::storey && first < min_yield_drift)
       return fmt::format("yields at {}, under 0.01 mm; a bare force is in N, type its unit, as in 900 kN",
                          format_quantity(first, dimension::length));
-    if (part.kind == YieldingPart::Kind::hinge && first < least_yield_rotation)
+    if (part.kind == YieldingPart::Kind::hinge && first < min_yield_rotation)
       return fmt::format(
           "yields at {:.4g} mrad, under 0.02 mrad; a bare moment is in N m, type its unit, as in 250 kN m",
           1e3 * first);
     return {};
   });
-  first_doubt("rotation", [](const YieldingPart& part) -> std::string {
+  first_warning("rotation", [](const YieldingPart& part) -> std::string {
     const double ultimate = part.parameter("ultimate_rotation");
     if (!(ultimate > largest_ultimate_rotation)) return {};
     return fmt::format("has an ultimate rotation of {:.4g} rad, above 0.5 rad; a bare rotation is in rad, as in 0.03",
@@ -137,36 +137,37 @@ double strength(const YieldingPart& part) {
 }
 
 // The strength of all isolators together; in space each stands for one of two axes.
-void doubt_isolators(const Structure& s, std::vector<Doubt>& doubts) {
+void warn_about_isolators(const Structure& s, std::vector<Warning>& warnings) {
   const double weight = s.total_mass().x() * standard_gravity;
   double sum = 0;
   for (const YieldingPart& part : s.yielding)
     if (isolates(part)) sum += strength(part);
   if (s.dimension == 3) sum /= 2;
   if (!(weight > 0) || !(sum > 0) || (sum >= weakest_isolators * weight && sum <= weight)) return;
-  doubts.push_back({"isolator", fmt::format("structure {}: its isolators begin to move at {}, {:.3g} % of its weight "
-                                            "of {}, and 2 % to 15 % are usual; a bare "
-                                            "force is in N, type its unit, as in 375 kN",
-                                            s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
-                                            format_quantity(weight, dimension::force))});
+  warnings.push_back({"isolator", fmt::format("structure {}: its isolators begin to move at {}, {:.3g} % of its weight "
+                                              "of {}, and 2 % to 15 % are usual; a bare "
+                                              "force is in N, type its unit, as in 375 kN",
+                                              s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
+                                              format_quantity(weight, dimension::force))});
 }
 
-void doubt_start(const Structure& s, std::vector<Doubt>& doubts) {
+void warn_about_start(const Structure& s, std::vector<Warning>& warnings) {
   const auto largest = [](const Eigen::VectorXd& values) {
     return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
   };
   if (const double moved = largest(s.initial_displacement); moved > largest_start)
-    doubts.push_back({"initial", fmt::format("structure {}: it begins with a displacement of {}, above {:g} m; a bare "
-                                             "length is in m, type its unit, as in -5 mm",
-                                             s.name, format_quantity(moved, dimension::length), largest_start)});
+    warnings.push_back(
+        {"initial", fmt::format("structure {}: it begins with a displacement of {}, above {:g} m; a bare "
+                                "length is in m, type its unit, as in -5 mm",
+                                s.name, format_quantity(moved, dimension::length), largest_start)});
   if (const double velocity = largest(s.initial_velocity); velocity > fastest_start)
-    doubts.push_back({"initial", fmt::format("structure {}: it begins with a velocity of {}, above {:g} m/s; a bare "
-                                             "velocity is in m/s, type its unit, as in 0.5 "
-                                             "m/s",
-                                             s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
+    warnings.push_back({"initial", fmt::format("structure {}: it begins with a velocity of {}, above {:g} m/s; a bare "
+                                               "velocity is in m/s, type its unit, as in 0.5 "
+                                               "m/s",
+                                               s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
 }
 
-void doubt_ground(const Model& model, std::vector<Doubt>& doubts) {
+void warn_about_ground(const Model& model, std::vector<Warning>& warnings) {
   double peak = 0;
   const auto take = [&](const GroundComponents& components) {
     for (const GroundMotion& motion : components) peak = std::max(peak, motion.peak());
@@ -176,25 +177,25 @@ void doubt_ground(const Model& model, std::vector<Doubt>& doubts) {
     for (const Support& support : s.supports)
       if (support.motion) take(*support.motion);
   if (peak <= strongest_ground) return;
-  doubts.push_back({"scale", fmt::format("ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a "
-                                         "factor on the record in its own unit, "
-                                         "as in 1.5, and pga: 0.35 g gives the peak itself",
-                                         peak / standard_gravity, strongest_ground / standard_gravity)});
+  warnings.push_back({"scale", fmt::format("ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a "
+                                           "factor on the record in its own unit, "
+                                           "as in 1.5, and pga: 0.35 g gives the peak itself",
+                                           peak / standard_gravity, strongest_ground / standard_gravity)});
 }
 
-void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
+void warn_about_gaps(const Model& model, std::vector<Warning>& warnings) {
   const auto widest = std::max_element(model.links.begin(), model.links.end(),
                                        [](const Link& a, const Link& b) { return a.gap < b.gap; });
   if (widest == model.links.end()) return;
   const auto is_narrow = [](const Link& link) { return link.gap > round_off_of_gap && link.gap < narrowest_gap; };
   if (const auto narrow = std::ranges::find_if(model.links, is_narrow); narrow != model.links.end())
-    doubts.push_back(
+    warnings.push_back(
         {"gap",
          fmt::format(
              "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 where the two touch",
              narrow->name, format_quantity(narrow->gap, dimension::length))});
   if (widest->gap <= widest_gap) return;
-  doubts.push_back(
+  warnings.push_back(
       {"gap",
        fmt::format(
            "link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and look at the "
@@ -220,7 +221,7 @@ void for_each_record(const Model& model, const Visit& visit) {
 }
 
 // Closed forms are not judged: their times are typed next to the duration.
-void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
+void warn_about_duration(const Model& model, std::vector<Warning>& warnings) {
   std::map<const Samples*, double> arrivals;
   for_each_record(model, [&](const Samples& samples, double arrival) {
     double& latest = arrivals.try_emplace(&samples, arrival).first->second;
@@ -236,7 +237,7 @@ void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
     needed = std::max(needed, arrival + measure(*samples).t95);
   }
   if (cut > 0)
-    doubts.push_back(
+    warnings.push_back(
         {"duration", fmt::format("analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the "
                                  "Arias intensity and up "
                                  "to {:.0f} %; type a duration of at least {:.6g} s, or leave it out",
@@ -244,16 +245,16 @@ void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
                                  100 * worst, std::ceil(10 * needed) / 10)});
 }
 
-void doubt_records(const Model& model, std::vector<Doubt>& doubts) {
+void warn_about_records(const Model& model, std::vector<Warning>& warnings) {
   std::set<std::string> known;
   for_each_record(model, [&](const Samples& samples, double) {
     for (const std::string& text : samples.warnings)
-      if (known.insert(text).second) doubts.push_back({"record", text});
+      if (known.insert(text).second) warnings.push_back({"record", text});
   });
 }
 
 // Ends without a typed face whose gap would hold the columns on both sides: drawn by axes, it seems.
-void doubt_faces(const Model& model, std::vector<Doubt>& doubts) {
+void warn_about_faces(const Model& model, std::vector<Warning>& warnings) {
   for (const Link& link : model.links) {
     const Structure &a = model.structures[link.left.structure], &b = model.structures[link.right.structure];
     if (link.left.face || link.right.face || link.gap < narrowest_between_axes || link.gap > widest_gap ||
@@ -261,19 +262,20 @@ void doubt_faces(const Model& model, std::vector<Doubt>& doubts) {
       continue;
     const AxisAdvice advice = advice_on_axes(model, link.left, link.right, side_of(link.direction));
     if (advice.sum() == 0 || link.gap < advice.sum()) continue;
-    doubts.push_back({"face", fmt::format("link {}: the gap is {}, and the columns reach {} and {} beyond their axes; "
-                                          "if the frames are drawn by axes, type "
-                                          "{}, which leaves {} between faces",
-                                          link.name, format_quantity(link.gap, dimension::length),
-                                          format_quantity(advice.halves[0], dimension::length),
-                                          format_quantity(advice.halves[1], dimension::length), advice.text,
-                                          format_quantity(link.gap - advice.sum(), dimension::length))});
+    warnings.push_back(
+        {"face", fmt::format("link {}: the gap is {}, and the columns reach {} and {} beyond their axes; "
+                             "if the frames are drawn by axes, type "
+                             "{}, which leaves {} between faces",
+                             link.name, format_quantity(link.gap, dimension::length),
+                             format_quantity(advice.halves[0], dimension::length),
+                             format_quantity(advice.halves[1], dimension::length), advice.text,
+                             format_quantity(link.gap - advice.sum(), dimension::length))});
     return;
   }
 }
 
 // A column is stiff that near a joint, and its short end takes nearly the whole blow.
-void doubt_joints(const Model& model, std::vector<Doubt>& doubts) {
+void warn_about_joints(const Model& model, std::vector<Warning>& warnings) {
   const Link* nearest = nullptr;
   const LinkEnd* hit = nullptr;
   int others = -1;
@@ -285,7 +287,7 @@ void doubt_joints(const Model& model, std::vector<Doubt>& doubts) {
     }
   if (!hit) return;
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
-  doubts.push_back(
+  warnings.push_back(
       {"joint", fmt::format("link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are "
                             "level, type level_within: "
                             "{}, or link the floors by their numbers",
@@ -295,11 +297,11 @@ void doubt_joints(const Model& model, std::vector<Doubt>& doubts) {
 }
 
 // The texts of those that the model does not accept.
-std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& doubts) {
+std::vector<std::string> texts(const Model& model, const std::vector<Warning>& warnings) {
   std::vector<std::string> all;
-  for (const Doubt& doubt : doubts)
-    if (std::find(model.accept.begin(), model.accept.end(), doubt.name) == model.accept.end())
-      all.push_back(fmt::format("{} (where it is meant: accept: [{}])", doubt.text, doubt.name));
+  for (const Warning& warning : warnings)
+    if (std::find(model.accept.begin(), model.accept.end(), warning.name) == model.accept.end())
+      all.push_back(fmt::format("{} (where it is meant: accept: [{}])", warning.text, warning.name));
   return all;
 }
 
@@ -308,50 +310,50 @@ std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& dou
 std::vector<std::string> implausible(const Model& model) { return implausible(model, model.analysis.tolerance); }
 
 std::vector<std::string> implausible(const Model& model, double tolerance) {
-  std::vector<Doubt> doubts = model.read_doubts;
+  std::vector<Warning> warnings = model.read_warnings;
   for (const Structure& s : model.structures) {
     if (!stands(s)) continue;
-    doubt_period(s, doubts);
-    doubt_mass(s, doubts);
-    doubt_members(s, doubts);
-    doubt_yielding(s, doubts);
-    doubt_isolators(s, doubts);
-    doubt_start(s, doubts);
+    warn_about_period(s, warnings);
+    warn_about_mass(s, warnings);
+    warn_about_members(s, warnings);
+    warn_about_yielding(s, warnings);
+    warn_about_isolators(s, warnings);
+    warn_about_start(s, warnings);
   }
-  doubt_ground(model, doubts);
-  doubt_gaps(model, doubts);
-  doubt_duration(model, doubts);
-  doubt_records(model, doubts);
-  doubt_faces(model, doubts);
-  doubt_joints(model, doubts);
+  warn_about_ground(model, warnings);
+  warn_about_gaps(model, warnings);
+  warn_about_duration(model, warnings);
+  warn_about_records(model, warnings);
+  warn_about_faces(model, warnings);
+  warn_about_joints(model, warnings);
   if (tolerance > coarsest_tolerance)
-    doubts.push_back(
+    warnings.push_back(
         {"tolerance",
          fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
                      tolerance, 100 * tolerance)});
-  return texts(model, doubts);
+  return texts(model, warnings);
 }
 
 std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations) {
-  std::vector<Doubt> doubts;
+  std::vector<Warning> warnings;
   if (!moved)
-    doubts.push_back({"motion",
-                      "nothing moved: the model has no ground motion, no forces and no initial motion; type one of "
-                      "ground_motion:, forces:, "
-                      "initial_displacement: and initial_velocity:"});
+    warnings.push_back({"motion",
+                        "nothing moved: the model has no ground motion, no forces and no initial motion; type one of "
+                        "ground_motion:, forces:, "
+                        "initial_displacement: and initial_velocity:"});
   const auto deepest = std::max_element(penetrations.begin(), penetrations.end());
   if (deepest != penetrations.end() && *deepest > deepest_penetration)
-    doubts.push_back(
+    warnings.push_back(
         {"penetration",
          fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft, look at the unit "
                      "of its stiffness",
                      model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
                      format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
-  return texts(model, doubts);
+  return texts(model, warnings);
 }
 
 std::vector<std::string> implausible_drifts(const Model& model, std::span<const std::vector<double>> drifts) {
-  std::vector<Doubt> doubts;
+  std::vector<Warning> warnings;
   for (std::size_t k = 0; k < drifts.size(); ++k) {
     const Structure& s = model.structures[k];
     // Members that may turn by large angles are meant to.
@@ -362,7 +364,7 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
       if (drifts[k][i] / heights[i] > drifts[k][worst] / heights[worst]) worst = i;
     if (worst >= std::min(heights.size(), drifts[k].size()) || !(drifts[k][worst] > largest_drift * heights[worst]))
       continue;
-    doubts.push_back(
+    warnings.push_back(
         {"drift", fmt::format("structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, "
                               "where no building stands; look at the "
                               "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 "
@@ -371,7 +373,7 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
                               100 * drifts[k][worst] / heights[worst],
                               format_quantity(heights[worst], dimension::length), 100 * largest_drift)});
   }
-  return texts(model, doubts);
+  return texts(model, warnings);
 }
 
 }  // namespace pounding

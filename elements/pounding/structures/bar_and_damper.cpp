@@ -61,16 +61,16 @@ double Damper::stretch_slope(double stretch, double lag) const noexcept {
 
 void Damper::check() const {
   if (!is_positive(coefficient)) throw std::invalid_argument("the coefficient of a damper must be positive and finite");
-  if (!(exponent >= least_exponent && exponent <= largest_exponent))
+  if (!(exponent >= min_exponent && exponent <= largest_exponent))
     throw std::invalid_argument(fmt::format("the exponent of a damper must be in [{:g}, {:g}], but is {:g}",
-                                            least_exponent, largest_exponent, exponent));
+                                            min_exponent, largest_exponent, exponent));
   if (!is_positive(rounding_velocity))
     throw std::invalid_argument("the rounding_velocity of a damper must be positive and finite");
   if (!(stiffness >= 0 && std::isfinite(stiffness)))
     throw std::invalid_argument("the stiffness of a damper must be positive and finite");
   if (has_stiffness() && exponent > 1)
     throw std::invalid_argument(fmt::format(
-        "the exponent of a damper with a stiffness must be in [{:g}, 1], but is {:g}", least_exponent, exponent));
+        "the exponent of a damper with a stiffness must be in [{:g}, 1], but is {:g}", min_exponent, exponent));
   if (has_stiffness() && exponent * coefficient / stiffness < shortest_relaxation)
     throw std::invalid_argument(
         fmt::format("the spring in series with the damper is far too stiff: with {:.3g} N/m its force follows the "

@@ -28,7 +28,7 @@ struct Bar {
 ///
 ///   df/dt = k_d (v - (|f|/c)^(1/a) sign f),   a <= 1.
 struct Damper {
-  static constexpr double least_exponent = 0.2, largest_exponent = 2;
+  static constexpr double min_exponent = 0.2, largest_exponent = 2;
   /// Lower bound on the relaxation time a c/k_d of a Maxwell element at 1 m/s [s]. Smaller values give the same motion
   /// at a higher cost: the number of steps is inversely proportional to this time, about 10,000 per second at the
   /// bound. Braces of real dampers exceed 1e-5 s.

@@ -13,7 +13,7 @@ namespace {
 constexpr double at_limit = 1e-9;
 // A phase ends at a sign change of a function between two of these instants.
 constexpr int looks = 8;
-constexpr int most_phases = 16;
+constexpr int max_phases = 16;
 
 }  // namespace
 
@@ -37,8 +37,8 @@ double SlidingFriction::slope_of_coefficient(double velocity) const noexcept {
 
 // Force q if the path from the accepted state ends with this motion.
 double SlidingSpring::friction(const State& state, const LinkMotion& motion) const noexcept {
-  const double most = law_.coefficient(motion.rate) * law_.weight;
-  return std::clamp(law_.stick() * (motion.penetration - state.slip), -most, most);
+  const double maximum = law_.coefficient(motion.rate) * law_.weight;
+  return std::clamp(law_.stick() * (motion.penetration - state.slip), -maximum, maximum);
 }
 
 void SlidingSpring::start(const LinkMotion& motion) {
@@ -47,9 +47,9 @@ void SlidingSpring::start(const LinkMotion& motion) {
 
 laws::Response SlidingSpring::evaluate(const LinkMotion& motion) const noexcept {
   const double k0 = law_.stick(), elastic = k0 * (motion.penetration - kept_.slip);
-  const double most = law_.coefficient(motion.rate) * law_.weight;
-  if (std::abs(elastic) <= most) return {-k0 * kept_.slip, 0, 0};
-  const double q = std::copysign(most, elastic);
+  const double maximum = law_.coefficient(motion.rate) * law_.weight;
+  if (std::abs(elastic) <= maximum) return {-k0 * kept_.slip, 0, 0};
+  const double q = std::copysign(maximum, elastic);
   return {q - k0 * motion.penetration, -k0,
           std::copysign(law_.weight, elastic) * law_.slope_of_coefficient(motion.rate)};
 }
@@ -106,8 +106,8 @@ SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, doub
 std::optional<double> SlidingSpring::bend(const Quintic& path, double near) const noexcept {
   constexpr double near_onset = 1e-3;
   const Phase now = phase(kept_, path, 0, 1);
-  const double least = now.slides ? near : std::max(near, near_onset);
-  return now.end > least && now.end < 1 - least ? std::optional(now.end) : std::nullopt;
+  const double minimum = now.slides ? near : std::max(near, near_onset);
+  return now.end > minimum && now.end < 1 - minimum ? std::optional(now.end) : std::nullopt;
 }
 
 // Follows an accepted step from its beginning.
@@ -119,7 +119,7 @@ SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, do
     return LinkMotion{at.x, at.v};
   };
   double from = 0;
-  for (int i = 0; i < most_phases && from < to; ++i) {
+  for (int i = 0; i < max_phases && from < to; ++i) {
     const auto [sliding, until] = phase(state, way, from, to);
     const LinkMotion begin = motion(from), end = motion(until);
     if (sliding) {

@@ -142,14 +142,15 @@ class Table {
 
 }  // namespace
 
-double tabled_adams_impact(const laws::CalibrationTarget& asked) {
-  if (asked.restitution >= 1) return 0;
+double tabled_adams_impact(const laws::CalibrationTarget& requested) {
+  if (requested.restitution >= 1) return 0;
   thread_local std::map<std::pair<double, double>, Table> tables;
   if (tables.size() > 1000) tables.clear();
   Table& table =
-      tables.try_emplace({asked.restitution, asked.exponent}, asked.restitution, asked.exponent).first->second;
-  return table.number(asked.depth /
-                      impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent));
+      tables.try_emplace({requested.restitution, requested.exponent}, requested.restitution, requested.exponent)
+          .first->second;
+  return table.number(requested.depth / impact_length(requested.reduced_mass, requested.closing_speed,
+                                                      requested.stiffness, requested.exponent));
 }
 
 }  // namespace pounding::study

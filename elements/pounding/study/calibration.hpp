@@ -18,8 +18,8 @@ struct LastCalibration {
   double number = 0;
   bool known = false;
 
-  double number_for(const laws::CalibrationTarget& asked) {
-    if (!known || !same(asked, target)) number = formula(asked), target = asked, known = true;
+  double number_for(const laws::CalibrationTarget& requested) {
+    if (!known || !same(requested, target)) number = formula(requested), target = requested, known = true;
     return number;
   }
 
@@ -57,7 +57,9 @@ Law remembering(Law law) {
   } else if constexpr (requires { law.formula = laws::DampingFormula{}; }) {
     LastCalibration& last = last_calibration<Law>();
     if (law.formula != last.formula) last = {.formula = law.formula, .target = {}, .number = 0, .known = false};
-    law.formula = [](const laws::CalibrationTarget& asked) { return last_calibration<Law>().number_for(asked); };
+    law.formula = [](const laws::CalibrationTarget& requested) {
+      return last_calibration<Law>().number_for(requested);
+    };
   }
   return law;
 }

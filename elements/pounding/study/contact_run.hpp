@@ -125,15 +125,15 @@ class ContactRun {
       const double ds = ends ? to_end : ds_;
       const double end_time = ends ? last : clock_.at(reading_ + ds).time;
       if (!(end_time > begin_->time)) fail("steps in contact become too short");
-      if (++tries_ > settings_.most_steps) fail("there are too many steps in contact");
+      if (++tries_ > settings_.max_steps) fail("there are too many steps in contact");
       const double square = take(ground, ds, end_time);
       if (!(square <= 1)) {
         ds_ = ds * (square < 1e24 ? std::max(0.2, growth(square)) : 0.2);
         continue;
       }
       // The force grows steeper on the way to its release: steps that grow fast are refused there.
-      const double most = clock_.p() == 1 && square > 1e-6 ? 1.2 : 5.0;
-      const double wanted = ds * std::min(most, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
+      const double maximum = clock_.p() == 1 && square > 1e-6 ? 1.2 : 5.0;
+      const double wanted = ds * std::min(maximum, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
       const Found found = first_event(links_, step_, *begin_, *end_);
       if (found.event == LinkEvent::none) {
         // A step that the interval has cut says little about the next.

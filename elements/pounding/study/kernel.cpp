@@ -19,7 +19,7 @@ void check(const EvenRecord& record, const Settings& settings) {
     throw std::invalid_argument("duration must be finite and not negative");
   if (!(settings.tolerance >= 1e-13 && settings.tolerance <= 1e-2))
     throw std::invalid_argument("tolerance must be in [1e-13, 1e-2]");
-  if (settings.most_steps < 1) throw std::invalid_argument("most_steps must be positive");
+  if (settings.max_steps < 1) throw std::invalid_argument("most_steps must be positive");
 }
 
 }  // namespace

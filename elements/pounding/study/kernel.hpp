@@ -27,7 +27,7 @@ struct Settings {
   double duration = 0;  ///< of a history [s]; 0: of the record
   double tolerance =
       2e-5;  ///< error of a step in contact, relative to the closing speed of the impact, in [1e-13, 1e-2]
-  long most_steps = 10'000'000;  ///< in contact, in one history
+  long max_steps = 10'000'000;  ///< in contact, in one history
 };
 
 /// One link in one history.

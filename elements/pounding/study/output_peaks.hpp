@@ -155,10 +155,10 @@ class OutputPeaks {
 
   // Whether the velocity of a mode changes its sign.
   [[gnu::always_inline]] bool modes_turn(const Modes<M>& v, const Modes<M>& later) const noexcept {
-    double least = smallest(v.part(0) * later.part(0) + beyond_.part(0));
+    double minimum = smallest(v.part(0) * later.part(0) + beyond_.part(0));
     for (std::size_t i = 1; i < v.parts(); ++i)
-      least = std::min(least, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
-    return !(least > 0);
+      minimum = std::min(minimum, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
+    return !(minimum > 0);
   }
   // Whether the rate of a displacement does that may be at its peak.
   [[gnu::noinline]] bool rates_turn(const Modes<M>& v, const Modes<M>& later, double energy) noexcept {

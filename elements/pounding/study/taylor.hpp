@@ -124,8 +124,8 @@ inline double first_closing(const Polynomial& gap, double end) noexcept {
   }
   if (last.x <= 0) return touch(0, gap.c[0], end, last.x);
   if (last.v <= 0) return -1;
-  const double turn = turn_of(gap, gap.c[1], end, last.v), least = gap.at(turn).x;
-  return least > 0 ? -1 : touch(0, gap.c[0], turn, least);
+  const double turn = turn_of(gap, gap.c[1], end, last.v), minimum = gap.at(turn).x;
+  return minimum > 0 ? -1 : touch(0, gap.c[0], turn, minimum);
 }
 
 }  // namespace pounding::study

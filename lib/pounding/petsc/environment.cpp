@@ -53,9 +53,9 @@ constexpr const char* no_list_of_unread = "-options_left";
 
 // Newer versions list options that nothing read when they end; a run tells of its own before it begins.
 void leave_unread_options_out() {
-  PetscBool asked = PETSC_FALSE;
-  check(PetscOptionsHasName(nullptr, nullptr, no_list_of_unread, &asked));
-  if (!asked) check(PetscOptionsSetValue(nullptr, no_list_of_unread, "0"));
+  PetscBool requested = PETSC_FALSE;
+  check(PetscOptionsHasName(nullptr, nullptr, no_list_of_unread, &requested));
+  if (!requested) check(PetscOptionsSetValue(nullptr, no_list_of_unread, "0"));
 }
 
 }  // namespace

@@ -9,12 +9,12 @@ namespace {
 
 constexpr int knots = LinearQuantities::batch;
 
-POUNDING_INLINE bool goes_beyond(const double* values, const double* rates, const double* third, double least,
+POUNDING_INLINE bool goes_beyond(const double* values, const double* rates, const double* third, double minimum,
                                  double largest) {
   int beyond = 0;  // without branches, as a comparison of vectors
   for (int i = 0; i < knots; ++i) {
     const double move = third[i] * std::abs(rates[i]);
-    beyond |= (values[i] + move > largest) | (values[i] - move < least);
+    beyond |= (values[i] + move > largest) | (values[i] - move < minimum);
   }
   return beyond != 0;
 }
@@ -23,10 +23,10 @@ POUNDING_INLINE int find(const Reach& reach, const Extremes& extremes, int* foun
   int count = 0;
   const double* values = reach.evaluated.data();
   for (int q = 0; q < static_cast<int>(extremes.size()); ++q, values += 2 * knots) {
-    const double least = extremes.min[q], largest = extremes.max[q],
+    const double minimum = extremes.min[q], largest = extremes.max[q],
                  move = reach.third_begin * std::abs(reach.rates[q]);
-    if (reach.values[q] + move > largest || reach.values[q] - move < least ||
-        goes_beyond(values, values + knots, reach.third.data(), least, largest))
+    if (reach.values[q] + move > largest || reach.values[q] - move < minimum ||
+        goes_beyond(values, values + knots, reach.third.data(), minimum, largest))
       found[count++] = q;
   }
   return count;

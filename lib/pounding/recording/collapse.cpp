@@ -27,28 +27,29 @@ std::string yielded_parts(const SpringHistory& springs) {
 
 Collapse::Collapse(const Model& model, const FloorEnvelopes& floors, const std::vector<StructureHistory>& histories)
     : model_(model), floors_(floors), histories_(histories), limit_(model.analysis.collapse_drift) {
-  if (is_asked())
+  if (is_requested())
     for (const Structure& s : model.structures) heights_.push_back(storey_heights(s));
 }
 
-bool Collapse::has_come() const { return is_asked() && worst().drift > limit_; }
+bool Collapse::has_come() const { return is_requested() && worst().drift > limit_; }
 
 Collapse::Worst Collapse::worst() const {
-  Worst most;
+  Worst maximum;
   for (int k = 0; k < static_cast<int>(heights_.size()); ++k)
     for (int i = 0; i < static_cast<int>(heights_[k].size()); ++i)
-      if (const double drift = floors_.peak_drift(k, i) / heights_[k][i]; drift > most.drift) most = {k, i, drift};
-  return most;
+      if (const double drift = floors_.peak_drift(k, i) / heights_[k][i]; drift > maximum.drift)
+        maximum = {k, i, drift};
+  return maximum;
 }
 
 std::string Collapse::text(double time) const {
-  const Worst most = worst();
-  const Structure& s = model_.structures[most.structure];
+  const Worst maximum = worst();
+  const Structure& s = model_.structures[maximum.structure];
   return fmt::format(
       "collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, and collapse_drift is {:.3g} %; "
       "{}",
-      time, s.floors[most.storey].label, s.name, 100 * most.drift, 100 * limit_,
-      yielded_parts(histories_[most.structure].springs));
+      time, s.floors[maximum.storey].label, s.name, 100 * maximum.drift, 100 * limit_,
+      yielded_parts(histories_[maximum.structure].springs));
 }
 
 }  // namespace pounding

@@ -17,7 +17,7 @@ class Collapse {
   Collapse(const Model& model, const FloorEnvelopes& floors, const std::vector<StructureHistory>& histories);
 
   /// Whether the model says when a structure has collapsed.
-  bool is_asked() const { return limit_ > 0; }
+  bool is_requested() const { return limit_ > 0; }
   /// Whether a storey has drifted that far, at any time until now.
   bool has_come() const;
   /// The place and the time: "collapse at t = 3.21 s: storey 2 of left has drifted 10.2 % of its height, ...", with the

@@ -156,8 +156,8 @@ SpringHistories::Quiet SpringHistories::quiet(int k, std::size_t i) const {
 void SpringHistories::stay() {
   // Devices between structures follow the parts.
   const Eigen::MatrixXd& paths = stepper_.spring_paths();
-  const double *const begin = paths.data(), *const end = begin + paths.rows(), *const least = end + paths.rows(),
-                      *const most = least + paths.rows();
+  const double *const begin = paths.data(), *const end = begin + paths.rows(), *const minimum = end + paths.rows(),
+                      *const maximum = minimum + paths.rows();
   quiet_.resize(assembled_.size(), {1, -1});
   std::size_t at = 0;
   for (std::size_t k = 0; k < first_.size(); ++k) {
@@ -166,7 +166,7 @@ void SpringHistories::stay() {
       // The parabola of the force leaves the cubic of the deformation by less than a quarter of the way.
       const double away = 0.25 * std::abs(end[at] - begin[at]);
       last[i] = end[at];
-      if (stayed_ && least[at] - away > quiet_[at].low && most[at] + away < quiet_[at].high) continue;
+      if (stayed_ && minimum[at] - away > quiet_[at].low && maximum[at] + away < quiet_[at].high) continue;
       step_part(static_cast<int>(k), i);
       quiet_[at] = quiet(static_cast<int>(k), i);
     }

@@ -11,8 +11,8 @@
 #include <pounding/linear/equal_groups.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/linear/spring_relief.hpp>
+#include <pounding/reduction/cached_modes.hpp>
 #include <pounding/reduction/flexibility_errors.hpp>
-#include <pounding/reduction/kept_modes.hpp>
 #include <pounding/reduction/reduced_modes.hpp>
 
 namespace pounding::petsc {
@@ -21,14 +21,14 @@ namespace {
 using Kind = Reduction::Kind;
 
 // Blocks of the links with which most contacts stay below 0.3 of a tolerance; fewer are tried where these are too many.
-constexpr int most_start = 6, least_start = 4;
+constexpr int max_start = 6, min_start = 4;
 // Blocks of what yields: one carries its answers, and the shadow has one less.
-constexpr int least_parts = 2;
+constexpr int min_parts = 2;
 
 ReducedDepth automatic_depth(double tolerance, int deeper) {
-  return {.links = (tolerance >= 1e-2 ? least_start : most_start) + deeper,
+  return {.links = (tolerance >= 1e-2 ? min_start : max_start) + deeper,
           .ground = 20 + deeper,
-          .parts = least_parts + deeper / 2};
+          .parts = min_parts + deeper / 2};
 }
 
 bool inside(const Group& group, Eigen::Index unknown) {
@@ -174,7 +174,7 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                                    const std::string& name, const ReductionPlan& plan, int dynamic,
                                    ReducedInputs inputs, Alike& alike) {
   ReducedDepth depth = how.kind == Kind::blocks
-                           ? ReducedDepth{.links = how.links, .ground = how.ground, .parts = least_parts}
+                           ? ReducedDepth{.links = how.links, .ground = how.ground, .parts = min_parts}
                            : automatic_depth(how.error > 0 ? how.error : plan.tolerance, plan.deeper);
   const int links = static_cast<int>(inputs.links.cols()), parts = static_cast<int>(inputs.parts.cols()),
             grounds = static_cast<int>(inputs.ground.cols());
@@ -191,23 +191,23 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
     return links * (depth.links + 1) + parts * depth.parts + grounds * depth.ground +
            static_cast<int>(inputs.starts.cols());
   };
-  while (how.kind == Kind::automatic && depth.links > least_start + plan.deeper && 2 * largest() > dynamic)
-    --depth.links;
-  const int most = largest();
+  while (how.kind == Kind::automatic && depth.links > min_start + plan.deeper && 2 * largest() > dynamic) --depth.links;
+  const int maximum = largest();
   // A run again with a third of all modes costs more than one with all of them, which needs no further one.
-  const bool again = how.kind == Kind::automatic && plan.deeper > 0 && dynamic <= most_modes_instead;
-  if ((again ? 3 : 2) * most > dynamic) {
+  const bool again = how.kind == Kind::automatic && plan.deeper > 0 && dynamic <= max_modes_instead;
+  if ((again ? 3 : 2) * maximum > dynamic) {
     if (!how.is_explicit() || dynamic <= small_structure) return std::nullopt;
     throw InputError(
         fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "
                     "half of them; take fewer blocks or leave it whole",
-                    how.text(), name, most, dynamic));
+                    how.text(), name, maximum, dynamic));
   }
   const double frequency = std::sqrt(inputs.shift) / (2 * M_PI);
   const bool shadow = how.kind != Kind::lowest && depth.links > 1;
   const ModesOrigin origin{
       part(system.mass, group), part(system.stiffness, group), damping_of(group), std::move(inputs), depth, shadow};
-  const std::optional<KeptModes> kept = plan.kept_in.empty() ? std::nullopt : std::optional<KeptModes>(plan.kept_in);
+  const std::optional<CachedModes> kept =
+      plan.cache_folder.empty() ? std::nullopt : std::optional<CachedModes>(plan.cache_folder);
   const std::vector<std::byte> bytes = kept ? origin.bytes() : std::vector<std::byte>{};
   std::optional<ReducedGroup> found = kept ? kept->find(bytes) : std::nullopt;
   ReducedGroup made = found ? std::move(*found) : group_of(alike.driven(origin), origin);
@@ -279,7 +279,7 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
     const int dynamic = static_cast<int>(split_by_mass(system.mass, group.first, group.count).dynamic.size());
     const bool small = dynamic <= small_structure;
     if (how.kind == Kind::all_modes || (how.kind == Kind::none && any_explicit)) {
-      if (dynamic > most_natural_modes)
+      if (dynamic > max_natural_modes)
         throw InputError(fmt::format(
             "\"{}\" has {} unknowns with mass, too many for all its modes; reduce it or leave it to factors",
             plan.names[k], dynamic));
@@ -288,8 +288,8 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
     if (how.kind != Kind::none && !(how.kind == Kind::automatic && small))
       made[k] = reduce_or_share(system, group, how, plan.names[k], plan, dynamic, same);
     if (same.left == 0) same = {};
-    const int most_modes = how.kind == Kind::automatic ? most_modes_instead : small_structure;
-    if (!made[k] && dynamic > most_modes) return std::nullopt;
+    const int max_modes = how.kind == Kind::automatic ? max_modes_instead : small_structure;
+    if (!made[k] && dynamic > max_modes) return std::nullopt;
   }
   return made;
 }

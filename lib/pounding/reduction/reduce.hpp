@@ -17,26 +17,26 @@ namespace pounding::petsc {
 struct ReductionPlan {
   std::vector<std::string> names;  ///< of the structures, for messages
   std::vector<Reduction> groups;
-  Eigen::VectorXd u, v;     ///< displacements [m] and velocities [m/s] from which the run starts
-  double tolerance = 1e-4;  ///< of the run
-  int deeper = 0;           ///< blocks of both chains beside those of the tolerance, where the depth is automatic
-  std::string kept_in{};    ///< folder of modes of earlier runs (KeptModes); empty for none
-  bool asked = false;       ///< whether a reduction was asked for, even of structures that cannot be reduced
+  Eigen::VectorXd u, v;        ///< displacements [m] and velocities [m/s] from which the run starts
+  double tolerance = 1e-4;     ///< of the run
+  int deeper = 0;              ///< blocks of both chains beside those of the tolerance, where the depth is automatic
+  std::string cache_folder{};  ///< folder of modes of earlier runs (CachedModes); empty for none
+  bool requested = false;      ///< whether a reduction was asked for, even of structures that cannot be reduced
 };
 
 /// By group; nothing for all natural modes.
 using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
 
 /// Unknowns with mass of a structure up to which all its modes are taken where they are asked for.
-inline constexpr int most_natural_modes = 5000;
+inline constexpr int max_natural_modes = 5000;
 
 /// Unknowns with mass up to which `auto` takes all modes of a structure that it cannot reduce: in space a step by these
 /// costs less than one by factors, and their set-up is some seconds.
-inline constexpr int most_modes_instead = 2500;
+inline constexpr int max_modes_instead = 2500;
 
 /// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be
 /// reduced, or is automatic and its basis would be larger than half of its unknowns with mass, more than
-/// most_modes_instead. Up to these a run that is made again goes over to all modes where its basis would be larger than
+/// max_modes_instead. Up to these a run that is made again goes over to all modes where its basis would be larger than
 /// a third of them. Every process makes all of them, with the same bits.
 ///
 /// Structures with equal masses and stiffness share what depends on these alone, such as factors; asked the same and

@@ -41,13 +41,13 @@ Eigen::MatrixXd unit_columns(const Eigen::MatrixXd& x) {
   return kept;
 }
 
-// An orthonormal basis of columns; directions below `least` are dropped.
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& x, double least) {
+// An orthonormal basis of columns; directions below `minimum` are dropped.
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& x, double minimum) {
   if (x.cols() == 0) return x;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(x);
-  const Eigen::Index most = std::min(x.rows(), x.cols());
+  const Eigen::Index maximum = std::min(x.rows(), x.cols());
   Eigen::Index rank = 0;
-  while (rank < most && std::abs(qr.matrixQR()(rank, rank)) > least) ++rank;
+  while (rank < maximum && std::abs(qr.matrixQR()(rank, rank)) > minimum) ++rank;
   Eigen::MatrixXd q = Eigen::MatrixXd::Identity(x.rows(), rank);
   q.applyOnTheLeft(qr.householderQ());
   return q;
@@ -85,8 +85,8 @@ struct Chain {
   }
   // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of
   // what is left; at unit length again the second pass leaves rounding of unit vectors.
-  void add(const Eigen::MatrixXd& columns, double least = nothing_new) {
-    Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), least);
+  void add(const Eigen::MatrixXd& columns, double minimum = nothing_new) {
+    Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), minimum);
     if (!blocks.empty() && next.cols() > 0) next = orthonormal(without(next), 0.5);
     if (next.cols() == 0)
       ended = true;
@@ -334,7 +334,7 @@ void ReducedModes::drive(const ReducedInputs& inputs) {
   s.made.reset();
 }
 
-int ReducedModes::most() const { return static_cast<int>(structure_->dofs.dynamic.size()); }
+int ReducedModes::maximum() const { return static_cast<int>(structure_->dofs.dynamic.size()); }
 int ReducedModes::count(const ReducedDepth& depth) { return static_cast<int>(structure_->basis(depth).basis.cols()); }
 int ReducedModes::count(const ReducedDepth& depth, const ReducedDepth& less) {
   return static_cast<int>(structure_->less_basis(depth, less).cols());

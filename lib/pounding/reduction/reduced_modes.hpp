@@ -77,7 +77,7 @@ class ReducedModes {
   int count(const ReducedDepth& depth);
   int count(const ReducedDepth& depth, const ReducedDepth& less);
   /// Unknowns with mass: the largest number of modes.
-  int most() const;
+  int maximum() const;
 
  private:
   struct Structure;

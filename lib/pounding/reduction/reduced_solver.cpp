@@ -14,9 +14,9 @@ namespace pounding::petsc {
 
 std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, const ReductionPlan& plan,
                                              MPI_Comm comm) {
-  const bool asked =
+  const bool requested =
       std::ranges::any_of(plan.groups, [](const Reduction& how) { return how.kind != Reduction::Kind::none; });
-  if (kind != SolverKind::automatic || !asked) return make_solver(system, kind, comm);
+  if (kind != SolverKind::automatic || !requested) return make_solver(system, kind, comm);
   if (const std::optional<ReducedGroups> reduced = reduced_groups(system, plan))
     return std::make_unique<ModalSolver>(system, *reduced);
   for (std::size_t k = 0; k < system.groups.size(); ++k)

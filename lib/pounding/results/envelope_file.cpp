@@ -14,10 +14,10 @@ using hdf5::Handle;
 using Names = std::vector<std::string>;
 
 // The lists least and largest value, element by element.
-std::vector<double> paired(const std::vector<double>& least, const std::vector<double>& largest, std::size_t count) {
+std::vector<double> paired(const std::vector<double>& minimum, const std::vector<double>& largest, std::size_t count) {
   std::vector<double> pairs;
   for (std::size_t i = 0; i < count; ++i) {
-    pairs.push_back(least[i]);
+    pairs.push_back(minimum[i]);
     pairs.push_back(largest[i]);
   }
   return pairs;

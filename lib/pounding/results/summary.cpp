@@ -114,11 +114,13 @@ Json yielding_json(const std::vector<SpringSummary>& springs) {
                      {"energy_lost", s.energy_lost},
                      {"first_yield", number(s.first_yield)},
                      {"damping_shear", number(s.damping_shear)}});
-  const SpringSummary& most = *most_ductile(springs);
+  const SpringSummary& maximum = *most_ductile(springs);
   Json all = object_of(3);
   all["yielded"] = std::ranges::count_if(springs, &SpringSummary::yielded);
-  all["largest"] = {
-      {"name", most.name}, {"ductility", most.ductility}, {"deformation", most.peak}, {"time", most.peak_time}};
+  all["largest"] = {{"name", maximum.name},
+                    {"ductility", maximum.ductility},
+                    {"deformation", maximum.peak},
+                    {"time", maximum.peak_time}};
   all["springs"] = std::move(parts);
   return all;
 }
@@ -147,7 +149,7 @@ Json structures_json(const std::vector<StructureSummary>& structures) {
 // The hinges of all frames together; nothing where there are none.
 Json hinges_json(const std::vector<StructureSummary>& structures) {
   long count = 0, yielded = 0, beyond = 0;
-  const SpringSummary* most = nullptr;
+  const SpringSummary* maximum = nullptr;
   const StructureSummary* of = nullptr;
   for (const StructureSummary& s : structures)
     for (const SpringSummary& part : s.springs) {
@@ -155,17 +157,19 @@ Json hinges_json(const std::vector<StructureSummary>& structures) {
       ++count;
       yielded += part.yielded();
       beyond += part.is_beyond_ultimate();
-      if (most && part.ductility <= most->ductility) continue;
-      most = &part;
+      if (maximum && part.ductility <= maximum->ductility) continue;
+      maximum = &part;
       of = &s;
     }
-  if (!most) return {};
-  return {
-      {"count", count},
-      {"yielded", yielded},
-      {"beyond_ultimate", beyond},
-      {"largest",
-       {{"structure", of->name}, {"name", most->name}, {"ductility", most->ductility}, {"rotation", most->plastic}}}};
+  if (!maximum) return {};
+  return {{"count", count},
+          {"yielded", yielded},
+          {"beyond_ultimate", beyond},
+          {"largest",
+           {{"structure", of->name},
+            {"name", maximum->name},
+            {"ductility", maximum->ductility},
+            {"rotation", maximum->plastic}}}};
 }
 
 // Energy that each part has lost [J]; nothing where no structure yields.

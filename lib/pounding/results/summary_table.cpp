@@ -238,7 +238,7 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
 }
 
 // The parts that yield most, at most so many of a structure.
-constexpr std::size_t most_shown_springs = 12;
+constexpr std::size_t max_shown_springs = 12;
 
 // Hinges that turned further than they can bear, one line a structure.
 std::string beyond_ultimate(const std::vector<StructureSummary>& structures) {
@@ -295,7 +295,7 @@ std::string springs_table(const std::vector<StructureSummary>& structures) {
   for (const StructureSummary& s : structures) {
     std::vector<const SpringSummary*> parts;
     for (const SpringSummary& part : s.springs) parts.push_back(&part);
-    const std::size_t shown_parts = std::min(parts.size(), most_shown_springs);
+    const std::size_t shown_parts = std::min(parts.size(), max_shown_springs);
     if (shown_parts < parts.size()) std::ranges::stable_sort(parts, std::ranges::greater{}, &SpringSummary::ductility);
     for (std::size_t i = 0; i < shown_parts; ++i) {
       const SpringSummary& part = *parts[i];

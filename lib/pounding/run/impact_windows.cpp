@@ -75,7 +75,7 @@ void ImpactWindows::end() {
   const auto place =
       std::ranges::find_if(hardest_, [&](const ImpactWindow& other) { return other.force < present_.force; });
   hardest_.insert(place, std::exchange(present_, {}));
-  if (hardest_.size() > most) hardest_.pop_back();
+  if (hardest_.size() > maximum) hardest_.pop_back();
 }
 
 void ImpactWindows::archive(Archive& archive) {

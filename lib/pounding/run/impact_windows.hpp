@@ -43,7 +43,7 @@ struct ImpactWindow {
 class ImpactWindows {
  public:
   /// So many are kept.
-  static constexpr std::size_t most = 3;
+  static constexpr std::size_t maximum = 3;
 
   /// `counts`: by contact, whether its impacts are looked at. `stepper` must outlive this.
   ImpactWindows(const Stepper& stepper, std::vector<bool> counts) : stepper_(stepper), counts_(std::move(counts)) {}

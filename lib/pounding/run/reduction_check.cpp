@@ -84,12 +84,12 @@ void ReductionCheck::tell(const Summary& summary, std::vector<ReducedStructure>&
   for (const LinkSummary& link : summary.links) peak_force = std::fmax(peak_force, link.peak_force);
   for (const Checked& one : checked_) {
     const StructureSummary& s = summary.structures[static_cast<std::size_t>(one.structure)];
-    ReducedStructure& told = *std::ranges::find(reduced, s.name, &ReducedStructure::name);
-    told.checked_windows = static_cast<int>(done_ / checked_.size());
-    if (told.checked_windows == 0) continue;
-    told.check_force = over(one.force, peak_force);
+    ReducedStructure& reported = *std::ranges::find(reduced, s.name, &ReducedStructure::name);
+    reported.checked_windows = static_cast<int>(done_ / checked_.size());
+    if (reported.checked_windows == 0) continue;
+    reported.check_force = over(one.force, peak_force);
     if (!one.rows.empty() && !s.peak_displacement.empty())
-      told.check_displacement = over(one.displacement, *std::ranges::max_element(s.peak_displacement));
+      reported.check_displacement = over(one.displacement, *std::ranges::max_element(s.peak_displacement));
   }
 }
 

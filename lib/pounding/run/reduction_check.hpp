@@ -33,7 +33,7 @@ class ReductionCheck {
   /// One kept step.
   void step();
   /// Whether a structure is to be checked.
-  bool is_asked() const { return !checked_.empty(); }
+  bool is_requested() const { return !checked_.empty(); }
   /// The run is over: steps all unknowns of the next structure through the next impact. Returns whether more are left.
   /// Throws SolverError where a step fails.
   bool next();

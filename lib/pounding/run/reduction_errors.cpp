@@ -29,7 +29,9 @@ RowMajor rows_with_parts(const Structure& s) {
 
 double ratio(double difference, double largest) { return difference > 0 ? safety * difference / largest : 0; }
 
-double bound_of(const Reduction& asked, double tolerance) { return asked.error > 0 ? asked.error : share * tolerance; }
+double bound_of(const Reduction& requested, double tolerance) {
+  return requested.error > 0 ? requested.error : share * tolerance;
+}
 
 }  // namespace
 
@@ -94,10 +96,10 @@ void ReductionErrors::step(bool output_due) {
 
 std::optional<int> ReductionErrors::Peaks::take(double next) {
   std::optional<int> place;
-  const auto least = std::ranges::min_element(measures);
-  if (last >= before && last > next && last > *least) {
-    *least = last;
-    place = static_cast<int>(least - measures.begin());
+  const auto minimum = std::ranges::min_element(measures);
+  if (last >= before && last > next && last > *minimum) {
+    *minimum = last;
+    place = static_cast<int>(minimum - measures.begin());
   }
   before = last;
   last = next;
@@ -273,16 +275,16 @@ void ReductionErrors::archive(Archive& archive) {
   archive(kept_forces_);
 }
 
-bool check_exceeds(const ReducedStructure& found, const Reduction& asked, double tolerance) {
-  const double bound = bound_of(asked, tolerance);
+bool check_exceeds(const ReducedStructure& found, const Reduction& requested, double tolerance) {
+  const double bound = bound_of(requested, tolerance);
   return found.check_force > bound || found.check_displacement > bound;
 }
 
-bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance) {
-  const double bound = bound_of(asked, tolerance);
+bool exceeds(const ReducedStructure& errors, const Reduction& requested, double tolerance) {
+  const double bound = bound_of(requested, tolerance);
   return errors.error_force > bound || errors.error_displacement > bound ||
-         (asked.of_acceleration && errors.error_acceleration > bound) ||
-         (asked.of_members && errors.error_members > bound);
+         (requested.of_acceleration && errors.error_acceleration > bound) ||
+         (requested.of_members && errors.error_members > bound);
 }
 
 }  // namespace pounding

@@ -98,8 +98,8 @@ class ReductionErrors {
 };
 
 /// Whether the estimated errors exceed what was asked for: a bound of its own, else 0.3 of the tolerance.
-bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance);
+bool exceeds(const ReducedStructure& errors, const Reduction& requested, double tolerance);
 /// Whether what the check of all unknowns found exceeds the same.
-bool check_exceeds(const ReducedStructure& found, const Reduction& asked, double tolerance);
+bool check_exceeds(const ReducedStructure& found, const Reduction& requested, double tolerance);
 
 }  // namespace pounding

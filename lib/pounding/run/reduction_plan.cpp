@@ -17,13 +17,13 @@ namespace {
 
 constexpr const char* prefix = "pounding_red_";
 
-bool read(const char* name, int least, int most, int& value) {
+bool read(const char* name, int minimum, int maximum, int& value) {
   PetscInt number = value;
   PetscBool given = PETSC_FALSE;
   petsc::check(PetscOptionsGetInt(nullptr, prefix, name, &number, &given));
-  if (given && (number < least || number > most))
+  if (given && (number < minimum || number > maximum))
     throw InputError(fmt::format("-{}{} {} is not in [{}, {}]; type -{}{} {}", prefix, name + 1,
-                                 static_cast<long>(number), least, most, prefix, name + 1, value));
+                                 static_cast<long>(number), minimum, maximum, prefix, name + 1, value));
   value = static_cast<int>(number);
   return given == PETSC_TRUE;
 }
@@ -48,32 +48,33 @@ Reduction reduction_from_options() {
   return how;
 }
 
-std::string folder_of_kept_modes() {
+std::string mode_cache_folder() {
   char folder[4096] = "";
   petsc::check(PetscOptionsGetString(nullptr, prefix, "-cache", folder, sizeof folder, nullptr));
   return folder;
 }
 
-std::vector<Reduction> asked_reductions(const Model& model) {
+std::vector<Reduction> requested_reductions(const Model& model) {
   const Reduction by_options = reduction_from_options();
-  std::vector<Reduction> asked;
+  std::vector<Reduction> requested;
   for (std::size_t i = 0; i < model.structures.size(); ++i)
     if (!model.structures[i].is_rigid())
-      asked.push_back(by_options.kind != Reduction::Kind::none ? by_options : reduction_of(model, static_cast<int>(i)));
-  return asked;
+      requested.push_back(by_options.kind != Reduction::Kind::none ? by_options
+                                                                   : reduction_of(model, static_cast<int>(i)));
+  return requested;
 }
 
-petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u,
-                                    const Eigen::VectorXd& v, double tolerance) {
+petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& requested,
+                                    const Eigen::VectorXd& u, const Eigen::VectorXd& v, double tolerance) {
   petsc::ReductionPlan plan{{}, {}, u, v, tolerance};
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     if (s.is_rigid()) continue;
     if (const std::string reason = why_not_checked(model, static_cast<int>(i)); !reason.empty())
       throw InputError(reason);
-    Reduction own = asked[plan.groups.size()];
+    Reduction own = requested[plan.groups.size()];
     const bool reduces = own.kind == Reduction::Kind::automatic || own.is_explicit();
-    plan.asked = plan.asked || reduces;
+    plan.requested = plan.requested || reduces;
     if (reduces)
       if (const std::string reason = why_not_reduced(model, static_cast<int>(i)); !reason.empty()) {
         if (own.is_explicit() && s.size() > small_structure) fail(s.name, reason);
@@ -87,37 +88,37 @@ petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduct
 
 bool must_be_deeper(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced) {
   return std::ranges::any_of(reduced, [&](const ReducedStructure& s) {
-    const Reduction& asked = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
-    return asked.kind == Reduction::Kind::automatic && exceeds(s, asked, plan.tolerance);
+    const Reduction& requested = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
+    return requested.kind == Reduction::Kind::automatic && exceeds(s, requested, plan.tolerance);
   });
 }
 
 std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan,
                                             const std::vector<ReducedStructure>& reduced) {
   std::vector<std::string> warnings;
-  if (plan.asked && reduced.empty() && plan.deeper > 0)
+  if (plan.requested && reduced.empty() && plan.deeper > 0)
     warnings.emplace_back(
         "the links need so many blocks that all modes were taken instead, or factors where a structure has more than "
         "2,500 unknowns with "
         "mass: high modes that are little damped ring up to the frequency of the contacts, or there are many links, "
         "which count once more for "
         "each direction in which they rub");
-  else if (plan.asked && reduced.empty())
+  else if (plan.requested && reduced.empty())
     warnings.emplace_back(
         "no structure is reduced: those of up to 500 unknowns with mass keep all their modes, as do those of up to "
         "2,500 whose links are too "
         "many; a larger one, or one that cannot be reduced, leaves all of them to factors");
   for (const ReducedStructure& s : reduced) {
-    const Reduction& asked = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
+    const Reduction& requested = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
     if (std::isnan(s.error_force))
       warnings.push_back(fmt::format(
           "{}. The error of the reduction is not estimated: compare with a deeper one, or with none", s.size_text()));
-    else if (exceeds(s, asked, plan.tolerance))
+    else if (exceeds(s, requested, plan.tolerance))
       warnings.push_back(
           fmt::format("{}. The reduction may cost more than 0.3 of the tolerance {:g}: {}; take {} blocks of the "
                       "links, or reduction: auto",
                       s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
-    if (check_exceeds(s, asked, plan.tolerance))
+    if (check_exceeds(s, requested, plan.tolerance))
       warnings.push_back(
           fmt::format("{}. The reduction costs more than 0.3 of the tolerance {:g}, or than the error that was asked "
                       "for: {}; take {} blocks of the links, or a "

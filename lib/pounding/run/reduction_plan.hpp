@@ -17,17 +17,17 @@ Reduction reduction_from_options();
 
 /// `-pounding_red_cache FOLDER`, where modes are kept from one run to the next; empty without it. To be called as
 /// early.
-std::string folder_of_kept_modes();
+std::string mode_cache_folder();
 
 /// The reduction of each structure of a model that moves: that of the options where they give one, else that of the
 /// model.
-std::vector<Reduction> asked_reductions(const Model& model);
+std::vector<Reduction> requested_reductions(const Model& model);
 
 /// A plan with these reductions, but for structures that cannot be reduced: what is automatic leaves them out, numbers
 /// of the options are an InputError where such a structure has more than small_structure unknowns. The run starts from
 /// displacements u [m] and velocities v [m/s].
-petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u,
-                                    const Eigen::VectorXd& v, double tolerance);
+petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& requested,
+                                    const Eigen::VectorXd& u, const Eigen::VectorXd& v, double tolerance);
 
 /// Whether a run must be repeated with more blocks: one whose depth is automatic has estimated errors that are too
 /// large.

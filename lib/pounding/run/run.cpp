@@ -87,16 +87,16 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
 
   const System system = assemble(model, with_links);
   const auto [u, v] = initial_state(model, with_links);
-  const std::vector<Reduction> asked = asked_reductions(model);
-  const std::string kept_in = folder_of_kept_modes();
+  const std::vector<Reduction> requested = requested_reductions(model);
+  const std::string cache_folder = mode_cache_folder();
   const TsSetup setup = set_up_ts(settings, u, v, options.comm);
-  petsc::ReductionPlan plan = reduction_plan(model, asked, u, v, settings.stepper.tolerance);
+  petsc::ReductionPlan plan = reduction_plan(model, requested, u, v, settings.stepper.tolerance);
   plan.deeper = results.deeper = deeper;
-  plan.kept_in = kept_in;
-  if (plan.asked && settings.solver != petsc::SolverKind::automatic)
+  plan.cache_folder = cache_folder;
+  if (plan.requested && settings.solver != petsc::SolverKind::automatic)
     throw InputError("a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
   Archive at_the_start;
-  if (plan.asked) archive_memory(system, at_the_start);
+  if (plan.requested) archive_memory(system, at_the_start);
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, settings.solver, plan, options.comm);
   Stepper stepper(system, *solver, settings.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
@@ -118,7 +118,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
 
   RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper, recorder, reduction, writer);
   std::string failure = monitor.solve();
-  if (failure.empty() && reduction.check.is_asked()) {  // which may take long, and be stopped
+  if (failure.empty() && reduction.check.is_requested()) {  // which may take long, and be stopped
     writer.save();
     writer.write("running");
   }

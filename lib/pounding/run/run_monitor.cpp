@@ -45,7 +45,7 @@ std::string RunMonitor::solve() {
 
 std::string RunMonitor::check_reduction() {
   try {
-    for (bool more = reduction_.check.is_asked(); more;) {
+    for (bool more = reduction_.check.is_requested(); more;) {
       ranks_.on_each([&] { more = reduction_.check.next(); });
       if (!more || !ranks_.any(options_.stop && options_.stop())) continue;
       resumable_ = true;
@@ -73,7 +73,7 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
 
 void RunMonitor::end_at_collapse() {
   const Collapse& collapse = recorder_.collapse();
-  if (!collapse.is_asked() || !ranks_.any(collapse.has_come())) return;
+  if (!collapse.is_requested() || !ranks_.any(collapse.has_come())) return;
   collapse_ = collapse.text(stepper_.time());
   petsc::check(TSSetConvergedReason(ts_, TS_CONVERGED_USER));
 }

@@ -100,7 +100,7 @@ void RunWriter::conclude(const std::string& status) {
   results.reduced = summary.reduced;
   if (options_.numbers_only) return;
   results.options = summary.options = petsc::Environment::all_options();
-  summary.warnings = doubts_;
+  summary.warnings = warnings_;
   for (std::string& text : implausible(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : endless_bounces(model_, summary)) summary.warnings.push_back(std::move(text));
@@ -126,12 +126,12 @@ void RunWriter::end(const std::string& status) {
 }
 
 bool RunWriter::is_due() const {
-  const CheckpointSettings& asked = model_.checkpoint;
+  const CheckpointSettings& requested = model_.checkpoint;
   const double since = since_write_.seconds();
   if (since <= write_cost_ / output_share) return false;
-  if (!asked.asked()) return since > seconds_between_writes;
-  return (asked.every > 0 && since >= asked.every) ||
-         (asked.every_simulated > 0 && stepper_.time() - written_time_ >= asked.every_simulated);
+  if (!requested.requested()) return since > seconds_between_writes;
+  return (requested.every > 0 && since >= requested.every) ||
+         (requested.every_simulated > 0 && stepper_.time() - written_time_ >= requested.every_simulated);
 }
 
 }  // namespace pounding

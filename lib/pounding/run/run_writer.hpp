@@ -61,7 +61,7 @@ class RunWriter {
   Recorder& recorder_;
   ReductionReport& reduction_;
   Outcome& outcome_;
-  const std::vector<std::string> doubts_ =
+  const std::vector<std::string> warnings_ =
       options_.numbers_only ? std::vector<std::string>{} : implausible(model_, stepper_.options().tolerance);
   Checkpoint origin_;  // without a state
   Stopwatch since_start_, since_write_ = since_start_;

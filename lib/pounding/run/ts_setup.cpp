@@ -114,7 +114,7 @@ EffectiveSettings effective_settings(const Model& model) {
                              petsc::SolverKind::automatic,
                              analysis.duration,
                              first_step(model),
-                             analysis.most_steps};
+                             analysis.max_steps};
   double& tolerance = settings.stepper.tolerance;
   read_options([&] {
     PetscInt max_steps = static_cast<PetscInt>(settings.max_steps);

@@ -16,9 +16,9 @@
 namespace pounding {
 namespace {
 
-constexpr std::size_t least_steps = 200;
+constexpr std::size_t min_steps = 200;
 
-std::size_t steps_in(const ImpactWindow& window) { return std::max(least_steps, window.steps.size()); }
+std::size_t steps_in(const ImpactWindow& window) { return std::max(min_steps, window.steps.size()); }
 
 // Times of equal steps through a window.
 std::vector<double> times_of(const ImpactWindow& window) {

@@ -31,8 +31,8 @@ bool solve_fixed_point(Eigen::VectorXd x, Eigen::VectorXd& image, const Map& map
   };
   std::vector<Secant> secants;
   Eigen::VectorXd residual, last_x, last_residual;
-  double least = std::numeric_limits<double>::infinity(), slope = 0;
-  int since_least = 0;
+  double minimum = std::numeric_limits<double>::infinity(), slope = 0;
+  int since_minimum = 0;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     if (!map(x, image)) return false;
     residual = image - x;
@@ -44,9 +44,9 @@ bool solve_fixed_point(Eigen::VectorXd x, Eigen::VectorXd& image, const Map& map
       slope = std::max(slope, std::sqrt(product(answer, answer) / product(step, step)));
     }
     if (error * (iteration > 0 ? slope : 1) <= solved) return true;
-    since_least = error < 0.5 * least ? 0 : since_least + 1;
-    least = std::min(least, error);
-    if (since_least >= 3 && error <= nearly_solved) return true;
+    since_minimum = error < 0.5 * minimum ? 0 : since_minimum + 1;
+    minimum = std::min(minimum, error);
+    if (since_minimum >= 3 && error <= nearly_solved) return true;
     if (iteration > 0) {
       Secant next{x - last_x, residual - last_residual};
       const double whole = std::sqrt(product(next.change, next.change));

@@ -15,9 +15,9 @@ Eigen::VectorXd DenseOutput::springs_of(const Eigen::VectorXd& of_links) const {
   return of_links.segment(equations_.links.contacts(), equations_.links.springs());
 }
 
-void DenseOutput::step_kept() {
-  states_.step_kept();
-  outputs_.step_kept();
+void DenseOutput::step_accepted() {
+  states_.step_accepted();
+  outputs_.step_accepted();
   has_outputs_middle_ = has_middle_ = false;
 }
 

@@ -68,7 +68,7 @@ class DenseOutput {
   void interpolate_springs(double time, Eigen::VectorXd& forces) const;
 
   /// A step was kept: the views of the present become those of its beginning.
-  void step_kept();
+  void step_accepted();
   /// The present instant changed.
   void now_changed() { states_.has_now = outputs_.has_now = false; }
   /// All instants changed.
@@ -80,7 +80,7 @@ class DenseOutput {
     View now, begin, end_minus;
     bool has_now = false, has_begin = false, has_end_minus = false;
     void forget() { has_now = has_begin = has_end_minus = false; }
-    void step_kept() {
+    void step_accepted() {
       if (has_now) std::swap(begin, now);
       has_begin = has_now;
       has_now = has_end_minus = false;

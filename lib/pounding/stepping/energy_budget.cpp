@@ -18,7 +18,7 @@ bool EnergyBudget::is_due() {
 
 void EnergyBudget::audit(const Energies& e) {
   largest_ = std::max(largest_, std::abs(e.input));
-  const double spent = std::abs(e.imbalance()) / (tolerance_ * std::max(largest_, least_ / ++audits_));
+  const double spent = std::abs(e.imbalance()) / (tolerance_ * std::max(largest_, minimum_ / ++audits_));
   share_ = spent > 0.5 ? std::pow(std::max(2 * (1 - spent), shortest_part), error_order_) : 1;
 }
 

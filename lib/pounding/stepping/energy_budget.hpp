@@ -14,11 +14,11 @@ class EnergyBudget {
  public:
   static constexpr double shortest_part = 0.1;
 
-  /// `tolerance`: of the run. `error_order`: an error in one step falls with this power of its length. `least`: energy
-  /// that errors are compared with at first, when there is hardly any [J]. It counts less with every audit: the errors
-  /// of many small vibrations add up.
-  EnergyBudget(double tolerance, int error_order, double least)
-      : tolerance_(tolerance), error_order_(error_order), least_(least) {}
+  /// `tolerance`: of the run. `error_order`: an error in one step falls with this power of its length. `minimum`:
+  /// energy that errors are compared with at first, when there is hardly any [J]. It counts less with every audit: the
+  /// errors of many small vibrations add up.
+  EnergyBudget(double tolerance, int error_order, double minimum)
+      : tolerance_(tolerance), error_order_(error_order), minimum_(minimum) {}
 
   /// A step was kept. Whether the energies are wanted now: seldom, since they cost a sum over all processes.
   bool is_due();
@@ -32,7 +32,7 @@ class EnergyBudget {
  private:
   double tolerance_;
   int error_order_;
-  double least_;
+  double minimum_;
   double largest_ = 0;  // energy put in so far [J]
   double share_ = 1;
   double audits_ = 0;

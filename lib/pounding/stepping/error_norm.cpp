@@ -239,7 +239,7 @@ double ErrorNorm::relative_size(const Eigen::VectorXd& change, const Eigen::Vect
   return worst;
 }
 
-double ErrorNorm::least_energy() const {
+double ErrorNorm::min_energy() const {
   double energy = 0;
   for (std::size_t k = 0; k < rest_size_.size(); ++k) {
     const double velocity = equations_.system.groups[k].velocity_floor;

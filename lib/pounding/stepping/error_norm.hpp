@@ -38,7 +38,7 @@ class ErrorNorm {
   /// Size of a change of the displacement, relative to the displacement or its scale: the largest of all groups.
   double relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const;
   /// Kinetic energy at the smallest velocities that errors are compared with [J].
-  double least_energy() const;
+  double min_energy() const;
   /// Inner product weighed by the masses.
   double product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const;
 

@@ -88,8 +88,8 @@ void HeldForces::record_peaks(const Instant& x, const Trial& kept) {
   for (int i = 0; i < links.contacts(); ++i) {
     if (!links.is_held(i)) continue;
     // No more above the samples than these differ: else the search could not find a new peak of the impact.
-    const auto [least, most] = std::minmax({x.force[i], kept.force_middle[i], kept.end.force[i]});
-    if (most + (most - least) <= links.contact(i).impacts().back().peak_force) continue;
+    const auto [minimum, maximum] = std::minmax({x.force[i], kept.force_middle[i], kept.end.force[i]});
+    if (maximum + (maximum - minimum) <= links.contact(i).impacts().back().peak_force) continue;
     if (samples.empty())
       samples = {{0, x.force}, at(0.25, x, kept), {0.5, kept.force_middle}, at(0.75, x, kept), {1, kept.end.force}};
     find_peak(i, x, kept, samples);

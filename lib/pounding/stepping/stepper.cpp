@@ -43,7 +43,7 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       functions_(equations_.links, equations_.rigid, norm_.scales(), longest_step_),
       locator_(functions_, equations_.springs),
       ledger_(system),
-      budget_(options.tolerance, options.scheme.error_order(), norm_.least_energy()),
+      budget_(options.tolerance, options.scheme.error_order(), norm_.min_energy()),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
       held_forces_(equations_),
       output_(equations_, history_),
@@ -210,7 +210,7 @@ void Stepper::describe_springs() const {
 
 void Stepper::accept() {
   history_.keep_trial();
-  output_.step_kept();
+  output_.step_accepted();
   const LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();

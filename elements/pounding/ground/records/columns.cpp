@@ -207,8 +207,8 @@ double unit_of_column(const Lines& lines, const Header& header, const NumberTabl
 }
 
 void require_samples(const Lines& lines, std::size_t count, std::string_view what) {
-  if (count > most_samples)
-    throw InputError(fmt::format("{}: {} samples; a record has at most {}", lines.name(), count, most_samples));
+  if (count > max_samples)
+    throw InputError(fmt::format("{}: {} samples; a record has at most {}", lines.name(), count, max_samples));
   if (count >= 2) return;
   throw InputError(
       fmt::format("{}: {} sample{}; a record needs at least two {}", lines.name(), count, count == 1 ? "" : "s", what));

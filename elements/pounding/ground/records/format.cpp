@@ -59,7 +59,7 @@ Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
     const std::string_view line = without_breaks(text.substr(begin, end - begin));
     if (line.size() > longest_line)
       fail(size(), fmt::format("has {} bytes; a line has at most {}", line.size(), longest_line));
-    if (size() == most_lines) fail(size(), fmt::format("too many lines; a record has at most {}", most_lines));
+    if (size() == max_lines) fail(size(), fmt::format("too many lines; a record has at most {}", max_lines));
     if (line.find(zero) != std::string_view::npos)
       fail(size(),
            "contains zero bytes, as in UTF-16, Excel workbooks and binary files; save the file as UTF-8 text, or a "
@@ -126,8 +126,8 @@ std::optional<std::vector<std::string>> captured(std::string_view line, const st
 std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value) {
   if (!(value >= 2 && value == std::floor(value)))
     lines.fail(i, fmt::format("{} is {:g}; it must be an integer >= 2", name, value));
-  if (value > most_samples)
-    lines.fail(i, fmt::format("{} is {:g}; a record has at most {} samples", name, value, most_samples));
+  if (value > max_samples)
+    lines.fail(i, fmt::format("{} is {:g}; a record has at most {} samples", name, value, max_samples));
   return static_cast<std::size_t>(value);
 }
 

@@ -19,9 +19,9 @@ namespace pounding::records {
 // Limits of a file, far above the largest known records.
 inline constexpr std::size_t longest_record = 128'000'000;  ///< bytes
 inline constexpr std::size_t longest_line = 10'000'000;     ///< bytes
-inline constexpr std::size_t most_lines = 5'000'000;
-inline constexpr std::size_t most_numbers = 20'000'000;
-inline constexpr std::size_t most_samples = 5'000'000;
+inline constexpr std::size_t max_lines = 5'000'000;
+inline constexpr std::size_t max_numbers = 20'000'000;
+inline constexpr std::size_t max_samples = 5'000'000;
 inline constexpr std::size_t longest_header = 200'000;  ///< bytes
 /// Maximum absolute value of a time or sample, in the unit of the file.
 inline constexpr double largest_value = 1e30;
@@ -86,7 +86,7 @@ std::regex pattern(const char* text);
 
 // Numbers.
 
-/// A number of samples. Throws unless it is an integer from 2 to most_samples.
+/// A number of samples. Throws unless it is an integer from 2 to max_samples.
 std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value);
 /// A spacing or rate. Throws unless it is > 0; `what` is for example "a time".
 double checked_positive(const Lines& lines, std::size_t i, std::string_view name, double value, std::string_view what);

@@ -66,7 +66,7 @@ void check_lines(const Lines& lines, std::size_t begin, std::size_t count) {
   std::size_t stated = fields.lines_for(count);
   for (const std::size_t number : {35, 36}) {
     const double others = header_number(lines, begin + integers_line, number);
-    if (!(others >= 0 && others <= most_samples))
+    if (!(others >= 0 && others <= max_samples))
       lines.fail(begin + integers_line + 3,
                  fmt::format("integer {} is {:g}; it must be a number of samples", number, others));
     stated += fields.lines_for(static_cast<std::size_t>(others));

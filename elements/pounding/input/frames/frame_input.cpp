@@ -13,7 +13,7 @@
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/input/frames/frame_parts_input.hpp>
 #include <pounding/input/frames/hinge_input.hpp>
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -34,7 +34,8 @@ class FrameReader {
     if (const auto ties = body_.find("ties"))
       for (const Input& node : ties->items()) read_tie(node);
     const auto grid = body_.find("grid");
-    for (std::size_t i = 0; grid && i < model_.floors.size(); ++i) add_floor_place(*grid, grid->find("rigid_floors"));
+    for (std::size_t i = 0; grid && i < model_.floors.size(); ++i)
+      add_floor_location(*grid, grid->find("rigid_floors"));
     if (const auto floors = body_.find("floors"))
       for (const Input& node : floors->items()) read_floor(node);
     make_floors_rigid();
@@ -46,8 +47,8 @@ class FrameReader {
   }
 
  private:
-  struct FloorPlace {
-    Input place;
+  struct FloorLocation {
+    Input location;
     bool rigid;
     std::vector<double> weights;  // of the nodes, where the masses are none
   };
@@ -58,7 +59,7 @@ class FrameReader {
       return placed(value, [&] { model_.frame.add_mass(node, mass); });
     }
     for (const auto& [key, each] : value.entries()) {
-      const Dof dof = parts_.words().dof_at_key(key, each);
+      const Dof dof = parts_.keys().dof_at_key(key, each);
       const double mass = each.as_quantity();
       placed(each, [&] { model_.frame.add_mass(node, dof, mass); });
     }
@@ -67,7 +68,7 @@ class FrameReader {
   void read_load(int node, const Input& value) {
     if (!value.is_map()) value.fail("takes forces with their directions; type {uz: -10 kN}");
     for (const auto& [key, each] : value.entries()) {
-      const Dof dof = parts_.words().dof_at_key(key, each);
+      const Dof dof = parts_.keys().dof_at_key(key, each);
       placed(each, [&, &load = each] { model_.frame.add_load(node, dof, load.as_quantity()); });
     }
   }
@@ -77,7 +78,7 @@ class FrameReader {
     const auto at = node.find("node"), between = node.find("between");
     if (at && between) between->fail_at_key("a spring stands at one node or between two; keep one of node and between");
     if (!at && !between) node.fail("its place is missing; type node: a for a spring to the ground, or between: [a, b]");
-    const Dof dof = parts_.words().dof(node.at("dof"));
+    const Dof dof = parts_.keys().dof(node.at("dof"));
     const auto stiffness = node.find("stiffness"), damping = node.find("damping");
     if (!stiffness && !damping) node.fail("has neither stiffness nor damping; type stiffness: 1 MN/m");
     const double k = stiffness ? stiffness->as_quantity(of_spring(dof)) : 0;
@@ -108,16 +109,16 @@ class FrameReader {
     for (const int each : nodes)
       placed(node, [&] {
         if (dofs)
-          model_.frame.tie(master, each, parts_.words().dofs(*dofs));
+          model_.frame.tie(master, each, parts_.keys().dofs(*dofs));
         else
           model_.frame.tie_rigidly(master, each);
       });
   }
 
   void add_support(const SupportWish& wish, const std::string& name, const std::vector<int>& nodes,
-                   const Input& place) {
+                   const Input& location) {
     for (const int node : nodes)
-      placed(place, [&] {
+      placed(location, [&] {
         model_.frame.fix(node, wish.fixed);
         for (const auto& [dof, stiffness] : wish.springs) model_.frame.add_spring(node, dof, stiffness);
         for (const auto& [dof, damping] : wish.dashpots) model_.frame.add_dashpot(node, dof, damping);
@@ -127,7 +128,7 @@ class FrameReader {
         for (const Dof dof : dofs_of(parts_.dimension()))
           if (dof == Dof::ux || dof == Dof::uy) {
             model_.isolators.push_back({node, dof, *wish.isolator});
-            parts_.frame.isolator_places.push_back(place.at("isolator"));
+            parts_.frame.isolator_locations.push_back(location.at("isolator"));
           }
     if (wish.delay > 0 || wish.motion)
       model_.supports.push_back({name, nodes, wish.delay, wish.motion});
@@ -140,7 +141,7 @@ class FrameReader {
     for (const Dof dof : dofs_of(parts_.dimension())) of_feet.fixed.push_back(dof);
     const std::vector<int>& feet = parts_.grid().feet;
     std::vector<int> open = feet;
-    std::optional<Input> feet_place;
+    std::optional<Input> feet_location;
     const auto supports = body_.find("supports");
     if (supports && supports->is_scalar()) {
       if (supports->as_text() != "none")
@@ -153,15 +154,15 @@ class FrameReader {
     if (supports)
       for (const auto& [name, node] : supports->entries()) {
         if (name == "feet" && !feet.empty()) {
-          of_feet = parts_.words().support(node);
-          feet_place.emplace(node);
+          of_feet = parts_.keys().support(node);
+          feet_location.emplace(node);
           continue;
         }
         const int at = parts_.node_at_key(name, node);
         std::erase(open, at);
-        add_support(parts_.words().support(node), name, {at}, node);
+        add_support(parts_.keys().support(node), name, {at}, node);
       }
-    if (!open.empty()) add_support(of_feet, "feet", open, feet_place ? *feet_place : *body_.find("grid"));
+    if (!open.empty()) add_support(of_feet, "feet", open, feet_location ? *feet_location : *body_.find("grid"));
     if (!common_.empty()) model_.supports.insert(model_.supports.begin(), {.name = "", .nodes = common_});
   }
 
@@ -186,14 +187,14 @@ class FrameReader {
           fmt::format("floors stand in the order from the ground up, and this one at {} is not above floor {} at {}",
                       height(floor.elevation), model_.floors.back().label, height(model_.floors.back().elevation)));
     model_.floors.push_back(std::move(floor));
-    add_floor_place(node, node.find("rigid"));
+    add_floor_location(node, node.find("rigid"));
   }
 
   // Notes the place of the floor that was added last. Floors in space are rigid unless the input says otherwise.
-  void add_floor_place(const Input& place, const std::optional<Input>& rigid) {
-    const bool of_grid = floor_places_.size() < grid_floors_;
-    floor_places_.push_back({place, rigid ? rigid->as_bool() : parts_.dimension() == 3,
-                             of_grid ? parts_.grid().weights : std::vector<double>{}});
+  void add_floor_location(const Input& location, const std::optional<Input>& rigid) {
+    const bool of_grid = floor_locations_.size() < grid_floors_;
+    floor_locations_.push_back({location, rigid ? rigid->as_bool() : parts_.dimension() == 3,
+                                of_grid ? parts_.grid().weights : std::vector<double>{}});
   }
 
   std::string height(double z) const { return format_quantity(z + parts_.origin().z(), dimension::length); }
@@ -211,12 +212,12 @@ class FrameReader {
 
   void make_floors_rigid() {
     for (std::size_t i = 0; i < model_.floors.size(); ++i) {
-      const FloorPlace& from = floor_places_[i];
+      const FloorLocation& from = floor_locations_[i];
       if (!from.rigid) continue;
-      placed(from.place, [&] { make_floor_rigid(model_, static_cast<int>(i), from.weights); });
+      placed(from.location, [&] { make_floor_rigid(model_, static_cast<int>(i), from.weights); });
       // In space the floor has got a master.
-      if (model_.frame.nodes() > static_cast<int>(parts_.frame.node_places.size()))
-        parts_.frame.node_places.push_back(from.place);
+      if (model_.frame.nodes() > static_cast<int>(parts_.frame.node_locations.size()))
+        parts_.frame.node_locations.push_back(from.location);
     }
   }
 
@@ -266,31 +267,31 @@ class FrameReader {
   FrameModel& model_ = parts_.frame.model;
   std::size_t grid_floors_ = model_.floors.size();
   std::vector<int> common_;  // supports without a motion of their own
-  std::vector<FloorPlace> floor_places_;
+  std::vector<FloorLocation> floor_locations_;
 };
 
 // At the place of the hinge, isolator, node or member that the refusal begins with, else at the frame.
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
-  for (std::size_t hinge = 0; hinge < from.hinge_places.size(); ++hinge)
+  for (std::size_t hinge = 0; hinge < from.hinge_locations.size(); ++hinge)
     if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge)))))
-      from.hinge_places[hinge].fail(refusal);
-  for (std::size_t i = 0; i < from.isolator_places.size(); ++i) {
+      from.hinge_locations[hinge].fail(refusal);
+  for (std::size_t i = 0; i < from.isolator_locations.size(); ++i) {
     const std::string name = "isolator " + frame.node_name(from.model.isolators[i].node);
-    if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_places[i].fail(refusal);
+    if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_locations[i].fail(refusal);
   }
   for (int node = 0; node < frame.nodes(); ++node)
-    if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_places[node].fail(refusal);
+    if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_locations[node].fail(refusal);
   for (int member = 0; member < frame.members(); ++member)
     if (refusal.starts_with(fmt::format("member {}: ", frame.member_name(member))))
-      from.member_places[member].fail(refusal);
+      from.member_locations[member].fail(refusal);
   body.fail(refusal);
 }
 
 }  // namespace
 
 FrameInput read_frame(const Input& node) {
-  const Input body = node.in(words::frame);
+  const Input body = node.in(keys::frame);
   body.only_keys();
   return FrameReader(body).read();
 }

@@ -13,7 +13,7 @@ namespace pounding {
 /// A frame as it was read, and where its nodes, members, hinges and isolators stand in the file.
 struct FrameInput {
   FrameModel model;
-  std::vector<Input> node_places, member_places, hinge_places, isolator_places;
+  std::vector<Input> node_locations, member_locations, hinge_locations, isolator_locations;
 };
 
 /// Reads and checks everything that needs no matrices. Throws InputError at the place of what is wrong.

@@ -78,8 +78,8 @@ Eigen::Vector3d FrameParser::vector(const Input& node, std::string_view example)
   return vector;
 }
 
-std::vector<Dof> FrameParser::fixed_by(const Input& word) const {
-  const std::string kind = word.as_choice();
+std::vector<Dof> FrameParser::fixed_by(const Input& spec) const {
+  const std::string kind = spec.as_choice();
   if (kind == "roller") return {Dof::uz};
   std::vector<Dof> dofs;
   for (const Dof dof : dofs_of(dimension_))

@@ -50,7 +50,7 @@ class FrameParser {
   SupportWish support(const Input& node) const;
 
  private:
-  std::vector<Dof> fixed_by(const Input& word) const;
+  std::vector<Dof> fixed_by(const Input& spec) const;
   GroundComponents ground(const Input& node) const;
   void read_isolator(const Input& support, const Input& isolator, SupportWish& wish) const;
 

@@ -37,7 +37,7 @@ std::vector<std::string> lines_of_columns(const std::vector<std::string>& known)
 
 }  // namespace
 
-FramePartsInput::FramePartsInput(const Input& body) : body_(body), words_(body), library_(body, dimension_) {
+FramePartsInput::FramePartsInput(const Input& body) : body_(body), keys_(body), library_(body, dimension_) {
   frame.model.frame = Frame(dimension_);
   if (!body_.has("grid") && !body_.has("nodes"))
     body_.fail("a frame needs nodes; type grid: {storeys: 5, bays: 3, ...}, or nodes: {a: [0, 0], b: [0, 3 m]}");
@@ -63,9 +63,9 @@ std::vector<std::string> FramePartsInput::node_names() const {
   return names;
 }
 
-int FramePartsInput::node_at_key(const std::string& name, const Input& place) const {
+int FramePartsInput::node_at_key(const std::string& name, const Input& location) const {
   const auto found = nodes_.find(name);
-  if (found == nodes_.end()) place.fail_at_key(unknown_name("node", name, node_names()));
+  if (found == nodes_.end()) location.fail_at_key(unknown_name("node", name, node_names()));
   return found->second;
 }
 
@@ -86,16 +86,16 @@ std::vector<int> FramePartsInput::nodes_of(const Input& list) const {
 void FramePartsInput::read_origin() {
   const auto node = body_.find("origin");
   if (!node) return;
-  const std::size_t least = dimension_ == 2 ? 1 : 2;
+  const std::size_t minimum = dimension_ == 2 ? 1 : 2;
   const std::size_t count = node->is_list() ? node->items().size() : 0;
-  if (count != least && count != least + 1)
+  if (count != minimum && count != minimum + 1)
     node->fail(dimension_ == 2 ? "takes [x] or [x, z]; type origin: [12 m, 0]"
                                : "takes [x, y] or [x, y, z]; type origin: [12 m, 0, 0]");
   std::vector<double> values;
   for (const Input& item : node->items()) values.push_back(item.as_quantity());
   origin_.x() = values[0];
   if (dimension_ == 3) origin_.y() = values[1];
-  if (count > least) origin_.z() = values.back();
+  if (count > minimum) origin_.z() = values.back();
 }
 
 void FramePartsInput::read_grid(const Input& node) {
@@ -121,8 +121,8 @@ void FramePartsInput::read_grid(const Input& node) {
   const Frame& made = frame.model.frame;
   for (int i = 0; i < made.nodes(); ++i) nodes_.emplace(made.node_name(i), i);
   for (int i = 0; i < made.members(); ++i) members_.emplace(made.member_name(i), i);
-  frame.node_places.assign(made.nodes(), node);
-  frame.member_places.assign(made.members(), node);
+  frame.node_locations.assign(made.nodes(), node);
+  frame.member_locations.assign(made.members(), node);
 }
 
 // Reads the members of the grid that the input changes by their names. One that is named itself has nothing of its
@@ -159,26 +159,26 @@ GridMember FramePartsInput::read_member_of_grid(const Input& node) const {
 }
 
 Vector3d FramePartsInput::read_load(const Input& load) const {
-  return words_.vector(load, dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]");
+  return keys_.vector(load, dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]");
 }
 
-void FramePartsInput::check_name(const std::string& name, const Input& place) const {
+void FramePartsInput::check_name(const std::string& name, const Input& location) const {
   if (name.empty() || name.find_first_of("/.") != std::string::npos)
-    place.fail_at_key("a name must not be empty or contain \".\" or \"/\"; type a name such as b1");
+    location.fail_at_key("a name must not be empty or contain \".\" or \"/\"; type a name such as b1");
 }
 
 void FramePartsInput::read_node(const std::string& name, const Input& node) {
   check_name(name, node);
   if (name == "feet" && body_.has("grid")) node.fail_at_key("\"feet\" are those of the grid; choose another name");
-  const Vector3d position = words_.vector(node, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]");
+  const Vector3d position = keys_.vector(node, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]");
   nodes_.emplace(name, placed(node, [&] { return frame.model.frame.add_node(position, name); }));
-  frame.node_places.push_back(node);
+  frame.node_locations.push_back(node);
 }
 
-void FramePartsInput::name_member(int member, const std::string& name, const Input& place) {
+void FramePartsInput::name_member(int member, const std::string& name, const Input& location) {
   frame.model.frame.set_name(member, name);
   members_.emplace(name, member);
-  frame.member_places.push_back(place);
+  frame.member_locations.push_back(location);
 }
 
 void FramePartsInput::add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end,
@@ -193,18 +193,18 @@ BeamOptions FramePartsInput::read_beam_options(const Input& node) const {
   BeamOptions options{.mass = mass_kind_};
   if (const auto releases = node.find("releases")) {
     releases->only_keys();
-    if (const auto at = releases->find("start")) options.start_releases = words_.dofs(*at);
-    if (const auto at = releases->find("end")) options.end_releases = words_.dofs(*at);
+    if (const auto at = releases->find("start")) options.start_releases = keys_.dofs(*at);
+    if (const auto at = releases->find("end")) options.end_releases = keys_.dofs(*at);
   }
   if (const auto offsets = node.find("offsets")) {
     const std::string_view example = dimension_ == 2 ? "[0, 0.3 m]" : "[0, 0, 0.3 m]";
     offsets->only_keys();
-    if (const auto at = offsets->find("start")) options.start_offset = words_.vector(*at, example);
-    if (const auto at = offsets->find("end")) options.end_offset = words_.vector(*at, example);
+    if (const auto at = offsets->find("start")) options.start_offset = keys_.vector(*at, example);
+    if (const auto at = offsets->find("end")) options.end_offset = keys_.vector(*at, example);
   }
   if (const auto reference = node.find("reference")) {
     if (dimension_ == 2) reference->fail_at_key("is for frames in space; in the plane local y is y; leave it out");
-    options.reference = words_.vector(*reference, "[0, 1, 0]");
+    options.reference = keys_.vector(*reference, "[0, 1, 0]");
   }
   return options;
 }
@@ -232,7 +232,7 @@ void FramePartsInput::read_member(const std::string& name, const Input& node) {
   for (const int member : members) name_member(member, made.member_name(member), node);
   for (int added = nodes; added < made.nodes(); ++added) {
     nodes_.emplace(made.node_name(added), added);
-    frame.node_places.push_back(node);
+    frame.node_locations.push_back(node);
   }
   if (const auto load = node.find("load")) {
     const Vector3d per_length = read_load(*load);

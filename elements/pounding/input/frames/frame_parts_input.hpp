@@ -15,11 +15,11 @@ namespace pounding {
 
 /// Returns what the call returns; its std::invalid_argument is reported at this place of the input.
 template <class Act>
-auto placed(const Input& place, Act&& act) {
+auto placed(const Input& location, Act&& act) {
   try {
     return act();
   } catch (const std::invalid_argument& error) {
-    place.fail(error.what());
+    location.fail(error.what());
   }
 }
 
@@ -33,8 +33,8 @@ class FramePartsInput {
   /// The frame so far; the rest of the input is added by the caller.
   FrameInput frame;
 
-  const FrameParser& words() const { return words_; }  ///< reads single words of this frame
-  int dimension() const { return dimension_; }         ///< 2 in the plane, 3 in space
+  const FrameParser& keys() const { return keys_; }  ///< reads single words of this frame
+  int dimension() const { return dimension_; }       ///< 2 in the plane, 3 in space
   /// Place of the foot of the frame, by which the caller moves it when all is read [m].
   const Eigen::Vector3d& origin() const { return origin_; }
   /// Nodes on the ground of the grid, and the shares of the nodes of each of its floors.
@@ -43,7 +43,7 @@ class FramePartsInput {
   const std::map<std::string, int>& member_numbers() const { return members_; }
 
   /// The node that a key, an item or the items of a list name.
-  int node_at_key(const std::string& name, const Input& place) const;
+  int node_at_key(const std::string& name, const Input& location) const;
   int node_of(const Input& item) const;
   std::vector<int> nodes_of(const Input& list) const;
 
@@ -60,12 +60,12 @@ class FramePartsInput {
   BeamOptions read_beam_options(const Input& node) const;
   void add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end,
                  const Material& material);
-  void name_member(int member, const std::string& name, const Input& place);
-  void check_name(const std::string& name, const Input& place) const;
+  void name_member(int member, const std::string& name, const Input& location);
+  void check_name(const std::string& name, const Input& location) const;
 
   const Input& body_;
-  FrameParser words_;
-  int dimension_ = words_.dimension();
+  FrameParser keys_;
+  int dimension_ = keys_.dimension();
   SectionLibrary library_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   BeamMass mass_kind_ = BeamMass::lumped;

@@ -62,9 +62,9 @@ class HingeReader {
       if (name == "beams" || name == "columns") read_entry(chosen(name, node), node);
     for (const auto& [name, node] : hinges_.entries())
       if (name != "beams" && name != "columns") read_entry({named(name, node)}, node);
-    for (const auto& [place, hinge] : found_) {
+    for (const auto& [location, hinge] : found_) {
       placed(hinge.second, [&, &made = hinge.first] { frame_.model.frame.add_hinge(made); });
-      frame_.hinge_places.push_back(hinge.second);
+      frame_.hinge_locations.push_back(hinge.second);
     }
   }
 
@@ -100,10 +100,10 @@ class HingeReader {
     if (!axis && is_plane) return {BendingAxis::y};
     if (!axis)
       node.fail("the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both");
-    const std::string word = axis->as_choice();
-    if (is_plane && word != "y") axis->fail("a plane frame bends about y only; leave the axis out");
-    if (word == "both") return {BendingAxis::y, BendingAxis::z};
-    return {word == "y" ? BendingAxis::y : BendingAxis::z};
+    const std::string spec = axis->as_choice();
+    if (is_plane && spec != "y") axis->fail("a plane frame bends about y only; leave the axis out");
+    if (spec == "both") return {BendingAxis::y, BendingAxis::z};
+    return {spec == "y" ? BendingAxis::y : BendingAxis::z};
   }
 
   bool is_foot(const Whole& whole, MemberEnd end) const {
@@ -121,9 +121,9 @@ class HingeReader {
     bool is_any = false;
     for (const Whole& whole : members)
       for (const MemberEnd end : {MemberEnd::start, MemberEnd::end}) {
-        const bool is_asked =
+        const bool is_requested =
             at == "both" || (at == "feet" ? is_foot(whole, end) : (at == "start") == (end == MemberEnd::start));
-        if (!is_asked) continue;
+        if (!is_requested) continue;
         is_any = true;
         for (const BendingAxis axis : about) {
           hinge.member = end == MemberEnd::start ? whole.first : whole.last;
@@ -179,8 +179,8 @@ class HingeReader {
     if (of_member) hinge.law->values["hardening"] = of_member->as_quantity();
     for (const hysteresis::ParameterInfo& parameter : law.parameters)
       if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
-        if (const std::string word = in_moments(std::string(parameter.name)); const auto value = node.find(word))
-          hinge.law->values[word] = value->as_quantity();
+        if (const std::string spec = in_moments(std::string(parameter.name)); const auto value = node.find(spec))
+          hinge.law->values[spec] = value->as_quantity();
     hinge.law->words = read_choices(node, law);
     return hinge;
   }

@@ -73,7 +73,7 @@ Value named(const Input& node, std::string_view what, const std::map<std::string
 }
 
 // Storeys that a key such as "4" or "1-3" names.
-std::pair<int, int> storeys_of(const std::string& key, const Input& place, int storeys) {
+std::pair<int, int> storeys_of(const std::string& key, const Input& location, int storeys) {
   int first = 0, last = 0;
   const char *begin = key.data(), *end = begin + key.size();
   const auto [dash, bad_first] = std::from_chars(begin, end, first);
@@ -86,9 +86,9 @@ std::pair<int, int> storeys_of(const std::string& key, const Input& place, int s
   } else
     is_range = false;
   if (!is_range)
-    place.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", excerpt(key)));
+    location.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", excerpt(key)));
   if (first < 1 || last < first || last > storeys)
-    place.fail_at_key(
+    location.fail_at_key(
         fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", excerpt(key), storeys));
   return {first, last};
 }

@@ -11,8 +11,8 @@
 namespace pounding {
 namespace {
 
-constexpr int most_iterations = 100;
-constexpr double at_rest_solved = 1e-14, least_step_part = 1e-4;
+constexpr int max_iterations = 100;
+constexpr double at_rest_solved = 1e-14, min_step_part = 1e-4;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -55,7 +55,7 @@ class StrainedParts {
     auto [answer, slopes] = law(at_rest_);
     // The forces are differences between those of the laws and k d.
     const double rounding = at_rest_solved * stiffness_.cwiseProduct(at_rest_).norm();
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
       const VectorXd left = answer - forces;
       if (left.norm() <= rounding) return -by_parts * forces;
       const MatrixXd tangent = MatrixXd::Identity(size(), size()) + slopes.asDiagonal() * flexibility;
@@ -64,9 +64,9 @@ class StrainedParts {
       VectorXd next = forces + step;
       for (;; next = forces + (part /= 2) * step) {
         std::tie(answer, slopes) = law(at_rest_ - flexibility * next);
-        if ((answer - next).norm() < left.norm() || part < least_step_part) break;
+        if ((answer - next).norm() < left.norm() || part < min_step_part) break;
       }
-      if (part < least_step_part && left.norm() <= 1e3 * rounding) return -by_parts * forces;  // nothing else is left
+      if (part < min_step_part && left.norm() <= 1e3 * rounding) return -by_parts * forces;  // nothing else is left
       forces = next;
     }
     throw std::invalid_argument("its parts find no equilibrium under gravity; make them stronger");

@@ -56,7 +56,7 @@ bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
     slopes_of_springs_[k] = by_penetration_[k];
     if (by_penetration_[k] < 0) ++soft;
   }
-  return soft >= SoftSprings::least_by_structure &&
+  return soft >= SoftSprings::min_by_structure &&
          soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
 }
 

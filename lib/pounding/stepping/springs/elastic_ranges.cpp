@@ -46,8 +46,8 @@ bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
   if (springs(x.force) != forces_ || springs(y.force) != forces_) return false;
   trial.spring_paths.resize(count, 4);
   const double third = trial.h / 3;
-  double *const begin = trial.spring_paths.data(), *const end = begin + count, *const least = end + count,
-                *const most = least + count;
+  double *const begin = trial.spring_paths.data(), *const end = begin + count, *const minimum = end + count,
+                *const maximum = minimum + count;
   deformations(x, begin);
   deformations(y, end);
   const double *const v0 = of_springs(x.relative, v), *const v1 = of_springs(y.relative, v);
@@ -57,11 +57,11 @@ bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
     const double after = begin[i] + third * v0[i], before = end[i] - third * v1[i];
     const double low0 = after < begin[i] ? after : begin[i], low1 = before < end[i] ? before : end[i];
     const double high0 = after > begin[i] ? after : begin[i], high1 = before > end[i] ? before : end[i];
-    least[i] = low0 < low1 ? low0 : low1;
-    most[i] = high0 > high1 ? high0 : high1;
+    minimum[i] = low0 < low1 ? low0 : low1;
+    maximum[i] = high0 > high1 ? high0 : high1;
   }
   int outside = 0;
-  for (Eigen::Index i = 0; i < count; ++i) outside += !(least[i] > low_[i]) + !(most[i] < high_[i]);
+  for (Eigen::Index i = 0; i < count; ++i) outside += !(minimum[i] > low_[i]) + !(maximum[i] < high_[i]);
   return outside == 0;
 }
 

@@ -56,7 +56,7 @@ bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slop
   find_by_others(links, direction);
   right_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) right_[i] = residual[soft_[i]] / root_[i] + root_[i] * by_others_[soft_[i]];
-  if (count >= least_by_structure) {
+  if (count >= min_by_structure) {
     if (!solve_blocks(links, right_)) return false;
   } else {
     if (!factorize(links, 0, count)) return false;

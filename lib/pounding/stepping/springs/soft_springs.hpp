@@ -32,7 +32,7 @@ class SoftSprings {
   bool answer(const CondensedLinks& links, const Eigen::VectorXd& slopes, Eigen::MatrixXd& deformations);
 
   /// Fewer springs that yield are solved for with all other links at once, and those of all structures together.
-  static constexpr int least_by_structure = 16;
+  static constexpr int min_by_structure = 16;
 
  private:
   bool solve_blocks(const CondensedLinks& links, Eigen::Ref<Eigen::MatrixXd> right);

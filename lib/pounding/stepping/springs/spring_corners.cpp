@@ -15,7 +15,7 @@ constexpr double shortest_to_corner = 1e-4;
 // from the state before it.
 constexpr double near_bend = 1e-6;
 // A jump of the slope by a smaller part of the initial stiffness is none.
-constexpr double least_jump = 1e-6;
+constexpr double min_jump = 1e-6;
 
 // Whether a spring has no slope wherever the cubic between two motions may go, which is within a third of the step
 // times the rates from its ends. What lies between two elastic deformations is elastic.
@@ -48,7 +48,7 @@ std::optional<double> corner(const Spring& spring, const LinkMotion& begin, cons
     if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
   if (turn == 1) return std::nullopt;
   const bool turns_sharply =
-      std::abs(spring.slope_lost(turned)) > least_jump * (spring.stiffness() + spring.first_slope());
+      std::abs(spring.slope_lost(turned)) > min_jump * (spring.stiffness() + spring.first_slope());
   if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
   if (const auto deformation = spring.corner(end.penetration))
     if (const double s = onset(*deformation, turn, 1); inside(s)) return s;

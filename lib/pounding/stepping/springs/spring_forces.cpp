@@ -124,7 +124,7 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
 // Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all
 // yield.
 bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
-  if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
+  if (slopes.size() < SoftSprings::min_by_structure || !(slopes.maxCoeff() < 0)) return false;
   set_no_flexibility(slopes.size());
   solved_ = rates;
   const CondensedLinks condensed{

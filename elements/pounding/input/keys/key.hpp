@@ -10,7 +10,7 @@
 #include <pounding/core/units.hpp>
 #include <pounding/input/bounds.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 /// Kind of a single value.
 enum class Takes : unsigned char {
@@ -46,11 +46,11 @@ enum class Need : unsigned char {
 struct Section;
 
 /// One key: what it takes and what it means.
-struct Word {
+struct Key {
   std::string_view key;
   Takes takes = Takes::nothing;
   Form form = Form::one;
-  int least = 0, most = 0;             ///< members of a list; 0 for any number of them
+  int minimum = 0, maximum = 0;        ///< members of a list; 0 for any number of them
   const Section* inside = nullptr;     ///< keys of the map that is taken, instead of the single value or beside it
   Dimension dimension{};               ///< of a quantity
   std::optional<Dimension> turning{};  ///< dimension of a quantity that belongs to a rotation, where it may
@@ -78,10 +78,10 @@ struct Section {
   std::string_view
       place;  ///< "structures.NAME.frame.grid"; names in capitals are the user's, [] is each member of a list
   std::string_view meaning;
-  std::span<const Word> words;
+  std::span<const Key> keys;
 
   /// The word with this key, or null.
-  const Word* find(std::string_view key) const noexcept;
+  const Key* find(std::string_view key) const noexcept;
 };
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -1,14 +1,14 @@
 #include <numbers>
 
-#include <pounding/input/words/sections.hpp>
-#include <pounding/input/words/shared.hpp>
+#include <pounding/input/keys/sections.hpp>
+#include <pounding/input/keys/shared.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
 constexpr std::string_view since = "0.2.0";
 
-constexpr Word force_amplitude_word{
+constexpr Key force_amplitude_key{
     .key = "amplitude",
     .takes = Takes::quantity,
     .dimension = dimension::force,
@@ -17,40 +17,40 @@ constexpr Word force_amplitude_word{
     .since = since,
     .meaning = "Largest force, of a rotation a moment. Positive begins along the axis, towards +x, the right.",
     .example = "20 kN"};
-constexpr Word force_period_word{.key = "period",
+constexpr Key force_period_key{.key = "period",
+                               .takes = Takes::quantity,
+                               .dimension = dimension::time,
+                               .bounds = bounds::positive,
+                               .need = Need::exactly_one,
+                               .since = since,
+                               .meaning = "Period T of the force.",
+                               .example = "0.5 s"};
+constexpr Key frequency_key{.key = "frequency",
+                            .takes = Takes::quantity,
+                            .dimension = dimension::frequency,
+                            .unit = "Hz",
+                            .bounds = bounds::positive,
+                            .need = Need::exactly_one,
+                            .since = since,
+                            .meaning = "Turns in a second, 1/T. Not in rad/s: divide by 2 pi.",
+                            .example = "2 Hz"};
+constexpr Key force_duration_key{.key = "duration",
                                  .takes = Takes::quantity,
                                  .dimension = dimension::time,
                                  .bounds = bounds::positive,
-                                 .need = Need::exactly_one,
+                                 .need = Need::required,
                                  .since = since,
-                                 .meaning = "Period T of the force.",
-                                 .example = "0.5 s"};
-constexpr Word frequency_word{.key = "frequency",
-                              .takes = Takes::quantity,
-                              .dimension = dimension::frequency,
-                              .unit = "Hz",
-                              .bounds = bounds::positive,
-                              .need = Need::exactly_one,
-                              .since = since,
-                              .meaning = "Turns in a second, 1/T. Not in rad/s: divide by 2 pi.",
-                              .example = "2 Hz"};
-constexpr Word force_duration_word{.key = "duration",
-                                   .takes = Takes::quantity,
-                                   .dimension = dimension::time,
-                                   .bounds = bounds::positive,
-                                   .need = Need::required,
-                                   .since = since,
-                                   .meaning = "How long the force acts.",
-                                   .example = "10 s"};
-constexpr Word start_word{.key = "start",
-                          .takes = Takes::quantity,
-                          .dimension = dimension::time,
-                          .bounds = bounds::non_negative,
-                          .otherwise = "0 s",
-                          .since = since,
-                          .meaning = "Time at which the force begins.",
-                          .example = "0.2 s"};
-constexpr Word force_phase_word{
+                                 .meaning = "How long the force acts.",
+                                 .example = "10 s"};
+constexpr Key start_key{.key = "start",
+                        .takes = Takes::quantity,
+                        .dimension = dimension::time,
+                        .bounds = bounds::non_negative,
+                        .otherwise = "0 s",
+                        .since = since,
+                        .meaning = "Time at which the force begins.",
+                        .example = "0.2 s"};
+constexpr Key force_phase_key{
     .key = "phase",
     .takes = Takes::quantity,
     .unit = "rad",
@@ -61,7 +61,7 @@ constexpr Word force_phase_word{
     .meaning = "Angle of the sine at the start, at most a full turn; a bare number is in rad.",
     .example = "90 deg"};
 
-constexpr Word force_words[] = {
+constexpr Key force_keys[] = {
     {.key = "floor",
      .takes = Takes::integer,
      .bounds = {.low = 1},
@@ -94,7 +94,7 @@ constexpr Word force_words[] = {
      .example = "{amplitude: 20 kN, period: 0.5 s, duration: 10 s}"},
     {.key = "sum",
      .form = Form::list,
-     .least = 1,
+     .minimum = 1,
      .inside = &force_sum_part,
      .need = Need::exactly_one,
      .since = since,
@@ -162,52 +162,52 @@ constexpr Word force_words[] = {
      .meaning = "Time at which a sum or a record begins.",
      .example = "0.2 s"}};
 
-constexpr Word force_harmonic_words[] = {force_amplitude_word, force_period_word, frequency_word,
-                                         force_duration_word,  force_phase_word,  start_word};
-constexpr Word sum_words[] = {force_amplitude_word, force_period_word, frequency_word, force_phase_word};
-constexpr Word force_pulse_words[] = {{.key = "shape",
-                                       .takes = Takes::choice,
-                                       .choices = pulse_shapes,
-                                       .noun = "pulse shape",
-                                       .need = Need::required,
-                                       .since = since,
-                                       .meaning = "half_sine has one sign, sine is a full wave, rectangle is constant.",
-                                       .example = "half_sine"},
-                                      force_amplitude_word,
-                                      force_duration_word,
-                                      start_word};
-constexpr Word step_words[] = {force_amplitude_word,
-                               start_word,
-                               {.key = "rise",
-                                .takes = Takes::quantity,
-                                .dimension = dimension::time,
-                                .bounds = bounds::non_negative,
-                                .otherwise = "0 s",
-                                .since = since,
-                                .meaning = "Time within which the force grows straight to its amplitude.",
-                                .example = "0.5 s"}};
+constexpr Key force_harmonic_keys[] = {force_amplitude_key, force_period_key, frequency_key,
+                                       force_duration_key,  force_phase_key,  start_key};
+constexpr Key sum_keys[] = {force_amplitude_key, force_period_key, frequency_key, force_phase_key};
+constexpr Key force_pulse_keys[] = {{.key = "shape",
+                                     .takes = Takes::choice,
+                                     .choices = pulse_shapes,
+                                     .noun = "pulse shape",
+                                     .need = Need::required,
+                                     .since = since,
+                                     .meaning = "half_sine has one sign, sine is a full wave, rectangle is constant.",
+                                     .example = "half_sine"},
+                                    force_amplitude_key,
+                                    force_duration_key,
+                                    start_key};
+constexpr Key step_keys[] = {force_amplitude_key,
+                             start_key,
+                             {.key = "rise",
+                              .takes = Takes::quantity,
+                              .dimension = dimension::time,
+                              .bounds = bounds::non_negative,
+                              .otherwise = "0 s",
+                              .since = since,
+                              .meaning = "Time within which the force grows straight to its amplitude.",
+                              .example = "0.5 s"}};
 
 }  // namespace
 
 constinit const Section force{.name = "forces",
                               .place = "structures.NAME.forces[]",
                               .meaning = "A force over time on a floor, a node or a body. Several on one place add.",
-                              .words = force_words};
+                              .keys = force_keys};
 constinit const Section force_harmonic{.name = "force_harmonic",
                                        .place = "structures.NAME.forces[].harmonic",
                                        .meaning = "F = A sin(2 pi (t - start)/T + phase) while it lasts.",
-                                       .words = force_harmonic_words};
+                                       .keys = force_harmonic_keys};
 constinit const Section force_sum_part{.name = "force_sum",
                                        .place = "structures.NAME.forces[].sum[]",
                                        .meaning = "One harmonic of a sum of forces.",
-                                       .words = sum_words};
+                                       .keys = sum_keys};
 constinit const Section force_pulse{.name = "force_pulse",
                                     .place = "structures.NAME.forces[].pulse",
                                     .meaning = "One pulse of force.",
-                                    .words = force_pulse_words};
+                                    .keys = force_pulse_keys};
 constinit const Section step_force{.name = "step_force",
                                    .place = "structures.NAME.forces[].step_force",
                                    .meaning = "A force that sets in and stays; it needs the duration of the analysis.",
-                                   .words = step_words};
+                                   .keys = step_keys};
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -1,16 +1,16 @@
-#include <pounding/input/words/devices.hpp>
-#include <pounding/input/words/sections.hpp>
-#include <pounding/input/words/shared.hpp>
+#include <pounding/input/keys/devices.hpp>
+#include <pounding/input/keys/sections.hpp>
+#include <pounding/input/keys/shared.hpp>
 
-#include <pounding/model/doubt_names.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/model/warning_names.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
 constexpr std::string_view comparisons[] = {"no_pounding"};
 
-constexpr Word model_words[] = {
+constexpr Key model_keys[] = {
     {.key = "title",
      .takes = Takes::text,
      .otherwise = "no title",
@@ -60,14 +60,14 @@ constexpr Word model_words[] = {
     {.key = "accept",
      .takes = Takes::choice,
      .form = Form::list,
-     .choices = doubt_names,
+     .choices = warning_names,
      .noun = "warning",
      .otherwise = "no warning",
      .since = "0.2.0",
      .meaning = "Warnings about what is implausible that are meant as they are, and not printed.",
      .example = "[period]"}};
 
-constexpr Word analysis_words[] = {
+constexpr Key analysis_keys[] = {
     {.key = "duration",
      .takes = Takes::quantity,
      .dimension = dimension::time,
@@ -110,14 +110,14 @@ constexpr Word analysis_words[] = {
      .example = "1 ms"},
     {.key = "most_steps",
      .takes = Takes::integer,
-     .bounds = {.low = 1, .high = limits::most_steps},
+     .bounds = {.low = 1, .high = limits::max_steps},
      .otherwise = "100000000",
      .since = "0.2.0",
      .meaning = "Steps that the run may take. A run that needs more is refused where that is known at its start; "
                 "otherwise it ends there, and "
                 "--resume goes on with it.",
      .example = "500000000"},
-    reduction_word,
+    reduction_key,
     {.key = "collapse_drift",
      .takes = Takes::quantity,
      .bounds = bounds::positive,
@@ -130,7 +130,7 @@ constexpr Word analysis_words[] = {
 
 constexpr std::string_view bound_by_error[] = {"acceleration", "members"};
 
-constexpr Word reduction_words[] = {
+constexpr Key reduction_keys[] = {
     {.key = "links",
      .takes = Takes::integer,
      .bounds = {.low = 1, .high = 100},
@@ -181,33 +181,33 @@ constexpr Word reduction_words[] = {
                 "are from it. Alone it reduces as auto does.",
      .example = "true"}};
 
-constexpr Word checkpoint_words[] = {{.key = "every",
-                                      .takes = Takes::quantity,
-                                      .dimension = dimension::time,
-                                      .bounds = bounds::positive,
-                                      .need = Need::at_least_one,
-                                      .meaning = "Run time between two checkpoints, by the clock.",
-                                      .example = "60 s"},
-                                     {.key = "every_simulated",
-                                      .takes = Takes::quantity,
-                                      .dimension = dimension::time,
-                                      .bounds = bounds::positive,
-                                      .need = Need::at_least_one,
-                                      .meaning = "Simulated time between two checkpoints.",
-                                      .example = "1 s"}};
+constexpr Key checkpoint_keys[] = {{.key = "every",
+                                    .takes = Takes::quantity,
+                                    .dimension = dimension::time,
+                                    .bounds = bounds::positive,
+                                    .need = Need::at_least_one,
+                                    .meaning = "Run time between two checkpoints, by the clock.",
+                                    .example = "60 s"},
+                                   {.key = "every_simulated",
+                                    .takes = Takes::quantity,
+                                    .dimension = dimension::time,
+                                    .bounds = bounds::positive,
+                                    .need = Need::at_least_one,
+                                    .meaning = "Simulated time between two checkpoints.",
+                                    .example = "1 s"}};
 
 }  // namespace
 
-constinit const Section model{.name = "model", .place = "", .meaning = "The whole file.", .words = model_words};
+constinit const Section model{.name = "model", .place = "", .meaning = "The whole file.", .keys = model_keys};
 constinit const Section analysis{
-    .name = "analysis", .place = "analysis", .meaning = "Length and accuracy of the run.", .words = analysis_words};
+    .name = "analysis", .place = "analysis", .meaning = "Length and accuracy of the run.", .keys = analysis_keys};
 constinit const Section reduction{.name = "reduction",
                                   .place = "analysis.reduction",
                                   .meaning = "Depth of reduced structures; under a structure for that one alone.",
-                                  .words = reduction_words};
+                                  .keys = reduction_keys};
 constinit const Section checkpoint{.name = "checkpoint",
                                    .place = "checkpoint",
                                    .meaning = "States that a run leaves to be resumed from.",
-                                   .words = checkpoint_words};
+                                   .keys = checkpoint_keys};
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -1,9 +1,9 @@
-#include <pounding/input/words/devices.hpp>
-#include <pounding/input/words/hinges.hpp>
-#include <pounding/input/words/sections.hpp>
-#include <pounding/input/words/shared.hpp>
+#include <pounding/input/keys/devices.hpp>
+#include <pounding/input/keys/hinges.hpp>
+#include <pounding/input/keys/sections.hpp>
+#include <pounding/input/keys/shared.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
 constexpr std::string_view mass_kinds[] = {"lumped", "consistent"};
@@ -11,7 +11,7 @@ constexpr std::string_view geometries[] = {"linear", "p_delta", "corotational"};
 constexpr std::string_view everything[] = {"all"};
 constexpr std::string_view no_supports[] = {"none"};
 
-constexpr Word frame_words[] = {
+constexpr Key frame_keys[] = {
     {.key = "dimension",
      .takes = Takes::integer,
      .bounds = {.low = 2, .high = 3},
@@ -21,15 +21,15 @@ constexpr Word frame_words[] = {
     {.key = "origin",
      .takes = Takes::quantity,
      .form = Form::list,
-     .least = 1,
-     .most = 3,
+     .minimum = 1,
+     .maximum = 3,
      .dimension = dimension::length,
      .otherwise = "[0, 0]",
      .meaning = "Place of the frame: [x] or [x, z] in the plane, [x, y] or [x, y, z] in space. It is added to all "
                 "coordinates and "
                 "elevations.",
      .example = "[12 m, 0 m]"},
-    face_word,
+    face_key,
     {.key = "material",
      .takes = Takes::text,
      .inside = &material,
@@ -56,8 +56,8 @@ constexpr Word frame_words[] = {
     {.key = "nodes",
      .takes = Takes::quantity,
      .form = Form::named_lists,
-     .least = 2,
-     .most = 3,
+     .minimum = 2,
+     .maximum = 3,
      .dimension = dimension::length,
      .need = Need::at_least_one,
      .meaning = "Nodes by their names: [x, z] in the plane, [x, y, z] in space, from the origin. Nodes of a grid are "
@@ -157,9 +157,9 @@ constexpr Word frame_words[] = {
      .otherwise = "all nodes of a frame of up to 100, and no members",
      .meaning = "Nodes and members whose histories stand in the results.",
      .example = "{nodes: all, members: [c1]}"},
-    damping_word,
-    velocity_word,
-    displacement_word,
+    damping_key,
+    velocity_key,
+    displacement_key,
     {.key = "initial_node_displacements",
      .form = Form::named,
      .inside = &node_displacements,
@@ -169,7 +169,7 @@ constexpr Word frame_words[] = {
                 "held the nodes there.",
      .example = "{b: {ux: -5 mm}}"}};
 
-constexpr Word grid_words[] = {
+constexpr Key grid_keys[] = {
     {.key = "storeys",
      .takes = Takes::integer,
      .bounds = {.low = 1, .high = 1000},
@@ -179,8 +179,8 @@ constexpr Word grid_words[] = {
     {.key = "bays",
      .takes = Takes::integer,
      .form = Form::one_or_list,
-     .least = 2,
-     .most = 2,
+     .minimum = 2,
+     .maximum = 2,
      .bounds = {.low = 1, .high = 1000},
      .need = Need::required,
      .meaning = "Number of bays; in space the two numbers along x and along y, which make the frame one in space.",
@@ -237,28 +237,28 @@ constexpr Word grid_words[] = {
      .meaning = "Whether the floors are rigid in their own plane.",
      .example = "true"}};
 
-constexpr Word bay_width_words[] = {{.key = "x",
-                                     .takes = Takes::quantity,
-                                     .form = Form::one_or_each,
-                                     .dimension = dimension::length,
-                                     .bounds = bounds::positive,
-                                     .need = Need::required,
-                                     .meaning = "Width of a bay along x: one, or a list in the order of the bays.",
-                                     .example = "6 m"},
-                                    {.key = "y",
-                                     .takes = Takes::quantity,
-                                     .form = Form::one_or_each,
-                                     .dimension = dimension::length,
-                                     .bounds = bounds::positive,
-                                     .need = Need::required,
-                                     .meaning = "Width of a bay along y: one, or a list in the order of the bays.",
-                                     .example = "6 m"}};
+constexpr Key bay_width_keys[] = {{.key = "x",
+                                   .takes = Takes::quantity,
+                                   .form = Form::one_or_each,
+                                   .dimension = dimension::length,
+                                   .bounds = bounds::positive,
+                                   .need = Need::required,
+                                   .meaning = "Width of a bay along x: one, or a list in the order of the bays.",
+                                   .example = "6 m"},
+                                  {.key = "y",
+                                   .takes = Takes::quantity,
+                                   .form = Form::one_or_each,
+                                   .dimension = dimension::length,
+                                   .bounds = bounds::positive,
+                                   .need = Need::required,
+                                   .meaning = "Width of a bay along y: one, or a list in the order of the bays.",
+                                   .example = "6 m"}};
 
-constexpr Word floor_words[] = {
+constexpr Key floor_keys[] = {
     {.key = "nodes",
      .takes = Takes::text,
      .form = Form::list,
-     .least = 1,
+     .minimum = 1,
      .need = Need::required,
      .meaning = "Nodes of the floor; the first one gives the elevation.",
      .example = "[b, c]"},
@@ -279,20 +279,20 @@ constexpr Word floor_words[] = {
      .meaning = "Name of the floor in the results.",
      .example = "roof"}};
 
-constexpr Word report_words[] = {{.key = "nodes",
-                                  .takes = Takes::text,
-                                  .form = Form::list,
-                                  .instead = everything,
-                                  .otherwise = "all of a frame of up to 100 nodes, else none",
-                                  .meaning = "Nodes with histories: a list of names, or all.",
-                                  .example = "all"},
-                                 {.key = "members",
-                                  .takes = Takes::text,
-                                  .form = Form::list,
-                                  .instead = everything,
-                                  .otherwise = "none",
-                                  .meaning = "Members with histories of their end forces: a list of names, or all.",
-                                  .example = "[c1]"}};
+constexpr Key report_keys[] = {{.key = "nodes",
+                                .takes = Takes::text,
+                                .form = Form::list,
+                                .instead = everything,
+                                .otherwise = "all of a frame of up to 100 nodes, else none",
+                                .meaning = "Nodes with histories: a list of names, or all.",
+                                .example = "all"},
+                               {.key = "members",
+                                .takes = Takes::text,
+                                .form = Form::list,
+                                .instead = everything,
+                                .otherwise = "none",
+                                .meaning = "Members with histories of their end forces: a list of names, or all.",
+                                .example = "[c1]"}};
 
 }  // namespace
 
@@ -300,20 +300,20 @@ constinit const Section frame{
     .name = "frame",
     .place = "structures.NAME.frame",
     .meaning = "Beams and columns, in the plane or in space: a grid, lists, or a grid with lists that add to it.",
-    .words = frame_words};
+    .keys = frame_keys};
 constinit const Section grid{
-    .name = "grid", .place = "structures.NAME.frame.grid", .meaning = "A regular frame.", .words = grid_words};
+    .name = "grid", .place = "structures.NAME.frame.grid", .meaning = "A regular frame.", .keys = grid_keys};
 constinit const Section bay_width{.name = "bay_width",
                                   .place = "structures.NAME.frame.grid.bay_width",
                                   .meaning = "Widths of the bays of a frame in space.",
-                                  .words = bay_width_words};
+                                  .keys = bay_width_keys};
 constinit const Section floor{.name = "floors",
                               .place = "structures.NAME.frame.floors[]",
                               .meaning = "One floor of a frame.",
-                              .words = floor_words};
+                              .keys = floor_keys};
 constinit const Section report{.name = "report",
                                .place = "structures.NAME.frame.report",
                                .meaning = "Nodes and members whose histories stand in the results.",
-                               .words = report_words};
+                               .keys = report_keys};
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

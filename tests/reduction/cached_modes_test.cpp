@@ -16,13 +16,13 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/reduction/kept_modes.hpp>
+#include <pounding/reduction/cached_modes.hpp>
 
 namespace pounding {
-namespace kept_modes_test {
+namespace cached_modes_test {
 
 namespace fs = std::filesystem;
-using petsc::KeptModes;
+using petsc::CachedModes;
 using petsc::ModesOrigin;
 
 ModesOrigin origin() {
@@ -51,9 +51,9 @@ ReducedGroup group() {
   return made;
 }
 
-class Kept : public testing::Test {
+class CachedModesTest : public testing::Test {
  protected:
-  ~Kept() override { fs::remove_all(folder); }
+  ~CachedModesTest() override { fs::remove_all(folder); }
 
   std::vector<fs::path> files() const {
     std::vector<fs::path> all;
@@ -83,21 +83,21 @@ void expect_equal(const ReducedGroup& one, const ReducedGroup& other) {
   EXPECT_EQ(one.made.shadow_flexibility_error, other.made.shadow_flexibility_error);
 }
 
-TEST_F(Kept, AreFoundWithTheirBitsByAnyProcess) {
+TEST_F(CachedModesTest, AreFoundWithTheirBitsByAnyProcess) {
   const ModesOrigin of = origin();
   ReducedGroup made = group();
-  EXPECT_FALSE(KeptModes(folder).find(of.bytes()));
-  KeptModes(folder).keep(of.bytes(), made);
-  expect_equal(KeptModes(folder).find(of.bytes()).value(), made);
+  EXPECT_FALSE(CachedModes(folder).find(of.bytes()));
+  CachedModes(folder).keep(of.bytes(), made);
+  expect_equal(CachedModes(folder).find(of.bytes()).value(), made);
   made.shadow.reset();
-  KeptModes(folder).keep(of.bytes(), made);
-  expect_equal(KeptModes(folder).find(of.bytes()).value(), made);
+  CachedModes(folder).keep(of.bytes(), made);
+  expect_equal(CachedModes(folder).find(of.bytes()).value(), made);
   EXPECT_EQ(files().size(), 1u);
 }
 
-TEST_F(Kept, AreNotThoseOfAnythingElse) {
+TEST_F(CachedModesTest, AreNotThoseOfAnythingElse) {
   const ModesOrigin of = origin();
-  const KeptModes kept(folder);
+  const CachedModes kept(folder);
   kept.keep(of.bytes(), group());
   const auto differs = [&](const char* what, auto change) {
     ModesOrigin other = of;
@@ -118,10 +118,10 @@ TEST_F(Kept, AreNotThoseOfAnythingElse) {
 }
 
 // A file of another origin under its name, as the same checksum would put there, is no answer.
-TEST_F(Kept, AreComparedBitByBit) {
+TEST_F(CachedModesTest, AreComparedBitByBit) {
   ModesOrigin of = origin(), other = of;
   other.inputs.shift = 64;
-  const KeptModes kept(folder);
+  const CachedModes kept(folder);
   kept.keep(of.bytes(), group());
   const fs::path own = files().at(0);
   const std::string bytes = read();
@@ -131,10 +131,10 @@ TEST_F(Kept, AreComparedBitByBit) {
   EXPECT_FALSE(kept.find(other.bytes()));
 }
 
-TEST_F(Kept, AreMadeAnewWhereAFileIsDamagedOrCut) {
+TEST_F(CachedModesTest, AreMadeAnewWhereAFileIsDamagedOrCut) {
   const ModesOrigin of = origin();
   const ReducedGroup made = group();
-  const KeptModes kept(folder);
+  const CachedModes kept(folder);
   kept.keep(of.bytes(), made);
   const std::string whole = read();
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -151,11 +151,11 @@ TEST_F(Kept, AreMadeAnewWhereAFileIsDamagedOrCut) {
   expect_equal(kept.find(of.bytes()).value(), made);
 }
 
-TEST_F(Kept, GoWhereTheFolderIsFullByTheirLastUse) {
+TEST_F(CachedModesTest, GoWhereTheFolderIsFullByTheirLastUse) {
   std::vector<ModesOrigin> of(4, origin());
   for (std::size_t i = 0; i < of.size(); ++i) of[i].inputs.shift = static_cast<double>(i + 1);
-  KeptModes(folder).keep(of[0].bytes(), group());
-  const KeptModes kept(folder, 3 * fs::file_size(files().at(0)));
+  CachedModes(folder).keep(of[0].bytes(), group());
+  const CachedModes kept(folder, 3 * fs::file_size(files().at(0)));
   for (std::size_t i = 0; i < 3; ++i) {
     kept.keep(of[i].bytes(), group());
     for (const fs::path& path : files())
@@ -172,11 +172,11 @@ TEST_F(Kept, GoWhereTheFolderIsFullByTheirLastUse) {
   EXPECT_TRUE(fs::exists(folder + "/of_others.txt"));
 }
 
-TEST_F(Kept, SayWhereNothingCanBeKept) {
+TEST_F(CachedModesTest, SayWhereNothingCanBeKept) {
   fs::create_directories(fs::path(folder).parent_path());
   std::ofstream(folder) << "a file";
   try {
-    const KeptModes kept(folder);
+    const CachedModes kept(folder);
     FAIL() << "modes in a file";
   } catch (const InputError& error) {
     const std::string text = error.what();
@@ -185,5 +185,5 @@ TEST_F(Kept, SayWhereNothingCanBeKept) {
   }
 }
 
-}  // namespace kept_modes_test
+}  // namespace cached_modes_test
 }  // namespace pounding

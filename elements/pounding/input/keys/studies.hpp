@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 namespace study_tables {
 
@@ -23,4 +23,4 @@ extern const Section study_file;
 /// Every section of a study, outer ones first; the first is the file.
 std::span<const Section* const> sections_of_studies() noexcept;
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

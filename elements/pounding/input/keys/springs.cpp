@@ -6,34 +6,34 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/words/springs.hpp>
-#include <pounding/input/words/yielding_words.hpp>
+#include <pounding/input/keys/springs.hpp>
+#include <pounding/input/keys/yielding_keys.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
 /// The words of the laws by which storeys yield. The stiffness is that of the storey.
-struct OfLaws : YieldingWords {
-  std::vector<Word> by_name;
+struct OfLaws : YieldingKeys {
+  std::vector<Key> by_name;
 
   template <hysteresis::Law L>
   void add(const L& made) {
-    std::vector<Word>& own = more_words();
+    std::vector<Key>& own = more_keys();
     Example example;
     for (const auto& parameter : L::parameters) {
       if (parameter.info.name == "stiffness") continue;
-      Word& word = own.emplace_back(word_of(parameter, made));
-      word.form = Form::one_or_each;
-      word.meaning =
+      Key& spec = own.emplace_back(key_of(parameter, made));
+      spec.form = Form::one_or_each;
+      spec.meaning =
           kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
-      if (word.need == Need::required) example.add(word);
+      if (spec.need == Need::required) example.add(spec);
     }
     add_choices(made, own);
     const Section& section =
         add_section({.name = L::name,
                      .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
                      .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
-                     .words = own});
+                     .keys = own});
     by_name.push_back({.key = L::name,
                        .inside = &section,
                        .need = Need::exactly_one,
@@ -63,8 +63,8 @@ const Section storey_spring{
     .name = "spring",
     .place = "structures.NAME.shear_building.spring",
     .meaning = "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
-    .words = laws().by_name};
+    .keys = laws().by_name};
 
 std::vector<const Section*> laws_of_springs() { return laws().sections(); }
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -35,7 +35,7 @@ namespace pounding {
 /// - tolerance: a tolerance above 1e-2
 /// - duration: analysis.duration cuts more than 5 % of the Arias intensity of a record
 /// - hardening: the hardening of a hinge with a law, which version 0.2.0 took as the ratio of the bare spring
-inline constexpr auto doubt_names = std::to_array<std::string_view>(
+inline constexpr auto warning_names = std::to_array<std::string_view>(
     {"period",    "gap",     "face",     "joint",       "mass",      "section",   "E",         "yield", "rotation",
      "pga",       "record",  "motion",   "penetration", "tolerance", "duration",  "hardening", "scale", "density",
      "stiffness", "damping", "isolator", "height",      "friction",  "amplitude", "initial",   "drift"});

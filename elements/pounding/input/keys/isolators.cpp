@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/words/isolators.hpp>
-#include <pounding/input/words/yielding_words.hpp>
+#include <pounding/input/keys/isolators.hpp>
+#include <pounding/input/keys/yielding_keys.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
-constexpr Word rate_word{
+constexpr Key rate_key{
     .key = "rate",
     .takes = Takes::quantity,
     .dimension = {0, -1, 1},
@@ -23,8 +23,8 @@ constexpr Word rate_word{
     .example = "60 s/m"};
 
 /// The words of the laws of isolators: of all laws that yield both ways.
-struct OfIsolators : YieldingWords {
-  std::vector<Word> own{
+struct OfIsolators : YieldingKeys {
+  std::vector<Key> own{
       {.key = "capacity",
        .takes = Takes::quantity,
        .dimension = dimension::length,
@@ -44,20 +44,20 @@ struct OfIsolators : YieldingWords {
 
   template <hysteresis::Law L>
   void add(const L& made) {
-    std::vector<Word>& of_law = more_words();
+    std::vector<Key>& of_law = more_keys();
     Example example;
     for (const auto& parameter : L::parameters) {
-      of_law.push_back(word_of(parameter, made));
+      of_law.push_back(key_of(parameter, made));
       if (of_law.back().need == Need::required || parameter.info.need == hysteresis::Need::instead)
         example.add(of_law.back());
     }
-    if (L::name == "friction_pendulum") of_law.push_back(rate_word);
+    if (L::name == "friction_pendulum") of_law.push_back(rate_key);
     add_choices(made, of_law);
     const Section& section =
         add_section({.name = kept(fmt::format("isolator_{}", L::name)),
                      .place = kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
                      .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
-                     .words = of_law});
+                     .keys = of_law});
     own.push_back({.key = L::name,
                    .inside = &section,
                    .need = Need::exactly_one,
@@ -68,19 +68,19 @@ struct OfIsolators : YieldingWords {
 
  private:
   template <class Parameter, class L>
-  Word word_of(const Parameter& parameter, const L& made) {
-    Word word = YieldingWords::word_of(parameter, made);
-    if (word.key == "friction") {
-      word.form = Form::one_or_list;
-      word.least = word.most = 2;
-      word.meaning =
+  Key key_of(const Parameter& parameter, const L& made) {
+    Key spec = YieldingKeys::key_of(parameter, made);
+    if (spec.key == "friction") {
+      spec.form = Form::one_or_list;
+      spec.minimum = spec.maximum = 2;
+      spec.meaning =
           "Coefficient of friction mu, or two, [slow, fast], with rate: mu = fast - (fast - slow) exp(-rate |v|).";
     }
-    if (word.key == "weight") {
-      word.need = Need::optional;
-      word.otherwise = "the load at rest";
+    if (spec.key == "weight") {
+      spec.need = Need::optional;
+      spec.otherwise = "the load at rest";
     }
-    return word;
+    return spec;
   }
 };
 
@@ -101,8 +101,8 @@ const Section isolator{
     .name = "isolator",
     .place = "structures.NAME.frame.supports.NODE.isolator",
     .meaning = "An isolator under a foot of a frame, or all isolators of a shear building together, by its law.",
-    .words = isolators().own};
+    .keys = isolators().own};
 
 std::vector<const Section*> laws_of_isolators() { return isolators().sections(); }
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -1,10 +1,10 @@
 #include <array>
 
-#include <pounding/input/words/sections.hpp>
-#include <pounding/input/words/shared.hpp>
+#include <pounding/input/keys/sections.hpp>
+#include <pounding/input/keys/shared.hpp>
 #include <pounding/laws/compiled.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
 constexpr std::string_view neighbours[] = {"neighbours"};
@@ -17,12 +17,12 @@ constexpr auto law_names = [] {
   return names;
 }();
 
-constexpr Word link_words[] = {
+constexpr Key link_keys[] = {
     {.key = "between",
      .takes = Takes::text,
      .form = Form::list,
-     .least = 2,
-     .most = 2,
+     .minimum = 2,
+     .maximum = 2,
      .inside = &link_end,
      .instead = neighbours,
      .need = Need::required,
@@ -137,14 +137,14 @@ constexpr Word link_words[] = {
      .meaning = "m1 m2/(m1 + m2) with which the damping is calibrated; a wall is infinitely heavy.",
      .example = "60 t"}};
 
-constexpr Word end_face_word = [] {
-  Word word = face_word;
-  word.otherwise = "that of the structure";
-  word.meaning = "As face of the structure, for this end alone.";
-  return word;
+constexpr Key end_face_key = [] {
+  Key spec = face_key;
+  spec.otherwise = "that of the structure";
+  spec.meaning = "As face of the structure, for this end alone.";
+  return spec;
 }();
 
-constexpr Word link_end_words[] = {
+constexpr Key link_end_keys[] = {
     {.key = "structure",
      .takes = Takes::text,
      .need = Need::required,
@@ -161,9 +161,9 @@ constexpr Word link_end_words[] = {
      .dimension = dimension::length,
      .meaning = "Elevation above the common datum: the column of a frame there.",
      .example = "10.5 m"},
-    end_face_word};
+    end_face_key};
 
-constexpr Word stiffness_words[] = {
+constexpr Key stiffness_keys[] = {
     {.key = "E",
      .takes = Takes::quantity,
      .dimension = dimension::stress,
@@ -190,8 +190,8 @@ constexpr Word stiffness_words[] = {
     {.key = "radius",
      .takes = Takes::quantity,
      .form = Form::one_or_list,
-     .least = 2,
-     .most = 2,
+     .minimum = 2,
+     .maximum = 2,
      .dimension = dimension::length,
      .bounds = bounds::positive,
      .otherwise = "that of a ball with the mass of the end; a wall is flat",
@@ -201,8 +201,8 @@ constexpr Word stiffness_words[] = {
     {.key = "area",
      .takes = Takes::quantity,
      .form = Form::one_or_list,
-     .least = 2,
-     .most = 2,
+     .minimum = 2,
+     .maximum = 2,
      .dimension = dimension::area,
      .bounds = bounds::positive,
      .otherwise = "none: a stiffness of Hertz",
@@ -212,8 +212,8 @@ constexpr Word stiffness_words[] = {
     {.key = "length",
      .takes = Takes::quantity,
      .form = Form::one_or_list,
-     .least = 2,
-     .most = 2,
+     .minimum = 2,
+     .maximum = 2,
      .dimension = dimension::length,
      .bounds = bounds::non_negative,
      .otherwise = "none: a stiffness of Hertz",
@@ -244,9 +244,9 @@ constexpr Word stiffness_words[] = {
 constinit const Section link{.name = "links",
                              .place = "links[]",
                              .meaning = "One link; the parameters of its law stand beside these keys.",
-                             .words = link_words};
+                             .keys = link_keys};
 constinit const Section link_end{
-    .name = "between", .place = "links[].between[]", .meaning = "One end of a link.", .words = link_end_words};
+    .name = "between", .place = "links[].between[]", .meaning = "One end of a link.", .keys = link_end_keys};
 
 constinit const Section stiffness{
     .name = "stiffness",
@@ -255,6 +255,6 @@ constinit const Section stiffness{
         "An estimate of the stiffness of a contact: of Hertz for two balls of the masses that meet (auto is that for "
         "concrete), or "
         "for two radii; of two slabs, with area and length; or from a penetration. The report says what was found.",
-    .words = stiffness_words};
+    .keys = stiffness_keys};
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

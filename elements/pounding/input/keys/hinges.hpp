@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 /// One entry of a frame's hinges.
 extern const Section hinge;
 /// Keys of a spring in series by its law, in the order of the laws.
 std::vector<const Section*> laws_of_hinges();
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

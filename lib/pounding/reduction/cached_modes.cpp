@@ -1,4 +1,4 @@
-#include <pounding/reduction/kept_modes.hpp>
+#include <pounding/reduction/cached_modes.hpp>
 
 #include <unistd.h>
 
@@ -104,8 +104,8 @@ std::vector<std::byte> ModesOrigin::bytes() const {
   return archive.bytes();
 }
 
-KeptModes::KeptModes(std::string folder, std::uintmax_t most_bytes)
-    : folder_(std::move(folder)), most_bytes_(most_bytes) {
+CachedModes::CachedModes(std::string folder, std::uintmax_t max_bytes)
+    : folder_(std::move(folder)), max_bytes_(max_bytes) {
   std::error_code failed;
   fs::create_directories(folder_, failed);
   const auto refuse = [&](const std::string& why) {
@@ -118,11 +118,11 @@ KeptModes::KeptModes(std::string folder, std::uintmax_t most_bytes)
   if (access(folder_.c_str(), R_OK | W_OK | X_OK) != 0) refuse("it is write-protected");
 }
 
-std::string KeptModes::file_of(const std::vector<std::byte>& origin) const {
+std::string CachedModes::file_of(const std::vector<std::byte>& origin) const {
   return folder_ + '/' + checksum_of(origin);
 }
 
-std::optional<ReducedGroup> KeptModes::find(const std::vector<std::byte>& origin) const {
+std::optional<ReducedGroup> CachedModes::find(const std::vector<std::byte>& origin) const {
   const std::string path = file_of(origin) + ending;
   std::optional<std::vector<std::byte>> bytes = read_whole(path);
   if (!bytes) return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<ReducedGroup> KeptModes::find(const std::vector<std::byte>& origin
   return group;
 }
 
-void KeptModes::keep(const std::vector<std::byte>& origin, const ReducedGroup& group) const {
+void CachedModes::keep(const std::vector<std::byte>& origin, const ReducedGroup& group) const {
   const std::string path = file_of(origin);
   Archive archive = archive_of(origin);
   ReducedGroup kept = group;
@@ -161,7 +161,7 @@ void KeptModes::keep(const std::vector<std::byte>& origin, const ReducedGroup& g
 }
 
 // Other processes may take files away at the same time.
-void KeptModes::make_room() const {
+void CachedModes::make_room() const {
   struct Found {
     fs::file_time_type used;
     std::uintmax_t size;
@@ -181,7 +181,7 @@ void KeptModes::make_room() const {
     all += size;
   }
   std::ranges::sort(found, {}, &Found::used);
-  for (std::size_t i = 0; i + 1 < found.size() && all > most_bytes_; ++i)
+  for (std::size_t i = 0; i + 1 < found.size() && all > max_bytes_; ++i)
     if (fs::remove(found[i].path, failed)) all -= found[i].size;
 }
 

@@ -1,4 +1,4 @@
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/input/words/devices.hpp>
-#include <pounding/input/words/hinges.hpp>
-#include <pounding/input/words/isolators.hpp>
-#include <pounding/input/words/sections.hpp>
-#include <pounding/input/words/springs.hpp>
+#include <pounding/input/keys/devices.hpp>
+#include <pounding/input/keys/hinges.hpp>
+#include <pounding/input/keys/isolators.hpp>
+#include <pounding/input/keys/sections.hpp>
+#include <pounding/input/keys/springs.hpp>
 
 namespace pounding {
 
@@ -23,7 +23,7 @@ std::string Bounds::text() const {
   return {};
 }
 
-namespace words {
+namespace keys {
 namespace {
 
 // The laws of springs, isolators and hinges follow behind the sections of these names.
@@ -88,7 +88,7 @@ constexpr const Section* without_laws[] = {&model,
 
 }  // namespace
 
-std::optional<double> Word::default_quantity() const {
+std::optional<double> Key::default_quantity() const {
   if (takes != Takes::quantity || otherwise.empty()) return std::nullopt;
   try {
     return parse_quantity(otherwise, dimension);
@@ -97,15 +97,15 @@ std::optional<double> Word::default_quantity() const {
   }
 }
 
-std::string Word::unit_text() const {
+std::string Key::unit_text() const {
   if (!unit.empty()) return std::string(unit);
   const std::string plain = pounding::unit_text(dimension);
   return turning ? fmt::format("{} or {}", plain, pounding::unit_text(*turning)) : plain;
 }
 
-const Word* Section::find(std::string_view key) const noexcept {
-  const auto found = std::ranges::find(words, key, &Word::key);
-  return found == words.end() ? nullptr : &*found;
+const Key* Section::find(std::string_view key) const noexcept {
+  const auto found = std::ranges::find(keys, key, &Key::key);
+  return found == keys.end() ? nullptr : &*found;
 }
 
 std::span<const Section* const> sections() noexcept {
@@ -123,5 +123,5 @@ std::span<const Section* const> sections() noexcept {
   return all;
 }
 
-}  // namespace words
+}  // namespace keys
 }  // namespace pounding

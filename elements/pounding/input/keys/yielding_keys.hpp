@@ -12,12 +12,12 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/table.hpp>
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 /// Words and sections made from the tables of laws, with the texts that they point to.
-class YieldingWords {
+class YieldingKeys {
  public:
   /// A section for each law, in their order.
   std::vector<const Section*> sections() const {
@@ -30,7 +30,7 @@ class YieldingWords {
   /// Keeps a text as long as the words.
   std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
   /// Keeps words as long as a section that holds them.
-  std::vector<Word>& more_words() { return words_.emplace_back(); }
+  std::vector<Key>& more_keys() { return keys_.emplace_back(); }
   const Section& add_section(const Section& section) { return sections_.emplace_back(section); }
 
   /// With a capital where the text begins with a word, and not with a symbol.
@@ -49,27 +49,27 @@ class YieldingWords {
 
   /// A number of a law, with its typical value as the example and that of `made` where it may be left out.
   template <class Parameter, class L>
-  Word word_of(const Parameter& parameter, const L& made) {
+  Key key_of(const Parameter& parameter, const L& made) {
     const hysteresis::ParameterInfo& info = parameter.info;
     const bool is_required = info.need == hysteresis::Need::required;
-    Word word{.key = info.name,
-              .takes = Takes::quantity,
-              .dimension = parse_unit_dimension(info.unit),
-              .unit = info.unit,
-              .bounds = bounds::any,
-              .need = is_required ? Need::required : Need::optional,
-              .since = "0.2.0",
-              .meaning = kept(fmt::format("{}.", capital(info.meaning))),
-              .example = kept(shown(info.typical, info.unit))};
+    Key spec{.key = info.name,
+             .takes = Takes::quantity,
+             .dimension = parse_unit_dimension(info.unit),
+             .unit = info.unit,
+             .bounds = bounds::any,
+             .need = is_required ? Need::required : Need::optional,
+             .since = "0.2.0",
+             .meaning = kept(fmt::format("{}.", capital(info.meaning))),
+             .example = kept(shown(info.typical, info.unit))};
     if (!is_required)
-      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
-    return word;
+      spec.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
+    return spec;
   }
 
   /// The map of a law in a line: "{stiffness: 50 MN/m, yield_force: 600 kN}".
   class Example {
    public:
-    void add(const Word& word) { text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ", ", word.key, word.example); }
+    void add(const Key& spec) { text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ", ", spec.key, spec.example); }
     std::string text() const { return fmt::format("{{{}}}", text_); }
 
    private:
@@ -78,21 +78,21 @@ class YieldingWords {
 
   /// The numbers of a law that are chosen by words.
   template <class L>
-  void add_choices(const L& made, std::vector<Word>& words) {
+  void add_choices(const L& made, std::vector<Key>& keys) {
     if constexpr (requires { L::choices; })
       for (const auto& choice : L::choices)
-        words.push_back({.key = choice.info.name,
-                         .takes = Takes::choice,
-                         .choices = choice.info.words,
-                         .otherwise = choice.info.words[choice.get(made)],
-                         .since = "0.2.0",
-                         .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))),
-                         .example = choice.info.words.back()});
+        keys.push_back({.key = choice.info.name,
+                        .takes = Takes::choice,
+                        .choices = choice.info.words,
+                        .otherwise = choice.info.words[choice.get(made)],
+                        .since = "0.2.0",
+                        .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))),
+                        .example = choice.info.words.back()});
   }
 
  private:
   std::deque<std::string> texts_;
-  std::deque<std::vector<Word>> words_;
+  std::deque<std::vector<Key>> keys_;
   std::deque<Section> sections_;
 };
 
@@ -107,4 +107,4 @@ struct EachLaw<std::variant<L...>> {
   }
 };
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/words/sections.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/laws/compiled.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 namespace {
 
 constexpr std::string_view estimated[] = {"auto"};
@@ -19,22 +19,22 @@ constexpr std::string_view estimated[] = {"auto"};
 struct OfLaw {
   std::deque<std::string> texts;
   std::vector<std::string_view> formulas;
-  std::vector<Word> own_words, link_words;
+  std::vector<Key> own_keys, link_keys;
   Section own, link;
 
   explicit OfLaw(const laws::Entry& law) {
     for (const laws::Formula& formula : law.formulas) formulas.push_back(formula.name);
-    for (const laws::ParameterInfo& parameter : law.parameters) own_words.push_back(word_of(parameter, law));
-    for (const Word& word : words::link.words)
-      if (is_taken(word.key, law)) own_words.push_back(as_taken(word, law));
+    for (const laws::ParameterInfo& parameter : law.parameters) own_keys.push_back(key_of(parameter, law));
+    for (const Key& spec : keys::link.keys)
+      if (is_taken(spec.key, law)) own_keys.push_back(as_taken(spec, law));
 
-    link_words.assign(words::link.words.begin(), words::link.words.end());
-    link_words.insert(link_words.end(), own_words.begin(),
-                      own_words.begin() + static_cast<std::ptrdiff_t>(law.parameters.size()));
+    link_keys.assign(keys::link.keys.begin(), keys::link.keys.end());
+    link_keys.insert(link_keys.end(), own_keys.begin(),
+                     own_keys.begin() + static_cast<std::ptrdiff_t>(law.parameters.size()));
     const std::string_view name = law.name, summary = law.summary;
     own = {
-        .name = name, .place = kept(fmt::format("links[] with law: {}", name)), .meaning = summary, .words = own_words};
-    link = {.name = words::link.name, .place = words::link.place, .meaning = words::link.meaning, .words = link_words};
+        .name = name, .place = kept(fmt::format("links[] with law: {}", name)), .meaning = summary, .keys = own_keys};
+    link = {.name = keys::link.name, .place = keys::link.place, .meaning = keys::link.meaning, .keys = link_keys};
   }
 
  private:
@@ -45,18 +45,18 @@ struct OfLaw {
            (key == "impact_velocity" && law.takes_impact_velocity) || (key == "reduced_mass" && law.takes_reduced_mass);
   }
 
-  Word as_taken(Word word, const laws::Entry& law) {
-    if (word.key == "formula") {
-      word.takes = Takes::choice;
-      word.choices = formulas;
+  Key as_taken(Key spec, const laws::Entry& law) {
+    if (spec.key == "formula") {
+      spec.takes = Takes::choice;
+      spec.choices = formulas;
     }
-    if (word.key == "restitution") {
+    if (spec.key == "restitution") {
       const std::string_view direct = law.direct_damping();
-      word.need = may_be_together(law) ? Need::optional : direct.empty() ? Need::required : Need::exactly_one;
-      word.otherwise = {};
-      if (!law.sticks_at_zero) word.bounds = bounds::above_0_to_1;
+      spec.need = may_be_together(law) ? Need::optional : direct.empty() ? Need::required : Need::exactly_one;
+      spec.otherwise = {};
+      if (!law.sticks_at_zero) spec.bounds = bounds::above_0_to_1;
     }
-    return word;
+    return spec;
   }
 
   // Whether there are parameters that are given together, instead of the others.
@@ -74,7 +74,7 @@ struct OfLaw {
     return Need::optional;
   }
 
-  Word word_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
+  Key key_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
     const auto exponent = std::ranges::find(law.parameters, "exponent", &laws::ParameterInfo::name);
     const std::string unit =
         laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
@@ -114,4 +114,4 @@ bool belongs_to_law(std::string_view key) noexcept {
 const Section& link_with(const laws::Entry& law) { return of(law).link; }
 const Section& parameters_of(const laws::Entry& law) { return of(law).own; }
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -30,11 +30,11 @@ struct ModesOrigin {
 /// A folder with a file for each origin. Processes may use one folder at the same time. A file is found only where it
 /// holds every bit of the origin and none of it has changed since it was written; another one is written anew. Where
 /// the folder would hold more than so many bytes, the files that were used longest ago go.
-class KeptModes {
+class CachedModes {
  public:
   /// The folder is made where it is not there. Throws InputError, with what to type, where it cannot be made or nothing
   /// can be written in it.
-  explicit KeptModes(std::string folder, std::uintmax_t most_bytes = 5'000'000'000);
+  explicit CachedModes(std::string folder, std::uintmax_t max_bytes = 5'000'000'000);
 
   /// The modes, the shadow and the errors of the flexibility of an origin by its bytes; nothing where there are none.
   std::optional<ReducedGroup> find(const std::vector<std::byte>& origin) const;
@@ -47,7 +47,7 @@ class KeptModes {
   void make_room() const;
 
   std::string folder_;
-  std::uintmax_t most_bytes_;
+  std::uintmax_t max_bytes_;
 };
 
 }  // namespace pounding::petsc

@@ -1,31 +1,31 @@
-#include <pounding/input/words/studies.hpp>
+#include <pounding/input/keys/studies.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 // Named, because a unity build puts tables with the same names of words into one file.
 namespace study_tables {
 
-constexpr Word file_words[] = {{.key = "study",
-                                .inside = &study,
-                                .need = Need::required,
-                                .since = since,
-                                .meaning = "The study of the model. A file with this key runs with pounding study.",
-                                .example = "{factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}}"},
-                               {.key = "model",
-                                .takes = Takes::text,
-                                .otherwise = "the sections of the model in the same file",
-                                .since = since,
-                                .meaning = "File of the model, relative to the file of the study.",
-                                .example = "pair.yaml"},
-                               {.key = "title",
-                                .takes = Takes::text,
-                                .otherwise = "no title",
-                                .since = since,
-                                .meaning = "Title of the study.",
-                                .example = "Gaps of two oscillators"}};
+constexpr Key file_keys[] = {{.key = "study",
+                              .inside = &study,
+                              .need = Need::required,
+                              .since = since,
+                              .meaning = "The study of the model. A file with this key runs with pounding study.",
+                              .example = "{factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}}"},
+                             {.key = "model",
+                              .takes = Takes::text,
+                              .otherwise = "the sections of the model in the same file",
+                              .since = since,
+                              .meaning = "File of the model, relative to the file of the study.",
+                              .example = "pair.yaml"},
+                             {.key = "title",
+                              .takes = Takes::text,
+                              .otherwise = "no title",
+                              .since = since,
+                              .meaning = "Title of the study.",
+                              .example = "Gaps of two oscillators"}};
 
 constexpr std::string_view grid[] = {"grid"};
 constexpr std::string_view engines[] = {"auto", "kernel", "solver"};
-constexpr Word study_words[] = {
+constexpr Key study_keys[] = {
     {.key = "seed",
      .takes = Takes::integer,
      .bounds = bounds::non_negative,
@@ -100,7 +100,7 @@ constexpr Word study_words[] = {
      .example = "auto"}};
 
 constexpr std::string_view spacings[] = {"even", "log"};
-constexpr Word factor_words[] = {
+constexpr Key factor_keys[] = {
     {.key = "of",
      .takes = Takes::text,
      .form = Form::one_or_list,
@@ -119,7 +119,7 @@ constexpr Word factor_words[] = {
     {.key = "list",
      .takes = Takes::value,
      .form = Form::list,
-     .least = 1,
+     .minimum = 1,
      .need = Need::exactly_one,
      .since = since,
      .meaning = "Values: quantities of one unit, or names, such as names of laws.",
@@ -191,14 +191,14 @@ constexpr Word factor_words[] = {
     {.key = "truncate",
      .takes = Takes::value,
      .form = Form::list,
-     .least = 2,
-     .most = 2,
+     .minimum = 2,
+     .maximum = 2,
      .otherwise = "no truncation",
      .since = since,
      .meaning = "Lower and upper limit of a distribution.",
      .example = "[15 mm, 30 mm]"}};
 
-constexpr Word value_word(std::string_view key, std::string_view meaning, std::string_view example) {
+constexpr Key value_key(std::string_view key, std::string_view meaning, std::string_view example) {
   return {.key = key,
           .takes = Takes::value,
           .need = Need::required,
@@ -206,7 +206,7 @@ constexpr Word value_word(std::string_view key, std::string_view meaning, std::s
           .meaning = meaning,
           .example = example};
 }
-constexpr Word ratio_word(std::string_view key, Bounds bounds, std::string_view meaning, std::string_view example) {
+constexpr Key ratio_key(std::string_view key, Bounds bounds, std::string_view meaning, std::string_view example) {
   return {.key = key,
           .takes = Takes::quantity,
           .bounds = bounds,
@@ -216,41 +216,40 @@ constexpr Word ratio_word(std::string_view key, Bounds bounds, std::string_view 
           .example = example};
 }
 
-constexpr Word from_word = value_word("from", "Lower limit.", "10 mm"),
-               to_word = value_word("to", "Upper limit.", "40 mm");
-constexpr Word uniform_words[] = {from_word, to_word};
-constexpr Word normal_words[] = {value_word("mean", "Mean.", "20 mm"),
-                                 {.key = "sd",
+constexpr Key from_key = value_key("from", "Lower limit.", "10 mm"), to_key = value_key("to", "Upper limit.", "40 mm");
+constexpr Key uniform_keys[] = {from_key, to_key};
+constexpr Key normal_keys[] = {value_key("mean", "Mean.", "20 mm"),
+                               {.key = "sd",
+                                .takes = Takes::value,
+                                .need = Need::exactly_one,
+                                .since = since,
+                                .meaning = "Standard deviation, in the unit of the mean.",
+                                .example = "4 mm"},
+                               ratio_key("cov", bounds::positive, "Coefficient of variation.", "0.2")};
+constexpr Key lognormal_keys[] = {
+    value_key("median", "Median.", "20 mm"),
+    ratio_key("cov", {.low = 0, .high = 1e6, .without_low = true}, "Coefficient of variation.", "0.3"),
+    ratio_key("beta", bounds::positive, "Standard deviation of the natural logarithm.", "0.4")};
+constexpr Key triangular_keys[] = {from_key, value_key("mode", "Most likely value.", "20 mm"), to_key};
+constexpr Key discrete_keys[] = {{.key = "values",
                                   .takes = Takes::value,
-                                  .need = Need::exactly_one,
+                                  .form = Form::list,
+                                  .minimum = 1,
+                                  .need = Need::required,
                                   .since = since,
-                                  .meaning = "Standard deviation, in the unit of the mean.",
-                                  .example = "4 mm"},
-                                 ratio_word("cov", bounds::positive, "Coefficient of variation.", "0.2")};
-constexpr Word lognormal_words[] = {
-    value_word("median", "Median.", "20 mm"),
-    ratio_word("cov", {.low = 0, .high = 1e6, .without_low = true}, "Coefficient of variation.", "0.3"),
-    ratio_word("beta", bounds::positive, "Standard deviation of the natural logarithm.", "0.4")};
-constexpr Word triangular_words[] = {from_word, value_word("mode", "Most likely value.", "20 mm"), to_word};
-constexpr Word discrete_words[] = {{.key = "values",
-                                    .takes = Takes::value,
-                                    .form = Form::list,
-                                    .least = 1,
-                                    .need = Need::required,
-                                    .since = since,
-                                    .meaning = "Possible values.",
-                                    .example = "[10 mm, 20 mm]"},
-                                   {.key = "probabilities",
-                                    .takes = Takes::quantity,
-                                    .form = Form::list,
-                                    .least = 1,
-                                    .bounds = bounds::from_0_to_1,
-                                    .otherwise = "equal probabilities",
-                                    .since = since,
-                                    .meaning = "Probability of each value; their sum is 1.",
-                                    .example = "[0.3, 0.7]"}};
+                                  .meaning = "Possible values.",
+                                  .example = "[10 mm, 20 mm]"},
+                                 {.key = "probabilities",
+                                  .takes = Takes::quantity,
+                                  .form = Form::list,
+                                  .minimum = 1,
+                                  .bounds = bounds::from_0_to_1,
+                                  .otherwise = "equal probabilities",
+                                  .since = since,
+                                  .meaning = "Probability of each value; their sum is 1.",
+                                  .example = "[0.3, 0.7]"}};
 
-constexpr Word samples_word(std::string_view key, std::string_view meaning) {
+constexpr Key samples_key(std::string_view key, std::string_view meaning) {
   return {.key = key,
           .takes = Takes::integer,
           .bounds = {.low = 1, .high = 1e7},
@@ -259,12 +258,12 @@ constexpr Word samples_word(std::string_view key, std::string_view meaning) {
           .meaning = meaning,
           .example = "128"};
 }
-constexpr Word sampling_words[] = {
-    samples_word("sobol", "Number of points of a scrambled Sobol sequence, a power of two."),
-    samples_word("latin_hypercube", "Number of points of a Latin hypercube."),
-    samples_word("random", "Number of independent random points."),
-    samples_word("saltelli",
-                 "Base number of points of Saltelli's scheme for Sobol indices, a power of two. Needs SALib."),
+constexpr Key sampling_keys[] = {
+    samples_key("sobol", "Number of points of a scrambled Sobol sequence, a power of two."),
+    samples_key("latin_hypercube", "Number of points of a Latin hypercube."),
+    samples_key("random", "Number of independent random points."),
+    samples_key("saltelli",
+                "Base number of points of Saltelli's scheme for Sobol indices, a power of two. Needs SALib."),
     {.key = "table",
      .takes = Takes::text,
      .need = Need::exactly_one,
@@ -275,40 +274,38 @@ constexpr Word sampling_words[] = {
      .example = "samples.csv"}};
 
 constinit const Section study{
-    .name = "study", .place = "study", .meaning = "A study: the model is run many times.", .words = study_words};
+    .name = "study", .place = "study", .meaning = "A study: the model is run many times.", .keys = study_keys};
 constinit const Section factor{.name = "factor",
                                .place = "study.factors.NAME",
                                .meaning = "One factor: where its values go, and what they are.",
-                               .words = factor_words};
-constinit const Section uniform{.name = "uniform",
-                                .place = "study.factors.NAME.uniform",
-                                .meaning = "Uniform distribution.",
-                                .words = uniform_words};
+                               .keys = factor_keys};
+constinit const Section uniform{
+    .name = "uniform", .place = "study.factors.NAME.uniform", .meaning = "Uniform distribution.", .keys = uniform_keys};
 constinit const Section normal{
-    .name = "normal", .place = "study.factors.NAME.normal", .meaning = "Normal distribution.", .words = normal_words};
+    .name = "normal", .place = "study.factors.NAME.normal", .meaning = "Normal distribution.", .keys = normal_keys};
 constinit const Section lognormal{.name = "lognormal",
                                   .place = "study.factors.NAME.lognormal",
                                   .meaning = "Lognormal distribution.",
-                                  .words = lognormal_words};
+                                  .keys = lognormal_keys};
 constinit const Section triangular{.name = "triangular",
                                    .place = "study.factors.NAME.triangular",
                                    .meaning = "Triangular distribution.",
-                                   .words = triangular_words};
+                                   .keys = triangular_keys};
 constinit const Section discrete{.name = "discrete",
                                  .place = "study.factors.NAME.discrete",
                                  .meaning = "Discrete distribution.",
-                                 .words = discrete_words};
+                                 .keys = discrete_keys};
 constinit const Section sampling{.name = "sampling",
                                  .place = "study.sampling",
                                  .meaning = "Sampling method and number of samples.",
-                                 .words = sampling_words};
+                                 .keys = sampling_keys};
 }  // namespace study_tables
 
 constinit const Section study_file{
     .name = "study_file",
     .place = "",
     .meaning = "The file of a study: its keys next to those of the model, or with model.",
-    .words = study_tables::file_words};
+    .keys = study_tables::file_keys};
 
 std::span<const Section* const> sections_of_studies() noexcept {
   using namespace study_tables;
@@ -318,4 +315,4 @@ std::span<const Section* const> sections_of_studies() noexcept {
   return all;
 }
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

@@ -4,10 +4,10 @@
 #include <span>
 #include <string_view>
 
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 #include <pounding/laws/by_name.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 /// The whole file, and how it is run: analysis.cpp.
 extern const Section model, analysis, checkpoint, reduction;
@@ -45,4 +45,4 @@ bool belongs_to_law(std::string_view key) noexcept;
 /// Every section in the order of reading, without the laws. The first one is the whole file.
 std::span<const Section* const> sections() noexcept;
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

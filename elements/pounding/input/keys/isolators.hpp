@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 /// The isolators of a foot, or all of a shear building.
 extern const Section isolator;
 /// Keys of an isolator by its law, in the order of the laws. They are called isolator_LAW.
 std::vector<const Section*> laws_of_isolators();
 
-}  // namespace pounding::words
+}  // namespace pounding::keys

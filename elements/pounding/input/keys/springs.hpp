@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include <pounding/input/words/word.hpp>
+#include <pounding/input/keys/key.hpp>
 
-namespace pounding::words {
+namespace pounding::keys {
 
 /// The law of the storeys by its name.
 extern const Section storey_spring;
 /// Numbers and choices of each law, in the order of their list. The stiffness is that of the storey.
 std::vector<const Section*> laws_of_springs();
 
-}  // namespace pounding::words
+}  // namespace pounding::keys
