@@ -11,7 +11,7 @@
 namespace pounding {
 namespace {
 
-constexpr int max_iterations = 100;
+constexpr int max_newton_iterations = 100;
 constexpr double at_rest_solved = 1e-14, min_step_part = 1e-4;
 
 using Eigen::MatrixXd;
@@ -55,7 +55,7 @@ class StrainedParts {
     auto [answer, slopes] = law(at_rest_);
     // The forces are differences between those of the laws and k d.
     const double rounding = at_rest_solved * stiffness_.cwiseProduct(at_rest_).norm();
-    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    for (int iteration = 0; iteration < max_newton_iterations; ++iteration) {
       const VectorXd left = answer - forces;
       if (left.norm() <= rounding) return -by_parts * forces;
       const MatrixXd tangent = MatrixXd::Identity(size(), size()) + slopes.asDiagonal() * flexibility;
