@@ -285,7 +285,7 @@ class Laws(Mapping[str, LawKind]):
         if not isinstance(name, str):
             raise arguments.refuse("laws[...]", "the name of a law", name)
         if arguments.text("laws[...]", name) not in self._kinds:
-            raise InputError(f"unknown law {excerpt(name)}." + core.law_hint(name))
+            raise InputError(core.unknown_law(name))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:
