@@ -15,7 +15,7 @@ import numpy.typing as npt
 from pounding import arguments, printing
 from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
-from pounding.errors import InputError, excerpt
+from pounding.errors import InputError
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
 Quantity = float | str
