@@ -73,8 +73,7 @@ void print_law(const hysteresis::Entry& entry) {
     fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning,
                need_text(p.need));
   for (const hysteresis::ChoiceInfo& c : entry.choices)
-    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning,
-               fmt::join(c.words, " or "));
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));
 }
 
 std::vector<double> read_path(const std::string& text) {
