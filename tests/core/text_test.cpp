@@ -1,4 +1,4 @@
-// Texts of users: what is read, what is refused, and how a message quotes them.
+// Text from users: what is accepted, what is rejected, and how messages quote it.
 
 #include <gtest/gtest.h>
 
