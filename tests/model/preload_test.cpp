@@ -1,4 +1,4 @@
-// Contacts that press from the start: the equilibrium that the run begins in, and what is refused.
+// Contacts that are closed at the start: the initial equilibrium of the run, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -44,10 +44,10 @@ TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
   EXPECT_EQ(v.norm(), 0);
   book.near("force of the contact [N]", contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force, force, 1e-9);
   book.near("energy stored in the contact [J]", contact.work(), force * force / (2 * k), 1e-10);
-  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "without links nothing presses";
+  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "without links there is no preload";
 }
 
-// Nonlinear springs: the residual of the equilibrium, whatever the law.
+// Nonlinear springs: the residual of the equilibrium, for every law.
 TEST(Preload, BalancesEveryLawThatHasAForceAtRest) {
   for (const ContactLaw& law : std::initializer_list<ContactLaw>{
            laws::Hertz{.stiffness = 2.75e9}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.5},

@@ -1,4 +1,4 @@
-// Pushovers of whole buildings: loads on floors, measures of the curve, messages.
+// Pushover of complete buildings: loads on floors, measures of the curve, messages.
 
 #include <gtest/gtest.h>
 
@@ -163,8 +163,8 @@ class PushoverWithDevices : public testing::Test {
   }
 };
 
-// A storey of 100 MN/m and a brace of 50 MN/m that yields at 500 kN and 10 mm are one storey of 150 MN/m that yields
-// there and goes on with 101 MN/m.
+// A storey of 100 MN/m with a brace of 50 MN/m that yields at 500 kN and 10 mm is a storey of 150 MN/m that yields at
+// the same displacement and continues with 101 MN/m.
 TEST_F(PushoverWithDevices, ABraceIsASpringBesideItsStorey) {
   const std::string brace =
       ", devices: {brace: {storey: 1, bilinear: {stiffness: 50 MN/m, yield_force: 500 kN, hardening: 2 %}}}";
@@ -193,7 +193,7 @@ TEST_F(PushoverWithDevices, ABarIsStiffnessAndADamperIsNothing) {
       expect_same_curve(
           pushed(storeys + "100 MN/m", std::string(", devices: {d: {storey: 1, damper: {") + damper + "}}}", cyclic),
           pushed(storeys + "100 MN/m", "", cyclic));
-  // A bar beside the storey, which yields at 20 mm as before, has 30 MN/m more before and behind.
+  // A bar in parallel with the storey, which still yields at 20 mm, adds 30 MN/m before and after yield.
   const Pushover found = pushed(storeys + "100 MN/m", ", devices: {bar: {storey: 1, bar: {stiffness: 30 MN/m}}}");
   expect_same_curve(
       found,
@@ -314,7 +314,7 @@ analysis: {duration: 1}
                shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
   test::Book book("pushover of a frame with hinges, from its input",
                   "event to event on another assembly of the stiffness, in Python (numpy)",
-                  "half a unit of the last digit that was printed");
+                  "half a unit of the last printed digit");
   for (int i = 0; i < 5; ++i) {
     book.near("displacement of the roof [mm]", 1e3 * found.path.points[i + 1].displacement, roof[i], 5.1e-6);
     book.near("base shear [kN]", found.path.points[i + 1].factor / 1e3, shear[i], 5.1e-5);
