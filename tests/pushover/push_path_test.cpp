@@ -87,7 +87,7 @@ Structure portal(double moment, double hardening) {
   return frame.structure();
 }
 
-// Path for a horizontal force h at the left corner and a vertical force v at midspan; its last factor is the limit
+// Path for a horizontal force h at the left corner and a vertical force v at midspan; its largest factor is the limit
 // load.
 PushPath push_portal(double h, double v, int control, double hardening = 0) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(9);

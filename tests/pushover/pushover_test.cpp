@@ -58,7 +58,7 @@ TEST(Pushover, TakesTheFirstModeOfTwoEqualStoreys) {
   expect_loads(pushover(s, {.pattern = LoadPattern::mode1, .targets = {0.2}}), {1, 1 + std::sqrt(2)});
 }
 
-// Pushed either way a storey yields at another force; its ductility is the drift over that of its direction.
+// A storey has two yield forces, one per direction; its ductility is the drift over the yield drift of its direction.
 TEST(Pushover, CountsDuctilityByTheDirection) {
   const auto read = [](const std::string& target) {
     const Model model = test::model_of(

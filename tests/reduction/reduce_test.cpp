@@ -313,7 +313,7 @@ TEST(EqualStructures, ShareModesWhereTheyAreDrivenAlikeAndKeepTheBitsOfEachByIts
   }
 }
 
-// A file whose modification time changes was used.
+// A changed modification time shows that a file was used.
 TEST(CachedModes, AreThoseThatAreMade) {
   namespace fs = std::filesystem;
   const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6}, lowest{.kind = Kind::lowest, .modes = 10};
