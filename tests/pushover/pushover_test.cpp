@@ -72,8 +72,8 @@ TEST(Pushover, CountsDuctilityByTheDirection) {
   EXPECT_NEAR(read("0.05"), 1.25, 1e-9);
 }
 
-// A cantilever of length L with a load at its tip: the foot turns plastically by the same angle, however many parts the
-// column has.
+// A cantilever of length L with a tip load: the plastic rotation at the foot does not depend on the number of parts of
+// the column.
 TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
   const auto ductility = [](int parts, double hardening) {
     const Model model = test::model_of(
@@ -99,7 +99,7 @@ TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
 TEST(Pushover, MakesTwoLinesOfTheSameAreaAndAnOscillator) {
   const Pushover found = pushover(building(0), {.targets = {0.3}});
   ASSERT_TRUE(found.bilinear && found.equivalent);
-  // All but the first storey stay elastic: what is above V = 2 MN is level.
+  // All but the first storey stay elastic: the curve beyond V = 2 MN is a horizontal line.
   EXPECT_NEAR(found.bilinear->base_shear, 2e6, 1e-5);
   EXPECT_NEAR(found.bilinear->yield_displacement, found.path.points[*found.first_yield()].displacement, 1e-14);
   EXPECT_EQ(found.bilinear->displacement, 0.3);
@@ -143,7 +143,7 @@ TEST(Pushover, FollowsTheFloors) {
 
 class PushoverWithDevices : public testing::Test {
  protected:
-  // Two storeys of 100 MN/m; what stands in the first one, and its devices.
+  // Two storeys of 100 MN/m with these keys of the first one and its devices.
   static Pushover pushed(const std::string& storeys, const std::string& devices, const std::string& cyclic = "") {
     const Model model = read_model(Input::read_text(
         "structures:\n  a: {shear_building: {storeys: 2, mass: 100 t, height: 3 m, " + storeys + devices +

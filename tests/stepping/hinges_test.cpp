@@ -57,7 +57,7 @@ TEST(HingesAtRest, GiveWayAsASofterStiffnessSays) {
   const Eigen::MatrixXd softer = k + b * slope.asDiagonal() * b.transpose();
   const Eigen::VectorXd expected = test::dense::solve(softer, load), deformation = b.transpose() * expected;
   const Eigen::VectorXd force = slope.cwiseProduct(deformation);
-  // Degrees of freedom with mass follow from K and the forces; the rest, which Guyan modes miss, is relief().
+  // The coordinates contain the unknowns with mass only; relief() adds the deflection of the massless ones.
   Eigen::VectorXd x = solver.coordinates(expected), u, push = Eigen::VectorXd::Zero(solver.size());
   solver.physical(x, u);
   EXPECT_LT((u - expected).norm(), 2 * expected.norm());
