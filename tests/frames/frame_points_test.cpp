@@ -40,7 +40,7 @@ VectorXd under(const Frame& frame, AssembledFrame f, const VectorXd& load) {
 }
 
 TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "Roark: fixed at both ends, P at a from the start: moments P a b^2/L^2 and P a^2 b/L^2, force at "
                   "the start P b^2 (3a + b)/L^3",
                   "rounding");
@@ -59,7 +59,7 @@ TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
 }
 
 TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "simply supported beam, P at a: deflection P a^2 b^2/(3 EI L) there, of which P a^3 b^3/(3 EI "
                   "L^3) is the bending between fixed ends",
                   "rounding");
@@ -300,7 +300,7 @@ TEST(SupportMotion, IsThePartitionOfTheFreeFrame) {
 }
 
 TEST(SupportMotion, OfAPortalByHand) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "one foot of a portal moves: with columns k1 and k2 a rigid floor follows by k1/(k1 + k2)",
                   "rounding");
   Frame frame(2);
@@ -324,7 +324,7 @@ TEST(SupportMotion, OfAPortalByHand) {
 }
 
 TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "two springs on one mass: in proportion to their stiffness", "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0}, "pier");
@@ -346,7 +346,7 @@ TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
 }
 
 TEST(GridFrame, CarriesItsInertiaToTheGround) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "statics: under a push of 1 g the columns' shears at the ground are the mass above times g",
                   "rounding");
   for (const int bays_y : {0, 2})

@@ -387,7 +387,7 @@ GridFrame concrete(int storeys, int bays_x, int bays_y, double scale) {
 }
 
 TEST(GridFrame, HasThePeriodsOfOpenSees) {
-  test::Book book("Frames beside OpenSees: matrices and periods",
+  test::Book book("Frames compared with OpenSees: matrices and periods",
                   "OpenSees 3.7.1 (openseespy), elasticBeamColumn and lumped masses, `eigen`; its matrices, printed "
                   "by GimmeMCK, agree with these to 1e-15 of the largest entry",
                   "rounding of both eigensolvers");

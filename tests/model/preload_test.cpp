@@ -30,8 +30,7 @@ struct Pair {
 
 // F (1/k + 1/k1 + 1/k2) = gap: springs in series.
 TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
-  test::Book book("Contacts that press from the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)",
-                  "rounding");
+  test::Book book("Contacts closed at the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)", "rounding");
   const double k = 9.35e7, overlap = 2e-3, force = overlap / (1 / k + 1 / k1 + 1 / k2);
   Pair pair;
   pair.model.link(pair.left, pair.right, {.gap = -overlap, .preload = true}, laws::LinearSpring{.stiffness = k});

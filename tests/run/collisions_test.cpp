@@ -156,7 +156,7 @@ TEST(IdenticalOscillators, NeverTouchAtZeroGap) {
   EXPECT_GT(run.summary.structures[0].peak_displacement[0], 0.01);
 }
 
-// Bodies that touch would do so only when the contacts work one after the other; here a gap makes them do so.
+// The gaps make the contacts act one after the other; this is required for the speed to pass on.
 TEST(RowOfBodies, PassesTheSpeedOn) {
   test::Book book("Collisions whose outcome is known without integration",
                   "Newton's cradle with elastic links and gaps: equal bodies pass the speed to the last one",
@@ -177,7 +177,8 @@ TEST(RowOfBodies, PassesTheSpeedOn) {
 }
 
 // Naderpour, Barros & Khatami 2015, Eq. 2: [m1 0; 0 m2], [c1 + c, -c; -c, c2 + c], [k1 + s, -s; -s, k2 + s]. (The paper
-// prints c2 and k2 without the link's share in the lower right corner; Newton's third law puts it there.)
+// omits the contribution of the link in the lower right corner, where it prints c2 and k2; Newton's third law requires
+// it.)
 TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   const Model model = model_of(
       "structures:\n"
@@ -203,7 +204,7 @@ TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   EXPECT_TRUE(near(damping, Eigen::Matrix2d{{c1 + c, -c}, {-c, c2 + c}})) << damping;
 }
 
-// A body that a force presses against a wall after a touch at 4 mm/s.
+// A body pressed against a wall after a touch at 4 mm/s.
 TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
   const auto pressed = [](const std::string& more) {
     return test::run_text(

@@ -21,7 +21,7 @@ double energy_error(const Results& r) { return r.energy.error.back(); }
 // Plastic impact: the common velocity follows from momentum. Then both masses form one oscillator until its spring
 // pulls harder than it pushes.
 TEST(RestitutionZero, MovesTheBodiesAsOneAfterTheTouch) {
-  test::Book book("Bodies that stick",
+  test::Book book("Sticking bodies",
                   "momentum, and the free vibration of both masses on one spring until the contact force is zero",
                   "run at tolerance 1e-7");
   const double ball = 5e4, mass = 1e5, stiffness = 4e6, v = 1;
@@ -106,7 +106,7 @@ TEST(RestOnAWall, LocatesThePeakForcesInARow) {
 
 // Critical damping: d = v t exp(-w t), which never returns to zero; the largest force is c v = 2 m w v at the touch.
 TEST(RestitutionZero, IsCriticalDampingForKelvinVoigt) {
-  test::Book book("Bodies that stick",
+  test::Book book("Sticking bodies",
                   "critically damped oscillator: d_max = v/(w e) at t = 1/w, F = 2 m w v at the touch",
                   "run at tolerance 1e-7");
   const double m = 5e4, k = 5e7, w = std::sqrt(k / m), v = 0.5;
@@ -170,7 +170,7 @@ TEST(Preload, OfALinearSpringIsThatOfThreeSpringsInLine) {
 // by the contact.
 TEST(Preload, AddsToTheMotionOfALinearSystem) {
   test::Book book(
-      "Contacts that press from the start",
+      "Contacts closed at the start",
       "superposition: doubling the preload doubles the equilibrium and leaves the motion of the linear system about it",
       "runs at tolerance 1e-7");
   const auto moved = [](double overlap) {

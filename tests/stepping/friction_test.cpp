@@ -105,7 +105,7 @@ double time_between(double v0, double v, double sliding) {
 }
 
 TEST_P(WithFriction, ABlockSlidesToRest) {
-  test::Book book("Friction where a contact presses", "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
+  test::Book book("Friction at closed contacts", "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
                   "run at tolerance 1e-5");
   const double v0 = 1.0, stop = Block::mass * v0 / (Block::coefficient * Block::pressed);
   double last = 1e300;
@@ -151,7 +151,7 @@ TEST_P(WithFriction, SlidingInTwoDirectionsKeepsItsDirection) {
 
 // A wall that slides along the block drags it; the force does work on the ground.
 TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
-  test::Book book("Friction where a contact presses", "a sliding wall drags a block: F t/m, then its speed",
+  test::Book book("Friction at closed contacts", "a sliding wall drags a block: F t/m, then its speed",
                   "the wall accelerates over a short time; then the tolerance 1e-6");
   const double sliding = 1e-3, speed = 0.5, acceleration = 10;
   Block block(sliding);
@@ -244,8 +244,7 @@ struct Oblique {
 };
 
 TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
-  test::Book book("Friction where a contact presses",
-                  "independent integration of an oblique impact in absolute coordinates",
+  test::Book book("Friction at closed contacts", "independent integration of an oblique impact in absolute coordinates",
                   "run at tolerance 1e-6, error ten times as large after three impacts");
   const double end = 1.5;
   static const Eigen::VectorXd expected = Oblique::direct(end);
@@ -269,7 +268,7 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
 
 // Constant normal force, so that friction is smooth: the block on a spring decelerates.
 TEST_P(WithFriction, StepsKeepTheirOrder) {
-  test::Book book("Friction where a contact presses", "order of the scheme, against an independent integration",
+  test::Book book("Friction at closed contacts", "order of the scheme, against an independent integration",
                   "the next order of the error");
   const double sliding = 0.3, k = 8e4, end = 0.8;
   const auto f = [&](double, const Eigen::VectorXd& y) {

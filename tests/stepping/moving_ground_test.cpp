@@ -81,7 +81,7 @@ struct Delayed {
 };
 
 TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
-  test::Book book("Supports that the ground moves one by one",
+  test::Book book("Multiple-support excitation",
                   "independent integration in absolute coordinates of two oscillators, the motion delayed at one",
                   "run at tolerance 1e-6");
   static const Eigen::VectorXd expected = Delayed::direct();
@@ -164,7 +164,7 @@ struct BeforeWall {
 const GroundMotion towards(Pulse{Pulse::Shape::rectangle, -1, 0.1});
 
 TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
-  test::Book book("Supports that the ground moves one by one",
+  test::Book book("Multiple-support excitation",
                   "a wall that drifts at 0.1 m/s throws a rigid mass ahead, e = 0.6: impulse times the velocity of "
                   "the wall",
                   "round-off");
@@ -187,7 +187,7 @@ TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
 }
 
 TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
-  test::Book book("Supports that the ground moves one by one",
+  test::Book book("Multiple-support excitation",
                   "a wall that drifts at 0.1 m/s throws a mass ahead by a linear spring: half a period of contact",
                   "run at tolerance 1e-6");
   const double stiffness = 9.35e7;
@@ -211,8 +211,8 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
 
 // The wall pushes the mass while it accelerates and separates from it when it decelerates.
 TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
-  test::Book book("Supports that the ground moves one by one",
-                  "a mass that a wall pushes while it gains speed: m a, then A T/pi", "run at tolerance 1e-5");
+  test::Book book("Multiple-support excitation", "a mass that a wall pushes while it gains speed: m a, then A T/pi",
+                  "run at tolerance 1e-5");
   const double amplitude = 2, duration = 0.8, half = duration / 2;
   BeforeWall problem(std::make_unique<RigidGapLink>(0.5, 0.0),
                      GroundMotion(Pulse{Pulse::Shape::sine, -amplitude, duration}));
@@ -256,8 +256,8 @@ TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
 // A mass on a spring that gravity presses on a spring at the wall, which moves harmonically: linear while they are in
 // contact.
 TEST_P(MovingGround, StepsKeepTheirOrder) {
-  test::Book book("Supports that the ground moves one by one",
-                  "order of the scheme, against an independent integration", "the next order of the error");
+  test::Book book("Multiple-support excitation", "order of the scheme, against an independent integration",
+                  "the next order of the error");
   const double k = 4e6, contact = 6e6, closed = 0.05, amplitude = 0.4, period = 0.5, end = 0.45;
   const double rest = -contact * closed / (k + contact);
   const auto expected = [&] {

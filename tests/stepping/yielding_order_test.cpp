@@ -71,7 +71,7 @@ double order(const std::vector<double>& errors) {
 class ThroughCorners : public testing::TestWithParam<Case> {};
 
 TEST_P(ThroughCorners, TheSchemesKeepTheirOrders) {
-  test::Book book("Laws of yielding: orders of the schemes with steps of one length",
+  test::Book book("Hysteretic laws: orders of the schemes with equal steps",
                   "independent integration by DOP853, restarted at every yield and reversal",
                   "half an order, for bouc_wen one; without event location ESDIRK4 has order 1");
   std::vector<double> fourth, second;
@@ -95,8 +95,7 @@ constexpr Prototype prototypes[] = {{"bilinear", {1.968e-4, 1.283e-5}, {7.073e-9
                                     {"menegotto_pinto", {1.992e-4, 1.258e-5}, {2.764e-10, 1.985e-11}}};
 
 TEST(OverCorners, TheSchemesHaveTheErrorsOfAPrototype) {
-  test::Book book("Laws of yielding: errors of the schemes with steps of one length",
-                  "a prototype of both schemes in Python",
+  test::Book book("Hysteretic laws: errors of the schemes with equal steps", "a prototype of both schemes in Python",
                   "a twentieth for average acceleration; for ESDIRK4 the order of magnitude, as its constants depend "
                   "on the locations of the corners");
   const Scheme second{.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 1},

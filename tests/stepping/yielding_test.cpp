@@ -166,7 +166,7 @@ class YieldingTower : public testing::TestWithParam<const char*> {};
 // The phase drifts by slightly more than the tolerance, as in an elastic tower; the corners of the force add no error.
 TEST_P(YieldingTower, IsAsAccurateAsAnElasticOne) {
   test::Book book(
-      "Storeys that yield",
+      "Yielding storeys",
       "independent integration: Runge-Kutta of order four on the linear branches, which are joined at located "
       "instants",
       "the tolerance of the run, 1e-3 to 1e-6");
@@ -196,7 +196,7 @@ TEST(YieldingTower, ComesToRestOffThePlumbLine) {
 
 TEST(PerfectlyPlasticOscillator, FollowsItsClosedForm) {
   test::Book book(
-      "Storeys that yield",
+      "Yielding storeys",
       "elastic-perfectly-plastic oscillator from a velocity v: elastic to uy = Fy/k at v1^2 = v^2 - (w "
       "uy)^2, decelerated by Fy to uy + m v1^2/(2 Fy), then oscillating by uy about the residual displacement",
       "the tolerance 1e-6 of the run, by which half a cycle of phase drifts");
@@ -317,7 +317,7 @@ TEST(YieldingBuildings, AreElasticBelowTheirYieldForce) {
 // Fourth-order steps are long; they end at yields and reversals of a storey.
 TEST(YieldingTower, IsTheSameByEsdirk4) {
   test::Book book(
-      "Storeys that yield",
+      "Yielding storeys",
       "independent integration: Runge-Kutta of order four on the linear branches, which are joined at located "
       "instants",
       "the tolerance of the run");
