@@ -35,7 +35,7 @@ const Material unit_steel{.young = 1.0, .shear = 0.4, .density = 0};
 const BeamOptions with_offsets{
     .reference = Vector3d(0.3, 1, 0.2), .start_offset = {0.2, -0.1, 0.3}, .end_offset = {-0.1, 0.25, 0.1}};
 
-// The same frame, linear and corotational.
+// A linear and a corotational model of one frame.
 struct Model {
   Frame frame;
   std::vector<CorotationalMember> members{};
@@ -255,7 +255,7 @@ constexpr std::array mattiasson{Tip{1, 0.05643, 0.30172}, Tip{2, 0.16064, 0.4934
                                 Tip{7, 0.47293, 0.76737}, Tip{8, 0.50483, 0.78498}, Tip{9, 0.53182, 0.79906},
                                 Tip{10, 0.55500, 0.81061}};
 
-// The same by elliptic integrals, Bisshopp & Drucker, Quart. Appl. Math. 3 (1945) 272-275, as a check of the table.
+// The tip by elliptic integrals, Bisshopp & Drucker, Quart. Appl. Math. 3 (1945) 272-275, as a check of the table.
 Tip elastica(double p) {
   const auto root = [](double k) { return std::asin(1 / (std::numbers::sqrt2 * k)); };
   double low = 1 / std::numbers::sqrt2, high = 1 - 1e-15;

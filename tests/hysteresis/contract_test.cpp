@@ -97,7 +97,7 @@ TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
     const auto kept = this->follow(random_path(random, this->dy));
     const double d = reach(random) * this->dy, way = d < kept.deformation ? -1 : 1;
     if (std::abs(d - kept.deformation) < 3 * h) continue;
-    // There is no slope at a corner between the points of the difference.
+    // The slope is undefined at a corner between the points of the difference.
     const auto before = this->law.advance(kept, d - 2 * way * h);
     if (this->law.corner(before, d + 2 * way * h)) continue;
     const auto difference = [&](double step) {

@@ -80,7 +80,7 @@ TEST(FreeImpact, ExactCalibrationGivesWhatIsAskedAtEverySpeed) {
   }
 }
 
-// A slow impact stays so far below the depth of full damping that it needs a damping 1e12 times larger.
+// A slow impact is far shallower than the depth of full damping and needs a damping 1e12 times larger.
 TEST(FreeImpact, ExactImpactFunctionReachesSlowTouches) {
   for (const double speed : {1e-6, 1e-3}) {
     const AdamsImpact law{.stiffness = 4.2e10, .depth = 1.26e-3, .restitution = 0.5, .reduced_mass = 5e4};

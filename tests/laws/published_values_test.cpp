@@ -72,7 +72,7 @@ void for_each_published(Check&& check) {
   for (const reference::FormulaRow& row : reference::formulas)
     for (const reference::Asking& asking : row.askings)
       for (std::size_t i = 0; i < 9; ++i) {
-        SCOPED_TRACE(std::string(row.name) + ", " + std::string(asking.law) + ", asked " +
+        SCOPED_TRACE(std::string(row.name) + ", " + std::string(asking.law) + ", target " +
                      std::to_string(requested(i)));
         check(row, asking, i, law_with(asking, requested(i)));
       }

@@ -394,7 +394,7 @@ TEST(ModelByCode, RefusesDevicesThatCannotBe) {
     } catch (const ModelError& error) {
       return error.option();
     }
-    ADD_FAILURE() << name << " was taken";
+    ADD_FAILURE() << name << " was accepted";
     return ModelOption::structures;
   };
   EXPECT_EQ(option_of("none", right, {}), ModelOption::device);

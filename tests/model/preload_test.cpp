@@ -43,7 +43,7 @@ TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
   EXPECT_EQ(v.norm(), 0);
   book.near("force of the contact [N]", contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force, force, 1e-9);
   book.near("energy stored in the contact [J]", contact.work(), force * force / (2 * k), 1e-10);
-  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "without links there is no preload";
+  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "no preload without links";
 }
 
 // Nonlinear springs: the residual of the equilibrium, for every law.

@@ -33,7 +33,7 @@ Model ball_on_wall(double speed = 1) {
   const auto ball = model.add("ball", make_body({.mass = 60e3}), {.initial_velocity = speed});
   model.link(ball, model.add("wall", make_wall()), {.gap = 0.01},
              laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
-  // So many steps that `stop` is called while the ball is in contact.
+  // Enough steps for a call of `stop` while the ball is in contact.
   model.analysis = {.duration = 0.2, .tolerance = 1e-8, .scheme = {.kind = Scheme::Kind::generalized_alpha}};
   return model;
 }

@@ -70,7 +70,7 @@ void expect_extremes(const Extremes& run, const std::vector<double>& history, co
   }
 }
 
-// Runs a model with its default outputs and with outputs every 0.1 ms.
+// Compares a run with default outputs and one with outputs every 0.1 ms.
 void expect_extremes_of_dense_outputs(const std::function<std::string(const std::string& output_step)>& yaml,
                                       double relative) {
   const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));

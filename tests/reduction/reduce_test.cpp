@@ -232,7 +232,7 @@ TEST(ModalDamping, OfALargeStructureThatIsNotReducedIsRefused) {
   const ReductionPlan plan{{"small", "large"}, {{.kind = Kind::automatic}, {}}, zero, zero};
   try {
     petsc::make_solver(system, SolverKind::automatic, plan, PETSC_COMM_SELF);
-    ADD_FAILURE() << "not refused";
+    ADD_FAILURE() << "not rejected";
   } catch (const InputError& error) {
     EXPECT_TRUE(test::mentions(std::string(error.what()), {"large", "damping: 5 %", "1501"}));
   }

@@ -42,7 +42,7 @@ struct Reduced {
     EXPECT_TRUE(solver->flexibility(hinges, of_modes));
     return of_modes + Eigen::MatrixXd(solver->relief().flexibility());
   }
-  // The same compliance of the assembled frame.
+  // Compliance of all hinges in the assembled frame.
   Eigen::MatrixXd exact(double s) const {
     const Eigen::MatrixXd a = Eigen::MatrixXd(frame.system.stiffness) + s * Eigen::MatrixXd(frame.system.mass),
                           b = Eigen::MatrixXd(frame.system.gap_jacobian);

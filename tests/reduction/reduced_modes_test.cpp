@@ -60,7 +60,7 @@ struct Tower {
     const Eigen::MatrixXd a = Eigen::MatrixXd(stiffness) + s * Eigen::MatrixXd(mass);
     return inputs.links.transpose() * test::dense::solve_columns(a, inputs.links);
   }
-  // The same for its modes.
+  // B^T (K + s M)^-1 B of its modes.
   Eigen::MatrixXd flexibility(const GroupModes& modes, double s) const {
     const Eigen::MatrixXd b = modes.shapes.transpose() * inputs.links;
     return b.transpose() * (modes.squares.array() + s).inverse().matrix().asDiagonal() * b;
@@ -136,7 +136,7 @@ TEST_P(ReducedTower, AnswersStaticForcesOfLinksAndGroundExactly) {
   EXPECT_LT((found - exact)(dynamic, Eigen::all).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
 }
 
-// Galerkin modes omit some of the flexibility at the ends; each additional block restores part of it.
+// Galerkin modes omit some of the flexibility at the ends; each additional block restores a fraction.
 TEST_P(ReducedTower, IsNeverSofterAtItsLinksThanTheStructure) {
   ReducedModes reduced = tower.reduced();
   const std::vector<ReducedDepth> depths{{1, 1, false}, {2, 1, false}, {4, 10, false}, {4, 10, true}};
@@ -183,8 +183,8 @@ TEST_P(ReducedTower, HasTheSameBitsTwiceAndWhereItIsMadeDeeper) {
   EXPECT_EQ(twice.modes({.links = 2, .ground = 3}).shapes, shallow.shapes);
 }
 
-// The shadow is a combination of the modes of the run and equals the result of its own blocks. (Very deep chains, whose
-// directions nearly coincide, differ by more: the differences are near round-off.)
+// The shadow is a combination of the modes of the run and equals the result of a reduction with its blocks. (Very deep
+// chains, whose directions nearly coincide, differ by more: the differences are near round-off.)
 TEST_P(ReducedTower, HoldsTheModesOfItsShadow) {
   tower.inputs.starts = Eigen::VectorXd::LinSpaced(tower.size(), 0, 1);
   const ReducedDepth depth{.links = 3, .ground = 3}, less{.links = 2, .ground = 1};

@@ -32,8 +32,8 @@ using reference::half_unit;
 const char* const independent =
     "an independent script: 8th-order Runge-Kutta at 1e-12, closed forms, the paper's own formulas";
 const char* const as_printed =
-    "half a unit of the last digit printed, and 1e-6 of it for the time integration (1e-5 where five impacts follow "
-    "each other)";
+    "half a unit of the last printed digit, plus 1e-6 of the value for the time integration (1e-5 after five "
+    "consecutive impacts)";
 
 void expect_printed(test::Book& book, const Table& table, const std::string& row, const std::string& heading,
                     double value, int decimals, double relative = 1e-6,
@@ -101,7 +101,7 @@ TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
   const Figure& figure = item.figure("sdof_contact");
   const auto& by_time = figure.column("Eq. 2: time integration, y").values;
   const auto& by_matrix = figure.column("Eq. 2: Eq. 2, link at both bodies, y").values;
-  // There is no force to compare before the touch and after the separation.
+  // The force is zero before the touch and after the separation.
   for (std::size_t i = 0; i < by_time.size(); ++i)
     if (by_time[i] != 0) {
       EXPECT_NEAR(by_time[i], by_matrix[i], 1e-5 * 1000) << i;

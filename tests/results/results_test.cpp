@@ -153,7 +153,8 @@ class Reader {
 
   std::string text(const std::string& name) const {
     const hid_t found = open(name), type = H5Dget_type(found);
-    EXPECT_EQ(H5Tis_variable_str(type), 0) << name << ": a damaged heap of such texts never ends";
+    EXPECT_EQ(H5Tis_variable_str(type), 0)
+        << name << ": reading a damaged heap of variable-length strings does not end";
     std::string read(H5Tget_size(type), '\0');
     EXPECT_GE(H5Dread(found, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()), 0) << name;
     return without_zeros(read);

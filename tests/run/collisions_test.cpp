@@ -64,7 +64,7 @@ TEST(AContactThatStillPresses, OfASpringHasLostNothing) {
     EXPECT_TRUE(run.summary.links[0].presses);
     EXPECT_EQ(run.summary.links[0].energy_stored, run.results.impacts[0].energy_stored);
     const std::string table = to_table(run.summary);
-    EXPECT_NE(table.find("a-b"), table.rfind("a-b")) << "a row and a remark";
+    EXPECT_NE(table.find("a-b"), table.rfind("a-b")) << "a row and a note";
   }
 }
 
@@ -217,7 +217,7 @@ TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
   };
   try {
     pressed("");
-    ADD_FAILURE() << "not refused";
+    ADD_FAILURE() << "not rejected";
   } catch (const FailedRun& failed) {
     EXPECT_TRUE(test::mentions(failed.what(), {"a-w", "bilinear_hertz"}));
   }

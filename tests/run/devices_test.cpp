@@ -90,7 +90,7 @@ TEST(Devices, BetweenMirroredStructuresAreTwoToTheGround) {
   }
 }
 
-// A device in a storey carries part of its shear: only the damping also acts on the masses above.
+// A device shares the shear of its storey: the only other force on the masses above is damping.
 TEST(Devices, AddToTheShearOfTheirStoreys) {
   const Outcome run = test::run_text(
       "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"

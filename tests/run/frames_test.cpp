@@ -434,7 +434,7 @@ TEST(Frames, StandInEquilibriumAtEveryInstant) {
     EXPECT_NEAR(h.displacement[2 * i], h.node_displacement[(i * 6 + 2) * 3], 1e-12);
   }
   EXPECT_GT(largest, 100e3) << "otherwise the test has no effect";
-  EXPECT_GT(pressed, 0) << "otherwise there is no push";
+  EXPECT_GT(pressed, 0) << "otherwise the push is zero";
 }
 
 // A body hits a column 1 m above the ground; its ends are too heavy to move.

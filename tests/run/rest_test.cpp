@@ -44,7 +44,7 @@ TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
         },
         hysteresis::make_law(settings));
     const double moment = fixed - 2 * bending * turn / length;
-    ASSERT_GT(20e6 * turn, 1.02 * moment) << "the law must be bent";
+    ASSERT_GT(20e6 * turn, 1.02 * moment) << "the law must be nonlinear at rest";
     for (const char* scheme : schemes) {
       const Outcome run = test::run_text(fmt::format(
           "structures:\n  beam:\n    frame:\n      material: {{E: 30 GPa}}\n      nodes: {{l: [0, 0], m: [3 m, 0], r: "
@@ -63,12 +63,12 @@ TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
             << words << ", " << scheme << ", output " << i / 2;
         ASSERT_NEAR(std::abs(hinges.deformation[i]), turn, 1e-9 * turn);
       }
-      EXPECT_NEAR(run.summary.energy.hysteretic, 0, 1e-9) << "nothing moves";
+      EXPECT_NEAR(run.summary.energy.hysteretic, 0, 1e-9) << "no motion";
     }
   }
 }
 
-// A frame with all elements that deform under gravity. Without excitation there is no motion, and a device that is
+// A frame with all elements that deform under gravity. Without excitation it stays at rest, and a device that is
 // installed afterwards stays without force.
 TEST(FramesAtRest, StayThere) {
   for (const char* law : {"bouc_wen: {yield_moment: 120 kN m, hardening: 0.02, stiffness_factor: 10, exponent: 1.5}",

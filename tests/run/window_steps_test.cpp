@@ -180,9 +180,9 @@ TEST_P(Windows, HoldNothingButRoundingWhereTheBasisHasEverything) {
   }
 }
 
-// The first impact, up to which all natural modes move as the run does except for what its basis lacks. In the window
-// the forces are given and the closings differ; in the full model the forces change as well. The two errors are of the
-// same order of magnitude.
+// The first impact, up to which all natural modes move as the run does, apart from the error of its basis. In the
+// window the forces are given and the closings differ; in the full model the forces change as well. The two errors are
+// of the same order of magnitude.
 TEST_P(Windows, TellTheErrorOfTheirImpact) {
   constexpr double order =
       10;  // a peak may have a small error because the errors before and after it are equally large

@@ -518,7 +518,7 @@ TEST(LinkHistory, IsAsDenseAsAPictureNeeds) {
       missed = std::max(missed, std::abs(force - 0.5 * (link.force[i - 1] + link.force[i])));
     }
     EXPECT_LT(missed, 1e-3 * run.results.impacts[0].peak_force) << tolerance;
-    EXPECT_GT(missed, 0.2e-3 * run.results.impacts[0].peak_force) << "no denser than that at " << tolerance;
+    EXPECT_GT(missed, 0.2e-3 * run.results.impacts[0].peak_force) << "not denser than at " << tolerance;
   }
 }
 

@@ -336,7 +336,7 @@ TEST(LinkSolver, FindsTheFrictionOfTheForceThatPresses) {
   }
 }
 
-// So many links that a symmetric factorization replaces the slopes and is reused while they do not change.
+// Enough links that a symmetric factorization replaces the slopes and is reused while they do not change.
 TEST(LinkSolver, FindsTheForcesOfAHundredLinksThatPressTogether) {
   constexpr int count = 100;
   Few few;

@@ -127,7 +127,7 @@ TEST_P(ShortMotions, TakeAtMostTwiceTheStepsOfARectangle) {
   }
 }
 
-// Before a late pulse there is no motion, and a structure with a delay receives the same pulse.
+// The motion is zero before a late pulse, and a structure with a delay receives the same pulse.
 TEST_P(ShortMotions, MayComeLateAndWithADelay) {
   const auto [scheme, tolerance] = GetParam();
   const double w = 2 * pi / period, start = 5, delay = 0.3, duration = 1e-3;

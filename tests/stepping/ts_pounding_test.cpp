@@ -125,7 +125,7 @@ TEST(TsPounding, SaysWhatARollbackNeeds) {
   check(TSStep(run.ts));
   try {
     check(TSRollBack(run.ts));
-    FAIL() << "there was no accepted step to roll back to";
+    FAIL() << "no accepted step to roll back to";
   } catch (const SolverError& error) {
     EXPECT_NE(std::string(error.what()).find("set_rollback()"), std::string::npos) << error.what();
   }

@@ -134,7 +134,7 @@ TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
         };
         const double before = slope(*spring, d - direction * way, d), behind = slope(*turned, d, d - direction * way);
         const double earlier = slope(*spring, d - 2 * direction * way, d - direction * way);
-        // There is no corner.
+        // Without a corner.
         if (std::abs(before - earlier) < 1e-4 * k) {
           EXPECT_NEAR(spring->slope_lost(d), behind - before, 2e-4 * k) << settings.law << " step " << i;
           ++compared;

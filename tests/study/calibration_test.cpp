@@ -40,7 +40,7 @@ TEST(TheTableOfAdamsImpact, GivesTheSameBitsWhateverWasAskedBefore) {
 }
 
 // Here the bodies just reach the depth of full damping. Steps that missed it on the way in and out changed results by
-// 5e-6, too irregularly for a table.
+// 5e-6, irregularly enough to spoil a table.
 TEST(TheTableOfAdamsImpact, IsSmoothWhereBodiesJustReachTheDepthOfFullDamping) {
   std::vector<double> numbers;
   for (int i = 0; i <= 20; ++i)

@@ -253,7 +253,7 @@ TEST(ATouchAtRest, IsRefusedByALawThatNeedsAClosingSpeed) {
   const auto model = [&] { return pair_of({1e5, 2, 0.05}, {1.5e5, 0.3, 0.05}, 1e-9, law); };
   try {
     run(model(), pressed);
-    ADD_FAILURE() << "not refused";
+    ADD_FAILURE() << "not rejected";
   } catch (const SolverError& error) {
     EXPECT_TRUE(test::mentions(error.what(), {"bilinear_hertz"}));
     EXPECT_NE(std::string(error.what()).find("impact_velocity: 0.5 m/s"), std::string::npos) << error.what();

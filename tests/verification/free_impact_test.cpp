@@ -73,7 +73,7 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
       if (p.need == laws::Need::required) settings.values.emplace(p.name, p.typical);
     const laws::FreeImpact expected = laws::free_impact(laws::make_law(settings), mass, speed);
 
-    SCOPED_TRACE(fmt::format("asked {}", requested));
+    SCOPED_TRACE(fmt::format("target {}", requested));
     ASSERT_EQ(run.results.impacts.size(), 1u);
     const ImpactRow& row = run.results.impacts[0];
     book.near(c.law + ": restitution [-]", row.restitution, expected.restitution, 1e-6);

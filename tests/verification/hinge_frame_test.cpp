@@ -69,7 +69,7 @@ TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
   book.below("imbalance of the energies [-]", std::abs(run.imbalance()), 1e-7);
 }
 
-// The same frame from its input. Its damping is proportional to mass only, for which the input has no key.
+// This frame from its input. Its damping is proportional to mass only, for which the input has no key.
 TEST(HingeFrame, OfTheInputAgreesWithAnIndependentIntegrator) {
   test::Book book("The frame of three storeys with hinges, from its input",
                   "independent integration by DOP853 of the condensed equations with located corners",

@@ -65,7 +65,7 @@ TEST_P(PublishedFormula, GivesTheRestitutionOfTheReference) {
   const reference::FormulaRow& row = GetParam();
   for (const reference::Asking& asking : row.askings)
     for (std::size_t i = 0; i < 9; ++i) {
-      SCOPED_TRACE(fmt::format("{} asked {}", asking.law, requested(i)));
+      SCOPED_TRACE(fmt::format("{} target {}", asking.law, requested(i)));
       double stiffness = asking.stiffness;
       for (const laws::ParameterInfo& p : laws::find_law(asking.law).parameters)
         if (p.name == "stiffness" && stiffness == 0) stiffness = p.typical;

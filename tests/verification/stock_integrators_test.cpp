@@ -293,7 +293,7 @@ PetscErrorCode right_hand_side(TS, PetscReal t, Vec y, Vec rates, void* context)
   return write(joined(v_of(now), plain(context).acceleration(t, u_of(now), v_of(now))), rates);
 }
 
-// Both in metres: the penetration, and the force over its stiffness, or 1 if there is no early release.
+// Both in metres: the penetration, and the force over its stiffness, or 1 without an early release.
 PetscErrorCode indicators(TS, PetscReal, Vec y, PetscScalar found[], void* context) {
   const VectorXd now = values(y);
   for (const PlainLink& link : plain(context).links) {
@@ -380,7 +380,8 @@ double observed_order(const char* law) {
 
 constexpr const char* fixed_steps = "PETSc's TSALPHA2 with fixed steps on the same equations";
 constexpr const char* chance =
-    "the location of a touch within a step is random, and so is part of the error: root mean squares over five lengths";
+    "the location of a touch within a step is random, as is a fraction of the error: root mean squares over five "
+    "lengths";
 
 TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForHertz) {
   test::Book book(subject, fixed_steps, chance);
