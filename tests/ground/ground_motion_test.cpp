@@ -146,7 +146,7 @@ TEST(SampledMotion, NextBreakIsRightOneRoundingAwayFromASample) {
 }
 
 TEST(SampledMotion, AlmostEvenTimesAgreeWithTheSearch) {
-  // Sample times off by up to 4e-7 of a step shift the computed index by one, in both directions.
+  // Errors of the sample times up to 4e-7 times the step shift the computed index by one, in both directions.
   Samples samples;
   for (int i = 0; i < 2000; ++i) {
     samples.times.push_back(0.02 * (i + (i == 0 || i == 1999 ? 0 : 4e-7 * std::sin(2.1 * i))));

@@ -259,7 +259,7 @@ TEST_P(Hinges, MoveAlikeInModesAndInSparseMatrices) {
     return stepper.state();
   };
   const State a = march(of_modes, modal), b = march(of_factors, sparse);
-  // Corners are located to 1e-6 of a step.
+  // Corners are located within 1e-6 times the step.
   EXPECT_LT((a.u - b.u).norm(), 1e-8 * a.u.norm());
   EXPECT_LT((a.v - b.v).norm(), 1e-6 * a.v.norm());
   EXPECT_LT((a.force - b.force).norm(), 1e-8 * a.force.norm());

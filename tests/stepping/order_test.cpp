@@ -103,7 +103,7 @@ double error_after_impact(const Law& law, double parting, double speed, double h
   return std::hypot(stepper.state().v[0] + speed, (stepper.state().u[0] - position) / parting);
 }
 
-// Slope by least squares of log error against log step.
+// Slope of a linear fit of log error against log step.
 double order_of(const std::vector<double>& errors) {
   const double n = static_cast<double>(errors.size());
   double x = 0, y = 0, xx = 0, xy = 0;
@@ -122,7 +122,7 @@ TEST_P(SpectralRadius, AHertzImpactIsSecondOrder) {
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2)
     errors.push_back(error_after_impact(law, duration, 1.0, h, alpha(GetParam())));
-  book.near("generalized-alpha: order through a Hertz impact, least squares [-]", order_of(errors), 2.0, 0.15);
+  book.near("generalized-alpha: order through a Hertz impact, linear fit [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Hertz impact, last two steps [-]", observed_order(errors), 2.0, 0.2);
 }
 
@@ -136,7 +136,7 @@ TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2)
     errors.push_back(error_after_impact(law, duration, requested, h, alpha(GetParam())));
-  book.near("generalized-alpha: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 2.0, 0.15);
+  book.near("generalized-alpha: order through a Kelvin-Voigt impact, linear fit [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]", observed_order(errors), 2.0,
             0.2);
 }
@@ -224,7 +224,7 @@ TEST(Esdirk4, AKelvinVoigtImpactIsOfOrderFour) {
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
   for (double h = 1.6e-2; h > 1e-3; h /= 2) errors.push_back(error_after_impact(law, duration, requested, h, fourth));
-  book.near("ESDIRK4: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 4.0, 0.3);
+  book.near("ESDIRK4: order through a Kelvin-Voigt impact, linear fit [-]", order_of(errors), 4.0, 0.3);
   book.below("ESDIRK4: error after a Kelvin-Voigt impact, shortest step [-]", errors.back(), 1e-6);
 }
 
