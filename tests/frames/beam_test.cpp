@@ -50,7 +50,7 @@ Eigen::Matrix<double, 12, 6> rigid_motions(const Vector3d& start, const Vector3d
   return motions;
 }
 
-// The beam lies along x.
+// The beam is along x.
 TEST(Beam, ActsAsACantileverUnderEveryTipLoad) {
   test::Book book("A beam-column alone",
                   "Timoshenko, Strength of Materials: tip of a cantilever under each tip force and moment; shear "
@@ -235,7 +235,7 @@ TEST(Beam, CarriesNothingThroughAReleasedEnd) {
   const double l = 3, ei = concrete.young * slender.inertia_y, three = 3 * ei / (l * l * l);
   const Beam pinned({0, 0, 0}, {l, 0, 0}, slender, concrete, {.end_releases = {Dof::ry}});
   const Matrix12 k = pinned.stiffness();
-  book.near("stiffness across at the hinge [N/m]", k(8, 8), three, 1e-12 * three);
+  book.near("transverse stiffness at the hinge [N/m]", k(8, 8), three, 1e-12 * three);
   book.near("rotational stiffness of the other end, 3 EI/L [N m]", k(4, 4), three * l * l, 1e-12 * three * l * l);
   EXPECT_TRUE(k.row(10).isZero(0));
   // Bending in the other plane is unchanged.
@@ -251,7 +251,7 @@ TEST(Beam, CarriesNothingThroughAReleasedEnd) {
 
   // Releases are in local axes: for a column the same one is about global y as well.
   const Beam column({0, 0, 0}, {0, 0, l}, slender, concrete, {.end_releases = {Dof::ry}});
-  book.near("stiffness across at the hinge of a column [N/m]", column.stiffness()(6, 6), three, 1e-12 * three);
+  book.near("transverse stiffness at the hinge of a column [N/m]", column.stiffness()(6, 6), three, 1e-12 * three);
 }
 
 // A rod hinged at both ends with axial force N has the lateral stiffness of a string.
@@ -260,7 +260,7 @@ TEST(Beam, HingedAtBothEndsHasTheStiffnessOfAString) {
   const double l = 3, n = -2e5;
   const BeamOptions hinged{.start_releases = {Dof::ry}, .end_releases = {Dof::ry}, .axial_force = n};
   const Beam rod({0, 0, 0}, {l, 0, 0}, slender, concrete, hinged);
-  book.near("stiffness across of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l,
+  book.near("transverse stiffness of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l,
             1e-9 * -n / l);  // the difference of stiffnesses 1e4 times larger
 }
 

@@ -308,17 +308,17 @@ TEST(CorotationalFrame, ConvergesToTheElasticaWithTheSquareOfTheMembersLength) {
 // equally, so that the nodes lie exactly on a regular polygon and each end rotates as in the arc: m L/EI.
 TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
   test::Book book("Frames with large displacements",
-                  "a cantilever under an end moment up to two turns: members of equal length lie on a regular "
+                  "a cantilever under an end moment up to two full turns: members of equal length lie on a regular "
                   "polygon, ends rotated by m L/EI",
                   "convergence tolerance of the equilibrium");
   const int members = 12;
   for (const int dimension : {2, 3}) {
     const Model model = slender_cantilever(dimension, members);
-    const double maximum = dimension == 2 ? 2 : 0.95;  // turns; the domain of a rotation vector ends before one
+    const double maximum = dimension == 2 ? 2 : 0.95;  // full turns; the domain of a rotation vector ends before one
     const auto path = model.corotational().solve(2 * pi * maximum * unit_load(model, members, Dof::ry), 20);
     for (const auto& [factor, q] : path) {
       const double turn = 2 * pi * maximum * factor, part = turn / members;
-      book.near("circle: turn of the tip [rad]", displacement(model, q, members, Dof::ry), turn, 1e-7);
+      book.near("circle: rotation of the tip [rad]", displacement(model, q, members, Dof::ry), turn, 1e-7);
       Vector3d tip(0, 0, 0);  // each member is rotated relative to the previous one, by half of that at the support
       for (int i = 0; i < members; ++i)
         tip += Vector3d(std::cos((i + 0.5) * part), 0, -std::sin((i + 0.5) * part)) / members;

@@ -131,7 +131,8 @@ TEST(Truss, PassesThePatchTest) {
 }
 
 TEST(Truss, HangsHalfItsMassAtEachEndAndTakesAPullAcrossAsAString) {
-  test::Book book("Frames at rest", "a truss member: half of its mass at each end, N/L across", "rounding");
+  test::Book book("Frames at rest", "a truss member: half of its mass at each end, N/L in the transverse direction",
+                  "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0});
   frame.add_node({2.5, 0, 0});
@@ -278,7 +279,7 @@ TEST(MemberLoad, SolvesThePortalOfKleinlogel) {
 
 TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
   test::Book book("Frames at rest",
-                  "a bar that hangs: rho g L^2/(2E) + M g L/(EA), lumped or consistent; a heavy cantilever: m g "
+                  "a hanging bar: rho g L^2/(2E) + M g L/(EA), lumped or consistent; a heavy cantilever: m g "
                   "L^4/(8 EI)",
                   "rounding");
   const double l = 5, extra = 300;

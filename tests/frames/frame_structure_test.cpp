@@ -274,7 +274,7 @@ TEST(FrameStructure, PDeltaSoftensByTheWeight) {
   const Structure s = structure(cantilever + "geometry: p_delta\n");
   const int ux = unknown(s, "node top ux");
   const double weight = 20e3 * 9.80665;
-  book.near("stiffness across under its weight [N/m]", s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4,
+  book.near("transverse stiffness under its weight [N/m]", s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4,
             1e-5);
   EXPECT_THROW(structure("material: {E: 30 GPa}\nnodes: {foot: [0, 0], top: [0, 4 m]}\n"
                          "members: {c: {between: [foot, top], section: {area: 0.1, inertia_y: 1e-3}}}\n"
@@ -406,10 +406,10 @@ TEST(FrameSurface, AColumnIsTouchedBetweenItsFloors) {
   const ContactPoint point = s.surface->column(5.5, Side::plus_x, 0);
   EXPECT_EQ(point.position, Vector3d(11, 0, 5.5));
   EXPECT_EQ(s.geometry.member_names[point.member], "column 2.2");
-  EXPECT_NEAR(point.mass, 25e3, 1e-8) << "half way between 30 t and 20 t";
+  EXPECT_NEAR(point.mass, 25e3, 1e-8) << "midway between 30 t and 20 t";
   VectorXd q = VectorXd::Zero(s.size());
   q[unknown(s, "node 2.0 ux")] = 0.1;
-  EXPECT_NEAR(motion(point, 0, q), 0.05, 1e-15) << "half way, by symmetry";
+  EXPECT_NEAR(motion(point, 0, q), 0.05, 1e-15) << "midway, by symmetry";
   const ContactPoint foot_side = s.surface->column(1, Side::minus_x, 0);
   EXPECT_EQ(s.geometry.member_names[foot_side.member], "column 1.0");
   EXPECT_NEAR(foot_side.mass, 30e3 / 4, 1e-8);

@@ -390,7 +390,7 @@ TEST(GridFrame, HasThePeriodsOfOpenSees) {
   test::Book book("Frames compared with OpenSees: matrices and periods",
                   "OpenSees 3.7.1 (openseespy), elasticBeamColumn and lumped masses, `eigen`; its matrices, printed "
                   "by GimmeMCK, agree with these to 1e-15 of the largest entry",
-                  "rounding of both eigensolvers");
+                  "round-off of both eigensolvers");
   struct Peer {
     GridFrame grid;
     int unknowns;

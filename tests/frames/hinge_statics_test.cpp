@@ -72,7 +72,7 @@ TEST(HingeStatics, PortalsCollapseAtTheLoadsOfLimitAnalysis) {
   test::Book book(
       "Hinges of frames",
       "limit analysis of a portal with fixed feet, h = 4 m, l = 8 m, Mp = 200 kN m: mechanisms of sway, beam and both",
-      "rounding of the event-to-event path");
+      "round-off of the event-to-event path");
   book.near("lateral load, 4 Mp/h [N]", limit_load(1, 0), 4 * plastic / 4, 1e-9 * 200e3);
   book.near("load at midspan, 8 Mp/l [N]", limit_load(0, 1), 8 * plastic / 8, 1e-9 * 200e3);
   book.near("equal loads, 6 Mp/(h + l/2) [N]", limit_load(1, 1), 6 * plastic / (4 + 8.0 / 2), 1e-9 * 150e3);

@@ -228,7 +228,7 @@ TEST(Synthetic, GroundComesToRest) {
       double velocity = 0;
       for (std::size_t i = 0; i + 1 < samples.times.size(); ++i)
         velocity += (samples.accelerations[i] + samples.accelerations[i + 1]) / 2 * 0.01;
-      // The envelope leaves 2 % of the noise, and the low cut of soft soil takes seconds to decay.
+      // The envelope ends at 2 % of the noise, and the low cut of soft soil takes seconds to decay.
       EXPECT_LT(std::abs(velocity), 0.2 * measure(samples).pgv) << filter.omega_g << " " << seed;
     }
 }

@@ -159,8 +159,8 @@ TEST(ClosedForms, BoucWenDriftsUnderASteadyForce) {
   }
 }
 
-// Stress over that of the same path without the turn. Reference: another program with steps of 0.001 dy and linear
-// interpolation between them.
+// Stress over that of the same path without the small reversal. Reference: another program with steps of 0.001 dy and
+// linear interpolation between them.
 TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
   const double at[] = {-1, 0, 2}, without[] = {0.6469689626087252, 0.7780149802262432, 0.9048491046378144};
   const double lifted[3][3] = {{0.22285351233738027, 0.1939113763178223, 0.10170073798729562},
@@ -186,7 +186,7 @@ TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
   }
 }
 
-// The force jumps at an infinitesimal turn, so the later response is not a continuous function of the path.
+// The force jumps at an infinitesimal reversal, so the later response is not a continuous function of the path.
 TEST(PublishedLoops, ATurnOfNoSizeLiftsTheForceOfSteel02) {
   MenegottoPinto law{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05};
   for (const MenegottoPinto::Memory memory : {MenegottoPinto::Memory::nested, MenegottoPinto::Memory::last}) {
@@ -200,7 +200,7 @@ TEST(PublishedLoops, ATurnOfNoSizeLiftsTheForceOfSteel02) {
   }
 }
 
-// A hundred small nested turns, entered and left again: more than the law remembers.
+// A hundred small nested loops, entered and left again: more than the law remembers.
 TEST(PublishedLoops, MoreTurnsThanAreRememberedForgetTheSmallestOnes) {
   const MenegottoPinto law{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.01};
   MenegottoPinto::State kept = law.advance(law.advance(law.advance({}, 4), -4), -1.5);

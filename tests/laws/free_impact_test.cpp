@@ -100,7 +100,7 @@ TEST(FreeImpact, ExactFactorReachesExtremeRestitutions) {
 TEST(FreeImpact, SpotValuesOfTheClosedForms) {
   test::Book book("Free impacts: restitution, identities, limits",
                   "values of the closed forms, printed to six or ten digits",
-                  "half a unit of the last digit printed, or rounding");
+                  "half a unit of the last printed digit, or round-off");
   book.near("restitution for a damping factor 0.5 [-]", restitution_of_factor(0.5), 0.7484349316, 0.51e-10);
   book.near("restitution for a damping factor 1 [-]", restitution_of_factor(1.0), 0.5936242600, 0.51e-10);
   book.near("restitution of critical damping, until F = 0: exp(-2) [-]", restitution_to_zero_force(1.0), std::exp(-2),
@@ -328,7 +328,7 @@ TEST(FreeImpact, OverdampedKelvinVoigtNeverParts) {
   const KelvinVoigt requested{.stiffness = 1, .restitution = 0, .reduced_mass = 1};
   EXPECT_EQ(requested.damping_number(1), 1);
   EXPECT_EQ(free_impact(requested, 1, 1).restitution, 0);
-  // The integrated bodies creep back until round-off lets them part.
+  // In the integration the bodies creep back until round-off separates them.
   EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0, 1e-12);
 }
 

@@ -39,7 +39,7 @@ AssembledFrame plane_frame(int storeys, int bays) {
   return make_frame(grid).assemble();
 }
 
-// In plan bays x bays of equal widths: symmetric in x and y if the sections are.
+// In plan `bays` by `bays` of equal widths: symmetric in x and y if the sections are.
 GridFrame tower(int storeys, int bays, bool rigid_floors, bool alike = true) {
   GridFrame grid;
   grid.storeys = storeys;

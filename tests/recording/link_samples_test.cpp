@@ -85,7 +85,7 @@ TEST(ImpactSamples, GoOnAlikeFromAnArchive) {
 }
 
 // Bodies that hardly move at the start of a ground motion: between the ends of a first step the path of the contact is
-// so flat that the formula of the law gives a pull of half a per cent of the maximum force until then.
+// so flat that the formula of the law gives a pull of 0.5 % of the maximum force until then.
 TEST(LinkSamples, InsideAStepShowNoPullOfALawThatNeverPulls) {
   for (const double restitution : {0.05, 0.1, 0.5}) {
     const Outcome run = test::run_text(fmt::format(

@@ -342,7 +342,7 @@ TEST(Frames, WithADelayedFootMoveAsInAbsoluteCoordinates) {
             y[2] - y[1], 1e-9);
 }
 
-// Launched as a rigid body it vibrates about its initial location, whatever motion its supports have later.
+// Launched as a rigid body it vibrates about its initial location, regardless of the later motion of its supports.
 TEST(Frames, AreThrownAsAWhole) {
   test::Book book("Runs of frames", "free vibration: u = v/w sin(w t)",
                   "run at tolerance 1e-8; velocities of the same error times the frequency");
@@ -439,7 +439,8 @@ TEST(Frames, StandInEquilibriumAtEveryInstant) {
 
 // A body hits a column 1 m above the ground; its ends are too heavy to move.
 TEST(Frames, AColumnThatIsHitHoldsTheForceAtItsEnds) {
-  test::Book book("Runs of frames", "a column hit between heavy ends: P a b^2/L^2, P a^2 b/L^2, P b^2 (3a + b)/L^3",
+  test::Book book("Runs of frames",
+                  "a column under impact between heavy ends: P a b^2/L^2, P a^2 b/L^2, P b^2 (3a + b)/L^3",
                   "a thousandth of the peak force");
   const Outcome run = test::run_text(
       "structures:\n  ball: {body: {mass: 10 t}, initial_velocity: 1 m/s}\n"

@@ -114,7 +114,7 @@ TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
   }
 }
 
-// Compared with differences of the force before and after the turn, which a copy of the spring retains.
+// Compared with differences of the force before and after the reversal, which a copy of the spring retains.
 TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
   std::vector<hysteresis::Settings> all;
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) all.push_back(hysteresis::typical_settings(entry));
@@ -155,9 +155,9 @@ TEST(HystereticSpring, ASmallExcursionOfBoucWenTurnsSharplyTwice) {
       make_spring({.law = "bouc_wen", .values = {{"stiffness", k}, {"yield_force", fy}, {"hardening", 0}}});
   const double yielding = 2 * fy / k, y = std::tanh(2);
   spring->accept(step({0, 1}, {yielding, 1}));
-  EXPECT_NEAR(spring->slope_lost(yielding + 1e-12) / k, y * y, 1e-6) << "it turns back with k";
+  EXPECT_NEAR(spring->slope_lost(yielding + 1e-12) / k, y * y, 1e-6) << "it unloads with k";
   const double back = yielding - 0.3 * fy / k;
-  EXPECT_NEAR(spring->slope_lost(back) / k, -(y - 0.3) * (y - 0.3), 1e-6) << "it came back with k";
+  EXPECT_NEAR(spring->slope_lost(back) / k, -(y - 0.3) * (y - 0.3), 1e-6) << "it had unloaded with k";
 }
 
 TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {

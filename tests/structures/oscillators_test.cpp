@@ -73,7 +73,7 @@ TEST(ShearBuilding, HasTheMatricesOfItsStoreysFromTheGroundUp) {
 TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
   test::Book book("Oscillators and shear buildings",
                   "Chopra, Dynamics of Structures: w_j = 2 sqrt(k/m) sin((2j-1) pi/(2(2N+1)))",
-                  "an eigenvalue carries rounding of the largest one");
+                  "round-off of the largest eigenvalue");
   for (const int storeys : {1, 2, 7, 40}) {
     const double m = 2.5e5, k = 2.2e8;
     const Structure s = make_shear_building({.storeys = storeys, .mass = m, .stiffness = k});
@@ -89,7 +89,7 @@ TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
 
 TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
   test::Book book("Oscillators and shear buildings",
-                  "completeness of the modes: effective masses add up to the mass, participations rebuild a unit "
+                  "completeness of the modes: effective masses add up to the mass, participations reproduce a unit "
                   "displacement",
                   "rounding");
   const Structure s =
@@ -102,7 +102,7 @@ TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
     EXPECT_DOUBLE_EQ(mode.shape(3, 0), 1) << "shapes are normalized at the top floor";
   }
   book.near("sum of the effective masses [kg]", effective, 8.5e5, 1e-9 * 8.5e5);
-  // Participation factors times shapes rebuild the unit displacement of every floor.
+  // Participation factors times shapes reproduce the unit displacement of every floor.
   for (const double floor : moved) book.near("sum of participation times shape [-]", floor, 1, 1e-11);
 }
 

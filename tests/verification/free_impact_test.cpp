@@ -48,7 +48,7 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
                   "closed form of the impact, or where the law has none the free impact's own integrator "
                   "(extrapolation to 1e-10)",
                   "run at tolerance 1e-8: 1e-6 of restitution, duration, energy and impulse; 1e-5 of peak force and "
-                  "penetration, of which a maximum between two kept steps is found by a parabola");
+                  "penetration, of which a maximum between two accepted steps is found by a parabola");
   const Case& c = GetParam();
   const double mass = 6e4, speed = 0.8;
   for (int tenths = 1; tenths <= 9; ++tenths) {
