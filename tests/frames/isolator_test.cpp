@@ -113,7 +113,7 @@ TEST(FrameIsolators, RefuseWhatCannotBe) {
   EXPECT_NE(refusal_of(model).find("0.1"), std::string::npos) << refusal_of(model);
   model = frame(slider);
   model.frame.add_load(model.isolators[0].node, Dof::uz, 1e7);
-  EXPECT_TRUE(test::mentions(refusal_of(model).substr(0, 41), {"0.0", "-9"})) << refusal_of(model);
+  EXPECT_TRUE(test::mentions(refusal_of(model), {"isolator 0.0", "-9311 kN"})) << refusal_of(model);
 }
 
 TEST(FrameIsolators, NeedMassAtTheirFeet) {

@@ -34,7 +34,7 @@ TEST(ValuesAtAStep, AreReadInOrderHoweverManyStandInALine) {
     EXPECT_TRUE(record.samples.uniform);
   }
   EXPECT_TRUE(test::mentions(read("0\n1\n", at_step).summary(), {"r.txt", "0.02 s", "m/s^2"}));
-  EXPECT_EQ(read("0 1 2\n3 4 5\n", at_step).format, "3 values a line");
+  EXPECT_EQ(read("0 1 2\n3 4 5\n", at_step).format, "3 values per line");
 }
 
 TEST(ValuesAtAStep, ErrorsSayWhatToType) {

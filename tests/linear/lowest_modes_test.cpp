@@ -324,8 +324,7 @@ TEST(Modes, RefuseWhatHasNone) {
     for (const auto& [i, j, value] : {std::tuple(2, 2, 1e8), {5, 5, 1e8}, {2, 5, -1e8}, {5, 2, -1e8}})
       loose.coeffRef(i, j) = value;
     const std::string text = text_of<std::invalid_argument>(solve, frame.mass, loose, 3);
-    EXPECT_TRUE(test::mentions(text, {"mass"}));
-    EXPECT_TRUE(text.ends_with("unknown 2 has no stiffness") || text.ends_with("unknown 5 has no stiffness")) << text;
+    EXPECT_TRUE(test::mentions(text, {"massless", "2"}) || test::mentions(text, {"massless", "5"})) << text;
 
     SparseMatrix negative = frame.mass;
     negative.coeffRef(0, 0) *= -1;
