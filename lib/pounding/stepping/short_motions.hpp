@@ -14,7 +14,7 @@ struct GroundDefect {
   Eigen::VectorXd u, v;
 };
 
-/// A short ground motion shifts a structure as a rigid body. While a motion with displacement g lasts, the relative
+/// A short ground motion moves a structure as a rigid body. While a motion with displacement g lasts, the relative
 /// motion is nearly -R g, where R = M^-1 P, and the remaining motion may be far smaller. The schemes therefore
 /// integrate the absolute acceleration a + R ag, which is smooth and small, and treat the ground motion in closed form.
 /// Where a scheme approximates an integral of ag by a sum, its result is corrected by R times the defect: the sum minus
