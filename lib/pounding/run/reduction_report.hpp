@@ -16,7 +16,7 @@ struct ReductionReport {
   ReductionErrors errors;
   ReductionCheck check;
 
-  /// All arguments must outlive this.
+  /// All arguments must outlive this object.
   ReductionReport(const Model& model, const FloorResponse& response, const Stepper& stepper)
       : errors(model, response, stepper), check(model, response, stepper) {}
 
