@@ -11,7 +11,7 @@
 namespace pounding {
 
 /// Reads `-pounding_red_links N` and `-pounding_red_ground N`, the numbers of blocks of the two chains, and
-/// `-pounding_red_auto`, which derives them from the tolerance. Without these options, nothing is reduced. Call it
+/// `-pounding_red_auto`, which derives them from the tolerance. Without these options, no structure is reduced. Call it
 /// before unread options are refused. Throws InputError for a number out of range.
 Reduction reduction_from_options();
 
