@@ -32,7 +32,7 @@ bool is_root() { return launched.rank == 0; }
 void require_one_process(CLI::App& command) {
   command.parse_complete_callback([&command] {
     if (launched.size > 1)
-      throw InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun",
+      throw InputError(fmt::format("pounding {} runs in one process, but {} were started; type it without mpirun",
                                    command.get_name(), launched.size));
   });
 }

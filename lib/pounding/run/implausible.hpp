@@ -1,5 +1,5 @@
 #pragma once
-/// Warnings of results that are far from those of real buildings, or beyond the capacity of a part.
+/// Warnings about results that are far from those of real buildings, or beyond the capacity of a part.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace pounding {
 
-/// Warnings of implausible results of this model, except those that the model suppresses.
+/// Warnings about implausible results of this model, except those that the model suppresses.
 inline std::vector<std::string> implausible(const Model& model, const Summary& summary) {
   std::vector<double> penetrations;
   // Soil deforms more than bodies overlap.
@@ -49,8 +49,9 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
       const SpringSummary& moved = summary.structures[k].springs[i];
       if (const double capacity = part.parameter("capacity"); isolates(part) && std::abs(moved.peak) > capacity)
         texts.push_back(fmt::format(
-            "structure {}, {}: {} at {:.4g} s, beyond the capacity of {}, where the model is not valid. Type a larger "
-            "capacity if the part has it, or a link to a wall with that gap if it stops there",
+            "structure {}, {}: {} at {:.4g} s exceeds the capacity of {}; the model is not valid beyond it. Type a "
+            "larger "
+            "capacity if the isolator has one, or a link to a wall with that gap if a stop limits it",
             model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4),
             moved.peak_time, format_quantity(capacity, dimension::length)));
     }

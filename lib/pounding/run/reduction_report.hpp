@@ -1,5 +1,5 @@
 #pragma once
-/// Errors of reduced structures: estimated in every step of a run, and checked with all unknowns after it.
+/// Errors of reduced structures: estimated in every step, and checked after the run with all degrees of freedom.
 
 #include <pounding/core/archive.hpp>
 #include <pounding/model/model.hpp>

@@ -34,8 +34,8 @@
 namespace pounding {
 namespace {
 
-// Next depth after too large error estimates: two more blocks in both chains, and larger increments at greater depth,
-// since light damping needs many blocks.
+// Next depth if the error estimates are too large: two more blocks in both chains, and larger increments at greater
+// depth, since light damping needs many blocks.
 int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
 
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
@@ -152,7 +152,7 @@ Outcome run_once(const Task& task, bool with_links, const Outcome& without, cons
       return std::move(*outcome);
 }
 
-// Outcome whose file contains a first part, without links, in this state.
+// Outcome to write while the run without links has these results.
 Outcome first_part(const Task& task, const Results& without_links) {
   Outcome outcome{task.heading, {}};
   Results& results = outcome.results;

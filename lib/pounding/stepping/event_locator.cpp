@@ -14,8 +14,8 @@ constexpr double grouped_part = 1e-9;
 // Minimum step, relative to the trial, in the search for a phase that seems to end at its beginning.
 constexpr double shortest_look = 1e-9;
 constexpr int max_corner_trials = 8;
-// A shorter step with an error ratio above this value, inside a good step, has found another solution of the stage
-// equations than that of the motion: laws with strong dashpots have several.
+// Inside a good step, a shorter step with an error ratio above this value has converged to a wrong solution of the
+// stage equations: with strong dashpots there are several.
 constexpr double beyond_belief = 1e3;
 
 // A partly solved trial must not be accepted.

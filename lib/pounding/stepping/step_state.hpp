@@ -103,11 +103,12 @@ struct Trial {
   Eigen::MatrixXd spring_rates;  ///< rates of deformation: first and second derivative at the beginning, first at the
                                  ///< middle, both at the end
   Eigen::MatrixXd force_rates_begin;  ///< as Instant::force_rates
+
   /// True if every spring stays in its range (ElasticRanges); then `middle` is not set for springs.
   bool springs_stay = false;
-  Eigen::MatrixXd
-      spring_paths;  ///< deformation of every spring in such a trial: at its beginning and end, lower and upper bound
-  double error = 0;  ///< divided by the allowed error
+  /// Deformation of every spring in such a trial: at its beginning, at its end, lower bound, upper bound.
+  Eigen::MatrixXd spring_paths;
+  double error = 0;                          ///< divided by the allowed error
   std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
   std::vector<double> squares_slow;          ///< as squares_v, without velocities due to short ground motions
 
