@@ -18,7 +18,7 @@ struct SparseOptions {
   /// Prefix of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`. The conjugate gradient
   /// solver appends `off_`. `-pounding_lev_memory` and `-pounding_lev_direct_below` override the two limits below.
   std::string prefix = "pounding_lev_";
-  double memory = 4096;    ///< memory limit for the factors on one process; the least recently used are evicted [MB]
+  double memory = 4096;    ///< memory limit for the factors on one process, with LRU eviction [MB]
   int direct_below = 300;  ///< with fewer unknowns over all processes, every step length is factored
 };
 
@@ -57,15 +57,14 @@ class CachedFactors {
   const CachedFactor& current() const { return *current_; }
   /// Factors the matrix of an entry. Throws SolverError, naming the degree of freedom, if the matrix is singular.
   void factorize(CachedFactor& entry);
-  /// Evicts the least recently used levels until the memory limit is met; never `needed` or the levels of the current
-  /// step.
+  /// Evicts levels in LRU order until the memory limit is met, except `needed` and the levels of the current step.
   void make_room(const CachedFactor* needed);
 
   /// Number of cached factors. Not collective.
   int count() const;
   /// Memory of all entries on this process [bytes]. Not collective.
   double memory() const;
-  /// Number of conjugate gradient iterations so far on this process. Not collective.
+  /// Total number of conjugate gradient iterations on this process. Not collective.
   long iterations() const;
   /// Software package of the factors; empty before the first. Not collective.
   std::string package() const;

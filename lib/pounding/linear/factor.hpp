@@ -111,7 +111,7 @@ class NearSolver {
 
   /// x = A^-1 b. `guess`: x holds an initial guess. False if the iteration did not converge.
   bool solve(const double* b, double* x, bool guess);
-  /// Total number of iterations so far.
+  /// Total number of iterations.
   long iterations() const { return iterations_; }
 
  private:

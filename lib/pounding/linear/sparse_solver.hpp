@@ -56,7 +56,7 @@ class SparseSolver final : public StructureSolver {
   /// Number of cached factors, and their memory on this process [MB]. Not collective.
   int factors() const;
   double memory() const;
-  /// Number of conjugate gradient iterations so far on this process. Not collective.
+  /// Total number of conjugate gradient iterations on this process. Not collective.
   long iterations() const;
 
  private:

@@ -18,7 +18,7 @@ inline bool is_spring(const System& system, int link) {
 ///   u_s = -K_ss^-1 K_sm u_m - W F,   W = K_ss^-1 B_s,
 ///
 /// so the deformation of a spring is B_e^T u_m - S F + c with B_e = B_m - K_ms W and S = B_s^T W + R. The coordinates
-/// of a StructureSolver exclude W F: massless degrees of freedom follow the others as if there were no springs, and B^T
+/// of a StructureSolver exclude W F: massless degrees of freedom follow the others as without springs, and B^T
 /// applied to the coordinates equals B_e^T u_m. Spring forces act on the coordinates through B_e.
 ///
 /// Every process holds all of it. Columns of W cover a structure, columns of S its springs. All are empty if no spring

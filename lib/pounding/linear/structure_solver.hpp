@@ -143,7 +143,7 @@ class StructureSolver {
 
   /// One line for a report: problem size and solution method.
   virtual std::string description() const = 0;
-  /// Number of factorizations so far.
+  /// Total number of factorizations.
   long factorizations() const { return factorizations_; }
 
  protected:

@@ -18,7 +18,7 @@ class Collapse {
 
   /// True if the model sets a collapse drift.
   bool is_requested() const { return limit_ > 0; }
-  /// True if any storey has exceeded the limit so far.
+  /// True if any storey has exceeded the limit.
   bool has_come() const;
   /// Location and time: "collapse at t = 3.21 s: storey 2 of left has drifted 10.2 % of its height, ...", with the
   /// yielded parts.

@@ -1,5 +1,5 @@
 #pragma once
-/// Histories and extremes of braces and dampers between structures.
+/// Histories and extremes of bars and dampers between structures.
 
 #include <cstddef>
 #include <vector>
@@ -24,7 +24,7 @@ class DeviceHistories {
   void step();
   /// Records an output time, inside that step or at the current state.
   void sample(double time, bool inside);
-  /// One entry per device, for the run so far.
+  /// One entry per device, for the run up to now.
   std::vector<DeviceSummary> summary() const;
   /// For a checkpoint: the extremes.
   void archive(Archive& archive);

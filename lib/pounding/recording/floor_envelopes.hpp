@@ -28,7 +28,7 @@ class FloorEnvelopes {
   void step(const StepMotion& step);
   /// Peaks of one structure; no drifts if it has no storeys.
   StructureSummary summary(const Structure& structure, int index) const;
-  /// Largest drift of a storey so far [m]; in space, of the horizontal vector.
+  /// Largest drift of a storey up to now [m]; in space, of the horizontal vector.
   double peak_drift(int structure, int storey) const {
     return (response_.directions(structure) > 1 ? lengths_[structure].drift : histories_[structure].envelope.drift)
         .peak(storey);

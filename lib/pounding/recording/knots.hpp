@@ -31,8 +31,8 @@ class Knots {
   const Stepper& stepper_;
   double last_ = 0;
   Eigen::VectorXd acceleration_;  // at the last knot, in solver coordinates
-  // By group, as square roots of strain energy: largest displacement so far, and largest deviation of the acceleration
-  // from a straight line since the last knot.
+  // By group, as square roots of strain energy: largest displacement up to now, and largest deviation of the
+  // acceleration from a straight line since the last knot.
   std::vector<double> largest_, strayed_;
   std::vector<double> norms_;
   Eigen::VectorXd bend_, stiffness_times_;

@@ -33,7 +33,7 @@ class ImpactSamples {
   /// Adds a sample in contact. The first one of an impact is preceded by a copy with zero force, because the force may
   /// jump at the touch.
   void add(const LinkSample& sample);
-  /// Appends all samples so far, including the last one, to a history.
+  /// Appends all samples, including the last one, to a history.
   void show(LinkHistory& history) const;
   /// Moves the samples to the history at the end of the impact or the run.
   void finish(LinkHistory& history);

@@ -43,13 +43,13 @@ class Recorder {
   /// histories.
   void archive(Archive& archive);
 
-  /// State of collapse of the structures so far.
+  /// State of collapse of the structures.
   const Collapse& collapse() const { return collapse_; }
   /// Mapping of the rows of the floor motion.
   const FloorResponse& response() const { return response_; }
-  /// Number of impacts of all links so far.
+  /// Number of impacts of all links up to now.
   int impacts() const;
-  /// Fills peaks, links, devices and energies of a summary for the run so far.
+  /// Fills peaks, links, devices and energies of a summary for the run up to now.
   void summarize(Summary& summary) const;
 
  private:
@@ -74,7 +74,7 @@ class Recorder {
   Collapse collapse_;
   StoreyShears storeys_;
   ForceEnvelopes forces_;
-  long outputs_ = 0;                          // number of output times so far
+  long outputs_ = 0;                          // number of recorded output times
   double max_input_ = 0, max_imbalance_ = 0;  // maximum absolute values over the run [J]
   Eigen::MatrixXd motion_;                    // motion of the floors at an output time
   Eigen::VectorXd ground_;                    // accelerations of all ground motions at that time [m/s^2]

@@ -46,7 +46,7 @@ inline constexpr int max_modes_instead = 2500;
 /// Yielding parts get two blocks, and more if the run is repeated. A structure is reduced if the number of yielding
 /// parts is at most about a quarter of the number of dynamic degrees of freedom. The shadow of a group omits the last
 /// block of the links that added directions, the last block of yielding parts, and the last five blocks of the ground.
-/// There is no shadow with a single block of the links, or for lowest modes.
+/// A shadow is not computed with a single block of the links, or for lowest modes.
 ///
 /// Cached modes are reused, bitwise identical to computed ones; new ones are stored.
 ///

@@ -1,5 +1,5 @@
 #pragma once
-/// Braces and dampers between structures in the results file.
+/// Bars and dampers between structures in the results file.
 
 #include <hdf5.h>
 

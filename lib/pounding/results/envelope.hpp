@@ -33,7 +33,7 @@ struct Quartic {
   }
 };
 
-/// Signed minimum and maximum so far of a list of quantities, and their times [s]. Of equal values the first counts.
+/// Running minimum and maximum of a list of quantities, signed, and their times [s]. Of equal values the first counts.
 struct Extremes {
   std::vector<double> min, max, t_min, t_max;
 
@@ -62,10 +62,10 @@ struct Extremes {
     }
   }
   /// Updates with values and slopes at the ends of a step of length h that starts at `time`; interior extrema are those
-  /// of the cubic through them. False if a quick bound shows that there is no new extreme.
+  /// of the cubic through them. False if a quick bound shows that the step adds no new extreme.
   bool update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
     // The cubic lies in the hull of its Bezier points: the end values, and those plus a third of the step along the end
-    // slopes. Most steps add no new extreme.
+    // slopes.
     const double third = h / 3;
     if (holds(i, end) &&
         (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end))))

@@ -15,7 +15,7 @@ class FileImage {
   /// `bytes` holds at least `size` bytes.
   FileImage(std::shared_ptr<const std::byte> bytes, std::size_t size) : bytes_(std::move(bytes)), size_(size) {}
 
-  /// True if there is no content.
+  /// True if the file is empty.
   bool empty() const { return size_ == 0; }
   /// Number of bytes, and the first of them.
   std::size_t size() const { return size_; }

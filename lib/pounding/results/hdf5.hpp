@@ -57,8 +57,8 @@ class Handle {
   Close close_;
 };
 
-/// Creates a file in memory, filled by `write`, and returns its bytes after `checked_block_size` undefined bytes; HDF5
-/// never touches the disk.
+/// In-memory file, filled by `write`: its bytes follow `checked_block_size` undefined bytes. HDF5 never touches the
+/// disk.
 FileImage file_image(const std::function<void(hid_t file)>& write);
 
 /// As `file_image`, with the checksum in its user block.
@@ -67,7 +67,7 @@ FileImage checked_image(const std::function<void(hid_t file)>& write);
 /// Opens the image of a file for `read` without copying, and closes it afterwards.
 void open_image(const FileImage& image, const std::function<void(hid_t file)>& read);
 
-/// Creates a group whose members are listed in creation order.
+/// Creates and opens one group; its members are listed in creation order.
 Handle group(hid_t parent, const std::string& name);
 
 /// Type of UTF-8 text of `size` bytes, zero-padded. Texts have a fixed length, that of the longest in a list: HDF5

@@ -9,7 +9,7 @@
 
 namespace pounding {
 
-/// Owns a file descriptor.
+/// An owning file descriptor.
 class Descriptor {
  public:
   Descriptor() = default;

@@ -18,7 +18,7 @@
 
 namespace pounding {
 
-/// One end of a link: a structure and its floor, counted from 1 at the lowest; 0 without a floor.
+/// One end of a link: a structure and its floor, counted from 1 at the lowest, or 0.
 struct NamedEnd {
   std::string structure;
   int floor = 0;
@@ -42,7 +42,7 @@ struct DeviceHistory {
   std::string name;
   NamedEnd left, right;
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
-  double stiffness = 0;                                  ///< of the brace, initial if it yields [N/m]; 0 for none
+  double stiffness = 0;                                  ///< of the bar, initial if it yields [N/m]; 0 for none
   double coefficient = 0;                                ///< of the damper [N (s/m)^exponent]; 0 for none
   double exponent = 1;
   std::vector<double> elongation, force;  ///< [m], [N]; positive in tension

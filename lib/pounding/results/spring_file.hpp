@@ -11,8 +11,8 @@
 namespace pounding {
 
 /// Writes the group `springs` of a structure: histories at the output times, and a few numbers per part under
-/// `summary`. Does nothing for an elastic structure. Throws std::invalid_argument if a history does not have `samples`
-/// values per part.
+/// `summary`. Returns immediately for an elastic structure. Throws std::invalid_argument if a history does not have
+/// `samples` values per part.
 void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples);
 
 }  // namespace pounding

@@ -14,8 +14,9 @@ namespace pounding {
 /// Counts swings of deformation. A new swing starts when the deformation reverses by more than the sum of both yield
 /// deformations; the first one when it exceeds one of them. A bilinear part yields once in each swing.
 struct CycleCounts {
-  std::vector<double> turn;    ///< largest excursion of the current swing, one per part
-  std::vector<double> swings;  ///< number so far; the current one is upwards if positive, downwards if negative
+  std::vector<double> turn;  ///< largest excursion of the current swing, one per part
+  std::vector<double>
+      swings;  ///< number including the current one, which is upwards if positive, downwards if negative
 
   /// Moves a part monotonically to a deformation; `limits` are its deformations at first yield.
   void follow(std::size_t part, double deformation, const YieldLimits& limits);
@@ -34,9 +35,9 @@ struct SpringHistory {
   std::vector<double> stiffness;           ///< initial k
   std::vector<YieldLimits> limits;         ///< deformations at the first yield
   std::vector<double> deformation, force;  ///< over time
-  std::vector<double> hysteretic;          ///< energy dissipated so far [J], over time
+  std::vector<double> hysteretic;          ///< cumulative dissipated energy [J], over time
 
-  // The following cover the whole run so far.
+  // The following cover the whole run up to now.
   Extremes deformations, forces;    ///< over all steps, including interior extrema
   std::vector<double> last;         ///< current deformation
   std::vector<double> lost;         ///< energy dissipated by yielding [J]
@@ -52,7 +53,7 @@ struct SpringHistory {
   void archive(Archive& archive);
 };
 
-/// Summary of one part over the run so far.
+/// Summary of one part over the run up to now.
 struct SpringSummary {
   std::string name, law;
   bool is_hinge = false;           ///< hinge at the end of a member
@@ -81,7 +82,7 @@ struct SpringSummary {
 
 /// One entry per part, in their order.
 std::vector<SpringSummary> summaries(const SpringHistory& springs);
-/// Part with the largest ductility; nullptr if there are no parts.
+/// Part with the largest ductility; nullptr if the list is empty.
 const SpringSummary* most_ductile(const std::vector<SpringSummary>& springs);
 
 }  // namespace pounding

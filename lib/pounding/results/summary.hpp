@@ -27,7 +27,7 @@ struct LinkSummary {
 /// Summary of the impacts of one link, without friction.
 LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts);
 
-/// Extremes of one brace or damper with their times; positive in tension.
+/// Extremes of one bar or damper with their times; positive in tension.
 struct DeviceSummary {
   std::string name;
   Extremes extremes{2};    ///< elongation [m], force [N]
