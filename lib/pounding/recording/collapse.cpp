@@ -47,8 +47,7 @@ std::string Collapse::text(double time) const {
   const Structure& s = model_.structures[maximum.structure];
   return fmt::format(
       "collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, more than the collapse_drift of "
-      "{:.3g} %;  "
-      "{}",
+      "{:.3g} %; {}",
       time, s.floors[maximum.storey].label, s.name, 100 * maximum.drift, 100 * limit_,
       yielded_parts(histories_[maximum.structure].springs));
 }

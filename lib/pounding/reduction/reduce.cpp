@@ -282,8 +282,7 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
       if (dynamic > max_natural_modes)
         throw InputError(
             fmt::format("\"{}\" has {} degrees of freedom with mass, which exceeds the limit for all of its modes; "
-                        "reduce it, or use "
-                        "sparse factors",
+                        "reduce it, or use sparse factors",
                         plan.names[k], dynamic));
       continue;
     }
