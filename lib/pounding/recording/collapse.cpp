@@ -20,7 +20,8 @@ std::string yielded_parts(const SpringHistory& springs) {
   std::ranges::stable_sort(all, std::ranges::greater{}, &SpringSummary::ductility);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) names.push_back(all[i].name);
-  return fmt::format("{} of {} parts yielded, most of all {}", all.size(), springs.size(), fmt::join(names, ", "));
+  return fmt::format("{} of {} parts yielded; largest ductility: {}", all.size(), springs.size(),
+                     fmt::join(names, ", "));
 }
 
 }  // namespace

@@ -177,8 +177,8 @@ Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& 
   return all(reported_[k]);
 }
 
-// Displacements and velocities are relative to the ground at the first support, accelerations absolute; `beside`
-// contains additional forces.
+// Displacements and velocities are relative to the ground at the first support, accelerations absolute; `beside`:
+// additional forces.
 void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& beside,
                                 const OutputInstant& at) {
   const Structure& s = model_.structures[k];

@@ -28,8 +28,7 @@ struct ModesOrigin {
 };
 
 /// A directory with one file per origin, safe for concurrent processes. A file is used only if it contains the exact
-/// origin and passes its checksum; otherwise it is rewritten. Above `max_bytes` the least recently used files are
-/// evicted.
+/// origin and passes its checksum; otherwise it is rewritten. Above `max_bytes` files are evicted in LRU order.
 class CachedModes {
  public:
   /// Creates the directory if necessary. Throws InputError, stating what to type, if it cannot be created or is not

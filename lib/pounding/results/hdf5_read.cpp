@@ -81,9 +81,9 @@ std::string fixed_text(const Handle& type, Read&& read, const char* name) {
 template <class Value>
 void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& values) {
   const Handle dataset = open_dataset(file, path);
-  const Handle space(H5Dget_space(dataset), H5Sclose, "get the size of dataset  ", path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, "get the size of dataset ", path);
   values.resize(static_cast<std::size_t>(
-      checked(H5Sget_simple_extent_npoints(space), std::string("get the size of dataset  ") + path)));
+      checked(H5Sget_simple_extent_npoints(space), std::string("get the size of dataset ") + path)));
   if (!values.empty())
     checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read dataset ") + path);
 }
@@ -92,7 +92,7 @@ void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& valu
 
 std::vector<std::size_t> shape(hid_t file, const char* path) {
   const Handle dataset = open_dataset(file, path);
-  const Handle space(H5Dget_space(dataset), H5Sclose, "get the size of dataset  ", path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, "get the size of dataset ", path);
   std::vector<hsize_t> extents(
       static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "get the size of a dataset")));
   checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "get the size of a dataset");

@@ -117,7 +117,7 @@ fs::path destination(const std::string& path, const FileKind& kind, const Descri
   if (!earlier.is_open()) refuse(path, reason(errno), other_name(kind));
   if (is_locked(earlier)) refuse_busy(path);
   if (!may_be_replaced(earlier, kind))
-    refuse(path, std::string("a file of this name exists and is not a  ").append(kind.name),
+    refuse(path, std::string("a file of this name exists and contains no ").append(kind.name),
            other_name(kind) + ", or first type: rm " + path);
   if (own.is_open())
     refuse(path, "another program has replaced it since this run last wrote it", "Name another file: -o other.h5");

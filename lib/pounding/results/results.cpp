@@ -219,7 +219,7 @@ void write_impacts(hid_t file, const Results& results) {
   std::byte* place = table.data();
   for (const ImpactRow& impact : results.impacts) {
     if (impact.link < 0 || static_cast<std::size_t>(impact.link) >= results.links.size())
-      throw std::invalid_argument("an impact refers to link  " + std::to_string(impact.link) + "; there are " +
+      throw std::invalid_argument("an impact refers to link " + std::to_string(impact.link) + "; there are " +
                                   std::to_string(results.links.size()) + " links, counted from 0");
     const std::string& name = results.links[static_cast<std::size_t>(impact.link)].name;
     std::memcpy(place, name.data(), name.size());

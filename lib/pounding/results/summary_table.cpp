@@ -42,8 +42,7 @@ std::string structures_table(const std::vector<StructureSummary>& structures,
   return text;
 }
 
-// Rotation of rigid floors in space, and the largest displacement of a corner of their plan; empty if there are no such
-// floors.
+// Rotation of rigid floors in space, and the largest displacement of a corner of their plan; empty without such floors.
 std::string torsion_table(const std::vector<StructureSummary>& structures,
                           const std::vector<StructureSummary>& without) {
   std::size_t width = 9;
@@ -253,7 +252,7 @@ std::string beyond_ultimate(const std::vector<StructureSummary>& structures) {
         if (!worst || part.plastic / part.ultimate > worst->plastic / worst->ultimate) worst = &part;
       }
     if (worst)
-      text += fmt::format("{}: {} hinge{} beyond {} ultimate rotation, most of all {} with {:.4g} of {:.4g} mrad\n",
+      text += fmt::format("{}: {} hinge{} beyond {} ultimate rotation; largest: {} with {:.4g} of {:.4g} mrad\n",
                           s.name, count, count == 1 ? "" : "s", count == 1 ? "its" : "their", worst->name,
                           1e3 * worst->plastic, 1e3 * worst->ultimate);
   }
@@ -318,8 +317,8 @@ std::string springs_table(const std::vector<StructureSummary>& structures) {
 std::string separations_table(const std::vector<LinkSeparation>& separations) {
   std::size_t width = 4;
   for (const LinkSeparation& s : separations) width = std::max(width, s.link.size());
-  std::string text =
-      fmt::format("{:<{}}         gap  sufficient gap    at (s)         ABS        SRSS         DDC\n", "link", width);
+  std::string text = fmt::format(
+      "{:<{}}         gap      sufficient gap    at (s)         ABS        SRSS         DDC\n", "link", width);
   text +=
       fmt::format("{:<{}}        (mm)                (mm)                  (mm)        (mm)        (mm)\n", "", width);
   for (const LinkSeparation& s : separations)
