@@ -20,7 +20,7 @@ struct Asking {
   /// For a link: the required parameters of the law, at typical values except for the stiffness.
   laws::Settings settings() const;
   laws::AnyLaw made(double reduced_mass) const;
-  /// Impact of two free bodies in closed form: reduced mass [kg], approach velocity [m/s].
+  /// Impact of two free bodies without time integration: reduced mass [kg], approach velocity [m/s].
   laws::FreeImpact free_impact(double reduced_mass, double speed) const;
 };
 

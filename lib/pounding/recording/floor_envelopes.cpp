@@ -145,7 +145,7 @@ void FloorEnvelopes::step_along(int k, const StepMotion& step) {
       if (envelope.drift.size() > 0 && j < storey_directions) {
         if (i > 0)
           update(envelope.drift, storey, row - directions);
-        else if (moved)  // the lowest storey drifts with its floor
+        else if (moved)  // its drift is the displacement of its floor
           envelope.drift.copy(storey, envelope.displacement, at);
       }
       if (step.presses)

@@ -276,7 +276,7 @@ bool ForceEnvelopes::parts_act() const {
   return false;
 }
 
-// For the motion in u_ and v_, at the given time before or at the instant.
+// For the motion in u_ and v_ at `time`; `instant` is the nearest one of the step.
 void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
   if (!(time > knots_.last())) return;
   for (Block& block : blocks_) follow(block, followed_, time, pressed);

@@ -74,7 +74,7 @@ void write_geometry(hid_t parent, const Geometry& geometry) {
   const Handle place = group(parent, "geometry");
   std::vector<double> nodes;
   for (const Eigen::Vector3d& p : geometry.positions) nodes.insert(nodes.end(), p.begin(), p.end());
-  array(place, {"nodes", "m", "initial positions of the nodes: x, y, z"}, nodes, {geometry.positions.size(), 3});
+  array(place, {"nodes", "m", "undeformed positions of the nodes: x, y, z"}, nodes, {geometry.positions.size(), 3});
   std::vector<int> members;
   for (const auto& ends : geometry.members) members.insert(members.end(), ends.begin(), ends.end());
   integers(place, {"members", "1", "nodes of the members, counted from 0"}, members, {geometry.members.size(), 2});

@@ -29,7 +29,7 @@ constexpr SummaryField summary_fields[] = {
     {{"peak_plastic", "m", "largest absolute plastic deformation; for hinges [rad]"}, &SpringSummary::plastic},
     {{"cycles", "1", "half the number of swings that exceed the sum of both yield deformations"},
      &SpringSummary::cycles},
-    {{"residual", "m", "deformation at the end of the run, where it may still move; for hinges [rad]"},
+    {{"residual", "m", "deformation at the end of the run, possibly still moving; for hinges [rad]"},
      &SpringSummary::residual},
     {{"hysteretic", "J", "energy dissipated by yielding"}, &SpringSummary::energy_lost},
     {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN if never"},

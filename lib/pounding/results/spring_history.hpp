@@ -65,7 +65,7 @@ struct SpringSummary {
   /// ultimate plastic rotation of a hinge [rad]; NaN if not given
   double ultimate = std::numeric_limits<double>::quiet_NaN();
   double cycles = 0;       ///< half the number of swings, see CycleCounts
-  double residual = 0;     ///< deformation at the end, where it may still move [m] or [rad]
+  double residual = 0;     ///< deformation at the end, possibly still moving [m] or [rad]
   double energy_lost = 0;  ///< [J]
   double first_yield = std::numeric_limits<double>::quiet_NaN();    ///< [s]; NaN if it stayed elastic
   double damping_shear = std::numeric_limits<double>::quiet_NaN();  ///< see SpringHistory

@@ -47,7 +47,7 @@ struct StructureSummary {
   std::vector<double> peak_rotation{}, peak_edge_displacement{};
   StructureEnvelope envelope{};
   std::vector<SpringSummary> springs{};  ///< yielding parts; empty if there are none, as are the next three
-  /// State at the end of the run, where it may still move, one entry per floor: signed along x, in space lengths of
+  /// State at the end of the run, possibly still moving, one entry per floor: signed along x, in space lengths of
   /// horizontal vectors [m]. A structure without storeys has no drift.
   std::vector<double> residual_displacement{}, residual_drift{};
   /// absolute drift divided by the storey height [-]; empty if heights are unknown

@@ -264,8 +264,9 @@ std::string residuals(const std::vector<StructureSummary>& structures) {
   std::string text;
   for (const StructureSummary& s : structures) {
     if (s.residual_displacement.empty()) continue;
-    text += fmt::format("{}: at the end, where it may still move, the residual displacement of the top is {:.4g} mm",
-                        s.name, std::abs(1e3 * s.residual_displacement.back()));
+    text += fmt::format(
+        "{}: at the end of the run, possibly still moving, the residual displacement of the top is {:.4g} mm", s.name,
+        std::abs(1e3 * s.residual_displacement.back()));
     const auto size = [](double value) { return std::abs(value); };
     if (const auto worst = std::ranges::max_element(s.residual_drift, {}, size); worst != s.residual_drift.end()) {
       const auto storey = worst - s.residual_drift.begin();
