@@ -135,9 +135,9 @@ Item make() {
   Figure exact_loops{.name = "laws_exact",
                      .of_paper = "",
                      .caption =
-                         "One impact for every law of the program with its exact calibration: loops of equal area "
-                         "but very different shape, except for the two elastic springs. The curve of komodromos hides "
-                         "that of kelvin_voigt_no_tension: they differ in the residual gap only."};
+                         "One impact for every law of the program with its exact calibration: loops of equal area but "
+                         "very different shape, except for the two elastic springs. The curve of komodromos hides that "
+                         "of kelvin_voigt_no_tension: they differ in the residual gap only."};
   run_cases(exact(), exact_table, exact_loops);
 
   const Table& t = published_table;

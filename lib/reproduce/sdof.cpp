@@ -133,9 +133,9 @@ Item make() {
                   "section 5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = "
                   "93.5$ MN/m and $CR = {}$ by Eq. 7, hence $c = {:.1f}$ kN s/m. The impact speed is {} m/s.",
                   requested, c / 1e3, speed),
-      "Eq. 1 has one mass. It is exact in contact only if the bodies are free: the relative motion of two "
-      "free bodies is that of one body with the reduced mass $m_1 m_2/(m_1+m_2)$. Bodies with springs are two "
-      "oscillators, which require Eq. 2.",
+      "Eq. 1 has one mass. It is exact in contact only if the bodies are free: the relative motion of two free bodies "
+      "is that of one body with the reduced mass $m_1 m_2/(m_1+m_2)$. Bodies with springs are two oscillators, which "
+      "require Eq. 2.",
       "In the copy used here, Eq. 2 lacks $+c$ and $+s$ at the second body. Such a link would pull body 1 without "
       "pushing body 2 by the same force. If this is not a printing error, a program that implements the printed "
       "equation creates momentum."};

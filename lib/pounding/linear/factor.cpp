@@ -57,13 +57,11 @@ void require_package(PC pc, Mat matrix, const std::string& prefix) {
   check(MatGetFactorAvailable(matrix, package, type, &available));
   if (available) return;
   const int count = processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)));
-  throw InputError(
-      count > 1
-          ? fmt::format("PETSc was built without {}, which factors a matrix on {} processes; start at most as many "
-                        "processes as there are structures, or build PETSc with MUMPS",
-                        package, count)
-          : fmt::format("PETSc was built without {}, which factors a matrix; type -{}pc_factor_mat_solver_type cholmod",
-                        package, prefix));
+  throw InputError(count > 1 ? fmt::format("PETSc was built without {}, which is required on {} processes; start at "
+                                           "most as many processes as there are structures, or build PETSc with MUMPS",
+                                           package, count)
+                             : fmt::format("PETSc was built without {}; type -{}pc_factor_mat_solver_type cholmod",
+                                           package, prefix));
 }
 
 PetscErrorCode apply_near(PC pc, Vec x, Vec y) {
