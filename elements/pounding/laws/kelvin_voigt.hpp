@@ -8,10 +8,10 @@ struct KelvinVoigtTraits {
   static constexpr std::string_view name = "kelvin_voigt", shape = "F = k d + c d', c = 2 zeta sqrt(k m)";
   static constexpr std::string_view summary = "linear spring and dashpot as published, with tension near separation";
   static constexpr std::string_view source = "Anagnostopoulos 1988, EESD 16:443";
-  static constexpr std::string_view range = "zeta < 1; from 1 on, which is e = 0, free bodies never part";
+  static constexpr std::string_view range = "zeta < 1; for zeta >= 1, which is e = 0, free bodies never separate";
   static constexpr std::string_view beware =
-      "the force jumps to c v at the touch, and pulls near separation, as published: contact lasts until d = 0; "
-      "kelvin_voigt_no_tension cuts the pull";
+      "the force jumps to c v at the touch, and pulls near separation, as published: contact lasts until d = 0. The "
+      "law kelvin_voigt_no_tension cuts off the tension";
   static constexpr bool may_pull = true, sticks_at_zero = true;
 
   static constexpr std::array formulas{
