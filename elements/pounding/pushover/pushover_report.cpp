@@ -21,7 +21,7 @@ std::string_view word(PushEvent::Kind kind) {
   return words[static_cast<int>(kind)];
 }
 
-// One kind of event at one point, of several parts.
+// Events of one kind at one point, of several parts.
 struct Happening {
   int point;
   PushEvent::Kind kind;
