@@ -39,7 +39,7 @@ class Checksum {
   std::string text() const { return fmt::format("{:016x}", value_); }
 
  private:
-  // Both operations are invertible, so different words never yield the same value. Constants of FNV-1a.
+  // Both operations are invertible, so different inputs never yield the same value. Constants of FNV-1a.
   void mix(std::uint64_t word) {
     value_ = (value_ ^ word) * 0x100000001b3;
     value_ ^= value_ >> 32;

@@ -58,7 +58,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Reads the number at the beginning of `text` and returns the rest; nullopt if there is no finite number.
+/// Reads the number at the beginning of `text` and returns the rest; nullopt unless it is finite.
 std::optional<std::string_view> leading_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') {
     text.remove_prefix(1);

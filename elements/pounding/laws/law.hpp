@@ -231,7 +231,7 @@ void check_dashpot(const L& law) {
   require_one_damping(law);
   if constexpr (requires { law.impact_velocity; })
     if (law.impact_velocity && has_coefficient)
-      throw std::invalid_argument("impact_velocity has no effect beside " + std::string(L::coefficient.name) +
+      throw std::invalid_argument("impact_velocity has no effect together with " + std::string(L::coefficient.name) +
                                   "; leave one of them out");
   if constexpr (requires { law.reduced_mass; }) {
     if (is_linear<L> && has_coefficient) return require_not_negative("reduced_mass", law.reduced_mass);

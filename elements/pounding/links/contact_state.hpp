@@ -51,7 +51,7 @@ struct ContactState {
   /// Penetration [m] for an approach of the two ends by `relative_displacement` [m] since the undeformed state.
   constexpr double penetration(double relative_displacement) const noexcept { return relative_displacement - gap; }
 
-  /// Starts an impact at this rate [m/s]; a negative one counts as zero. Calibrates the damping of the law.
+  /// Starts the next impact at this rate [m/s]; a negative one counts as zero. Calibrates the damping of the law.
   template <class Law>
   void begin(const Law& law, double rate) {
     phase = ContactPhase::approach;

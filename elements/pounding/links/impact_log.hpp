@@ -15,7 +15,7 @@ class ImpactLog {
   /// `link` is written into the rows.
   explicit ImpactLog(int link) : link_(link) {}
 
-  /// Starts an impact at this time [s] with this closing speed [m/s].
+  /// Starts the next impact at this time [s] with this closing speed [m/s].
   void begin(double time, double closing_speed);
   /// Adds an accepted step within the impact: impulse and work by Simpson's rule, peaks at both ends.
   void add(const LinkStep& step);

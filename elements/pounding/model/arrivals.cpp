@@ -78,7 +78,7 @@ class Arrivals {
             ModelOption::wave, end.structure,
             fmt::format(
                 "{} has no position in plan, and the wave reaches the faces linked to it at different positions, {} "
-                "and {} along its direction; draw it as a frame, or give it a ground_motion of its own",
+                "and {} along its direction; draw it as a frame, or give it its own ground_motion",
                 s.name, format_quantity(along(*place), dimension::length, 6),
                 format_quantity(along(*position), dimension::length, 6)));
       return false;

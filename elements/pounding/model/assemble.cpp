@@ -130,8 +130,8 @@ System assemble(const Model& model, bool with_links) {
     // A structure without supports has no period; one second is used instead.
     const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
     group.rigid_motions = s.rigid_motions;
-    // Errors are relative to the maximum motion so far; initially, to a fraction of the possible response to the ground
-    // motion.
+    // Errors are relative to the maximum motion up to then; initially, to a fraction of the possible response to the
+    // ground motion.
     const int number = static_cast<int>(i);
     if (const double minimum = plan.min_displacement(number, w); minimum > 0) group.displacement_floor = minimum;
     if (const double minimum = plan.min_velocity(number, w); minimum > 0) group.velocity_floor = minimum;

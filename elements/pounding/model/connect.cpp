@@ -67,7 +67,7 @@ void check_name(const std::string& name, const LinkOptions& options, const std::
   for (const Link& other : others)
     if (other.name == name)
       refuse(is_given ? ModelOption::link_name : ModelOption::between,
-             fmt::format("a link \"{}\" exists already; give this one a name of its own, such as name: second", name));
+             fmt::format("a link \"{}\" exists already; give this one another name, such as name: second", name));
 }
 
 void check_options(const LinkOptions& options, const ContactLaw& law, bool is_drawn) {
@@ -161,10 +161,10 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
   const auto slides = [](const Structure& s) { return !s.is_rigid() && s.dimension > 1; };
   if (!slides(a) && !slides(b))
     refuse_idle(ModelOption::friction,
-                "requires a frame: other structures move only along x and cannot slide; remove it");
+                "only for frames: other structures move only along x and cannot slide; remove it");
   if (link.contact->is_rigid())
     refuse_idle(ModelOption::friction,
-                "requires a law with a force; a stereomechanical contact has only velocity jumps");
+                "only for laws with a force; a stereomechanical contact has only velocity jumps");
 }
 
 // Rejects a gap that is closed at rest if the law requires the closing speed of an impact.

@@ -87,7 +87,7 @@ class ContactLaw {
 
   /// Reduced mass given by the user [kg]; 0 for none.
   double reduced_mass() const noexcept { return reduced_mass_; }
-  /// Creates a contact of this law with a gap [m] for the link with this index. Throws std::invalid_argument for
+  /// Creates the contact of this law with a gap [m] for the link with this index. Throws std::invalid_argument for
   /// invalid parameters of the law, and for an estimated stiffness of a law without stiffness.
   Made make(double reduced_mass, double gap, int link, const ContactStiffness& stiffness = {}) const {
     return make_(reduced_mass, gap, link, stiffness);

@@ -35,7 +35,7 @@ inline constexpr double narrowest_between_axes = 0.25;
 /// between faces.
 struct AxisAdvice {
   double halves[2] = {
-      0, 0};         ///< from each end to the surface of its columns [m]; 0 if a face was given or there is no column
+      0, 0};         ///< from each end to the surface of its columns [m]; 0 if a face was given, or without columns
   std::string text;  ///< "face: auto in A and B"
   double sum() const { return halves[0] + halves[1]; }
 };

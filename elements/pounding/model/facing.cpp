@@ -156,7 +156,7 @@ void complete(PairEnd& end, const Structure& s, ModelOption side) {
 
 void require_structure(const Model& model, int number, ModelOption side) {
   if (number < 0 || number >= static_cast<int>(model.structures.size()))
-    refuse(side, fmt::format("there is no structure {} among {}; add() gives the one to link", number,
+    refuse(side, fmt::format("structure {} is not one of the {} structures; use the handle returned by add()", number,
                              model.structures.size()));
 }
 

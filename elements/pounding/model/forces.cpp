@@ -20,7 +20,7 @@ const Row& motion_of_floor(const Structure& s, const ForceOptions& options) {
   if (!options.floor && count > 1)
     refuse(fmt::format("its location is missing; type floor: {}, or the node of a frame", count));
   const int floor = options.floor.value_or(1);
-  if (floor < 1 || floor > count) refuse(fmt::format("there is no floor {} among {}", floor, count));
+  if (floor < 1 || floor > count) refuse(fmt::format("floor {} is not one of the {} floors", floor, count));
   const std::vector<Row>& motion = s.floors[floor - 1].motion;
   std::vector<std::string> names{"ux", "uy", "rz"};
   names.resize(motion.size());

@@ -204,7 +204,7 @@ StructureHandle Model::add(const std::string& name, Structure s, const Structure
   if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
   if (!s.is_rigid() && count_of_modes(s) == 0)
     throw ModelError(ModelOption::structure,
-                     "nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 "
+                     "it has no mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 "
                      "kg/m^3 in a material");
   damp(s, options.damping, mode_solver);
   set_initial_motion(s, options);
@@ -246,7 +246,7 @@ std::vector<Support> Model::supports_on_ground(int structure) const {
     if (support.motion || support.delay == 0) continue;
     const std::string what = own.delay > 0 ? "" : fmt::format("support {} has a delay, and ", support.name);
     throw ModelError(ModelOption::delay, structure,
-                     what + "there is no ground motion here; give a ground_motion, or remove the delay")
+                     what + "the ground motion is missing; give a ground_motion, or remove the delay")
         .as_idle();
   }
   return supports;

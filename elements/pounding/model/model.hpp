@@ -309,7 +309,7 @@ System assemble(const Model& model, bool with_links = true);
 /// First unknown of each structure in the assembled system.
 std::vector<int> offsets(const Model& model);
 
-/// Initial displacements and velocities of the assembled system. Without links there is no displacement by preloads.
+/// Initial displacements and velocities of the assembled system. Without links, preloads cause no displacement.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true);
 
 /// Structures joined by bars: their indices, and the lowest frequencies of the joint system, increasing [rad/s].

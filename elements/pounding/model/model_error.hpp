@@ -58,19 +58,19 @@ class ModelError : public std::invalid_argument {
   /// An option of the structure with this number.
   ModelError(ModelOption option, int structure, const std::string& text)
       : std::invalid_argument(text), option_(option), structure_(structure) {}
-  /// The same error for an option that is not allowed here.
+  /// Marks the option as not allowed here.
   ModelError as_idle() const {
     ModelError copy = *this;
     copy.is_idle_ = true;
     return copy;
   }
-  /// The same error for one of several items, numbered from 0.
+  /// Sets the item of the option, from 0.
   ModelError of(int item) const {
     ModelError copy = *this;
     copy.item_ = item;
     return copy;
   }
-  /// The same error for a ground motion along this axis, 0 for x.
+  /// Sets the axis of the ground motion, 0 for x.
   ModelError along(int axis) const {
     ModelError copy = *this;
     copy.axis_ = axis;

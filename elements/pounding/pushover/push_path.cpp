@@ -174,7 +174,7 @@ class Pusher {
     return farthest;
   }
 
-  // A Newton step, shortened if there is no equilibrium, and ending at the first yield of a part within it.
+  // A Newton step, shortened if no equilibrium is found, and ending at the first yield of a part within it.
   PushPoint curved_step(const PushTangent& tangent, double way, double step) const {
     const auto at = [&](double part) {
       PushPoint point;
@@ -280,7 +280,7 @@ class Pusher {
 }  // namespace
 
 PushPath push(const Structure& structure, const PushOptions& options) {
-  if (structure.yielding.empty()) throw std::invalid_argument("nothing in it yields");
+  if (structure.yielding.empty()) throw std::invalid_argument("it has no yielding parts");
   if (structure.elastic)
     throw std::invalid_argument("large rotations are not supported; remove geometry: corotational");
   return Pusher(structure, options).run(options.targets);

@@ -53,14 +53,14 @@ struct PushPath {
   std::string collapse;              ///< reason why the path ends before the last target; empty if it does not
 };
 
-/// Pushes a structure under displacement control. Piecewise linear laws are followed exactly, each step ending at the
+/// Pushover analysis under displacement control. Piecewise linear laws are followed exactly, each step ending at the
 /// next corner of any part. Other laws use Newton's method in short steps, each of which is also exact unless a part
 /// reverses within it. A falling load is followed. The path ends when the structure cannot carry any load: the load
 /// falls to zero, or the yielding parts form a mechanism at constant displacement.
 ///
 /// The springs of the parts start undeformed except for gravity, and are restored. Throws std::invalid_argument for a
 /// structure with large rotations, without yielding parts, or with a part that yields under gravity alone, and like
-/// StaticYielding; SolverError if there is no equilibrium.
+/// StaticYielding; SolverError if no equilibrium is found.
 PushPath push(const Structure& structure, const PushOptions& options);
 
 }  // namespace pounding

@@ -53,7 +53,7 @@ std::vector<double> loads_of(const Structure& s, const PushoverOptions& options,
   for (const double load : loads) sum += load, size += std::abs(load);
   if (!std::isfinite(size) || !(std::abs(sum) > 1e-9 * size))
     refuse(
-        "the forces on the floors have zero sum, so there is no base shear; give other forces, or masses of the "
+        "the forces on the floors have zero sum, so the base shear is zero; give other forces, or masses of the "
         "floors");
   for (double& load : loads) load /= sum;
   return loads;
@@ -82,7 +82,7 @@ Eigen::VectorXd force_on(const Structure& s, std::size_t floor, int direction) {
 
 void check(const Structure& s, const PushoverOptions& options) {
   if (s.yielding.empty())
-    refuse("nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+    refuse("it has no yielding parts; give yield_force to an oscillator or a shear_building, or hinges to a frame");
   if (s.floors.empty()) refuse("it has no floors to push; define them under floors");
   if (options.direction < 0 ||
       static_cast<std::size_t>(options.direction) >= std::min<std::size_t>(2, s.floors.front().motion.size()))
@@ -110,7 +110,7 @@ double way_to_yield(const Structure& s, const PushPath& path) {
 void require_yield(const Structure& s, const Pushover& found) {
   if (found.first_yield()) return;
   const double way = way_to_yield(s, found.path);
-  if (!std::isfinite(way)) refuse("nothing in it yields, however far it is pushed");
+  if (!std::isfinite(way)) refuse("no part yields at any displacement");
   const double enough = 1.1 * way;
   refuse(
       fmt::format("nothing yields up to this displacement; the first part yields at a roof displacement of {}. Push it "

@@ -64,7 +64,7 @@ ColumnEnd end_of(const Structure& s, int member, bool is_start) {
   return end;
 }
 
-// True if a member connects a floor to the level below it; floors count from 0, the ground below the lowest is -1.
+// True if the member connects this floor to the level below; floors count from 0, the ground below the lowest is -1.
 bool reaches(const Structure& s, const Column& column, int floor) {
   const auto& floors = s.geometry.floor_of_node;
   const int a = s.geometry.members[column.first][0], b = s.geometry.members[column.last][1];

@@ -29,7 +29,7 @@ struct YieldingFacts {
 /// moments divided by its height.
 struct StoreyMechanism {
   std::string storey;   ///< label of the floor above it
-  double shear = 0;     ///< in the weaker direction [N]; NaN if there is no mechanism because a column stays elastic
+  double shear = 0;     ///< in the weaker direction [N]; NaN if a column stays elastic, which prevents a mechanism
   std::string elastic;  ///< first end of a column without a hinge: "column 1.0 end"; empty for none
 };
 

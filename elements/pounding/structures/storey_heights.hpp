@@ -7,7 +7,7 @@
 
 namespace pounding {
 
-/// Whether every floor says how high it stands.
+/// True if the heights of all floors are known.
 bool knows_heights(const Structure& structure);
 /// Lowest height that counts: of a node, or of the ground below a structure without nodes [m].
 double base_height(const Structure& structure);

@@ -137,7 +137,7 @@ class ContactRun {
       const double wanted = ds * std::min(maximum, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
       const Found found = first_event(links_, step_, *begin_, *end_);
       if (found.event == LinkEvent::none) {
-        // A step cut by the interval is no guide to the next one.
+        // The length of a step cut by the interval does not limit the next one.
         ds_ = ends ? std::max(ds_, wanted) : wanted;
         keep(ground, reading_ + ds);
         return;

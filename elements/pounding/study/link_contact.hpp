@@ -104,7 +104,7 @@ class LinkContact {
     return state_.margin(event, law(), penetration, rate);
   }
 
-  /// True if no margin is negative, as in most steps. `force` is that of the state [N].
+  /// True if no margin is negative, which is the usual case. `force` is that of the state [N].
   bool goes_on(double penetration, double rate, double force) const noexcept {
     if (!pressed() || !(penetration > at_least_a_trace(0, state_.impact))) return false;
     return (laws::may_pull<Law> || force > 0) &&

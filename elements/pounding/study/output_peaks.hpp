@@ -56,7 +56,7 @@ class OutputPeaks {
     }
   }
 
-  /// True if only displacements of single modes are recorded: nothing is evaluated unless a modal velocity changes
+  /// True if only displacements of single modes are recorded: evaluation is needed only if a modal velocity changes
   /// sign.
   bool are_of_modes() const noexcept { return of_oscillators_ && accelerations_.empty(); }
 
