@@ -41,8 +41,8 @@ constexpr bool presses(ContactPhase phase) noexcept {
   return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
 }
 
-/// History of one contact. Only the three functions below change it, at accepted states; restoring a copy undoes a
-/// step.
+/// History of one contact. Only the three functions below change it, at accepted states. To undo steps, restore
+/// a copy.
 struct ContactState {
   ContactPhase phase = ContactPhase::open;
   laws::Impact impact{};  ///< current impact; while the contact is open, the previous one

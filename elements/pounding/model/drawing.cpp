@@ -18,7 +18,7 @@ constexpr double widest_between_axes = 1.5;
 constexpr double about = 0.2;
 // Relative tolerance between a gap and the distance in the drawing.
 constexpr double relative_rounding = 1e-3;
-// Distances are rounded to nanometres, so that 18.02 m - 18 m is exactly 20 mm [1/m].
+// Distances are rounded to nanometres: 18.02 m - 18 m is exactly 20 mm [1/m].
 constexpr double nanometres = 1e9;
 
 std::string metres(double length) {

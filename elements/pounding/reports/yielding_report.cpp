@@ -153,10 +153,11 @@ std::string table_of(const Structure& s) {
   const auto sways = [](const StoreyMechanism& one) { return one.elastic.empty(); };
   for (const StoreyMechanism& one : mechanisms)
     if (sways(one))
-      text += fmt::format("storey {} can sway on its own, at a shear of {:.5g} kN\n", one.storey, one.shear / 1e3);
+      text +=
+          fmt::format("storey mechanism possible in storey {}, at a shear of {:.5g} kN\n", one.storey, one.shear / 1e3);
   if (!mechanisms.empty() && std::ranges::none_of(mechanisms, sways))
-    text += fmt::format("no storey can sway on its own, as columns stay elastic; in storey {} {} does\n",
-                        mechanisms.front().storey, mechanisms.front().elastic);
+    text += fmt::format("no storey mechanism, as columns stay elastic; in storey {}: {}\n", mechanisms.front().storey,
+                        mechanisms.front().elastic);
   return text;
 }
 

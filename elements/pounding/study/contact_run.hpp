@@ -126,7 +126,7 @@ class ContactRun {
       const double ds = ends ? to_end : ds_;
       const double end_time = ends ? last : clock_.at(reading_ + ds).time;
       if (!(end_time > begin_->time)) fail("steps in contact become too short");
-      if (++tries_ > settings_.max_steps) fail("there are too many steps in contact");
+      if (++tries_ > settings_.max_steps) fail("too many steps in contact");
       const double square = take(ground, ds, end_time);
       if (!(square <= 1)) {
         ds_ = ds * (square < 1e24 ? std::max(0.2, growth(square)) : 0.2);
