@@ -88,7 +88,7 @@ struct Backfill {
   std::optional<double> corner(const State& kept, double d) const noexcept {
     const double touch = gap + pressed_in(kept), deepest = gap + kept.deepest;
     const bool deeper = d > kept.deformation;
-    // A soil that was never pressed has one corner where both are.
+    // Undisturbed soil has a single corner: both coincide.
     for (const double x : {deeper ? touch : deepest, deeper ? deepest : touch})
       if (is_strictly_between(x, kept.deformation, d) && (kept.deepest > 0 || x == gap)) return x;
     return {};

@@ -40,7 +40,7 @@ struct Bilinear {
       Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &Bilinear::yield_force},
       Parameter{{"hardening", "", "ratio a of post-yield to initial stiffness", 0.05, Need::optional},
                 &Bilinear::hardening},
-      Parameter{{"negative_yield_force", "N", "magnitude Fy' of the yield force in the negative direction; default: Fy",
+      Parameter{{"negative_yield_force", "N", "magnitude Fy' of the yield force in the negative direction (default Fy)",
                  1e5, Need::extra},
                 &Bilinear::negative_yield_force}};
 

@@ -70,7 +70,7 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
                                                            [](const Bilinear::State& kept) { return kept.slip; }}};
 
   void check() const { check_rubber(*this); }
-  /// The law that it is.
+  /// The equivalent bilinear law.
   Bilinear made() const noexcept {
     const double k2 = rubber_stiffness(*this), k = k2 + strength / displacement_at_yield;
     return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k};
@@ -121,7 +121,7 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
     check_rubber(*this);
     laws::require_exponent(exponent);
   }
-  /// The law that it is.
+  /// The equivalent Bouc-Wen law.
   BoucWen made() const noexcept {
     const double k2 = rubber_stiffness(*this), k = k2 + strength / displacement_at_yield;
     return {

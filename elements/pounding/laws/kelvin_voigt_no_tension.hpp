@@ -3,7 +3,7 @@
 
 namespace pounding::laws {
 
-/// Texts and formulas of the law below.
+/// Texts and formulas of KelvinVoigtNoTension.
 struct KelvinVoigtNoTensionTraits {
   static constexpr std::string_view name = "kelvin_voigt_no_tension",
                                     shape = "F = max(0, k d + c d'), c = 2 zeta sqrt(k m)";

@@ -3,7 +3,7 @@
 
 namespace pounding::laws {
 
-/// Texts and formulas of the law below.
+/// Texts and formulas of Komodromos.
 struct KomodromosTraits {
   static constexpr std::string_view name = "komodromos",
                                     shape = "F = k d + c d' until F = 0, then the contact ends; c = 2 zeta sqrt(k m)";

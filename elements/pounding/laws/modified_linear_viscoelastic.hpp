@@ -3,7 +3,7 @@
 
 namespace pounding::laws {
 
-/// Texts and formulas of the law below.
+/// Texts and formulas of ModifiedLinearViscoelastic.
 struct ModifiedLinearViscoelasticTraits {
   static constexpr std::string_view name = "modified_linear_viscoelastic",
                                     shape = "F = k d + c d' for d' > 0, k d for d' <= 0; c = 2 zeta sqrt(k m)";
@@ -29,8 +29,8 @@ struct ModifiedLinearViscoelasticTraits {
 /// F = k d + c d' in approach (d' > 0), k d in restitution; c = 2 zeta sqrt(k m).
 ///
 /// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Mahmoud & Jankowski 2011, Iran. J. Sci. Tech.
-/// 35(C1):51. The force jumps to c v at the touch and is continuous at the reversal; the slope by d' jumps there, and
-/// at d' = 0 is that of the restitution. Never pulls.
+/// 35(C1):51. The force jumps to c v at the touch and is continuous at the reversal; dF/dd' jumps there, and
+/// at d' = 0 is that of the restitution phase. Never pulls.
 using ModifiedLinearViscoelastic = LinearDashpotLaw<ModifiedLinearViscoelasticTraits>;
 
 }  // namespace pounding::laws

@@ -37,7 +37,7 @@ struct Parameter {
     else
       law.*choice = number;
   }
-  /// Empty if it is not given.
+  /// Empty if not given.
   std::optional<double> get(const L& law) const { return value ? law.*value : law.*choice; }
 
   ParameterInfo info;

@@ -47,7 +47,7 @@ class Arrivals {
  private:
   bool is_drawn(int structure) const { return structures_[structure].surface->plan().has_value(); }
 
-  // Position of the face of an end; nullopt if its structure has no place.
+  // Position of the face of an end; nullopt if its structure has no position.
   std::optional<Eigen::Vector3d> face(const LinkEnd& end, const Meeting& meeting) const {
     if (!is_drawn(end.structure)) return places_[end.structure];
     return end.point.position + (&end == meeting.left ? 1 : -1) * end.face.value_or(0) * meeting.direction;

@@ -90,7 +90,7 @@ struct AnalysisSettings {
                                          ///< can be resumed
   Reduction reduction{};                 ///< default for all structures
   std::map<std::string, Reduction> reductions{};  ///< of single structures, by name
-  double collapse_drift = 0;  ///< storey drift ratio at which the run ends, as in a collapse analysis [-]; 0: none
+  double collapse_drift = 0;  ///< storey drift ratio at which the run ends as completed [-]; 0: none
 };
 
 /// Maximum interval between checkpoints; each one also updates the results file. Zero: not requested.

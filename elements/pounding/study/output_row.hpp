@@ -42,7 +42,7 @@ class OutputRow {
   }
 
   bool is_one_mode() const noexcept { return last_ == first_ + 1; }
-  /// Number of the first mode with a contribution.
+  /// Index of the first mode with a contribution.
   std::size_t first() const noexcept { return first_; }
   std::size_t last() const noexcept { return last_; }
   double factor(std::size_t mode) const noexcept { return r_[mode]; }

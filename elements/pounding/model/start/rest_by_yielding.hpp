@@ -12,8 +12,8 @@ namespace pounding {
 ///     K q + B F = 0,   F = phi(d0 + B^T q - R F),
 ///
 /// for monotonic loading of the parts from zero to their deformations; devices are inserted afterwards. Zero without
-/// such parts, and then empty. Resets the parts to their initial state. Throws std::invalid_argument if there is no
-/// equilibrium.
+/// such parts, and then empty. Resets the parts to their initial state. Throws std::invalid_argument if no
+/// equilibrium is found.
 Eigen::VectorXd rest_by_yielding(const Structure& structure);
 
 }  // namespace pounding
