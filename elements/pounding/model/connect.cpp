@@ -196,7 +196,7 @@ void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const bool displaced = a.initial_displacement.any() || b.initial_displacement.any();
   const std::string apart =
       are_drawn(a, b)
-          ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
+          ? fmt::format("they {} towards each other{}: move the origin of {} away by {} or more",
                         displaced ? "are displaced" : "lean", displaced ? "" : " under their loads", b.name, by)
           : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
   refuse(ModelOption::gap, fmt::format("{} and {} overlap by {} at the start; {}", a.name, b.name, by, apart));

@@ -190,7 +190,7 @@ void warn_about_gaps(const Model& model, std::vector<Warning>& warnings) {
     warnings.push_back(
         {"gap",
          fmt::format(
-             "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 where the two touch",
+             "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 if the two touch",
              narrow->name, format_quantity(narrow->gap, dimension::length))});
   if (widest->gap <= widest_gap) return;
   warnings.push_back(
