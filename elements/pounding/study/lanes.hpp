@@ -85,7 +85,7 @@ inline Pack<4> four(double a, double b, double c, double d) noexcept {
   return {Pack<2>{Pack<2>::Vector{a, b}}, Pack<2>{Pack<2>::Vector{c, d}}};
 }
 
-/// The same number in all entries.
+/// A pack of equal numbers.
 template <class P>
 constexpr P same(double x) noexcept;
 template <>
