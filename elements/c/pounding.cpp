@@ -24,7 +24,7 @@ struct pnd_law {
 
 namespace {
 
-// A fixed array needs no destructor at the end of a thread.
+// A fixed-size array: reporting an out-of-memory error allocates nothing, and threads need no cleanup.
 thread_local std::array<char, 512> last_error{};
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-/// Everything that models are built of: structures, frames, links with their laws, ground motions, the model itself and
-/// its reader. The target Pounding::elements; no PETSc.
+/// All of the modelling layer: structures, frames, links with their laws, ground motions, the model and its reader. The
+/// target Pounding::elements; no PETSc.
 
 #include <pounding/core/units.hpp>
 #include <pounding/frames/frame_structure.hpp>

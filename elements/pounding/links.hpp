@@ -1,5 +1,5 @@
 #pragma once
-/// Everything that a host's own structures need for contact: laws, gap links, friction, the list of impacts. The target
+/// Contact for the structures of a host program: laws, gap links, friction, the list of impacts. The target
 /// Pounding::links.
 
 #include <pounding/laws/all.hpp>

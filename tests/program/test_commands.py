@@ -198,8 +198,8 @@ class Warnings(ProgramTest):
         "duration: 3.0}\n", "duration: 3.0, tolerance: 0.05}\n"
     )
     TEXTS = [
-        "link left-right: the gap is 20 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and look at the origins (where it is meant: accept: [gap])",
-        "analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: accept: [tolerance])",
+        "link left-right: the gap is 20 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and check the origins (to suppress this warning: accept: [gap])",
+        "analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is typical (to suppress this warning: accept: [tolerance])",
     ]
 
     def test_are_told_by_run_and_check(self):

@@ -102,16 +102,16 @@ class Models(CorpusTest):
         for name, told in {
             "comma_after_map": ":1:11: a second YAML document, or text after the model",
             "second_document": ":8:1: a second YAML document",
-            "latin1_comment": ":1:4: the byte FC is no UTF-8; save the file as UTF-8",
-            "latin1_title": ":1:9: the byte F6 is no UTF-8",
+            "latin1_comment": ":1:4: the byte FC is not UTF-8; save the file as UTF-8",
+            "latin1_title": ":1:9: the byte F6 is not UTF-8",
             "utf16": ":1:1: this file is in UTF-16; save it as UTF-8",
             "utf16_without_mark": ":1:1: this file is in UTF-16",
             "utf32": ":1:1: this file is in UTF-32",
-            "mac_lines": ":1:25: a carriage return stands alone",
-            "zero_byte": ":1:9: the control character \\x00 stands here",
+            "mac_lines": ":1:25: isolated carriage return",
+            "zero_byte": ":1:9: control character \\x00; delete it",
             "zero_in_name": ':3:3: "a\\x00b" holds the control character \\x00',
-            "line_feed_in_name": ':3:3: structures.a\\nb: the name "a\\nb" holds a control character',
-            "tab_in_link_name": 'links[0].name: the name "a\\tb" holds a control character',
+            "line_feed_in_name": ':3:3: structures.a\\nb: the name "a\\nb" contains a control character',
+            "tab_in_link_name": 'links[0].name: the name "a\\tb" contains a control character',
             "aliases_ten_of_ten": ": more than 1000000 values have been read until here",
             "alias_of_itself": ":2:6: does an alias contain itself?",
             "merge_key": ": the merge key << is not read",
@@ -155,9 +155,9 @@ class Models(CorpusTest):
 
     def test_that_are_no_files(self):
         os.mkfifo(self.folder / "pipe.yaml")
-        self.refused("check", "pipe.yaml", told="pipe.yaml: this is a pipe and no file")
+        self.refused("check", "pipe.yaml", told="pipe.yaml: this is a pipe, not a file")
         self.refused("check", ".", told=".: this is a folder; give the YAML file in it")
-        self.refused("check", "/dev/zero", told="/dev/zero: has more than 16 MB, and a YAML file has at most that")
+        self.refused("check", "/dev/zero", told="/dev/zero: has more than 16 MB, the maximum for a YAML file")
         self.refused("check", "/dev/null", told="/dev/null:1:1: the file is empty")
         self.refused("check", "/proc/self/mem", told="/proc/self/mem: cannot be read")
         self.refused("check", "not\x1bthere.yaml", told="not\\x1bthere.yaml: no such file, or it cannot be read")
@@ -182,9 +182,9 @@ class Units(CorpusTest):
 
     def test_beyond_all_measure(self):
         for text in ("1 " + "(" * 9_000, "1 " + "(" * 4_000 + "kg" + ")" * 4_000):
-            self.refused("check", self.write(MODEL.replace("1 t", text)), told="has more than 8 brackets in each other")
+            self.refused("check", self.write(MODEL.replace("1 t", text)), told="has more than 8 nested parentheses")
         self.refused(
-            "calibrate", "--law", "hertz", "--m1", "1 " + "(" * 60_000, told="has more than 8 brackets in each other"
+            "calibrate", "--law", "hertz", "--m1", "1 " + "(" * 60_000, told="has more than 8 nested parentheses"
         )
 
     def test_on_the_command_line(self):

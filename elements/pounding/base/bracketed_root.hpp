@@ -10,9 +10,9 @@ struct Graph {
   double value, slope;
 };
 
-/// A root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's steps,
-/// bisection where they leave the bracket. The first guess is `start`; a guess that moves by less than `enough` of
-/// itself is the last.
+/// Root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's method, with
+/// bisection if an iterate leaves the bracket. The first guess is `start`; iteration ends at a relative change below
+/// `enough`.
 template <class Function>
 double bracketed_root(const Function& f, double low, double high, bool rises, double start,
                       double enough = 1e-15) noexcept {
@@ -32,7 +32,7 @@ double bracketed_root(const Function& f, double low, double high, bool rises, do
   }
   return t;
 }
-/// The first guess is the middle.
+/// Starts from the midpoint.
 template <class Function>
 double bracketed_root(const Function& f, double low, double high, bool rises) noexcept {
   return bracketed_root(f, low, high, rises, 0.5 * (low + high));

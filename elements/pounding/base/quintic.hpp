@@ -11,7 +11,7 @@ struct Jet {
   double x = 0, v = 0, a = 0;
 };
 
-/// The polynomial through two of them that are h apart.
+/// Polynomial through two of them at a distance h in time.
 class Quintic {
  public:
   constexpr Quintic(const Jet& begin, const Jet& end, double h) noexcept : h_(h) {
@@ -22,14 +22,14 @@ class Quintic {
     c_[5] = 6 * rise - 3 * slope + bend / 2;
   }
 
-  /// At a part s in [0, 1] of the step.
+  /// Values at the fraction s in [0, 1] of the step.
   constexpr Jet at(double s) const noexcept {
     const double x = c_[0] + s * (c_[1] + s * (c_[2] + s * (c_[3] + s * (c_[4] + s * c_[5]))));
     const double v = c_[1] + s * (2 * c_[2] + s * (3 * c_[3] + s * (4 * c_[4] + s * 5 * c_[5])));
     const double a = 2 * c_[2] + s * (6 * c_[3] + s * (12 * c_[4] + s * 20 * c_[5]));
     return {x, v / h_, a / (h_ * h_)};
   }
-  /// Where x turns, for velocities of opposite sign at the ends.
+  /// Fraction s at which x has its extremum, for velocities of opposite sign at the ends.
   double turn(bool velocity_rises) const noexcept {
     return bracketed_root(
         [&](double s) {

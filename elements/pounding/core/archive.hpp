@@ -1,6 +1,6 @@
 #pragma once
-/// State as bytes, for going back a step and for checkpoints: one function names the fields, for writing and for
-/// reading. archive_eigen.hpp adds matrices.
+/// State as bytes, for rejected steps and checkpoints. One function lists the fields, for both writing and reading.
+/// archive_eigen.hpp adds matrices.
 
 #include <cstddef>
 #include <cstring>
@@ -14,28 +14,28 @@ namespace pounding {
 
 class Archive;
 
-/// A class that says which of its members make its state.
+/// A class that lists the members of its state.
 template <class T>
 concept Archived = requires(T& value, Archive& archive) { value.archive(archive); };
 
-/// A value whose bytes are its state. A class that is archived by members may hold references, whose bytes mean nothing
-/// later.
+/// A value whose bytes are its state. A class with an archive function may contain references, whose bytes cannot be
+/// restored.
 template <class T>
 concept PlainBytes = std::is_trivially_copyable_v<T> && !Archived<T>;
 
-/// `archive(x)` appends x when writing and replaces it when reading, with the same bits. The bytes are those of this
-/// machine: they are read on the same kind of machine, by the same version of the program.
+/// `archive(x)` appends x when writing and replaces it when reading, bitwise identical. The bytes are not portable:
+/// they are read on the same kind of machine, by the same version of the program.
 class Archive {
  public:
-  /// An empty archive, for writing.
+  /// Creates an empty archive, for writing.
   Archive() = default;
-  /// An archive of these bytes, for reading.
+  /// Creates an archive of these bytes, for reading.
   explicit Archive(std::vector<std::byte> bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
-  /// True when reading; and the bytes written so far or to be read.
+  /// True when reading; and the bytes that were written or will be read.
   bool reading() const { return reading_; }
   const std::vector<std::byte>& bytes() const { return bytes_; }
-  /// Starts over: empties the archive for writing but keeps its memory, or reads again from the first byte.
+  /// Restarts: empties the archive for writing but keeps its memory, or reads again from the first byte.
   void rewind_for_writing() {
     bytes_.clear();
     reading_ = false;
@@ -47,10 +47,10 @@ class Archive {
   }
   /// Throws std::runtime_error unless all bytes were read.
   void expect_end() const {
-    if (position_ != bytes_.size()) throw std::runtime_error("the saved state holds more than is expected");
+    if (position_ != bytes_.size()) throw std::runtime_error("the saved state has unexpected bytes at its end");
   }
 
-  /// Values, lists and texts, with their sizes. Throws std::runtime_error for bytes that end early.
+  /// Values, lists and strings, with their sizes. Throws std::runtime_error if the bytes end early.
   template <PlainBytes T>
   void operator()(T& value) {
     raw(&value, sizeof(T));
@@ -82,14 +82,14 @@ class Archive {
     archive_value(*this, value);
   }
 
-  /// The parts that such a function is made of. A number of items: written, or read and returned. Throws
-  /// std::runtime_error for a number that the bytes cannot hold.
+  /// Building blocks of such a function. A number of items: written, or read and returned. Throws std::runtime_error if
+  /// the remaining bytes cannot contain that many.
   std::size_t count(std::size_t size) {
     (*this)(size);
     if (reading_ && size > bytes_.size()) throw std::runtime_error("the saved state is damaged");
     return size;
   }
-  /// `size` bytes at `data`: written, or read into it.
+  /// `size` bytes at `data`: written, or read into that memory.
   void raw(void* data, std::size_t size) {
     if (size == 0) return;
     if (!reading_) {

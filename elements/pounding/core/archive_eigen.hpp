@@ -10,12 +10,12 @@
 
 namespace pounding {
 
-/// Rows, columns and entries, column by column. Throws as Archive does.
+/// Rows, columns and entries, column by column. Throws like Archive.
 template <int Columns>
 void archive_value(Archive& archive, Eigen::Matrix<double, Eigen::Dynamic, Columns>& m) {
   const std::size_t rows = archive.count(static_cast<std::size_t>(m.rows()));
   const std::size_t columns = archive.count(static_cast<std::size_t>(m.cols()));
-  // Eigen checks neither the columns of a vector nor whether there are bytes for all entries.
+  // Eigen checks neither the number of columns of a vector nor the number of bytes for the entries.
   const bool fits = Columns == Eigen::Dynamic || static_cast<Eigen::Index>(columns) == Columns;
   if (archive.reading() && (!fits || rows * columns > archive.bytes().size()))
     throw std::runtime_error("the saved state is damaged");

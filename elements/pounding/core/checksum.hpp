@@ -1,5 +1,5 @@
 #pragma once
-/// A checksum that shows whether data have changed.
+/// Checksum that detects changed data.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace pounding {
 
-/// A 64-bit number from everything that was added, in that order. One changed bit always changes it, other damage
-/// nearly always; it gives no protection against deliberate changes.
+/// 64-bit number of all added data, in their order. A single changed bit always changes it, other damage almost always;
+/// it does not protect against deliberate changes.
 class Checksum {
  public:
   /// Adds the number of bytes and the bytes.
@@ -35,11 +35,11 @@ class Checksum {
   void add(const std::vector<T>& values) {
     add(values.data(), sizeof(T) * values.size());
   }
-  /// The number in hexadecimal.
+  /// The value in hexadecimal.
   std::string text() const { return fmt::format("{:016x}", value_); }
 
  private:
-  // Both steps are invertible, so that two different words never give the same number. Constants of FNV-1a.
+  // Both operations are invertible, so different inputs never yield the same value. Constants of FNV-1a.
   void mix(std::uint64_t word) {
     value_ = (value_ ^ word) * 0x100000001b3;
     value_ ^= value_ >> 32;

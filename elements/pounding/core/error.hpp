@@ -10,14 +10,14 @@
 
 namespace pounding {
 
-/// Wrong input. The text says where it is, what was read, what is allowed and what to type; it is UTF-8 and can be
-/// printed, whatever was read. Exit code 2 of the program.
+/// Invalid input. The message states the location, what was read, what is allowed and what to type. It is printable
+/// UTF-8, whatever was read. Exit code 2 of the program.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view text);
 };
 
-/// A solve that failed. The text says at which time and why. Exit code 3 of the program.
+/// Failed solve. The message states the time and the reason. Exit code 3 of the program.
 class SolverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

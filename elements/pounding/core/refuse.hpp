@@ -1,5 +1,5 @@
 #pragma once
-/// Refusals of values that a caller gave.
+/// Rejects invalid arguments.
 
 #include <stdexcept>
 #include <string>

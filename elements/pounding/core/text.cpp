@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 constexpr std::size_t longest_name = 200;
 
-// "UTF-16" or "UTF-32" where the first bytes are its mark, or zeros beside the first letter; else nothing.
+// "UTF-16" or "UTF-32" if the first bytes are a byte order mark, or zeros next to the first letter; otherwise empty.
 std::string_view other_encoding(std::string_view text) {
   const auto begins = [&](std::string_view bytes) { return text.starts_with(bytes); };
   using namespace std::string_view_literals;
@@ -43,7 +43,7 @@ std::string read_text_file(const std::string& path, std::string_view kind, std::
   const bool is_pipe = std::filesystem::is_fifo(status) || std::filesystem::is_socket(status);
   if (is_pipe && !path.starts_with("/dev/"))
     throw InputError(
-        fmt::format("{}: this is a pipe and no file; write it to a file, or read it from /dev/stdin", excerpt(path)));
+        fmt::format("{}: this is a pipe, not a file; write it to a file, or read it from /dev/stdin", excerpt(path)));
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", excerpt(path)));
   std::string text;
@@ -52,7 +52,7 @@ std::string read_text_file(const std::string& path, std::string_view kind, std::
     file.read(part.data(), part.size());
     text.append(part.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > maximum)
-      throw InputError(fmt::format("{}: has more than {} MB, and a {} has at most that; is it the right file?",
+      throw InputError(fmt::format("{}: has more than {} MB, the maximum for a {}; is it the right file?",
                                    excerpt(path), maximum / 1'000'000, kind));
   }
   if (file.bad()) throw InputError(fmt::format("{}: cannot be read", excerpt(path)));
@@ -73,15 +73,14 @@ std::optional<WrongText> wrong_text(std::string_view text) {
     if (!c.is_valid)
       return WrongText{
           line, column,
-          fmt::format("the byte {:02X} is no UTF-8; save the file as UTF-8 (Latin-1 writes letters such as \u00e4 so)",
-                      c.code)};
+          fmt::format(
+              "the byte {:02X} is not UTF-8; save the file as UTF-8 (Latin-1 encodes letters such as \u00e4 this way)",
+              c.code)};
     const bool ends_line = c.code == '\n' || (c.code == '\r' && text.size() > 1 && text[1] == '\n');
     if (c.code == '\r' && !ends_line)
-      return WrongText{line, column,
-                       "a carriage return stands alone; save the file with the ends of lines of Unix or Windows"};
+      return WrongText{line, column, "isolated carriage return; save the file with Unix or Windows line endings"};
     if (is_control(c.code) && !ends_line && c.code != '\t')
-      return WrongText{line, column,
-                       fmt::format("the control character {} stands here; delete it", excerpt(text.substr(0, c.size)))};
+      return WrongText{line, column, fmt::format("control character {}; delete it", excerpt(text.substr(0, c.size)))};
     ++column;
     if (c.code == '\n') {
       ++line;
@@ -123,8 +122,8 @@ std::string wrong_name(std::string_view name) {
   for (std::string_view rest = name; !rest.empty();) {
     const Character c = first_character(rest);
     if (!c.is_valid || is_control(c.code))
-      return fmt::format("the name \"{}\" holds {}; type letters, digits and blanks", excerpt(name),
-                         c.is_valid ? "a control character" : "bytes that are no UTF-8");
+      return fmt::format("the name \"{}\" contains {}; type letters, digits and spaces", excerpt(name),
+                         c.is_valid ? "a control character" : "bytes that are not UTF-8");
     rest.remove_prefix(c.size);
   }
   return {};

@@ -1,5 +1,5 @@
 #pragma once
-/// The names of the units that parse_unit() knows, for lists of them.
+/// Names of the units accepted by parse_unit(), for lists of them.
 
 #include <string_view>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// Every unit of this dimension that has a name of its own: "m", "mm", "cm" ... of a length.
+/// All named units of this dimension: "m", "mm", "cm" ... for a length.
 std::vector<std::string_view> unit_names(const Dimension& dimension);
 
 }  // namespace pounding

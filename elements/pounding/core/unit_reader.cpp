@@ -86,7 +86,7 @@ bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// "kN m" of "kNm", in any case; empty for what is not two units one behind the other, or is one in another case.
+// "kN m" for "kNm", in any case; empty if the name is not the product of two units, or is a unit in another case.
 std::string product_of_two(std::string_view name) {
   for (const NamedUnit& unit : named_units)
     if (std::ranges::equal(unit.name, name, same_letter)) return {};
@@ -98,11 +98,11 @@ std::string product_of_two(std::string_view name) {
   return {};
 }
 
-/// Brackets in brackets that a unit may have.
+/// Maximum nesting depth of parentheses in a unit.
 constexpr int deepest_bracket = 8;
 
 /// Grammar: product = factor { [*] factor } { / factor };  factor = (name | "(" product ")") [[^] number];
-/// "1" stands before a "/" only.
+/// "1" is allowed only before a "/".
 class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : text_(text) {}
@@ -134,13 +134,13 @@ class UnitReader {
 
   Unit read_factor() {
     skip_blanks();
-    if (at_end()) throw InputError(fmt::format("unit \"{}\" ends where a unit should follow", excerpt(text_)));
+    if (at_end()) throw InputError(fmt::format("unit \"{}\" ends before a unit", excerpt(text_)));
     Unit unit;
     if (text_[position_] == '(') {
       ++position_;
       if (++depth_ > deepest_bracket)
         throw InputError(
-            fmt::format("unit \"{}\" has more than {} brackets in each other", excerpt(text_), deepest_bracket));
+            fmt::format("unit \"{}\" has more than {} nested parentheses", excerpt(text_), deepest_bracket));
       unit = read_product();
       if (at_end()) throw InputError(fmt::format("unit \"{}\" lacks a \")\"", excerpt(text_)));
       ++position_;
@@ -164,13 +164,13 @@ class UnitReader {
       if (candidate.name == name) return candidate.unit;
     if (const std::string apart = product_of_two(name); !apart.empty())
       throw InputError(
-          fmt::format("unknown unit \"{}\". Did you mean \"{}\"? Units stand apart", excerpt(name), apart));
+          fmt::format("unknown unit \"{}\". Did you mean \"{}\"? Separate the units by a space", excerpt(name), apart));
     std::vector<std::string_view> names;
     for (const NamedUnit& candidate : named_units) names.push_back(candidate.name);
     throw InputError(fmt::format("unknown unit \"{}\".{}", excerpt(name), suggestion(name, names)));
   }
 
-  /// "^1.5", "^-2"; "m/s2" is common enough to be read as "m/s^2".
+  /// "^1.5", "^-2"; "m/s2" is common enough to be accepted as "m/s^2".
   Unit read_exponent(const Unit& unit) {
     const bool marked = !at_end() && text_[position_] == '^';
     if (marked) ++position_;
@@ -189,7 +189,7 @@ class UnitReader {
   }
   [[noreturn]] void fail_ambiguous() const {
     throw InputError(
-        fmt::format("unit \"{}\" can be read in two ways; type the product first, as in \"N s/m\", "
+        fmt::format("unit \"{}\" is ambiguous; type the product first, as in \"N s/m\", "
                     "or use parentheses, as in \"N/(m s)\"",
                     excerpt(text_)));
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The grammar of units.
+/// Grammar of units.
 
 #include <string_view>
 
@@ -10,7 +10,7 @@ namespace pounding {
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-/// Reads "kN/m^1.5", "N s/m", "m/s2"; `text` begins and ends with other letters than blanks. Throws as parse_unit.
+/// Reads "kN/m^1.5", "N s/m", "m/s2"; `text` neither begins nor ends with a blank. Throws like parse_unit.
 Unit read_unit(std::string_view text);
 
 }  // namespace pounding

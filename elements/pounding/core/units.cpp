@@ -58,7 +58,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Reads the number at the beginning of `text` and returns the rest; nothing when there is no finite number.
+/// Reads the number at the beginning of `text` and returns the rest; nullopt unless it is finite.
 std::optional<std::string_view> leading_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') {
     text.remove_prefix(1);
@@ -69,7 +69,7 @@ std::optional<std::string_view> leading_number(std::string_view text, double& va
   return std::string_view(end, static_cast<std::size_t>(text.data() + text.size() - end));
 }
 
-/// "1.5 mm" of "1,5 mm"; of "93,500 kN/m", which may be thousands, "93500 kN/m or 93.500 kN/m".
+/// "1.5 mm" for "1,5 mm"; "93500 kN/m or 93.500 kN/m" for "93,500 kN/m", which may be thousands.
 std::string without_comma(std::string_view text) {
   const std::size_t comma = text.find(',');
   std::string with_point(text), thousands(text);
@@ -90,7 +90,7 @@ struct Scale {
   std::string_view unit;
 };
 
-/// Units for reports, largest first: the first unit not larger than the value is used, else the last one.
+/// Units for reports, in decreasing order: the first unit not larger than the value is used, otherwise the last one.
 std::vector<Scale> report_scales(const Dimension& d) {
   if (d == dimension::length) return {{1, "m"}, {1e-3, "mm"}};
   if (d == dimension::time) return {{1, "s"}, {1e-3, "ms"}};
@@ -151,7 +151,7 @@ double parse_quantity(std::string_view text, const Dimension& expected) {
 
 std::string unit_text(const Dimension& dimension) {
   if (const NamedDimension* const known = named(dimension)) return std::string(known->unit);
-  // A mass with 1/s^2 reads better as a force.
+  // A mass with 1/s^2 is more readable as a force.
   Dimension rest = dimension;
   std::string_view heavy = "kg";
   if (rest.mass != 0 && rest.time <= -2 * rest.mass) {
@@ -185,7 +185,7 @@ std::string quantity_example(const Dimension& dimension) {
 }
 
 std::string format_quantity(double value, const Dimension& dimension, int digits) {
-  // Rounding first: 0.99996 m with four digits is 1 m, not 1000 mm.
+  // Rounds first: 0.99996 m with four digits is 1 m, not 1000 mm.
   const double rounded = std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
   const std::vector<Scale> scales = report_scales(dimension);
   double factor = 1;

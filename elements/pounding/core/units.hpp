@@ -16,7 +16,7 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-/// The dimensions of the inputs.
+/// Dimensions of input values.
 namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension mass{1, 0, 0};
@@ -42,7 +42,7 @@ inline constexpr Dimension mass_per_area{1, -2, 0};
 inline constexpr Dimension rotational_inertia{1, 2, 0};
 }  // namespace dimension
 
-/// A unit: its dimension, and its value in SI units.
+/// A unit: its dimension and its value in SI.
 struct Unit {
   Dimension dimension;
   double factor = 1;
@@ -50,33 +50,32 @@ struct Unit {
 
 /// Reads products and quotients of the known units: "kN/m^1.5", "N s/m", "kN/(m s)", "m/s2", "1/s"; "", "1" and "-" are
 /// pure numbers. `g` is standard gravity, 9.80665 m/s^2. `Hz` is 1/s and `rad` is 1, so "1 rad/s" and "1 Hz" are the
-/// same number: whoever takes a frequency says which one is meant. `lb` and `lbm` are masses, `lbf` and `kip` are
-/// forces; `tf` and `tonf` are the weight of a tonne, 9.80665 kN. Throws InputError for an unknown unit, with the
-/// nearest known one, and for "kN/m s", which can be read in two ways.
+/// same number: the caller defines which one is meant. `lb` and `lbm` are masses, `lbf` and `kip` are forces; `tf` and
+/// `tonf` are the weight of a tonne, 9.80665 kN. Throws InputError for an unknown unit, with the nearest known one, and
+/// for "kN/m s", which is ambiguous.
 Unit parse_unit(std::string_view unit);
 
-/// The dimension of a unit; throws as parse_unit.
+/// Dimension of a unit; throws like parse_unit.
 Dimension parse_unit_dimension(std::string_view unit);
 
-/// Value in SI of a number with its unit, or of a bare number, which counts as SI. Throws InputError, without line and
-/// column, for another dimension, an unknown unit, a text that is no number, NaN and infinity:
+/// Value in SI of a number with its unit, or of a number without unit, which is in SI. Throws InputError, without line
+/// and column, for another dimension, an unknown unit, a text that is not a number, NaN and infinity:
 ///     takes a length such as "20 mm"; "20 kN" is a force
 double parse_quantity(std::string_view text, const Dimension& expected);
 
-/// Reads a finite number such as "2.75e9". False when the text is anything else, or more than that.
+/// Reads a finite number such as "2.75e9". Returns false for any other text.
 bool parse_number(std::string_view text, double& value);
 
 /// The SI unit of a dimension: "N/m", "m/s^2", "N/m^1.5"; "" for a pure number.
 std::string unit_text(const Dimension& dimension);
 
-/// Name of a dimension: "a length", "a stiffness", else "a quantity in N/m^1.2".
+/// Name of a dimension: "a length", "a stiffness", otherwise "a quantity in N/m^1.2".
 std::string quantity_name(const Dimension& dimension);
 
-/// An example of a value with this dimension, as a user types it: "20 mm".
+/// Example of a value with this dimension, as a user would type it: "20 mm".
 std::string quantity_example(const Dimension& dimension);
 
-/// A value for a report, `digits` significant digits, in the unit an engineer would choose: "20 mm", "1.27 MN", "3.5
-/// t".
+/// Value for a report, with `digits` significant digits, in a customary unit: "20 mm", "1.27 MN", "3.5 t".
 std::string format_quantity(double value, const Dimension& dimension, int digits = 4);
 
 }  // namespace pounding

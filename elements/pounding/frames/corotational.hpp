@@ -116,7 +116,7 @@ class CorotationalFrame {
   /// Symmetric, with a constant sparsity pattern; at q = 0 the linear stiffness K.
   Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;
 
-  /// See CorotationalBeam::end_forces; members are numbered as they were given.
+  /// See CorotationalBeam::end_forces; members are numbered in the given order.
   Vector12 end_forces(int member, const Eigen::VectorXd& q) const;
   /// See CorotationalBeam::axes.
   Eigen::Matrix3d axes(int member, const Eigen::VectorXd& q) const;
@@ -128,16 +128,17 @@ class CorotationalFrame {
   /// has factor 1. Bifurcations are not detected: a perfect column remains straight beyond its buckling load. Throws
   /// SolverError with the load factor reached.
   std::vector<Equilibrium> solve(const Eigen::VectorXd& load, int steps) const;
-  /// The path by arc length (Riks; Keller 1977) from the undeformed state on, through limit points and snap-backs: this
-  /// many points, of which the first is at about `first_factor`; distances along the path stay below that one.
+  /// Follows the path from the undeformed state by arc length (Riks; Keller 1977), through limit points and snap-backs,
+  /// for this number of points. The first is at about `first_factor`; distances along the path do not exceed its
+  /// distance.
   std::vector<Equilibrium> follow(const Eigen::VectorXd& load, double first_factor, int points) const;
 
  private:
   struct Member {
     CorotationalBeam beam;
     std::vector<Eigen::Triplet<double>> rows;  // displacement of the member, unknown, factor
-    std::vector<int> places;                   // of each pair of rows in the values of the tangent, first index fastest
-    Matrix12 linear;                           // tangent at rest
+    std::vector<int> places;  // index of each pair of rows in the values of the tangent, first index fastest
+    Matrix12 linear;          // tangent at rest
   };
   class Path;
 

@@ -19,12 +19,13 @@ using Eigen::VectorXd;
 
 namespace {
 
-// If this stalls, the path cannot be followed with steps that still differ from rounding.
-constexpr double shortest_arc = 1e-6;  // of the first
-constexpr int few_iterations = 4;      // after which the next step is longer
-// Norm of the residual against the load, each row over the root of its stiffness so that forces and moments compare.
+// Minimum arc length, above the level of round-off.
+constexpr double shortest_arc = 1e-6;  // relative to the first
+constexpr int few_iterations = 4;      // maximum number after which the next step is longer
+// Norm of the residual relative to the load; each row is divided by the square root of its stiffness, to make
+// forces and moments comparable.
 constexpr double tolerance = 1e-9;
-constexpr int max_iterations = 30;  // of Newton's method, before a step is called failed
+constexpr int max_iterations = 30;  // maximum number of Newton iterations per step
 constexpr int max_points = 2000;    // on a path by arc length
 
 }  // namespace
@@ -85,7 +86,7 @@ class CorotationalFrame::Path {
       return;
     }
     throw SolverError("the load was not reached in " + std::to_string(max_points) +
-                      " points by arc length; the last is at the load factor " + std::to_string(points_.back().factor));
+                      " points by arc length; last load factor: " + std::to_string(points_.back().factor));
   }
 
  private:
@@ -152,7 +153,7 @@ class CorotationalFrame::Path {
 };
 
 std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const VectorXd& load, int steps) const {
-  if (steps < 1) throw std::invalid_argument("a load is applied in one step at least");
+  if (steps < 1) throw std::invalid_argument("the number of load steps must be at least 1");
   Path path(*this, load, 1.0 / steps);
   for (int k = 1; k <= steps; ++k)
     if (!path.load_step(static_cast<double>(k) / steps)) {

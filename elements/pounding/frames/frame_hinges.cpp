@@ -184,8 +184,8 @@ void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forc
   const bool is_smooth = !spring.corner(1e3 * yield) && !spring.corner(-1e3 * yield);
   if (corner || (is_smooth && std::abs(at) > yield))
     refuse(
-        fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it "
-                    "a yield moment above that, or lighten what it carries",
+        fmt::format("hinge {}: its moment at rest, under gravity and loads, is {}, but it yields at {}; increase its "
+                    "yield moment or reduce the loads",
                     part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
 }
 

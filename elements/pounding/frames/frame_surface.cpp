@@ -55,8 +55,8 @@ std::string beside_hinge(const Frame& frame, int member, double along) {
   };
   while (more < 100 && hits_an_end()) ++more;
   return fmt::format(
-      "member {} has a hinge and is not hit between its ends; type members: {{{}: {{parts: {}}}}}, so that a part "
-      "without a hinge is hit",
+      "member {} has a hinge and cannot be hit between its ends; type members: {{{}: {{parts: {}}}}}, so that the "
+      "contact is on a part without a hinge",
       part, whole, more);
 }
 
@@ -358,8 +358,8 @@ ContactPoint FrameSurface::pushed(ContactPoint point, int axis) const {
     const auto& [node, dof] = assembled_->unknowns[it.index()];
     const std::string name = assembled_->node_names[node];
     refuse(
-        fmt::format("a push there acts on {0} of node {1}, which has no mass; type masses: {{{1}: {{{0}: {2}}}}}, or "
-                    "mass: consistent with a density",
+        fmt::format("a contact force there acts on {0} of node {1}, which is massless; type masses: {{{1}: {{{0}: "
+                    "{2}}}}}, or mass: consistent with a density",
                     pounding::name(dof), name, dof < Dof::rx ? "1 t" : "100 kg m^2"));
   }
   return point;

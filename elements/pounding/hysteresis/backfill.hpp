@@ -24,12 +24,12 @@ struct Backfill {
       "soil behind a wall: hyperbolic loading, steeper unloading, no tension (HyperbolicGapMaterial)";
   static constexpr std::string_view source = "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248";
   static constexpr std::string_view symbols =
-      "x = d - gap [m], K [N/m] initial stiffness, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate "
-      "passive force, Rf [-] failure ratio, r [m] what stays pressed in";
-  static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1, gap >= 0; d > 0 presses";
+      "x = d - gap [m], K [N/m] initial stiffness, K_ur [N/m] unloading and reloading stiffness, Fu [N] ultimate "
+      "passive force, Rf [-] failure ratio, r [m] residual depth";
+  static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1, gap >= 0; d > 0 is compression";
   static constexpr std::string_view beware =
-      "it acts on one side only and has no dashpot; for small gaps the soil is met at once and what is pressed in "
-      "stays a gap for the rest of the run";
+      "acts on one side only, without a dashpot. With a small gap the wall touches the soil immediately, and the "
+      "residual depth remains a gap for the rest of the run";
   static constexpr bool is_symmetric = false;
 
   double initial_stiffness = 0;  ///< K > 0 [N/m]
@@ -40,11 +40,11 @@ struct Backfill {
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness K", 2.5e8}, &Backfill::initial_stiffness},
-      Parameter{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
+      Parameter{{"unloading", "N/m", "unloading and reloading stiffness K_ur", 5e8}, &Backfill::unloading},
+      Parameter{{"failure_ratio", "", "ratio Rf of the ultimate force to the asymptote of the hyperbola", 0.75},
                 &Backfill::failure_ratio},
       Parameter{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength},
-      Parameter{{"gap", "m", "gap before the wall meets the soil", 0, Need::optional}, &Backfill::gap}};
+      Parameter{{"gap", "m", "initial gap between wall and soil", 0, Need::optional}, &Backfill::gap}};
 
   /// State [m].
   struct State {
@@ -88,7 +88,7 @@ struct Backfill {
   std::optional<double> corner(const State& kept, double d) const noexcept {
     const double touch = gap + pressed_in(kept), deepest = gap + kept.deepest;
     const bool deeper = d > kept.deformation;
-    // A soil that was never pressed has one corner where both are.
+    // Undisturbed soil has a single corner: both coincide.
     for (const double x : {deeper ? touch : deepest, deeper ? deepest : touch})
       if (is_strictly_between(x, kept.deformation, d) && (kept.deepest > 0 || x == gap)) return x;
     return {};

@@ -37,9 +37,10 @@ struct Bilinear {
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
-      Parameter{{"yield_force", "N", "force at the first yield Fy", 1.5e5}, &Bilinear::yield_force},
-      Parameter{{"hardening", "", "stiffness after the yield over k, a", 0.05, Need::optional}, &Bilinear::hardening},
-      Parameter{{"negative_yield_force", "N", "size of the yield force in the other direction Fy', as Fy unless given",
+      Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &Bilinear::yield_force},
+      Parameter{{"hardening", "", "ratio a of post-yield to initial stiffness", 0.05, Need::optional},
+                &Bilinear::hardening},
+      Parameter{{"negative_yield_force", "N", "magnitude Fy' of the yield force in the negative direction (default Fy)",
                  1e5, Need::extra},
                 &Bilinear::negative_yield_force}};
 

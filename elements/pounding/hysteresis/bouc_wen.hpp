@@ -33,12 +33,12 @@ struct BoucWen {
   static constexpr std::string_view source =
       "Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, dy = Fy/k [m], Fy [N] yield force, a [-] hardening, n [-] sharpness of the knee, g "
-      "= gamma/(beta + gamma) [-], z [m] elastic part of the deformation";
+      "k [N/m] initial stiffness, dy = Fy/k [m], Fy [N] yield force, a [-] hardening ratio, n [-] sharpness of the "
+      "transition, g = gamma/(beta + gamma) [-], z [m] elastic part of the deformation";
   static constexpr std::string_view range = "0 <= a < 1, n >= 1, 0 <= g <= 1/2";
   static constexpr std::string_view beware =
-      "small cycles about a steady force creep: between 0.2 and 0.8 Fy by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, "
-      "5; codes that integrate z over the step have an error of the order of the step, this one has none";
+      "small cycles about a constant force ratchet: between 0.2 and 0.8 Fy by 0.79, 0.30, 0.05 dy per cycle for n = 1, "
+      "2, 5. In contrast to codes that integrate z numerically, results do not depend on the step";
   static constexpr bool has_corners = false;
 
   double initial_stiffness = 0;  ///< k > 0 [N/m]
@@ -50,9 +50,9 @@ struct BoucWen {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &BoucWen::initial_stiffness},
       Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &BoucWen::yield_force},
-      Parameter{{"hardening", "", "stiffness of large deformations over k, a", 0.05, Need::optional},
+      Parameter{{"hardening", "", "ratio a of post-yield to initial stiffness", 0.05, Need::optional},
                 &BoucWen::hardening},
-      Parameter{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &BoucWen::exponent},
+      Parameter{{"exponent", "", "sharpness n of the transition", 2, Need::optional}, &BoucWen::exponent},
       Parameter{{"gamma_share", "", "g = gamma/(beta + gamma)", 0.5, Need::optional}, &BoucWen::gamma_share}};
 
   /// State [m].

@@ -30,7 +30,7 @@ constexpr Entry Entry::of() {
   return e;
 }
 
-/// Sets a choice by its name and word. Throws std::invalid_argument for what the law does not have.
+/// Sets a choice to a keyword. Throws std::invalid_argument for an unknown name or keyword.
 template <Law L>
 void choose(L& law, std::string_view name, std::string_view word) {
   std::vector<std::string_view> known;

@@ -29,21 +29,21 @@ struct Entry {
   std::string_view beware;   ///< limitations and unexpected properties
   std::span<const ParameterInfo> parameters;
   std::span<const ChoiceInfo> choices;
-  std::span<const StateInfo> state;  ///< what it remembers beside the deformation
-  bool has_corners = true;           ///< whether the slope jumps elsewhere than at turning points
-  bool is_symmetric = true;          ///< whether f(-d) = -f(d) on the mirrored path, with typical parameters
+  std::span<const StateInfo> state;  ///< state variables, except the deformation
+  bool has_corners = true;           ///< false if the slope jumps only at reversals
+  bool is_symmetric = true;          ///< true if f(-d) = -f(d) on the mirrored path, with typical parameters
 
-  /// The entry of a law, from its members.
+  /// Entry of a law, from its members.
   template <Law L>
   static constexpr Entry of();
 };
 
-/// The message about a law that is not in the catalogue.
+/// Message about an unknown law.
 inline std::string unknown_law(std::string_view name, std::span<const Entry> catalogue) {
-  return "unknown law of yielding \"" + excerpt(name) + "\"." + suggestion(name, laws::names(catalogue));
+  return "unknown hysteretic law \"" + excerpt(name) + "\"." + suggestion(name, laws::names(catalogue));
 }
 
-/// Settings of a law from the typical values of its table.
+/// Settings of a law with the typical values of its table.
 inline Settings typical_settings(const Entry& entry) {
   Settings s{.law = std::string(entry.name)};
   for (const ParameterInfo& p : entry.parameters)

@@ -32,10 +32,10 @@ struct FrictionPendulum : MadeOf<FrictionPendulum, Bilinear> {
   double sliding_deformation = 0.5e-3;  ///< u_y > 0 [m]
 
   static constexpr std::array parameters{
-      Parameter{{"weight", "N", "weight on it W", 5e6}, &FrictionPendulum::weight},
-      Parameter{{"radius", "m", "radius of the dish R", 2}, &FrictionPendulum::radius},
+      Parameter{{"weight", "N", "weight W on the isolator", 5e6}, &FrictionPendulum::weight},
+      Parameter{{"radius", "m", "radius R of the surface", 2}, &FrictionPendulum::radius},
       Parameter{{"friction", "", "coefficient of friction mu", 0.06}, &FrictionPendulum::friction},
-      Parameter{{"yield_displacement", "m", "deformation before it slides u_y", 0.5e-3, Need::optional},
+      Parameter{{"yield_displacement", "m", "deformation u_y at the start of sliding", 0.5e-3, Need::optional},
                 &FrictionPendulum::sliding_deformation}};
   static constexpr std::array state{StateValue<FrictionPendulum>{
       {"slip", "m", "slip of the slider"}, [](const Bilinear::State& kept) { return kept.slip; }}};

@@ -11,13 +11,14 @@
 
 namespace pounding::hysteresis {
 
-/// Stiffness k2 of the rubber of a law in shear [N/m], given directly or as G A/t_r.
+/// Shear stiffness k2 of the rubber [N/m], given directly or as G A/t_r.
 template <class L>
 double rubber_stiffness(const L& law) noexcept {
   return law.post_yield_stiffness ? *law.post_yield_stiffness : *law.shear_modulus * *law.area / *law.rubber_thickness;
 }
 
-/// Throws std::invalid_argument for a wrong strength, yield deformation or stiffness of rubber.
+/// Throws std::invalid_argument for an invalid strength or yield deformation, and unless exactly one form of the
+/// stiffness is given, complete and positive.
 template <class L>
 void check_rubber(const L& law) {
   laws::require_positive("strength", law.strength);
@@ -26,7 +27,7 @@ void check_rubber(const L& law) {
   const bool all = law.shear_modulus && law.area && law.rubber_thickness;
   if (law.post_yield_stiffness ? any : !all)
     throw std::invalid_argument(std::string(L::name) +
-                                " needs post_yield_stiffness, or shear_modulus, area and rubber_thickness instead");
+                                " needs either post_yield_stiffness, or shear_modulus, area and rubber_thickness");
   laws::require_positive("post_yield_stiffness", law.post_yield_stiffness);
   laws::require_positive("shear_modulus", law.shear_modulus);
   laws::require_positive("area", law.area);
@@ -44,9 +45,9 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   static constexpr std::string_view summary = "lead-rubber isolator: bilinear, defined by Q, k2 and u_y";
   static constexpr std::string_view source = "Kelly 1997, Earthquake-Resistant Design with Rubber; Naeim & Kelly 1999";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, G "
-      "[Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
-  static constexpr std::string_view range = "one direction; shear strains below some 200 %";
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] post-yield stiffness, u_y [m] yield deformation, G [Pa] shear "
+      "modulus, A [m^2] area, t_r [m] total rubber thickness";
+  static constexpr std::string_view range = "one direction; shear strains below about 200 %";
   static constexpr std::string_view beware =
       "heating and strength loss of the lead, and the effect of the axial force, are not modelled";
 
@@ -58,18 +59,18 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
   static constexpr std::array parameters{
       Parameter{{"strength", "N", "characteristic strength Q", 3.75e5}, &LeadRubber::strength},
       Parameter{{"yield_displacement", "m", "yield deformation u_y", 0.012}, &LeadRubber::displacement_at_yield},
-      Parameter{{"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+      Parameter{{"post_yield_stiffness", "N/m", "post-yield stiffness k2, or G, A and t_r", 3.5e6, Need::instead},
                 &LeadRubber::post_yield_stiffness},
       Parameter{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
                 &LeadRubber::shear_modulus},
-      Parameter{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, &LeadRubber::area},
-      Parameter{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
+      Parameter{{"area", "m^2", "area A, together with G", 1.75, Need::extra}, &LeadRubber::area},
+      Parameter{{"rubber_thickness", "m", "total rubber thickness t_r, together with G", 0.2, Need::extra},
                 &LeadRubber::rubber_thickness}};
   static constexpr std::array state{StateValue<LeadRubber>{{"slip", "m", "plastic deformation of the lead"},
                                                            [](const Bilinear::State& kept) { return kept.slip; }}};
 
   void check() const { check_rubber(*this); }
-  /// The law that it is.
+  /// The equivalent bilinear law.
   Bilinear made() const noexcept {
     const double k2 = rubber_stiffness(*this), k = k2 + strength / displacement_at_yield;
     return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k};
@@ -89,8 +90,8 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   static constexpr std::string_view source =
       "Kelly 1997, Earthquake-Resistant Design with Rubber; Park, Wen & Ang 1986, EESD 14:543";
   static constexpr std::string_view symbols =
-      "Q [N] characteristic strength, k2 = G A/t_r [N/m] stiffness after the yield, u_y [m] yield deformation, n [-] "
-      "sharpness of the knee, G [Pa] shear modulus, A [m^2] area, t_r [m] thickness of the rubber";
+      "Q [N] characteristic strength, k2 = G A/t_r [N/m] post-yield stiffness, u_y [m] yield deformation, n [-] "
+      "sharpness of the transition, G [Pa] shear modulus, A [m^2] area, t_r [m] total rubber thickness";
   static constexpr std::string_view range =
       "one direction; shear strains below about 150 %, where rubber begins to stiffen";
   static constexpr std::string_view beware =
@@ -105,14 +106,14 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
   static constexpr std::array parameters{
       Parameter{{"strength", "N", "characteristic strength Q", 3.75e5}, &Elastomeric::strength},
       Parameter{{"yield_displacement", "m", "yield deformation u_y", 0.012}, &Elastomeric::displacement_at_yield},
-      Parameter{{"post_yield_stiffness", "N/m", "stiffness after the yield k2, or G, A and t_r", 3.5e6, Need::instead},
+      Parameter{{"post_yield_stiffness", "N/m", "post-yield stiffness k2, or G, A and t_r", 3.5e6, Need::instead},
                 &Elastomeric::post_yield_stiffness},
       Parameter{{"shear_modulus", "Pa", "shear modulus G, instead of k2", 4e5, Need::extra},
                 &Elastomeric::shear_modulus},
-      Parameter{{"area", "m^2", "area A, beside G", 1.75, Need::extra}, &Elastomeric::area},
-      Parameter{{"rubber_thickness", "m", "thickness of all layers t_r, beside G", 0.2, Need::extra},
+      Parameter{{"area", "m^2", "area A, together with G", 1.75, Need::extra}, &Elastomeric::area},
+      Parameter{{"rubber_thickness", "m", "total rubber thickness t_r, together with G", 0.2, Need::extra},
                 &Elastomeric::rubber_thickness},
-      Parameter{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &Elastomeric::exponent}};
+      Parameter{{"exponent", "", "sharpness n of the transition", 2, Need::optional}, &Elastomeric::exponent}};
   static constexpr std::array state{StateValue<Elastomeric>{{"elastic", "m", "elastic part of the deformation z"},
                                                             [](const BoucWen::State& kept) { return kept.elastic; }}};
 
@@ -120,7 +121,7 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
     check_rubber(*this);
     laws::require_exponent(exponent);
   }
-  /// The law that it is.
+  /// The equivalent Bouc-Wen law.
   BoucWen made() const noexcept {
     const double k2 = rubber_stiffness(*this), k = k2 + strength / displacement_at_yield;
     return {

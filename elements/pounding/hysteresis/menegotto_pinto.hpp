@@ -32,17 +32,17 @@ struct MenegottoPinto {
   static constexpr std::string_view summary = "reinforcing steel with Bauschinger effect (Steel02)";
   static constexpr std::string_view source = "Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m], d_r, z_r [m] deformation and "
-      "its elastic part at the last turning point, w = +-dy - z_r [m], R = R0 [1 - c1 xi/(c2 + xi)] [-], xi [-] = "
-      "|largest turning point on the side that is approached - d_r - w|/dy";
+      "k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening ratio, dy = Fy/k [m], d_r, z_r [m] deformation "
+      "and its elastic part at the last reversal, w = +-dy - z_r [m], R = R0 [1 - c1 xi/(c2 + xi)] [-], xi [-] = "
+      "|extreme reversal on the side of loading - d_r - w|/dy";
   static constexpr std::string_view range = "0 <= b < 1, R0 (1 - c1) >= 1";
   static constexpr std::string_view beware =
-      "with memory last, which is Steel02, a turn lifts the force by up to 0.25 Fy however small it is, and impacts "
-      "make such turns all the time: a tolerance is kept only where steps resolve every turn (two buildings that "
-      "pound: 1.2e-3 off at 1e-3 to 1e-5, 2.5e-4 at 1e-7, right at 1e-8); with nested, the default, no small turn "
-      "lifts it. Branches up and down differ in R, so a path can give back more than straight unloading does, by up "
-      "to 0.15 Fy dy; a cycle that repeats gives nothing";
-  /// Energy that a path may give back beyond what stored() says, over Fy dy.
+      "with memory last, which is Steel02, any small reversal raises the force by up to 0.25 Fy, and impacts cause "
+      "many of them. An error tolerance is then met only if the steps resolve every reversal (two pounding buildings: "
+      "error 1.2e-3 at tolerances 1e-3 to 1e-5, 2.5e-4 at 1e-7, converged at 1e-8). With nested, the default, small "
+      "reversals do not raise the force. Ascending and descending branches differ in R, so a path can recover up to "
+      "0.15 Fy dy more energy than direct unloading. Repeated cycles recover none";
+  /// Upper bound on the energy that a path can recover beyond stored(), divided by Fy dy.
   static constexpr double gives_back = 0.15;
 
   /// Memory of the branches before a reversal: all that may continue, or none as in Steel02.
@@ -59,12 +59,11 @@ struct MenegottoPinto {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &MenegottoPinto::initial_stiffness},
       Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &MenegottoPinto::yield_force},
-      Parameter{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional},
+      Parameter{{"hardening", "", "ratio b of post-yield to initial stiffness", 0.05, Need::optional},
                 &MenegottoPinto::hardening},
-      Parameter{{"R0", "", "sharpness of the first knee", 20, Need::optional}, &MenegottoPinto::sharpness},
-      Parameter{{"cR1", "", "part of R0 that large excursions take away, c1", 0.925, Need::optional},
-                &MenegottoPinto::rounding},
-      Parameter{{"cR2", "", "excursion over dy that takes away half of it, c2", 0.15, Need::optional},
+      Parameter{{"R0", "", "sharpness of the first transition", 20, Need::optional}, &MenegottoPinto::sharpness},
+      Parameter{{"cR1", "", "maximum relative reduction c1 of R0", 0.925, Need::optional}, &MenegottoPinto::rounding},
+      Parameter{{"cR2", "", "plastic excursion c2, divided by dy, at half of that reduction", 0.15, Need::optional},
                 &MenegottoPinto::rounding_range}};
   static constexpr std::array<std::string_view, 2> memories{"nested", "last"};
   /// Selects item i of `memories`. A function, because Clang 14 rejects an equivalent lambda here.

@@ -34,13 +34,13 @@ struct PeakOriented {
   static constexpr std::string_view source =
       "Clough & Johnston 1966; Takeda, Sozen & Nielsen 1970, J. Struct. Div. 96:2557; Otani 1974";
   static constexpr std::string_view symbols =
-      "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] largest deformation on the "
-      "side, e [-] unloading exponent, b [-] hardening, Fc [N] cracking force";
+      "k [N/m] initial stiffness, Fy [N] yield force, dy [m] yield deformation, D [m] maximum deformation on the side, "
+      "e [-] unloading exponent, b [-] hardening ratio, Fc [N] cracking force";
   static constexpr std::string_view range =
       "0 <= b < 1, 0 <= e <= 1; Fc < Fy, and dy such that each line is flatter than the previous one";
   static constexpr std::string_view beware =
-      "corners at every zero of the force and every old peak; no pinching and no loss of strength; small inner "
-      "cycles reload towards the largest peak, not the last one";
+      "corners at every zero of the force and every earlier peak. Pinching and strength degradation are not modelled. "
+      "Small inner cycles reload towards the maximum peak, not the last one";
 
   double initial_stiffness = 0;                  ///< k > 0 [N/m]
   double yield_force = 0;                        ///< Fy > 0 [N]
@@ -52,15 +52,15 @@ struct PeakOriented {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &PeakOriented::initial_stiffness},
       Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &PeakOriented::yield_force},
-      Parameter{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional},
+      Parameter{{"hardening", "", "ratio b of post-yield to initial stiffness", 0.05, Need::optional},
                 &PeakOriented::hardening},
       Parameter{{"unloading", "", "exponent e of the unloading stiffness", 0.5, Need::optional},
                 &PeakOriented::unloading},
+      Parameter{{"cracking_force", "N", "cracking force Fc, together with yield_deformation", 5e4, Need::extra},
+                &PeakOriented::cracking_force},
       Parameter{
-          {"cracking_force", "N", "force at which the first line ends Fc, beside yield_deformation", 5e4, Need::extra},
-          &PeakOriented::cracking_force},
-      Parameter{{"yield_deformation", "m", "deformation at the yield force, beside cracking_force", 0.03, Need::extra},
-                &PeakOriented::deformation_at_yield}};
+          {"yield_deformation", "m", "deformation at the yield force, together with cracking_force", 0.03, Need::extra},
+          &PeakOriented::deformation_at_yield}};
 
   /// Current rule: the first line, the backbone beyond it, unloading from a reversal, reloading towards the maximum
   /// deformation.

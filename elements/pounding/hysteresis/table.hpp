@@ -11,7 +11,7 @@ namespace pounding::hysteresis {
 
 using laws::infos;
 using laws::Need;
-/// Units are those of a spring along a line; at a hinge m is rad and N is N m.
+/// Units are those of a translational spring; at a hinge m is rad and N is N m.
 using laws::Parameter;
 using laws::ParameterInfo;
 

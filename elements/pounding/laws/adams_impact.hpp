@@ -50,7 +50,7 @@ struct AdamsImpact {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &AdamsImpact::stiffness},
       Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &AdamsImpact::exponent},
-      Parameter{{"depth", "m", "penetration of full damping", 0.001}, &AdamsImpact::depth},
+      Parameter{{"depth", "m", "penetration at which damping is full", 0.001}, &AdamsImpact::depth},
       Parameter{{"damping_coefficient", "N s/m", "damping c", 6e5, Need::damping}, &AdamsImpact::damping_coefficient}};
 
   void check() const {

@@ -34,14 +34,15 @@ using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Kom
 
 using Laws = Catalogue<Settings, Entry, AnyLaw>;
 
-/// Every law with its tables, in the order of AnyLaw.
+/// Entries of all laws, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return Laws::entries; }
 
-/// The entry of a law; throws std::invalid_argument with the nearest known name.
+/// Entry of a law by name. Throws std::invalid_argument, with the nearest known name, if there is none.
 inline const Entry& find_law(std::string_view name) { return Laws::find(name); }
 
-/// A checked law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest known name),
-/// a missing required one, a wrong value, damping given twice or not at all, and a formula without a restitution.
+/// Creates a validated law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest
+/// known name), a missing parameter, an invalid value, damping given twice or not at all, and a formula without a
+/// restitution.
 inline AnyLaw make_law(const Settings& settings) { return Laws::make(settings); }
 
 /// Entry of a law object.

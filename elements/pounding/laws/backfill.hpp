@@ -25,14 +25,14 @@ struct Backfill {
   static constexpr std::string_view source =
       "Duncan & Mokwa 2001, J. Geotech. Geoenviron. Eng. 127:248; OpenSees HyperbolicGapMaterial";
   static constexpr std::string_view symbols =
-      "K [N/m] initial stiffness of the soil, K_ur [N/m] stiffness of unloading and reloading, Fu [N] ultimate "
-      "passive force, Rf [-] failure ratio, d counted from the soil that nothing has pressed, d_m [m] the deepest "
-      "one so far, r [m] what stays pressed in";
+      "K [N/m] initial stiffness of the soil, K_ur [N/m] unloading and reloading stiffness, Fu [N] ultimate passive "
+      "force, Rf [-] failure ratio, d measured from the undisturbed soil, d_m [m] its running maximum, r [m] residual "
+      "depth";
   static constexpr std::string_view range = "K_ur >= K, 0 < Rf <= 1";
   static constexpr std::string_view beware =
-      "the numbers are those of the whole width of the wall; what is pressed in is added to the gap, which is wider "
-      "for the following impacts of the run, and these lose nothing unless they press deeper; the wall has no mass, "
-      "and nothing depends on the speed";
+      "values are for the whole width of the wall. The residual depth is added to the gap for the rest of the run, and "
+      "later impacts dissipate energy only if they reach deeper. The wall is massless, and the force does not depend "
+      "on the speed";
   static constexpr bool leaves_indentation = true, presses_soil = true;
 
   double stiffness = 0;      ///< K > 0 [N/m]
@@ -42,8 +42,8 @@ struct Backfill {
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness of the soil K", 2.5e8}, &Backfill::stiffness},
-      Parameter{{"unloading", "N/m", "stiffness of unloading and reloading K_ur", 5e8}, &Backfill::unloading},
-      Parameter{{"failure_ratio", "", "ultimate force over the asymptote of the hyperbola Rf", 0.75},
+      Parameter{{"unloading", "N/m", "unloading and reloading stiffness K_ur", 5e8}, &Backfill::unloading},
+      Parameter{{"failure_ratio", "", "ratio Rf of the ultimate force to the asymptote of the hyperbola", 0.75},
                 &Backfill::failure_ratio},
       Parameter{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength}};
 

@@ -76,9 +76,9 @@ struct BilinearHertz {
       "n >= 1, restitutions for which K2 is positive: for a_y = 0.1 and n = 1.5, above 0.354 with exact, any with the "
       "published loss";
   static constexpr std::string_view beware =
-      "the springs are made for the closing speed of each impact, so a contact that closes nearly at rest and is "
-      "pressed further is refused; a fixed impact_velocity or given K1, K2 and d_y serve it; the slopes jump where "
-      "it yields and unloads; it never pulls";
+      "the stiffnesses are designed for the closing speed of each impact, so a contact that closes almost at rest and "
+      "is then pressed deeper is rejected: give a fixed impact_velocity, or K1, K2 and d_y. The slopes jump at yield "
+      "and at the start of unloading. The force never pulls";
   static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
 
   static constexpr std::array formulas{
@@ -102,13 +102,13 @@ struct BilinearHertz {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m^n", "Hertz stiffness k", 2.75e9}, &BilinearHertz::stiffness},
       Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &BilinearHertz::exponent},
-      Parameter{{"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional},
+      Parameter{{"yield_ratio", "", "ratio a_y of yield penetration to design penetration", 0.1, Need::optional},
                 &BilinearHertz::yield_ratio},
-      Parameter{{"initial_stiffness", "N/m", "stiffness K1 up to the yield", 1.2e9, Need::together},
+      Parameter{{"initial_stiffness", "N/m", "stiffness K1 up to yield", 1.2e9, Need::together},
                 &BilinearHertz::initial_stiffness},
-      Parameter{{"secondary_stiffness", "N/m", "stiffness K2 beyond the yield", 1.5e8, Need::together},
+      Parameter{{"secondary_stiffness", "N/m", "stiffness K2 after yield", 1.5e8, Need::together},
                 &BilinearHertz::secondary_stiffness},
-      Parameter{{"yield_penetration", "m", "penetration d_y at the yield", 8.6e-4, Need::together},
+      Parameter{{"yield_penetration", "m", "yield penetration d_y", 8.6e-4, Need::together},
                 &BilinearHertz::yield_penetration}};
 
   /// True if K1, K2 and d_y are given; false if they are designed for a restitution.
@@ -170,7 +170,7 @@ struct BilinearHertz {
     const double stretch = penetration - impact.slip;
     return std::min(stretch, curve(impact).yield - stretch);
   }
-  /// The slip follows a penetration that has left [s, s + d_y].
+  /// Moves the slip if the penetration is outside [s, s + d_y].
   void keep(double penetration, double, Impact& impact) const noexcept {
     impact.slip = std::clamp(impact.slip, penetration - curve(impact).yield, std::max(penetration, 0.0));
   }

@@ -44,7 +44,7 @@ double damping_coefficient(const std::variant<L...>& law, double closing_speed) 
       law);
 }
 
-/// The catalogue entry of a law, from its members.
+/// Catalogue entry of a law, from its members.
 template <class L>
 constexpr Entry Entry::of() {
   Entry e{.name = L::name,
@@ -74,8 +74,7 @@ constexpr Entry Entry::of() {
   return e;
 }
 
-/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out
-/// of range.
+/// Creates a validated law L. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L law_from(const Settings& s) {
   const std::string law_name(L::name);

@@ -1,5 +1,5 @@
 #pragma once
-/// A list of laws by name: contact laws or laws of yielding. Everything is read from the laws' own tables.
+/// Catalogue of laws by name: contact laws or hysteretic laws, from the tables of the laws.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace pounding::laws {
 
-/// The `name` of each of these.
+/// The `name` of each item.
 template <class Range>
 std::vector<std::string_view> names(const Range& range) {
   std::vector<std::string_view> result;
@@ -24,7 +24,7 @@ std::vector<std::string_view> names(const Range& range) {
   return result;
 }
 
-/// Sets a parameter by its name, value in SI. Throws std::invalid_argument if the law does not have it.
+/// Sets a parameter by name, value in SI. Throws std::invalid_argument if the law has no such parameter.
 template <class L>
 void set(L& law, std::string_view name, double value) {
   for (const Parameter<L>& p : L::parameters)
@@ -33,7 +33,7 @@ void set(L& law, std::string_view name, double value) {
                               suggestion(name, names(infos<L::parameters>)));
 }
 
-/// The laws of a variant. The namespace of `Settings` and `Entry` has law_from<L>(settings), which returns a checked
+/// Laws of a variant. The namespace of `Settings` and `Entry` provides law_from<L>(settings), which returns a validated
 /// law, and unknown_law(name, entries), which returns an error message.
 template <class Settings, class Entry, class Any>
 struct Catalogue;
@@ -41,13 +41,13 @@ template <class Settings, class Entry, class... L>
 struct Catalogue<Settings, Entry, std::variant<L...>> {
   static constexpr std::array<Entry, sizeof...(L)> entries{Entry::template of<L>()...};
 
-  /// Throws std::invalid_argument with the nearest known name.
+  /// Entry by name. Throws std::invalid_argument, with the nearest known name, if there is none.
   static const Entry& find(std::string_view name) {
     const auto named = std::ranges::find(entries, name, &Entry::name);
     if (named == entries.end()) throw std::invalid_argument(unknown_law(name, std::span<const Entry>(entries)));
     return *named;
   }
-  /// Throws as find() and law_from() do.
+  /// Creates a validated law. Throws like find() and law_from().
   static std::variant<L...> make(const Settings& settings) {
     find(settings.law);
     std::optional<std::variant<L...>> law;

@@ -38,13 +38,13 @@ struct Elastoplastic {
       "Lankarani & Nikravesh 1994, Nonlinear Dyn. 5:193; n = 1: Walton & Braun 1986, J. Rheol. 30:949; for concrete: "
       "van Mier et al. 1991, J. Struct. Eng. 117:354";
   static constexpr std::string_view symbols =
-      "k [N/m^n] contact stiffness, n [-] exponent, d counted from the sound surface, d_m [m] the deepest "
-      "penetration of all impacts so far, d_p [m] indentation, r [-] indentation ratio";
+      "k [N/m^n] contact stiffness, n [-] exponent, d measured from the undamaged surface, d_m [m] its running maximum "
+      "over all impacts, d_p [m] indentation, r [-] indentation ratio";
   static constexpr std::string_view range = "n >= 1, 0 <= r < 1";
   static constexpr std::string_view beware =
-      "the indentation is added to the gap, which is wider for the following impacts of the run; the restitution "
-      "asked for is that of an impact on sound surfaces, and later impacts that crush no deeper lose nothing; no "
-      "damping, no dependence on the speed";
+      "the indentation is added to the gap for the rest of the run. The given restitution applies to an impact on "
+      "undamaged surfaces; later impacts that crush no deeper dissipate nothing. The force does not depend on the "
+      "speed";
   static constexpr Quantity number{"indentation_ratio", ""}, coefficient{"indentation_ratio", ""};
   static constexpr bool leaves_indentation = true;
 
@@ -61,7 +61,7 @@ struct Elastoplastic {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &Elastoplastic::stiffness},
       Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &Elastoplastic::exponent},
-      Parameter{{"indentation_ratio", "", "indentation over deepest penetration r", 0.58, Need::damping},
+      Parameter{{"indentation_ratio", "", "ratio r of indentation to maximum penetration", 0.58, Need::damping},
                 &Elastoplastic::indentation_ratio}};
 
   void check() const {

@@ -40,11 +40,11 @@ struct Entry {
   Quantity number;       ///< dimensionless damping number that formulas compute; its name is empty without damping
   Quantity coefficient;  ///< value returned by damping_for
 
-  /// The entry of a law, from its members.
+  /// Entry of a law, from its members.
   template <class L>
   static constexpr Entry of();
 
-  /// The first parameter that gives the damping instead of a restitution; empty when there is none.
+  /// First parameter that gives the damping instead of a restitution; empty if there is none.
   std::string_view direct_damping() const noexcept {
     const auto found = std::ranges::find(parameters, Need::damping, &ParameterInfo::need);
     return found == parameters.end() ? std::string_view{} : found->name;
@@ -64,8 +64,8 @@ inline Settings typical_settings(const Entry& entry) {
   return s;
 }
 
-/// The end of the message about a law that is not in the catalogue: the one that was probably meant, how to type a
-/// damping formula that stands in its place, or all laws. A formula is known by its name or by its first author's.
+/// Message about an unknown law: the suggested law, or how to type a damping formula that was given instead of a law,
+/// or all laws. A formula is found by its name or by its first author.
 inline std::string unknown_law(std::string_view read, std::span<const Entry> catalogue) {
   const std::string unknown = "unknown law \"" + excerpt(read) + "\".";
   const std::vector<std::string_view> laws = names(catalogue);
@@ -85,7 +85,7 @@ inline std::string unknown_law(std::string_view read, std::span<const Entry> cat
   for (const Entry& entry : catalogue)
     if (std::ranges::find(entry.formulas, meant, &Formula::name) != entry.formulas.end())
       with += (with.empty() ? "" : " or ") + std::string(entry.name);
-  return unknown + " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with +
+  return unknown + " \"" + std::string(meant) + "\" is a damping formula, not a law; type law: " + with +
          ", formula: " + std::string(meant) + ".";
 }
 

@@ -209,13 +209,13 @@ void require_one_damping(const L& law) {
   for (const auto& p : L::parameters)
     if (p.info.need == Need::damping) note(p.info.name, law.*p.choice);
   const std::string name(L::name);
-  if (count == 0) throw std::invalid_argument(name + " needs its damping: give " + names);
+  if (count == 0) throw std::invalid_argument(name + " has no damping; give " + names);
   if (count > 1)
-    throw std::invalid_argument(name + " takes its damping once, but " + given + " are given; keep one of them");
+    throw std::invalid_argument(name + " takes one damping parameter, but " + given + " are given; remove all but one");
 }
 
-/// Throws std::invalid_argument for a wrong stiffness, exponent, damping, design velocity or reduced mass of a law with
-/// a dashpot.
+/// Throws std::invalid_argument for an invalid stiffness, exponent, damping, design velocity or reduced mass of a law
+/// with a dashpot.
 template <class L>
 void check_dashpot(const L& law) {
   require_positive("stiffness", law.stiffness);
@@ -231,8 +231,8 @@ void check_dashpot(const L& law) {
   require_one_damping(law);
   if constexpr (requires { law.impact_velocity; })
     if (law.impact_velocity && has_coefficient)
-      throw std::invalid_argument("impact_velocity has no effect beside " + std::string(L::coefficient.name) +
-                                  "; leave one of them out");
+      throw std::invalid_argument("impact_velocity has no effect together with " + std::string(L::coefficient.name) +
+                                  "; remove one of them");
   if constexpr (requires { law.reduced_mass; }) {
     if (is_linear<L> && has_coefficient) return require_not_negative("reduced_mass", law.reduced_mass);
     require_positive("reduced_mass", law.reduced_mass);

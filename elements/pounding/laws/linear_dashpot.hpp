@@ -1,5 +1,7 @@
 #pragma once
-/// The form shared by the laws of a linear spring and a linear dashpot.
+/// Dashpot parallel to a linear spring, given by a restitution, a damping ratio or a coefficient. For laws with the
+/// members stiffness k [N/m], restitution, damping_ratio zeta [-], damping_coefficient c [N s/m], reduced_mass m [kg]
+/// and formula; c = 2 zeta sqrt(k m).
 
 #include <array>
 #include <cmath>
@@ -15,7 +17,7 @@ namespace pounding::laws {
 
 /// F = k d + c d', c = 2 zeta sqrt(k m). The dashpot is given by a restitution, by zeta or by c.
 ///
-/// `Traits` holds the texts and the formulas of one law, and what makes it differ: `may_pull`, `leaves_indentation`,
+/// `Traits` contains the texts and formulas of a law, and its special properties: `may_pull`, `leaves_indentation`,
 /// `sticks_at_zero`, or `damps_approach_only` if c = 0 for d' <= 0.
 template <class Traits>
 struct LinearDashpotLaw {
@@ -64,8 +66,8 @@ struct LinearDashpotLaw {
 /// Formulas for contact until F = 0.
 inline constexpr std::array cut_dashpot_formulas{
     Formula{"exact", "root of e = exp(-2 zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form, contact until F = 0",
-            "gives what is asked", &exact_cut_ratio},
+            "reaches the target restitution", &exact_cut_ratio},
     Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
-            "assumes contact until d = 0; 0.50 asked gives 0.55 here", &anagnostopoulos}};
+            "assumes contact until d = 0; yields 0.55 for a target of 0.50", &anagnostopoulos}};
 
 }  // namespace pounding::laws

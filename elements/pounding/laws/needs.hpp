@@ -1,5 +1,5 @@
 #pragma once
-/// Which parameters of a law are required, and which exclude each other.
+/// Required and mutually exclusive parameters of a law.
 
 #include <algorithm>
 #include <span>

@@ -13,9 +13,9 @@ enum class Need : unsigned char {
   required,  ///< no default
   optional,  ///< has a default
   damping,   ///< gives the damping directly, instead of a restitution
-  together,  ///< with the others marked so it is all that the law needs: nothing else is given beside them
-  instead,   ///< has no default, but may be left out where others are given instead
-  extra      ///< may be left out, and has no default
+  together,  ///< all parameters of this kind together replace all other parameters
+  instead,   ///< no default; may be omitted if the alternative parameters are given
+  extra      ///< may be omitted, no default
 };
 
 /// A parameter of a law. In a unit, `n` is the exponent of the law.
@@ -37,7 +37,7 @@ struct Parameter {
     else
       law.*choice = number;
   }
-  /// Empty if it is not given.
+  /// Empty if not given.
   std::optional<double> get(const L& law) const { return value ? law.*value : law.*choice; }
 
   ParameterInfo info;
@@ -45,7 +45,7 @@ struct Parameter {
   std::optional<double> L::* choice = nullptr;
 };
 
-/// The `info` of each line of a table.
+/// The `info` of each row of a table.
 template <auto& table>
 inline constexpr auto infos = [] {
   std::array<decltype(table[0].info), table.size()> result{};
@@ -53,7 +53,7 @@ inline constexpr auto infos = [] {
   return result;
 }();
 
-/// Arguments of a damping formula; most formulas use the restitution only.
+/// Arguments of a damping formula; many formulas use only the restitution.
 struct CalibrationTarget {
   double restitution = 1;    ///< e in (0, 1]
   double closing_speed = 1;  ///< v [m/s]

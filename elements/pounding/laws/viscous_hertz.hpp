@@ -52,7 +52,7 @@ struct ViscousHertz {
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &ViscousHertz::stiffness},
       Parameter{{"exponent", "", "exponent n", 1.5, Need::optional}, &ViscousHertz::exponent},
-      Parameter{{"damping_ratio", "", "alpha of the law, not a ratio to critical", 0.33, Need::damping},
+      Parameter{{"damping_ratio", "", "alpha of the law, not a fraction of critical damping", 0.33, Need::damping},
                 &ViscousHertz::damping_ratio}};
 
   void check() const { check_dashpot(*this); }

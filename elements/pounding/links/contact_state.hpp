@@ -1,5 +1,5 @@
 #pragma once
-/// History of one contact, all that must be kept between two states: the same for a gap link and for the C interface.
+/// History of one contact, all that is saved between two states: the same for a gap link and for the C interface.
 
 #include <algorithm>
 #include <array>
@@ -11,19 +11,19 @@
 
 namespace pounding {
 
-/// Phase of a contact. It is set from the state at a located instant, never toggled.
+/// Phase of a contact, set from the state at a located instant, never toggled.
 enum class ContactPhase : std::uint8_t {
   open,         ///< apart
   approach,     ///< pressed, still closing
   restitution,  ///< pressed, opening
-  slack,        ///< overlapping, while the law's force would pull and is cut at zero
-  resting       ///< held at zero rate by whatever force that needs (rigid contact after its last bounce)
+  slack,        ///< overlapping, while the force of the law would pull and is cut off at zero
+  resting       ///< held at zero rate by the required force (rigid contact after its last bounce)
 };
 
-/// What ends a phase. At a corner the law's slopes jump, and the phase goes on.
+/// Event at the end of a phase. At a corner the slopes of the law jump, and the phase continues.
 enum class ContactEvent : std::uint8_t { none, touch, turn, corner, release, engage, separation };
 
-/// The events that end a phase with a force; `none` fills the rest.
+/// Events that end a phase with a force, filled up with `none`.
 constexpr std::array<ContactEvent, 3> ends_of(ContactPhase phase) noexcept {
   using enum ContactEvent;
   switch (phase) {
@@ -36,45 +36,44 @@ constexpr std::array<ContactEvent, 3> ends_of(ContactPhase phase) noexcept {
   return {none, none, none};
 }
 
-/// Pressed together, with a force or held.
+/// True if the bodies are pressed together, by a force or held.
 constexpr bool presses(ContactPhase phase) noexcept {
   return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
 }
 
-/// History of one contact. It moves at kept states only, by the three functions below; copying it back takes a step
-/// back.
+/// History of one contact. Only the three functions below change it, at accepted states. To undo steps, restore
+/// a copy.
 struct ContactState {
   ContactPhase phase = ContactPhase::open;
-  laws::Impact impact{};  ///< of the present impact; while the contact is open, of the one before
-  double gap = 0;         ///< present gap [m]: the initial one and the indentation that the law has left in it
+  laws::Impact impact{};  ///< current impact; while the contact is open, the previous one
+  double gap = 0;         ///< current gap [m]: initial gap plus the indentation left by the law
 
-  /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed
-  /// state.
+  /// Penetration [m] for an approach of the two ends by `relative_displacement` [m] since the undeformed state.
   constexpr double penetration(double relative_displacement) const noexcept { return relative_displacement - gap; }
 
-  /// An impact begins at this rate [m/s]; a negative one counts as zero. The law calibrates its damping here.
+  /// Starts the next impact at this rate [m/s]; a negative one counts as zero. Calibrates the damping of the law.
   template <class Law>
   void begin(const Law& law, double rate) {
     phase = ContactPhase::approach;
     impact = laws::touch(law, std::max(0.0, rate), impact.crushed);
   }
 
-  /// The bodies are pressed together at rest by this penetration [m].
+  /// Presses the bodies together at rest by this penetration [m].
   template <class Law>
   void press(const Law& law, double penetration) {
     begin(law, 0);
     keep(law, penetration, 0);
   }
 
-  /// A state inside the impact was kept: penetration [m] and rate [m/s]. Throws laws::BeyondDesign as
-  /// laws::require_design() does.
+  /// Accepts a state within the impact: penetration [m] and rate [m/s]. Throws laws::BeyondDesign like
+  /// laws::require_design().
   template <class Law>
   void keep(const Law& law, double penetration, double rate) {
     laws::require_design(law, penetration, impact);
     laws::keep(law, penetration, rate, impact);
   }
 
-  /// Positive while the present phase lasts, zero where this event ends it; infinite for an event that cannot.
+  /// Positive during the current phase, zero at its end by this event; infinite for an event that cannot occur.
   template <class Law>
   double margin(ContactEvent event, const Law& law, double penetration, double rate) const noexcept {
     switch (event) {
@@ -91,7 +90,7 @@ struct ContactState {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// An event at a kept state with this penetration [m] and rate [m/s]: enters the next phase.
+  /// Enters the next phase after an event at an accepted state with this penetration [m] and rate [m/s].
   template <class Law>
   void apply(ContactEvent event, const Law& law, double penetration, double rate) {
     switch (event) {
@@ -112,8 +111,8 @@ struct ContactState {
     }
   }
 
-  /// The impact is over. `left` >= 0 is the penetration at which the force ended [m]; a law with permanent indentation
-  /// adds it to the gap, or its own indentation where it remembers how deep the bodies were crushed.
+  /// Ends the impact. `left` >= 0 is the penetration at which the force ended [m]. A law with permanent indentation
+  /// adds it to the gap, or its own indentation if it records the maximum penetration.
   template <class Law>
   void end(const Law& law, double left) noexcept {
     phase = ContactPhase::open;

@@ -1,5 +1,5 @@
 #pragma once
-/// The sign of a contact force near the separation, where the force itself vanishes.
+/// Sign of a contact force near separation, where the force itself vanishes.
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +8,20 @@
 
 namespace pounding {
 
-/// Penetration [m] at which the sign of a force is asked for: no less than a trace of the peak penetration. So a
-/// release shortly before the separation is not missed, and a law whose formula continues to negative penetrations does
-/// not seem to press again.
+/// Penetration [m] at which the sign of a force is evaluated: at least a small fraction of the peak penetration. Thus a
+/// release shortly before separation is not missed, and a law whose formula continues to negative penetrations does not
+/// appear to press again.
 inline double at_least_a_trace(double penetration, const laws::Impact& impact) noexcept {
   return std::max(penetration, 1e-9 * impact.largest_penetration);
 }
 
-/// Sum of the magnitudes of a force's terms [N], at a penetration that is at least a trace, see above.
+/// Sum of the magnitudes of the terms of a force [N], at a penetration from at_least_a_trace().
 inline double sum_of_terms(const laws::Response& r, double penetration, double rate) noexcept {
   return std::abs(r.by_penetration * penetration) + std::abs(r.by_rate * rate);
 }
 
-/// The law's force, negative where it would pull, over the sum of the magnitudes of its terms [-]: near the separation
-/// all terms vanish, but this ratio stays as sharp as elsewhere.
+/// Ratio of the law's force, negative for tension, to the sum of the magnitudes of its terms [-]: near separation all
+/// terms vanish, but this ratio remains well defined.
 template <class Law>
 double signed_force(const Law& law, double penetration, double rate, const laws::Impact& impact) noexcept {
   const double d = at_least_a_trace(penetration, impact);

@@ -1,5 +1,5 @@
 #pragma once
-/// Friction along a contact that presses: its force and its slopes.
+/// Friction along a closed contact: force and slopes.
 
 #include <array>
 #include <cmath>
@@ -8,19 +8,19 @@
 
 namespace pounding {
 
-/// Coulomb's friction at one contact, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2), with
-/// the force F_n of the contact and the sliding velocities v_t of the columns `first` .. `first + count - 1` of B.
+/// Regularised Coulomb friction of one contact: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2), with the
+/// contact force F_n and the sliding velocities v_t of the columns `first` .. `first + count - 1` of B.
 struct Friction {
   int contact = 0;           ///< link whose force is F_n
   int first = 0, count = 1;  ///< columns of B: one in a plane model, two in space
-  double coefficient = 0;    ///< of Coulomb [-]
+  double coefficient = 0;    ///< Coulomb friction coefficient [-]
   double sliding = 0;        ///< velocity at which the force is 0.71 of coefficient * F_n [m/s]
 };
 
-/// A vector in the plane of a contact; the second component is zero where only one direction slides.
+/// Vector in the plane of a contact; the second component is zero if sliding has a single direction.
 using Sliding = std::array<double, 2>;
 
-/// Friction force against the sliding velocities, and its slopes.
+/// Friction force and its slopes.
 struct FrictionForce {
   Sliding force{};                      ///< [N]
   Sliding by_penetration{};             ///< slope by the penetration of the contact [N/m]
@@ -28,7 +28,7 @@ struct FrictionForce {
   std::array<Sliding, 2> by_sliding{};  ///< [i][j]: slope of component i by sliding velocity j [N s/m]
 };
 
-/// Regularised Coulomb force for a contact's response and sliding velocities v_t [m/s]; zero where the contact is in
+/// Regularised Coulomb force for the response of a contact and its sliding velocities v_t [m/s]; zero for a contact in
 /// tension.
 inline FrictionForce friction_force(const Friction& friction, const laws::Response& contact,
                                     const Sliding& rates) noexcept {

@@ -9,7 +9,7 @@
 namespace pounding {
 
 void Contact::press(double) {
-  throw std::invalid_argument("this contact has no force to press with; take a law that has one");
+  throw std::invalid_argument("this contact cannot start closed: its law has no force; use a law with a force");
 }
 
 std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link) {

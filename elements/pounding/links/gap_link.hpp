@@ -1,6 +1,6 @@
 #pragma once
-/// A gap link with a contact law: no force until the gap is closed, then the law's force. Each impact is recorded in a
-/// row.
+/// Gap link with a contact law: zero force until the gap is closed, then the force of the law. Each impact is recorded
+/// in a row.
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@
 
 namespace pounding {
 
-/// `Law` is any struct with the members of a contact law (see laws/law.hpp), also one of the user's own.
+/// `Law` is any struct with the members of a contact law (see laws/law.hpp), including user-defined ones.
 ///
-/// `evaluate` and `event_functions` are pure; the ContactState moves in `accept` and `on_event` only.
+/// `evaluate` and `event_functions` are pure; the ContactState changes only in `accept` and `on_event`.
 template <class Law>
 class GapLink final : public Contact {
  public:
-  /// Initial gap [m], negative for ends that would overlap and are pressed together; `link` is written into the rows of
-  /// the impacts. Throws std::invalid_argument for a gap that is not finite and for parameters that the law refuses.
+  /// Initial gap [m], negative for overlapping ends that are pressed together; `link` is written into the rows of the
+  /// impacts. Throws std::invalid_argument for a gap that is not finite and for invalid parameters of the law.
   GapLink(Law law, double gap, int link = 0) : law_(std::move(law)), state_{.gap = gap}, log_(link) {
     if (!std::isfinite(gap)) throw std::invalid_argument("gap must be finite");
     law_.check();
@@ -32,7 +32,7 @@ class GapLink final : public Contact {
 
   /// The law with its parameters.
   const Law& law() const noexcept { return law_; }
-  /// Present gap [m]: komodromos and elastoplastic add their indentation to it.
+  /// Current gap [m]: komodromos and elastoplastic add their indentation to it.
   double gap() const noexcept { return state_.gap; }
 
   ContactPhase phase() const noexcept override { return state_.phase; }
@@ -44,13 +44,13 @@ class GapLink final : public Contact {
     return laws::pressed(law_, penetration, 0, laws::touch(law_, 0));
   }
 
-  // The damping of a closing speed that was never there would be none, or without bound.
+  // Damping calibrated for a zero closing speed would be zero or unbounded.
   void press(double penetration) override {
     const auto force = [&](double speed) { return law_.contact(penetration, 1, laws::touch(law_, speed)).force; };
     if (force(1) != force(2))
       throw std::invalid_argument(
-          "a contact that presses from the start has no closing speed to find its force by; give an "
-          "impact_velocity, or a law that needs none, such as linear_spring or hertz");
+          "a contact that is closed at the start has no closing speed, which its law requires; give impact_velocity, "
+          "or a law without closing speed, such as linear_spring or hertz");
     state_.press(law_, penetration);
     log_.begin(0, 0);
     const double stored = laws::stored_energy(law_, penetration, state_.impact);
@@ -81,7 +81,8 @@ class GapLink final : public Contact {
     const double d = at_least_a_trace(motion.penetration, state_.impact);
     const laws::Response r = law_.contact(d, motion.rate, state_.impact);
     const double all = sum_of_terms(r, d, motion.rate);
-    // Beyond the separation the sign is that of the limit there, however small the trace is beside the round-off.
+    // Beyond separation the sign is that of the limit, even if the evaluated penetration is small compared with
+    // round-off.
     const double uncertain = motion.penetration < -rounding.penetration ? 0 : rounding.penetration;
     return all > 0 ? (std::abs(r.by_penetration) * uncertain + std::abs(r.by_rate) * rounding.rate) / all : 0;
   }
@@ -115,7 +116,7 @@ class GapLink final : public Contact {
   }
 
  private:
-  // A force that rises at the beginning of a step and falls at its end has its peak inside, where its slope on the
+  // A force that rises at the beginning of a step and falls at its end has its peak inside: where its slope on the
   // polynomial of degree five through the motion at both ends is zero.
   void record_peak(const LinkStep& step) {
     const auto slope = [&](const LinkMotion& motion, double acceleration) {
@@ -140,8 +141,7 @@ class GapLink final : public Contact {
   ImpactLog log_;
 };
 
-/// The link for a law chosen by name: a RigidGapLink for stereomechanical, else a GapLink. Arguments and errors as
-/// theirs.
+/// Link for a law by name: a RigidGapLink for stereomechanical, otherwise a GapLink. Arguments and errors are theirs.
 std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link = 0);
 
 }  // namespace pounding

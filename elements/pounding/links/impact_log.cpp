@@ -8,7 +8,7 @@ namespace pounding {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-// Below this closing speed bodies lean on each other from rest, and a restitution has no meaning.
+// Below this closing speed bodies come into contact practically at rest, and a restitution has no meaning.
 constexpr double min_closing_speed = 1e-9;  // m/s
 
 double restitution(double approach, double separation) {
@@ -29,7 +29,7 @@ void ImpactLog::begin(double time, double closing_speed) {
   open_ = true;
 }
 
-// The force at the beginning counts as a sample too: some laws jump at the touch.
+// The force at the beginning is a sample as well: some laws jump at touch.
 void ImpactLog::add(const LinkStep& step) {
   ImpactRow& row = rows_.back();
   const double h = step.end - step.begin;

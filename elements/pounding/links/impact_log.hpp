@@ -1,5 +1,5 @@
 #pragma once
-/// Records the impacts of one link, one row each, from its kept steps.
+/// Records the impacts of one link, one row each, from accepted steps.
 
 #include <span>
 #include <vector>
@@ -8,38 +8,38 @@
 
 namespace pounding {
 
-/// Rows of the impacts of one link, filled step by step while an impact lasts. Between begin() and end() a row is open;
-/// only then may the other functions be called.
+/// Rows of the impacts of one link, filled step by step during an impact. A row is open between begin() and end(); the
+/// other functions may be called only then.
 class ImpactLog {
  public:
   /// `link` is written into the rows.
   explicit ImpactLog(int link) : link_(link) {}
 
-  /// An impact begins at this time [s] with this closing speed [m/s].
+  /// Starts the next impact at this time [s] with this closing speed [m/s].
   void begin(double time, double closing_speed);
-  /// Adds a kept step inside the impact: impulse and work by Simpson's rule, peaks at both ends.
+  /// Adds an accepted step within the impact: impulse and work by Simpson's rule, peaks at both ends.
   void add(const LinkStep& step);
-  /// The part of the work in this impact that the contact can give back now [J]; the rest counts as lost.
+  /// Recoverable energy of the contact at present [J]; the rest of the work of this impact counts as lost.
   void store(double energy);
-  /// The force [N] at a time [s] inside a step, where it may be the largest of the impact.
+  /// The force [N] at a time [s] within a step, which may be the maximum of the impact.
   void record_peak(double time, double force);
-  /// The force fell to zero at this time [s]; the bodies still overlap, so it may come back.
+  /// The force fell to zero at this time [s]; the bodies still overlap, so it may return.
   void release(double time);
-  /// The force came back after a release.
+  /// The force returned after a release.
   void engage();
-  /// The impact is over at this time [s]; `rate` at the separation is negative when the bodies part [m/s].
+  /// Ends the impact at this time [s]; `rate` at separation is negative if the bodies separate [m/s].
   void end(double time, double rate);
-  /// Adds an impulse without duration [N s] and the energy that it took [J].
+  /// Adds an impulse without duration [N s] and the energy dissipated by it [J].
   void push(double impulse, double work);
 
-  /// True while an impact lasts; and the row of the last impact.
+  /// True during an impact; and the row of the last impact.
   bool open() const { return open_; }
   const ImpactRow& current() const { return rows_.back(); }
-  /// All impacts so far, the one that lasts included.
+  /// All impacts, including an unfinished one.
   std::span<const ImpactRow> rows() const { return rows_; }
   /// Work done on the link in all impacts [J].
   double work() const { return work_; }
-  /// Reads or writes all of it.
+  /// Reads or writes the complete state.
   void archive(Archive& archive);
 
  private:

@@ -10,7 +10,8 @@ namespace pounding {
 RigidGapLink::RigidGapLink(double restitution, double gap, int link)
     : restitution_(restitution), gap_(gap), log_(link) {
   if (gap < 0)
-    throw std::invalid_argument("a rigid contact has no force to press with: gap must be finite and not negative");
+    throw std::invalid_argument(
+        "a rigid contact cannot start closed, having no force: gap must be finite and not negative");
   if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
   if (!(restitution >= 0 && restitution <= 1)) throw std::invalid_argument("restitution must lie in [0, 1]");
 }
@@ -31,7 +32,7 @@ void RigidGapLink::archive(Archive& archive) {
   log_.archive(archive);
 }
 
-// A touch is answered in jumped(). The only event here is the end of a rest: its force has become a pull.
+// A touch is handled in jumped(). The only event here is the end of rest: the force has become tensile.
 void RigidGapLink::on_event(int, double time, const LinkMotion& motion) {
   if (phase_ != ContactPhase::resting) return;
   phase_ = ContactPhase::open;

@@ -1,5 +1,5 @@
 #pragma once
-/// A gap link of rigid bodies: velocity jumps instead of a contact force.
+/// Gap link of rigid bodies: velocity jumps instead of a contact force.
 
 #include <span>
 
@@ -8,16 +8,16 @@
 
 namespace pounding {
 
-/// Rigid contact: Newton's impact law at each touch, and rest after the last bounce that is worth resolving.
+/// Rigid contact: Newton's impact law at each touch, and rest after the last bounce that can be resolved.
 class RigidGapLink final : public Contact {
  public:
   /// Restitution in [0, 1] and initial gap >= 0 [m]; throws std::invalid_argument for other values. `link` is written
-  /// into the rows of the impacts. With restitution 0 the first touch is the last bounce.
+  /// into the rows of the impacts. With restitution 0 the first touch is the last.
   RigidGapLink(double restitution, double gap, int link = 0);
 
   ContactPhase phase() const noexcept override { return phase_; }
   double penetration(double relative_displacement) const noexcept override { return relative_displacement - gap_; }
-  /// Zero in every phase: a touch is a velocity jump, and the force of a rest follows from the equations of motion.
+  /// Zero in every phase: a touch is a velocity jump, and the force at rest follows from the equations of motion.
   laws::Response evaluate(const LinkMotion&) const noexcept override { return {}; }
   EventFunctions event_functions(const LinkMotion& motion, double force) const noexcept override;
   void accept(const LinkStep& step) override;
@@ -32,7 +32,7 @@ class RigidGapLink final : public Contact {
 
  private:
   double restitution_, gap_;
-  double drift_ = 0;  // overlap by rounding when the last rest ended, the zero of the next touch [m]
+  double drift_ = 0;  // overlap by round-off at the end of the last rest, the reference for the next touch [m]
   ContactPhase phase_ = ContactPhase::open;
   ImpactLog log_;
 };

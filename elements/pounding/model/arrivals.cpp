@@ -12,10 +12,10 @@
 namespace pounding {
 namespace {
 
-// Positions that a wave reaches within this distance of each other move together [m].
+// Positions with arrivals within this distance have the same motion [m].
 constexpr double one_arrival = 1e-6;
 
-// Two ends that meet, the left one first.
+// Two ends of a link, the left one first.
 struct Meeting {
   LinkEnd *left, *right;
   Eigen::Vector3d direction;
@@ -34,7 +34,7 @@ class Arrivals {
       : structures_(structures), on_wave_(on_wave), direction_(direction), places_(structures.size()) {}
 
   void place(const std::vector<Meeting>& all) {
-    // Drawn faces first, then through others without a place, so that the order of the links does not matter.
+    // Drawn faces first, then through other structures, so that the result does not depend on the order of the links.
     take_all(all, true);
     while (take_all(all, false)) {
     }
@@ -47,7 +47,7 @@ class Arrivals {
  private:
   bool is_drawn(int structure) const { return structures_[structure].surface->plan().has_value(); }
 
-  // Position of the face of an end; nullopt if its structure has no place.
+  // Position of the face of an end; nullopt if its structure has no position.
   std::optional<Eigen::Vector3d> face(const LinkEnd& end, const Meeting& meeting) const {
     if (!is_drawn(end.structure)) return places_[end.structure];
     return end.point.position + (&end == meeting.left ? 1 : -1) * end.face.value_or(0) * meeting.direction;
@@ -55,7 +55,7 @@ class Arrivals {
 
   double along(const Eigen::Vector3d& position) const { return position.dot(direction_); }
 
-  // True if a structure has found its place.
+  // True if a structure got a position.
   bool take_all(const std::vector<Meeting>& all, bool by_drawn) {
     bool found = false;
     for (const Meeting& meeting : all)
@@ -64,7 +64,7 @@ class Arrivals {
     return found;
   }
 
-  // Places the structure of an end by the other end; true if it had no place before.
+  // Derives the position of a structure from the other end; true if it had none before.
   bool take(const LinkEnd& end, const LinkEnd& other, const Meeting& meeting) {
     const Structure& s = structures_[end.structure];
     if (s.is_rigid() || is_drawn(end.structure) || !on_wave_[end.structure]) return false;
@@ -74,12 +74,13 @@ class Arrivals {
     if (place) {
       // The ground does not move a free body.
       if (!s.is_free && is_drawn(other.structure) && std::abs(along(*position) - along(*place)) > one_arrival)
-        throw ModelError(ModelOption::wave, end.structure,
-                         fmt::format("{} has no place in plan, and the wave reaches the faces that it meets one after "
-                                     "the other, at {} and {} along its "
-                                     "way; draw it as a frame, or give it a ground_motion of its own",
-                                     s.name, format_quantity(along(*place), dimension::length, 6),
-                                     format_quantity(along(*position), dimension::length, 6)));
+        throw ModelError(
+            ModelOption::wave, end.structure,
+            fmt::format(
+                "{} has no position in plan, and the wave reaches the faces linked to it at different positions, {} "
+                "and {} along its direction; draw it as a frame, or give it its own ground_motion",
+                s.name, format_quantity(along(*place), dimension::length, 6),
+                format_quantity(along(*position), dimension::length, 6)));
       return false;
     }
     place = position;
@@ -109,7 +110,7 @@ class Arrivals {
       supports[i].enforced = Eigen::MatrixX3d::Zero(rows, 3);
       supports[i].enforced.middleRows<3>(3 * static_cast<int>(i)).setIdentity();
     }
-    // Relative to the first support, which the whole structure follows.
+    // Relative to the first support, whose motion is that of the whole structure.
     for (const auto& [end, support] : ends)
       for (int axis = 0; axis < 3; ++axis) {
         end->point.supported[axis] = Row(rows);

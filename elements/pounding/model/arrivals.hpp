@@ -1,5 +1,5 @@
 #pragma once
-/// Arrivals of a travelling wave at structures without a place in plan.
+/// Arrival times of a travelling wave at structures without a position in plan.
 
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace pounding {
 
-/// Places what has no place in plan where it meets drawn frames, by its links and devices, so that a wave along
-/// `direction` reaches it there. A wall is the ground at each of its links: it gets a support for each arrival. Bodies,
-/// oscillators and shear buildings get the position of the face that they meet, also through others of their kind.
-/// Structures with a ground motion of their own stay as they are (`on_wave` false). Throws ModelError for a structure
-/// along x that frames link to different arrivals.
+/// Derives positions in plan for structures without one, from their links and devices to drawn frames, so that a wave
+/// along `direction` reaches them there. A wall is the ground at each of its links: it gets a support per arrival time.
+/// Bodies, oscillators and shear buildings get the position of the face that they meet, possibly through others of
+/// their kind. Structures with their own ground motion are unchanged (`on_wave` false). Throws ModelError for a
+/// structure along x that frames link to different arrival times.
 void place_by_links(std::vector<Structure>& structures, std::vector<Link>& links, std::vector<Device>& devices,
                     const std::vector<bool>& on_wave, const Eigen::Vector3d& direction);
 

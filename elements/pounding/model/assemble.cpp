@@ -26,7 +26,7 @@ void add_row(Triplets& entries, const Row& row, double factor, int first, int co
     if (it.value() != 0) entries.emplace_back(first + static_cast<int>(it.index()), column, factor * it.value());
 }
 
-// By structure, see rest_by_yielding().
+// Per structure, see rest_by_yielding().
 std::vector<Eigen::VectorXd> rests_by_yielding(const Model& model) {
   std::vector<Eigen::VectorXd> rests;
   for (const Structure& s : model.structures) try {
@@ -43,8 +43,8 @@ int total_size(const Model& model) {
   return count;
 }
 
-// Adds the displacement of one end of a link along `direction`, with the unknowns at rest, to the link's row on ground
-// motions. The first support carries the whole structure; the others add their part.
+// Adds the displacement of one end of a link along `direction`, at zero unknowns, to the row of the link in terms of
+// ground motions. The first support moves the whole structure; the others add differences.
 void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const LinkEnd& end, const Structure& s,
                        const SupportMotion& ground, const Eigen::Vector3d& direction) {
   for (int i = 0; i < 3; ++i) {
@@ -68,13 +68,13 @@ double displacement_along(const LinkEnd& end, const Eigen::Vector3d& direction, 
   return sum;
 }
 
-// Directions in the plane of a contact in which structures of this dimension slide.
+// Sliding directions in the plane of a contact, for structures of this dimension.
 std::vector<Eigen::Vector3d> tangents(const Eigen::Vector3d& normal, int dimension) {
   if (dimension < 3) return {Eigen::Vector3d::UnitZ()};
   return {Eigen::Vector3d::UnitZ().cross(normal), Eigen::Vector3d::UnitZ()};
 }
 
-// Motion of all floors: structure by structure, floor by floor, in their directions.
+// Displacements of all floors: structure by structure, floor by floor, in their directions.
 SparseMatrix floor_motions(const Model& model) {
   const std::vector<int> first = offsets(model);
   Triplets entries;
@@ -98,8 +98,7 @@ std::vector<int> offsets(const Model& model) {
 }
 
 System assemble(const Model& model, bool with_links) {
-  if (!model.is_complete())
-    throw std::logic_error("this model is not complete; call its complete() before it is assembled");
+  if (!model.is_complete()) throw std::logic_error("the model is not complete; call complete() before assemble()");
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);
@@ -128,28 +127,28 @@ System assemble(const Model& model, bool with_links) {
                 .by_mass = s.by_mass,
                 .by_stiffness = s.by_stiffness,
                 .modal_ratio = s.modal_ratio};
-    // A structure that nothing holds has no period; the ground moves it for as long as it moves, which a second stands
-    // for.
+    // A structure without supports has no period; one second is used instead.
     const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
     group.rigid_motions = s.rigid_motions;
-    // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
+    // Errors are relative to the maximum motion up to then; initially, to a fraction of the possible response to the
+    // ground motion.
     const int number = static_cast<int>(i);
     if (const double minimum = plan.min_displacement(number, w); minimum > 0) group.displacement_floor = minimum;
     if (const double minimum = plan.min_velocity(number, w); minimum > 0) group.velocity_floor = minimum;
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
-    // A structure at rest under a preload moves at this speed when it is let go.
+    // Maximum velocity after release from the state at rest under a preload.
     if (with_links && s.preload_displacement.size() > 0)
       group.velocity_floor = std::max(group.velocity_floor, 1e-2 * w * s.preload_displacement.cwiseAbs().maxCoeff());
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
-  // A structure that a force drives may hit one that stands still.
+  // A structure driven by a force may hit one at rest.
   double driven = 0;
   for (const GroundPlan::Force& force : plan.forces)
     for (const Group& group : system.groups)
       if (group.first == first[force.structure]) driven = std::max(driven, group.velocity_floor);
   for (Group& group : system.groups) group.velocity_floor = std::max(group.velocity_floor, 0.1 * driven);
-  // The force is -P ag, and here ag is the force itself.
+  // The load is -P ag, where ag is the force itself.
   auto of_plan = plan.forces.begin();
   for (std::size_t i = 0; i < model.structures.size(); ++i)
     for (const AppliedForce& force : model.structures[i].applied_forces)
@@ -159,7 +158,7 @@ System assemble(const Model& model, bool with_links) {
   if (!modal.empty()) system.modal_damping = sparse_matrix(n, n, modal);
   system.stiffness = sparse_matrix(n, n, stiffness);
 
-  // Which way a column closes, for what the ground does to it.
+  // Ends and sign of a column, for the effect of the ground motion.
   struct Column {
     const LinkEnd *left = nullptr, *right = nullptr;
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -193,14 +192,14 @@ System assemble(const Model& model, bool with_links) {
       system.is_part.push_back(!part.is_device());
       system.names.push_back(fmt::format("{} of {}", part.name, model.structures[i].name));
       columns.push_back({.at_rest = part.at_rest});
-      // Preloads leave a device undeformed, as gravity does.
+      // Preloads leave a device undeformed, as does gravity.
       if (const Structure& s = model.structures[i]; part.is_device() && with_links && s.preload_displacement.size() > 0)
         columns.back().at_rest -= part.deformation.dot(s.preload_displacement);
       if (part.is_device() && given_way[i].size() > 0) columns.back().at_rest -= part.deformation.dot(given_way[i]);
     }
   }
   for (const Device& device : model.devices) {
-    add_column(device, -device.direction, true);  // it gets longer
+    add_column(device, -device.direction, true);  // elongation
     *device.member = DeviceSpring(device.parts);
     system.springs.push_back(device.member.get());
     system.is_part.push_back(false);
@@ -235,7 +234,7 @@ System assemble(const Model& model, bool with_links) {
       const Structure& s = model.structures[end->structure];
       add_ground_motion(by_ground, c, sign, *end, s, plan.supports[end->structure], columns[c].direction);
       if (columns[c].is_device) {
-        // Preloads leave it undeformed, as gravity does.
+        // Preloads leave it undeformed, as does gravity.
         if (with_links && s.preload_displacement.size() > 0)
           at_rest[c] -= sign * displacement_along(*end, columns[c].direction, s.preload_displacement);
         if (given_way[end->structure].size() > 0)

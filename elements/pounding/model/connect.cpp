@@ -1,4 +1,4 @@
-/// From what is said of a link to its contacts: points, names, laws.
+/// Creates the contacts of a link from its options: points, names, laws.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@
 namespace pounding {
 namespace {
 
-// Default sliding velocity: slower than this, friction grows with the velocity [m/s].
+// Default regularisation velocity: friction is proportional to slower velocities [m/s].
 constexpr double usual_sliding = 5e-3;
 
 std::string text_of(const PairEnd& end, const Structure& s) {
@@ -50,7 +50,7 @@ double reduced_mass(double left, double right) {
   return left * right / (left + right);
 }
 
-// One link of several pairs, or of one that meets at several points.
+// Name of one link of several pairs or points.
 std::string name_of(const LinkOptions& options, const LinkPair& pair, const Structure& a, const Structure& b,
                     int number, bool is_one) {
   if (!options.name) return text_of(pair.left, a) + "-" + text_of(pair.right, b);
@@ -67,7 +67,7 @@ void check_name(const std::string& name, const LinkOptions& options, const std::
   for (const Link& other : others)
     if (other.name == name)
       refuse(is_given ? ModelOption::link_name : ModelOption::between,
-             fmt::format("a link \"{}\" exists already; give this one a name of its own, such as name: second", name));
+             fmt::format("a link \"{}\" exists already; give this one another name, such as name: second", name));
 }
 
 void check_options(const LinkOptions& options, const ContactLaw& law, bool is_drawn) {
@@ -80,50 +80,50 @@ void check_options(const LinkOptions& options, const ContactLaw& law, bool is_dr
     refuse(ModelOption::reduced_mass,
            "the reduced mass is given twice, by the law and by the link; keep one of the two");
   if (options.level_within && !options.floors && !is_drawn)
-    refuse_idle(ModelOption::level_within,
-                "belongs to floors: all, level or any, and to ends that are drawn; leave it out");
+    refuse_idle(ModelOption::level_within, "applies only to floors: all, level or any, and to drawn ends; remove it");
   if (options.sliding_velocity && !options.friction)
-    refuse_idle(ModelOption::sliding_velocity, "belongs to friction; type friction: 0.3 beside it, or leave it out");
+    refuse_idle(ModelOption::sliding_velocity, "requires friction; add friction: 0.3, or remove it");
 }
 
-// Faces belong to a drawing: the gap of other ends is given.
+// Faces belong to a drawing: for other ends the gap is given.
 void set_faces(Link& link, const ContactLocation& left, const ContactLocation& right, const Structure& a,
                const Structure& b, Side side, bool is_drawn) {
   for (const auto& [location, option] : {std::pair(&left, ModelOption::left), std::pair(&right, ModelOption::right)})
     if (location->face && !is_drawn)
-      refuse(option, fmt::format("face is for gaps that are drawn, and the one between {} and {} is typed, from face "
-                                 "to face; leave face out",
-                                 a.name, b.name));
+      refuse(
+          option,
+          fmt::format(
+              "face applies only to drawn gaps, and the one between {} and {} is given, from face to face; remove face",
+              a.name, b.name));
   if (!is_drawn) return;
   set_face(link.left, a, left.face, side, ModelOption::left);
   set_face(link.right, b, right.face, opposite(side), ModelOption::right);
 }
 
-// Height in which two ends may differ and still face each other [m].
+// Maximum difference in height of two ends that face each other [m].
 double level_of_ends(const LinkEnd& left, const LinkEnd& right, const Structure& a, const Structure& b,
                      std::optional<double> level_within) {
   if (left.floor < 0 || right.floor < 0) return usual_offset;
   return level_within.value_or(std::max(usual_offset, level_of(a.floors[left.floor], b.floors[right.floor], {})));
 }
 
-// Nothing where the drawing tells.
+// Empty values if the drawing defines the gap.
 std::vector<std::optional<double>> gaps_of(const LinkOptions& options, int count) {
   if (options.gap.empty()) return std::vector<std::optional<double>>(count);
   try {
     const std::vector<double> gaps = options.gap.of_each(count, "gap");
     for (const double gap : gaps)
       if (!std::isfinite(gap) || (gap < 0 && !options.preload))
-        throw std::invalid_argument(
-            gap < 0 && std::isfinite(gap)
-                ? "gap must be finite and not negative; with preload: true a negative one presses from the start"
-                : "gap must be finite and not negative");
+        throw std::invalid_argument(gap < 0 && std::isfinite(gap)
+                                        ? "gap must be finite and not negative; it may be negative with preload: true"
+                                        : "gap must be finite and not negative");
     return {gaps.begin(), gaps.end()};
   } catch (const std::invalid_argument& error) {
     refuse(ModelOption::gap, error.what());
   }
 }
 
-// Points that press together share the masses of their floors.
+// Contact points that close together share the masses of their floors.
 void set_law(Link& link, const LinkOptions& options, const ContactLaw& law, double share, double factor, int number) {
   const double left = link.left.point.mass / share, right = link.right.point.mass / share;
   const double of_ends = reduced_mass(left, right);
@@ -160,23 +160,23 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
     refuse(ModelOption::sliding_velocity, "sliding_velocity must be positive and finite");
   const auto slides = [](const Structure& s) { return !s.is_rigid() && s.dimension > 1; };
   if (!slides(a) && !slides(b))
-    refuse_idle(ModelOption::friction, "needs a frame: the others move along x only and cannot slide; leave it out");
+    refuse_idle(ModelOption::friction,
+                "only for frames: other structures move only along x and cannot slide; remove it");
   if (link.contact->is_rigid())
-    refuse_idle(ModelOption::friction, "needs a law with a force; a stereomechanical contact gives velocities only");
+    refuse_idle(ModelOption::friction,
+                "only for laws with a force; a stereomechanical contact has only velocity jumps");
 }
 
-// A gap that is closed at rest, where the law needs the closing speed of an impact.
+// Rejects a gap that is closed at rest if the law requires the closing speed of an impact.
 void require_closing_speed(const Link& link, double overlap, const Structure& a, const Structure& b) {
   constexpr double closed = 1e-9;  // [m]
   if (overlap < -closed || !link.contact->needs_closing_speed() || a.initial_velocity.any() || b.initial_velocity.any())
     return;
-  refuse(
-      ModelOption::gap,
-      fmt::format(
-          "{} takes its stiffness from the closing speed of each impact, and the bodies of {} touch at rest from the "
-          "start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
-          "yield_penetration",
-          link.law, link.name));
+  refuse(ModelOption::gap, fmt::format("{} derives its stiffness from the closing speed of each impact, but the bodies "
+                                       "of {} are in contact at rest at the start; give a design speed, such as "
+                                       "impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
+                                       "yield_penetration",
+                                       link.law, link.name));
 }
 
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
@@ -184,7 +184,7 @@ void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
   require_closing_speed(link, overlap, a, b);
   if (!(overlap > 0)) return;
-  // Two equal frames at a gap of zero lean by the same displacement, but for its round-off.
+  // Two equal frames at a gap of zero lean by the same displacement, up to round-off.
   const auto rounding = [&](const LinkEnd& end, const Structure& s) {
     Eigen::VectorXd u = s.initial_displacement;
     if (s.at_rest.size() > 0) u += s.at_rest;
@@ -196,7 +196,7 @@ void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const bool displaced = a.initial_displacement.any() || b.initial_displacement.any();
   const std::string apart =
       are_drawn(a, b)
-          ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
+          ? fmt::format("they {} towards each other{}: move the origin of {} away by {} or more",
                         displaced ? "are displaced" : "lean", displaced ? "" : " under their loads", b.name, by)
           : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
   refuse(ModelOption::gap, fmt::format("{} and {} overlap by {} at the start; {}", a.name, b.name, by, apart));
@@ -216,12 +216,12 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
   const std::vector<std::optional<double>> gaps = gaps_of(options, count);
   if (options.preload && std::none_of(gaps.begin(), gaps.end(), [](const auto& gap) { return gap && *gap < 0; }))
     refuse_idle(ModelOption::preload,
-                "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
+                "requires a negative gap, the overlap of the undeformed ends, as in gap: -2 mm; otherwise remove it");
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
     if (static_cast<double>(links.size() + along.size()) > limits::links)
       refuse(ModelOption::between,
-             fmt::format("a model has at most {:g} links; link fewer floors, or take fewer points along their edges",
+             fmt::format("a model has at most {:g} links; link fewer floors, or use fewer points along their edges",
                          limits::links));
     for (std::size_t k = 0; k < along.size(); ++k) {
       Link link;

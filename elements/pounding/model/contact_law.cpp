@@ -3,7 +3,7 @@
 namespace pounding {
 namespace {
 
-// The exponent may be one of the settings, or the law's own.
+// The exponent may be among the settings, or that of the law.
 double exponent_of(const laws::Settings& settings) {
   laws::Settings typical = settings;
   for (const laws::ParameterInfo& parameter : laws::find_law(settings.law).parameters)

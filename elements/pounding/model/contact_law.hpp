@@ -1,5 +1,5 @@
 #pragma once
-/// A contact law of any type, as a model takes it for a link.
+/// Contact law of any type, as a model accepts it for a link.
 
 #include <functional>
 #include <memory>
@@ -19,11 +19,11 @@ namespace pounding {
 
 /// Throws std::invalid_argument.
 [[noreturn]] inline void refuse_estimate(std::string_view law) {
-  throw std::invalid_argument(std::string(law) + " takes no estimate of a stiffness");
+  throw std::invalid_argument(std::string(law) + " has no stiffness to estimate");
 }
 
-/// The exponent n of a law whose stiffness is k in F = k d^n. Throws std::invalid_argument for a law without a
-/// stiffness, or one that tells no exponent.
+/// Exponent n of a law with stiffness k in F = k d^n. Throws std::invalid_argument for a law without a stiffness or
+/// without a known exponent.
 template <class Law>
 double stiffness_exponent(const Law& law) {
   if constexpr (requires {
@@ -41,19 +41,19 @@ double stiffness_exponent(const Law& law) {
   refuse_estimate(Law::name);
 }
 
-/// A stiffness other than the one that a law was given.
+/// Stiffness that replaces the one of a law.
 struct ContactStiffness {
   std::function<double(double exponent)>
-      estimate{};     ///< k [N/m^n] for a law with this exponent n; empty: the law's own
+      estimate{};     ///< k [N/m^n] for a law with this exponent n; empty: stiffness of the law
   double factor = 1;  ///< multiplies either
 };
 
-/// A law of the library, a law by name (laws::Settings), or a user's own struct of the form that laws/law.hpp
-/// describes. A model makes one contact a link of it and sets its reduced mass to that of the bodies at the link's
-/// ends, unless one is given.
+/// A law of the library, a law by name (laws::Settings), or a user-defined struct of the form described in
+/// laws/law.hpp. The model creates one contact per link and sets its reduced mass to that of the bodies at the ends of
+/// the link, unless one is given.
 class ContactLaw {
  public:
-  /// A contact, and what reports say of its law.
+  /// A contact, and the description of its law for reports.
   struct Made {
     std::string name, formula;
     std::vector<laws::ResolvedValue> parameters;  ///< calibrated damping included
@@ -85,10 +85,10 @@ class ContactLaw {
     };
   }
 
-  /// The reduced mass that the law was given by its user [kg]; 0 for none.
+  /// Reduced mass given by the user [kg]; 0 for none.
   double reduced_mass() const noexcept { return reduced_mass_; }
-  /// A contact of this law with a gap [m] for the link with this number. Throws std::invalid_argument for what the law
-  /// refuses, and for an estimated stiffness of a law that has none.
+  /// Creates the contact of this law with a gap [m] for the link with this index. Throws std::invalid_argument for
+  /// invalid parameters of the law, and for an estimated stiffness of a law without stiffness.
   Made make(double reduced_mass, double gap, int link, const ContactStiffness& stiffness = {}) const {
     return make_(reduced_mass, gap, link, stiffness);
   }

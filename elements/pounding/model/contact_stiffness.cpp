@@ -27,7 +27,7 @@ double positive(double value, std::string_view name) {
   return value;
 }
 
-// Curvature at the contact, 1/R; a flat body has none.
+// Curvature at the contact, 1/R; zero for a flat body.
 double curvature(double radius) {
   if (!(radius > 0)) throw std::invalid_argument("a radius must be positive");
   return 1 / radius;
@@ -37,14 +37,14 @@ double radius_of_ball(double mass, double density) { return std::cbrt(3 * mass /
 
 double hertz(double curvatures, const ContactMaterial& material) {
   if (!(curvatures > 0))
-    throw std::invalid_argument("two flat bodies have no stiffness of Hertz; give one of them a radius");
+    throw std::invalid_argument("Hertz stiffness is undefined for two flat bodies; give one of them a radius");
   positive(material.young, "E");
   if (!(material.poisson >= 0 && material.poisson <= 0.5)) throw std::invalid_argument("poisson must lie in [0, 0.5]");
   const double modulus = material.young / (2 * (1 - material.poisson * material.poisson));
   return 4.0 / 3 * modulus / std::sqrt(curvatures);
 }
 
-// Stiffness k of k d^n that has the penetration d in an elastic impact: m v^2/2 = k d^(n+1)/(n+1).
+// Stiffness k of k d^n with the penetration d in an elastic impact: m v^2/2 = k d^(n+1)/(n+1).
 double with_penetration(double penetration, double exponent, double mass, double speed) {
   return (exponent + 1) * mass * speed * speed / (2 * std::pow(penetration, exponent + 1));
 }
@@ -64,7 +64,7 @@ double of_slabs(const StiffnessOfSlabs& slabs) {
       throw std::invalid_argument("length must be finite and not negative");
     if (slabs.lengths[i] > 0) flexibility += slabs.lengths[i] / (slabs.young * positive(slabs.areas[i], "area"));
   }
-  if (!(flexibility > 0)) throw std::invalid_argument("one of the slabs needs a length");
+  if (!(flexibility > 0)) throw std::invalid_argument("at least one slab must have a positive length");
   return 1 / flexibility;
 }
 

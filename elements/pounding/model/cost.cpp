@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void refuse_analysis(const std::string& text) { throw ModelError(ModelOption::analysis, text); }
 
-// The longest step as a part of the shortest of all first periods, and of the duration.
+// Maximum step relative to the shortest of all first periods, and to the duration.
 constexpr double max_part_of_period = 0.1;
 constexpr double max_part_of_duration = 1.0 / 16;
 
@@ -28,11 +28,11 @@ double longest_step(const Model& model, const GroundPlan& plan) {
   double free = longest;
   for (const Structure& s : model.structures)
     if (vibrates(s)) free = std::min(free, max_part_of_period * 2 * M_PI / s.frequencies[0]);
-  // Samples of a record are never divided for the periods of the structures alone.
+  // Samples of a record are not subdivided for the periods of the structures alone.
   return std::max(free, std::min(plan.sample_step(), model.analysis.max_step > 0 ? longest : model.analysis.duration));
 }
 
-// The least number of steps, and the reason for it.
+// Minimum number of steps, and its reason.
 struct Steps {
   double count;
   std::string reason;
@@ -43,20 +43,20 @@ Steps min_steps(const Model& model) {
   const double duration = model.analysis.duration, step = longest_step(model, plan);
   Steps minimum{duration / step, ""};
   if (step == model.analysis.max_step) {
-    minimum.reason = fmt::format("a max_step of {:g} s makes them so short", step);
+    minimum.reason = fmt::format("the reason is the max_step of {:g} s", step);
   } else {
     double shortest = std::numeric_limits<double>::infinity();
     for (const Structure& s : model.structures)
       if (vibrates(s) && 2 * M_PI / s.frequencies[0] < shortest) {
         shortest = 2 * M_PI / s.frequencies[0];
-        minimum.reason = fmt::format("the period of {:.3g} s of structure {} makes them so short", shortest, s.name);
+        minimum.reason = fmt::format("the reason is the period of {:.3g} s of structure {}", shortest, s.name);
       }
   }
   for (const GroundMotion& motion : plan.motions) {
     const double lasts = std::min(duration, motion.duration()) - motion.start(),
                  of_motion = motion.longest_step(motion.start());
     if (lasts > minimum.count * of_motion)
-      minimum = {lasts / of_motion, fmt::format("the ground motion ({}) makes them so short", motion.source())};
+      minimum = {lasts / of_motion, fmt::format("the reason is the ground motion ({})", motion.source())};
   }
   return minimum;
 }
@@ -66,16 +66,17 @@ void require_steps(const Model& model) {
   const Steps minimum = min_steps(model);
   if (!(minimum.count > maximum)) return;
   const bool can_be_raised = minimum.count < limits::max_steps;
-  refuse_analysis(fmt::format(
-      "a run of {:g} s takes {:.3g} steps or more, and {:.10g} are allowed: {}; look at the units, or type analysis: "
-      "{{duration: "
-      "{:.2g} s}}{}",
-      model.analysis.duration, minimum.count, maximum, minimum.reason,
-      model.analysis.duration * maximum / minimum.count,
-      can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}} and some patience", std::ceil(2 * minimum.count)) : ""));
+  refuse_analysis(
+      fmt::format("a run of {:g} s takes at least {:.3g} steps, but at most {:.10g} are allowed: {}; check the units, "
+                  "or type analysis: "
+                  "{{duration: "
+                  "{:.2g} s}}{}",
+                  model.analysis.duration, minimum.count, maximum, minimum.reason,
+                  model.analysis.duration * maximum / minimum.count,
+                  can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}}", std::ceil(2 * minimum.count)) : ""));
 }
 
-// Numbers that the histories keep at each output time.
+// Number of values recorded at each output time.
 double numbers_of(const Structure& s) {
   const double directions = s.dimension == 3 ? 3 : 1, floors = static_cast<double>(s.floors.size());
   const double on_floors = 3 * directions + (s.has_storeys() ? 2 * std::min(directions, 2.0) : 0);
@@ -97,7 +98,7 @@ void require_outputs(const Model& model) {
   const double bytes = outputs * numbers * sizeof(double), memory = limits::memory();
   if (bytes > memory)
     refuse_analysis(
-        fmt::format("{:.3g} output times of {:.3g} numbers each take {}, and there are {}; type analysis: "
+        fmt::format("{:.3g} output times of {:.3g} numbers each take {}, but only {} are available; type analysis: "
                     "{{output_step: {:.2g} s}}, or report "
                     "fewer nodes and members",
                     outputs, numbers, limits::text_of_bytes(bytes), limits::text_of_bytes(memory),

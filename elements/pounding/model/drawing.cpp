@@ -12,14 +12,13 @@
 namespace pounding {
 namespace {
 
-// Distances between axes of columns whose faces may pound: no recommendation of such a gap without a word about the
-// axes [m].
+// Maximum distance between column axes whose faces may pound: below it, recommendations of a gap mention the axes [m].
 constexpr double widest_between_axes = 1.5;
-// A difference of about half the depths of the columns is within this fraction of them.
+// Relative tolerance for a difference of about half the column depths.
 constexpr double about = 0.2;
-// A gap may differ from the distance drawn by this part of itself.
+// Relative tolerance between a gap and the distance in the drawing.
 constexpr double relative_rounding = 1e-3;
-// Distances are rounded to nanometres, so that 18.02 m less 18 m is 20 mm to the last bit [1/m].
+// Distances are rounded to nanometres: 18.02 m - 18 m is exactly 20 mm [1/m].
 constexpr double nanometres = 1e9;
 
 std::string metres(double length) {
@@ -44,16 +43,16 @@ struct Ends {
                        metres(right.point.position[axis]));
   }
   bool has_face() const { return left.face.value_or(0) > 0 || right.face.value_or(0) > 0; }
-  // " between faces 300 mm and 250 mm before the axes", empty for ends that are drawn by their faces.
+  // " between faces 300 mm and 250 mm before the axes", empty for ends drawn at their faces.
   std::string faces() const {
     if (!has_face()) return {};
     return fmt::format(" between faces {} and {} before the axes", metres(left.face.value_or(0)),
                        metres(right.face.value_or(0)));
   }
-  // How to bring the second structure to another distance from the first one.
+  // Text on moving the second structure to another distance from the first one.
   std::string move(Side side, double farther) const {
     const double along = outward(side).sum() * farther;
-    return fmt::format("move {} by {} along {} with its origin", b.name, metres(along),
+    return fmt::format("move the origin of {} by {} along {}", b.name, metres(along),
                        side == Side::plus_x || side == Side::minus_x ? "x" : "y");
   }
 };
@@ -69,11 +68,11 @@ void require_facing(const Ends& ends, int axis, double reach) {
           in_height
               ? fmt::format("link ends that are level, or the column there, as in {{structure: {}, elevation: {}}}",
                             ends.b.name, metres(up))
-              : "link ends that do, or move one of the two by its origin"));
+              : "link other ends, or move the origin of one of the two"));
 }
 
-// The advice to a drawing by axes where a difference from the requested gap, or the distance itself, has the size of
-// columns; else empty.
+// Advice for a drawing at the axes, if the distance or its difference from the requested gap has the size of columns;
+// otherwise empty.
 std::string cause_by_axes(const Model& model, const Ends& ends, Side side, double requested, double drawn) {
   const AxisAdvice advice = advice_on_axes(model, ends.left, ends.right, side);
   const double difference = drawn - requested;
@@ -84,9 +83,8 @@ std::string cause_by_axes(const Model& model, const Ends& ends, Side side, doubl
   if (!is_of_columns) return {};
   const double between = drawn - advice.sum();
   return fmt::format(
-      "if the frames are drawn by the axes of their columns, type {}: the columns reach {} and {} beyond the axes, and "
-      "{}; if they are "
-      "drawn by their faces, ",
+      "if the frames are drawn at the axes of their columns, type {}: the columns reach {} and {} beyond the axes, and "
+      "{}; if they are drawn at their faces, ",
       advice.text, metres(advice.halves[0]), metres(advice.halves[1]),
       between >= -drawn_rounding ? fmt::format("{} remain between faces", metres(between))
                                  : fmt::format("the faces overlap by {}", metres(-between)));
@@ -130,16 +128,16 @@ double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, 
   if (drawn < -drawn_rounding)
     throw ModelError(ModelOption::between,
                      fmt::format("{} overlap by {}{}; {}{}{}", ends.at(along_x ? 0 : 1), metres(-drawn), ends.faces(),
-                                 ends.has_face() ? "leave face out where a frame is drawn by its faces, or " : "",
+                                 ends.has_face() ? "remove face if a frame is drawn at its faces, or " : "",
                                  ends.move(side, requested.value_or(0) - drawn), requested ? "" : ", or farther"));
   require_facing(ends, 2, level + drawn_rounding);
-  // A plane frame has no place across its plane.
+  // A plane frame has no position perpendicular to its plane.
   if (ends.a.dimension == 3 && ends.b.dimension == 3) require_facing(ends, along_x ? 1 : 0, usual_offset);
   if (!requested) return std::max(0.0, std::round(drawn * nanometres) / nanometres);
   if (std::abs(*requested - drawn) > std::max(drawn_rounding, relative_rounding * *requested))
     throw ModelError(
         ModelOption::gap,
-        fmt::format("is {}, but {} are drawn {} apart{}; {}leave the gap out to take this distance, or {}",
+        fmt::format("is {}, but {} are drawn {} apart{}; {}remove the gap to use this distance, or {}",
                     metres(*requested), ends.at(along_x ? 0 : 1), metres(drawn), ends.faces(),
                     cause_by_axes(model, ends, side, *requested, drawn), ends.move(side, *requested - drawn)));
   return *requested;

@@ -14,7 +14,7 @@
 namespace pounding {
 namespace {
 
-// Elevations that differ by less than this fraction of themselves are equal but for rounding.
+// Elevations are equal up to this relative difference.
 constexpr double elevation_rounding = 1e-6;
 
 bool are_level(const Floor& a, const Floor& b, std::optional<double> level_within) {
@@ -22,8 +22,8 @@ bool are_level(const Floor& a, const Floor& b, std::optional<double> level_withi
   return std::abs(*a.elevation - *b.elevation) <= level_of(a, b, level_within) + allowance;
 }
 
-// For each floor of the left structure the one of the right that is level with it, -1 for none. The nearest floors are
-// paired first, each once.
+// For each floor of the left structure, the level floor of the right one, -1 for none. The nearest floors are paired
+// first, each at most once.
 std::vector<int> level_floors(const Structure& left, const Structure& right, std::optional<double> level_within) {
   struct Candidate {
     double apart;
@@ -51,17 +51,16 @@ bool has_elevations(const Structure& s) {
          std::all_of(s.floors.begin(), s.floors.end(), [](const Floor& f) { return f.elevation.has_value(); });
 }
 
-// Structures without columns to hit, or without heights: floors are paired by their numbers.
+// Structures without columns to hit, or without heights: floors are paired by number.
 std::vector<LinkPair> floors_by_number(int a, int b, const Structure& left, const Structure& right,
                                        std::optional<double> level_within) {
   if (left.is_rigid() && right.is_rigid())
     refuse(ModelOption::between, "both ends are walls; one of them must be able to move");
   for (const Structure* s : {&left, &right})
     if (!s->is_rigid() && s->floors.empty())
-      refuse(
-          ModelOption::between,
-          fmt::format("{0} has no floors; name a node, as in {{structure: {0}, node: NAME}}, and leave \"floors\" out",
-                      s->name));
+      refuse(ModelOption::between,
+             fmt::format("{0} has no floors; name a node, as in {{structure: {0}, node: NAME}}, and remove \"floors\"",
+                         s->name));
   const int floors_left = static_cast<int>(left.floors.size()), floors_right = static_cast<int>(right.floors.size());
   const int count = left.is_rigid()    ? floors_right
                     : right.is_rigid() ? floors_left
@@ -138,7 +137,7 @@ std::vector<LinkPair> facing_floors(FacingFloors choice, int a, int b, const Str
   return sorted;
 }
 
-// Without a choice of floors the structure must have one that can be meant.
+// Without a choice of floors, the structure must have a single one.
 void complete(PairEnd& end, const Structure& s, ModelOption side) {
   if (s.is_rigid()) {
     if (end.elevation || !end.node.empty()) refuse(side, fmt::format("\"{}\" is a wall; type {}", s.name, s.name));
@@ -157,7 +156,7 @@ void complete(PairEnd& end, const Structure& s, ModelOption side) {
 
 void require_structure(const Model& model, int number, ModelOption side) {
   if (number < 0 || number >= static_cast<int>(model.structures.size()))
-    refuse(side, fmt::format("there is no structure {} among {}; add() gives the one to link", number,
+    refuse(side, fmt::format("structure {} is not one of the {} structures; use the handle returned by add()", number,
                              model.structures.size()));
 }
 
@@ -185,7 +184,7 @@ Side facing_side(const Structure& a, const Structure& b) {
   const auto [ax0, ax1, ay0, ay1] = *a.surface->plan();
   const auto [bx0, bx1, by0, by1] = *b.surface->plan();
   const auto beside = [](double a0, double a1, double b0, double b1, Side plus, Side minus) -> std::optional<Side> {
-    // Two without width at one place: neither is beside the other.
+    // Two points at the same position: neither is to the left of the other.
     if (a1 - a0 + b1 - b0 <= drawn_rounding && std::abs(b0 - a0) <= drawn_rounding) return {};
     if (b0 >= a1 - drawn_rounding) return plus;
     if (a0 >= b1 - drawn_rounding) return minus;
@@ -194,16 +193,16 @@ Side facing_side(const Structure& a, const Structure& b) {
   const auto left_first = [&, ax0 = ax0, ax1 = ax1, bx0 = bx0, bx1 = bx1](Side side) {
     if (side == Side::minus_x)
       refuse(ModelOption::between,
-             fmt::format("{0} stands on the left of {1}: it reaches from x = {2:.6g} m to {3:.6g} m, and {1} from "
+             fmt::format("the order of {0} and {1} is wrong: {0} extends from x = {2:.6g} m to {3:.6g} m, and {1} from "
                          "x = {4:.6g} m to {5:.6g} m; name the left one first, between: [{0}, {1}]",
                          b.name, a.name, bx0, bx1, ax0, ax1));
     return side;
   };
   std::optional<Side> along_x = beside(ax0, ax1, bx0, bx1, Side::plus_x, Side::minus_x);
-  // Plane frames may reach over each other at other heights: their ends tell whether they overlap.
+  // Plane frames may overlap in plan at different heights: their ends decide.
   if (a.dimension < 3 || b.dimension < 3) return left_first(along_x.value_or(Side::plus_x));
   std::optional<Side> along_y = beside(ay0, ay1, by0, by1, Side::plus_y, Side::minus_y);
-  // A frame whose end lies in the line of the other one's edge is apart from it the other way only.
+  // A frame with its end in line with the edge of the other one is apart only in the other direction.
   const double apart_x = std::max(bx0 - ax1, ax0 - bx1), apart_y = std::max(by0 - ay1, ay0 - by1);
   if (along_x && along_y && apart_x > drawn_rounding && apart_y <= drawn_rounding) along_y.reset();
   if (along_x && along_y && apart_y > drawn_rounding && apart_x <= drawn_rounding) along_x.reset();
@@ -213,14 +212,13 @@ Side facing_side(const Structure& a, const Structure& b) {
   if (sides.empty())
     refuse(ModelOption::between,
            fmt::format(
-               "{0} and {1} stand on each other: {0} reaches from x = {2:.6g} m to {3:.6g} m and from y = {4:.6g} m "
+               "{0} and {1} overlap in plan: {0} extends from x = {2:.6g} m to {3:.6g} m and from y = {4:.6g} m "
                "to {5:.6g} m, {1} from x = {6:.6g} m to {7:.6g} m and from y = {8:.6g} m to {9:.6g} m; give one of "
                "them an origin, such as origin: [{10:.6g} m, 0 m]",
                a.name, b.name, ax0, ax1, ay0, ay1, bx0, bx1, by0, by1, ax1 + 0.1));
   if (sides.size() > 1)
     refuse(ModelOption::between,
-           fmt::format("{} and {} stand apart along x and along y: no side of the one faces the other; "
-                       "move one by its origin",
+           fmt::format("{} and {} are apart along both x and y, so no sides face each other; move the origin of one",
                        a.name, b.name));
   return left_first(sides.front());
 }
@@ -251,7 +249,7 @@ std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, 
   if (floors) {
     const auto is_named = [](const PairEnd& end) { return end.floor || end.elevation || !end.node.empty(); };
     if (is_named(first) || is_named(second))
-      throw ModelError(ModelOption::floors, "names all floors, but \"between\" names one; keep one of the two")
+      throw ModelError(ModelOption::floors, "links all floors, but \"between\" names one; keep one of the two")
           .as_idle();
     return facing_floors(*floors, left.structure, right.structure, a, b, level_within);
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// Parts that would have yielded before a run begins.
+/// Parts that would yield before a run starts.
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 
 namespace pounding {
 
-/// The size of the deformation at which a spring that has not been deformed yields on its way to this one; nothing
-/// where it stays elastic. Where it yields at two sizes, that of this direction.
+/// Magnitude of the deformation at which an undeformed spring yields on the way to this deformation; nullopt if it
+/// stays elastic. If it yields at different magnitudes in the two directions, that of this direction.
 inline std::optional<double> yields_before(const Spring& spring, double deformation) {
   const double weaker = spring.yield_deformation();
   if (!(std::abs(deformation) > weaker)) return {};
@@ -24,7 +24,7 @@ inline std::optional<double> yields_before(const Spring& spring, double deformat
   return corner ? std::optional(std::max(weaker, std::abs(*corner))) : std::nullopt;
 }
 
-/// A drift of a storey or an isolator, "12 mm", or a rotation in a frame, "0.0012 rad".
+/// Drift of a storey or an isolator, "12 mm", or rotation in a frame, "0.0012 rad".
 inline std::string deformation_text(const Structure& s, const YieldingPart& part, double deformation) {
   return s.dimension == 1 || isolates(part) ? format_quantity(deformation, dimension::length)
                                             : fmt::format("{:.4g} rad", deformation);

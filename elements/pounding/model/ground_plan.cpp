@@ -11,10 +11,10 @@
 namespace pounding {
 namespace {
 
-// Errors are compared with at least this part of the static response to the largest acceleration.
+// Errors are relative to at least this fraction of the static response to the maximum acceleration.
 constexpr double min_part = 1e-2;
 
-// Delay of a travelling wave at a position after its arrival at the first support of all [s].
+// Delay of a travelling wave at a position, relative to its arrival at the first support [s].
 double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
   if (!model.ground.wave) return 0;
   double nearest = std::numeric_limits<double>::infinity();
@@ -24,11 +24,11 @@ double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
   return (position.dot(model.ground.wave->direction) - nearest) / model.ground.wave->velocity;
 }
 
-// A structure without unknowns along an axis follows its ground there, and whatever rubs on it feels that. A free body
-// is the exception: it has an unknown along x and stays where it is along y and z.
+// True if the structure has a support motion along an axis, which acts on contacts that slide on it. A free body is the
+// exception: it has an unknown along x and does not move along y and z.
 bool moves_along(const Structure& s, int direction) { return direction == 0 || !s.is_free; }
 
-// Off the diagonal the masses hardly matter to a scale.
+// Off-diagonal masses are negligible for a scale.
 double share_of(const AppliedForce& force, const Structure& s) {
   const Eigen::VectorXd masses = s.mass.diagonal();
   double sum = 0;
@@ -37,7 +37,7 @@ double share_of(const AppliedForce& force, const Structure& s) {
   return std::sqrt(sum / masses.sum());
 }
 
-// The difference of the velocities before and after a motion.
+// Difference of the velocities before and after a motion.
 double last_velocity(const GroundMotion& motion) {
   return std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
 }
@@ -47,7 +47,8 @@ double last_velocity(const GroundMotion& motion) {
 GroundPlan ground_plan(const Model& model) {
   GroundPlan plan;
   std::vector<std::vector<std::array<int, 3>>> indices;  // [structure][support][axis]
-  // Key of a motion: its source (-1 for the model's, else counted over the supports' own), the axis, the delay [s].
+  // Key of a motion: its source (-1 for the model, otherwise a counter of the supports' own motions), the axis, the
+  // delay [s].
   std::map<std::tuple<int, int, double>, int> known;
   int own = 0;
   for (const Structure& s : model.structures) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Excitation of a model over time: the ground under all supports, and forces.
+/// Excitation of a model over time: ground motions at all supports, and forces.
 
 #include <vector>
 
@@ -10,42 +10,41 @@ namespace pounding {
 
 class Model;
 
-/// Which motions the ground makes, each component once, which of them moves which support, and the forces over time
-/// behind them.
+/// Distinct components of the ground motion, the one that moves each support, and the forces over time.
 struct GroundPlan {
-  /// A force as one more column of the load.
+  /// Force as an additional column of the load.
   struct Force {
     int structure = 0;
-    int motion = 0;    ///< its history among the motions, a force for an acceleration [N]
-    double share = 0;  ///< root mean square of the accelerations by a unit force at rest, weighed by the masses [1/kg]
+    int motion = 0;    ///< index of its history in the motions, a force instead of an acceleration [N]
+    double share = 0;  ///< root mean square, weighted by mass, of the accelerations by a unit force at rest [1/kg]
   };
   std::vector<GroundMotion>
-      motions;  ///< of the ground, delays included, at least one, which may stay at rest; then of the forces
-  std::vector<SupportMotion> supports;  ///< one a structure, in the model's order
+      motions;  ///< ground motions, delays included, at least one, which may be zero; then the forces
+  std::vector<SupportMotion> supports;  ///< one per structure, in the order of the model
   std::vector<Force> forces;            ///< structure by structure
-  double last_arrival = 0;              ///< of the model's own ground motion at its supports [s]
+  double last_arrival = 0;              ///< of the model's ground motion at its supports [s]
 
-  /// Time after which all accelerations and forces are zero [s]; infinity for a force that stays.
+  /// Time after which all accelerations and forces are zero [s]; infinity for a permanent force.
   double duration() const;
-  /// Shortest spacing of uniform samples [s]; 0 where no motion has any.
+  /// Minimum spacing of uniform samples [s]; 0 if no motion has any.
   double sample_step() const;
-  /// Longest step from time t to the next break that resolves all motions, see GroundMotion::longest_step [s].
+  /// Maximum step from time t to the next break that resolves all motions, see GroundMotion::longest_step [s].
   double longest_step(double t) const;
-  /// A response that errors can be compared with before there is a motion, of a structure whose circular frequency is w
-  /// > 0 [rad/s]: a hundredth of its static response to the largest acceleration; the response to the velocity or
-  /// displacement of the ground where that is smaller, as it is to a short pulse. Forces count in the structure on
+  /// Lower bound on the response scale for relative errors, before there is any motion, of a structure with circular
+  /// frequency w > 0 [rad/s]: a hundredth of its static response to the maximum acceleration, or its response to the
+  /// velocity or displacement of the ground if that is smaller, as for a short pulse. Forces count in the structure on
   /// which they act. Displacement [m] and velocity [m/s].
   double min_displacement(int structure, double w) const;
   double min_velocity(int structure, double w) const;
 
  private:
-  // The largest of least(motion), times the share where the motion is that of a force on the structure.
+  // Maximum of least(motion), multiplied by the share for the motion of a force on the structure.
   template <class Minimum>
   double largest(int structure, const Minimum& minimum) const;
 };
 
-/// The ground under a model. A support without a motion of its own has the model's, later by the delay of the support
-/// and by the arrival of a travelling wave.
+/// Excitation of a model. A support without its own motion has that of the model, delayed by the delay of the support
+/// and the arrival time of a travelling wave.
 GroundPlan ground_plan(const Model& model);
 
 }  // namespace pounding

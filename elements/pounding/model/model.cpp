@@ -25,7 +25,7 @@
 namespace pounding {
 namespace {
 
-// Supports that a wave reaches within this way of each other move alike [m].
+// Supports with arrivals within this distance have the same motion [m].
 constexpr double together = 1e-6;
 
 void require_free_name(const std::string& name, const std::vector<Structure>& others) {
@@ -39,14 +39,13 @@ void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver&
   const bool is_damped = !s.damping_note.empty();
   if (s.is_rigid() || s.is_free) {
     if (damping)
-      throw ModelError(ModelOption::damping, fmt::format("a {} has no damping of its own; leave it out", s.kind))
-          .as_idle();
+      throw ModelError(ModelOption::damping, fmt::format("a {} has no damping; remove it", s.kind)).as_idle();
     return;
   }
   if (!damping && !is_damped)
     throw ModelError(ModelOption::structure, "damping is missing; type damping: 5 %, or damping: 0 for none");
   if (damping && is_damped)
-    throw ModelError(ModelOption::damping, "the structure was made with its damping; keep one of the two");
+    throw ModelError(ModelOption::damping, "the structure was created with its damping; keep one of the two");
   try {
     if (s.frequencies.size() == 0) set_frequencies(s, modes);
   } catch (const std::invalid_argument& error) {
@@ -59,22 +58,22 @@ void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver&
   }
 }
 
-// The slip of a storey that yielded before the start is not known.
+// The plastic deformation of a storey that yields before the start is unknown.
 void refuse_initial_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     const double strained = part.at_rest + part.deformation.dot(s.initial_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
       throw ModelError(ModelOption::initial_displacement,
-                       fmt::format("strains {} by {}, and it yields at {}; take less, or an initial_velocity",
+                       fmt::format("deforms {} by {}, but it yields at {}; give less, or an initial_velocity",
                                    part.name, deformation_text(s, part, strained), deformation_text(s, part, *yield)));
   }
 }
 
-// Floors of a structure along x are its unknowns; a frame moves along x as a whole, with all its supports, and is
-// displaced by its floors.
+// Floors of a structure along x are its unknowns. A frame has one initial velocity along x including its supports, and
+// initial displacements of its floors.
 Eigen::VectorXd initial_motion(const OneOrEach& given, const Structure& s, ModelOption option, const char* what) {
   if (given.empty()) return Eigen::VectorXd::Zero(s.size());
-  if (s.is_rigid()) throw ModelError(option, "a wall moves with the ground; leave it out").as_idle();
+  if (s.is_rigid()) throw ModelError(option, "a wall moves with the ground; remove it").as_idle();
   try {
     if (s.dimension > 1 && option == ModelOption::initial_displacement)
       return shape_of_floors(s, given.of_each(static_cast<int>(s.floors.size()), what));
@@ -123,7 +122,7 @@ void take_face(Structure& s, const std::optional<Face>& face) {
   if (!s.surface->plan())
     throw ModelError(
         ModelOption::face,
-        fmt::format("face is for frames, which are drawn; gaps to this {} are typed, from face to face: leave face out",
+        fmt::format("face applies only to drawn frames; gaps to this {} are given from face to face: remove face",
                     s.kind))
         .as_idle();
   require_face(*face, ModelOption::face);
@@ -134,34 +133,33 @@ bool is_still(const GroundComponents& ground) {
   return std::all_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.is_still(); });
 }
 
-// Components that structures of at most this dimension cannot follow would say nothing.
+// Rejects components that structures of at most this dimension ignore.
 void refuse_idle_components(const GroundComponents& ground, int dimension, int structure) {
   const auto refuse = [&](int axis, const std::string& text) {
     throw ModelError(ModelOption::ground_component, structure, text).along(axis).as_idle();
   };
   const bool of_one = structure >= 0;
   if (!ground[1].is_still() && dimension < 3)
-    refuse(1, fmt::format("{} in space; leave the motion along y out",
-                          of_one ? "the structure is not" : "no structure is"));
+    refuse(1,
+           fmt::format("{} in space; remove the motion along y", of_one ? "the structure is not" : "no structure is"));
   if (!ground[2].is_still() && dimension < 2)
-    refuse(2, fmt::format("{} up and down; leave the motion along z out",
+    refuse(2, fmt::format("{} up and down; remove the motion along z",
                           of_one ? "the structure does not move" : "no structure moves"));
 }
 
-// A device is stretched by the motion of the unknowns alone.
+// The elongation of a device depends only on the unknowns.
 void require_devices_on_one_ground(const Model& model) {
   for (const Structure& s : model.structures)
     if (s.supports.size() > 1)
       for (const YieldingPart& part : s.yielding)
         if (part.is_device())
           throw ModelError(ModelOption::structures,
-                           fmt::format("{} has a device, {}, and its supports move differently; leave out their delay "
-                                       "and ground_motion, the "
-                                       "wave, or the device",
+                           fmt::format("{} has a device, {}, but its supports move differently; remove their delay and "
+                                       "ground_motion, the wave, or the device",
                                        s.name, part.name));
 }
 
-// Structures that are reduced, or large ones in all their modes, need no matrix of their modal damping.
+// Reduced structures, and large ones with all their modes, need no matrix of their modal damping.
 void form_modal_damping(Model& model) {
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     Structure& s = model.structures[i];
@@ -179,7 +177,7 @@ void form_modal_damping(Model& model) {
   }
 }
 
-// A ground that waits is at rest, and would have to take its velocity up at once.
+// A delayed ground motion starts from rest, so an initial velocity would be a jump.
 bool begins_with_velocity(const GroundComponents& ground) {
   return std::any_of(ground.begin(), ground.end(),
                      [](const GroundMotion& motion) { return motion.initial_velocity() != 0; });
@@ -195,7 +193,7 @@ void require_structure_name(const std::string& name) {
 }
 
 void Model::require_open() const {
-  if (is_on_ground_) throw std::logic_error("this model is complete; nothing can be added to it");
+  if (is_on_ground_) throw std::logic_error("the model is complete; nothing can be added");
 }
 
 StructureHandle Model::add(const std::string& name, Structure s, const StructureOptions& options) {
@@ -206,7 +204,7 @@ StructureHandle Model::add(const std::string& name, Structure s, const Structure
   if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
   if (!s.is_rigid() && count_of_modes(s) == 0)
     throw ModelError(ModelOption::structure,
-                     "nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 "
+                     "it has no mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 "
                      "kg/m^3 in a material");
   damp(s, options.damping, mode_solver);
   set_initial_motion(s, options);
@@ -241,15 +239,14 @@ std::vector<Support> Model::supports_on_ground(int structure) const {
   for (const Support& support : supports)
     if (support.delay > 0 && begins_with_velocity(support.motion ? *support.motion : ground.components))
       throw ModelError(ModelOption::delay, structure,
-                       "the ground motion begins with a velocity, which it cannot take up at once after a delay; leave "
-                       "the delay out, "
-                       "or give harmonics another phase");
+                       "the ground motion starts with a velocity, which would be a jump after a delay; remove the "
+                       "delay, or give harmonics another phase");
   if (!is_still(ground.components)) return supports;
   for (const Support& support : supports) {
     if (support.motion || support.delay == 0) continue;
     const std::string what = own.delay > 0 ? "" : fmt::format("support {} has a delay, and ", support.name);
     throw ModelError(ModelOption::delay, structure,
-                     what + "nothing moves the ground here; give a ground_motion, or leave the delay out")
+                     what + "the ground motion is missing; give a ground_motion, or remove the delay")
         .as_idle();
   }
   return supports;
@@ -276,9 +273,9 @@ void Model::check_ground() const {
   if (!ground.wave) return;
   if (begins_with_velocity(ground.components))
     throw ModelError(ModelOption::wave,
-                     "the ground motion begins with a velocity, which it cannot take up at once where the wave "
-                     "arrives; take a motion that begins at rest");
-  // A wave that arrives everywhere at once would say nothing.
+                     "the ground motion starts with a velocity, which would be a jump at the arrival of the wave; use "
+                     "a motion that starts at rest");
+  // A wave with equal arrival times has no effect.
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
   for (const Structure& s : structures)
     for (const Support& support : s.supports) {
@@ -288,13 +285,14 @@ void Model::check_ground() const {
       farthest = std::max(farthest, along);
     }
   if (!(farthest - nearest > together))
-    throw ModelError(ModelOption::wave, "reaches all supports at once; give the frames an origin each, or leave it out")
+    throw ModelError(ModelOption::wave,
+                     "reaches all supports at the same time; give each frame an origin, or remove it")
         .as_idle();
 }
 
 namespace {
 
-// Why this collapse_drift cannot be watched; empty where it can, and where there is none.
+// Reason why this collapse_drift cannot be monitored; empty if it can, or if there is none.
 std::string fault_of_collapse(const std::vector<Structure>& structures, double collapse_drift) {
   if (collapse_drift == 0) return {};
   if (!(collapse_drift > 0 && std::isfinite(collapse_drift)))
@@ -305,13 +303,13 @@ std::string fault_of_collapse(const std::vector<Structure>& structures, double c
     any = any || known;
     if (!known && s.kind == "shear_building" && !s.yielding.empty())
       return fmt::format(
-          "collapse_drift is a part of the height of a storey, and {} has no heights; type height: 3 m in it, or leave "
+          "collapse_drift is relative to the storey height, but {} has no heights; type height: 3 m in it, or leave "
           "out "
           "collapse_drift",
           s.name);
   }
   return any ? std::string()
-             : "collapse_drift is a part of the height of a storey, and no structure has heights; type height: 3 m in "
+             : "collapse_drift is relative to the storey height, but no structure has heights; type height: 3 m in "
                "one, or leave it out";
 }
 
@@ -323,16 +321,16 @@ void Model::check_settings() const {
   if (!is_time(analysis.duration) || !is_time(analysis.output_step) || !is_time(analysis.max_step))
     refuse("duration, output_step and max_step must be finite and not negative");
   if (!(analysis.tolerance >= min_tolerance && analysis.tolerance <= max_tolerance))
-    refuse(fmt::format("the tolerance lies in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance,
+    refuse(fmt::format("the tolerance must be in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance,
                        analysis.tolerance));
   if (analysis.duration > 0 && analysis.output_step > analysis.duration)
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step,
                        analysis.duration));
   if (analysis.max_steps < 1 || analysis.max_steps > limits::max_steps)
-    refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::max_steps, analysis.max_steps));
+    refuse(fmt::format("most_steps must be in [1, {}]; {} was given", limits::max_steps, analysis.max_steps));
   if (const std::string text = fault_of_collapse(structures, analysis.collapse_drift); !text.empty()) refuse(text);
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
-    refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
+    refuse(fmt::format("the spectral_radius must be in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)
     if (std::find(warning_names.begin(), warning_names.end(), name) == warning_names.end())
       throw ModelError(ModelOption::accept,
@@ -345,7 +343,7 @@ void Model::complete() {
   if (is_complete_) return;
   if (std::all_of(structures.begin(), structures.end(), [](const Structure& s) { return s.is_rigid(); }))
     throw ModelError(ModelOption::structures,
-                     "no structure that can move; add a body, an oscillator, a shear_building or a frame");
+                     "no structure can move; add a body, an oscillator, a shear_building or a frame");
   check_settings();
   put_on_ground();
   check_ground();
@@ -367,7 +365,7 @@ bool Model::can_move_otherwise() const noexcept {
 
 void Model::move_otherwise(const GroundSection& other) {
   if (!can_move_otherwise() || other.wave)
-    throw std::logic_error("this model has to be made again for another motion of the ground");
+    throw std::logic_error("the ground motion of this model cannot be replaced; create a new model");
   ground = other;
   analysis.duration = given_duration_, analysis.output_step = given_output_step_;
   check_ground();

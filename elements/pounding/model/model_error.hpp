@@ -1,12 +1,12 @@
 #pragma once
-/// The error of a wrong model, which knows the option that it concerns.
+/// Error in a model, with the option concerned.
 
 #include <stdexcept>
 #include <string>
 
 namespace pounding {
 
-/// The option of a model, of a structure or of a link that an error is about.
+/// Option of a model, a structure or a link that an error is about.
 enum class ModelOption {
   // of the model
   analysis,
@@ -50,38 +50,38 @@ enum class ModelOption {
   axis
 };
 
-/// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where
-/// in its file that stands.
+/// Invalid model. The text states the error and the remedy; a reader of inputs finds the location in its file from the
+/// option.
 class ModelError : public std::invalid_argument {
  public:
   ModelError(ModelOption option, const std::string& text) : std::invalid_argument(text), option_(option) {}
   /// An option of the structure with this number.
   ModelError(ModelOption option, int structure, const std::string& text)
       : std::invalid_argument(text), option_(option), structure_(structure) {}
-  /// An option that should not be there at all.
+  /// Marks the option as not allowed here.
   ModelError as_idle() const {
     ModelError copy = *this;
     copy.is_idle_ = true;
     return copy;
   }
-  /// The error of one item of several, numbered from 0.
+  /// Sets the item of the option, from 0.
   ModelError of(int item) const {
     ModelError copy = *this;
     copy.item_ = item;
     return copy;
   }
-  /// A motion of the ground along this axis, 0 for x.
+  /// Sets the axis of the ground motion, 0 for x.
   ModelError along(int axis) const {
     ModelError copy = *this;
     copy.axis_ = axis;
     return copy;
   }
 
-  ModelOption option() const noexcept { return option_; }  ///< that is wrong
-  int structure() const noexcept { return structure_; }    ///< -1: of none, or of one that is not in the model yet
-  int axis() const noexcept { return axis_; }              ///< of a motion of the ground, 0 for x
-  int item() const noexcept { return item_; }              ///< among several of an option, from 0
-  bool is_idle() const noexcept { return is_idle_; }       ///< whether the option should not be there
+  ModelOption option() const noexcept { return option_; }  ///< the invalid option
+  int structure() const noexcept { return structure_; }    ///< -1: none, or not in the model yet
+  int axis() const noexcept { return axis_; }              ///< of a ground motion, 0 for x
+  int item() const noexcept { return item_; }              ///< index of the item of an option, from 0
+  bool is_idle() const noexcept { return is_idle_; }       ///< true if the option is not allowed here
 
  private:
   ModelOption option_;

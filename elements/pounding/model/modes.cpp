@@ -16,14 +16,14 @@ constexpr std::string_view axes[] = {"x", "y", "z"};
 
 bool along_x_only(const Structure& s) { return s.dimension == 1; }
 
-// Factor from a shape with phi^T M phi = 1 to the one that is shown.
+// Scale factor from a shape with phi^T M phi = 1 to the reported one.
 double scale(const Structure& s, const Eigen::MatrixXd& floors, const Eigen::VectorXd& unit) {
   if (along_x_only(s)) return 1 / floors(floors.rows() - 1, 0);
   double largest = 0;
   for (int j = 0; j < std::min<int>(2, static_cast<int>(floors.cols())); ++j)
     for (int i = 0; i < floors.rows(); ++i)
       if (std::abs(floors(i, j)) > (1 + 1e-9) * std::abs(largest)) largest = floors(i, j);
-  // A mode that moves no floor sideways keeps phi^T M phi = 1 times the largest unknown.
+  // A mode without horizontal floor motion is scaled to a maximum unknown of 1.
   if (std::abs(largest) < 1e-6 * unit.cwiseAbs().maxCoeff()) largest = unit.cwiseAbs().maxCoeff();
   return 1 / largest;
 }
@@ -84,7 +84,7 @@ std::string floor_shape(const Mode& mode) {
   return text;
 }
 
-// Shows round-off as zero.
+// Replaces round-off by zero.
 double without_sign_of_zero(double value) { return std::abs(value) < 5e-6 ? 0.0 : value; }
 
 std::string table_along_x(const std::vector<Mode>& found, double total) {

@@ -28,7 +28,7 @@ struct Interval {
   bool is_point() const { return length() <= drawn_rounding; }
 };
 
-// A structure that has a place. One in the plane has none across its plane.
+// A structure with a position in plan. A plane frame has none perpendicular to its plane.
 struct Placed {
   int structure;
   bool is_plane;
@@ -48,10 +48,10 @@ std::vector<Placed> placed(const Model& model) {
   return all;
 }
 
-// Negative where the two overlap.
+// Negative if the two overlap.
 double apart(const Interval& a, const Interval& b) { return std::max(b.low - a.high, a.low - b.high); }
 
-// Whether they have more in common than an end; a point lies in the other one or at its end.
+// True if they overlap in more than an end; a point must be inside the other one or at its end.
 bool share(const Interval& a, const Interval& b) {
   return a.is_point() || b.is_point() ? apart(a, b) <= drawn_rounding : apart(a, b) < -drawn_rounding;
 }
@@ -61,7 +61,8 @@ struct Facing {
   double distance;
 };
 
-// From the outermost axis on a side to the surface of the columns there [m]; links refuse what has none.
+// Distance from the outermost axis on a side to the surface of the columns there [m]; links reject columns without a
+// size.
 double reach_of_columns(const Placed& s, int axis, bool is_low) {
   Eigen::Vector3d outermost = Eigen::Vector3d::Zero();
   outermost[axis] = is_low ? s.along[axis].low : s.along[axis].high;
@@ -70,23 +71,23 @@ double reach_of_columns(const Placed& s, int axis, bool is_low) {
   return found ? found->distance : 0;
 }
 
-// From the outermost axis on a side to the face there [m].
+// Distance from the outermost axis on a side to the face there [m].
 double face_of(const Placed& s, int axis, bool is_low) {
   if (!s.drawn->face) return 0;
   return s.drawn->face->by_columns ? reach_of_columns(s, axis, is_low) : s.drawn->face->distance;
 }
 
-// Distance between the faces of two whose axes are this far apart along x or y.
+// Distance between the faces of two structures whose axes are this far apart along x or y.
 double between_faces(const Placed& a, const Placed& b, int axis, double distance) {
   if (!a.drawn->face && !b.drawn->face) return distance;
   const bool in_order = a.along[axis].middle() <= b.along[axis].middle();
   return std::max(0.0, distance - face_of(a, axis, !in_order) - face_of(b, axis, in_order));
 }
 
-// How two face each other, at whatever distance; nothing for two that meet at a corner or stand on each other.
+// Facing sides of two structures, at any distance; nullopt if they meet at a corner or overlap in plan.
 std::optional<Facing> facing(const Placed& a, const Placed& b) {
   const double x = apart(a.along[0], b.along[0]), y = apart(a.along[1], b.along[1]);
-  // Plane frames may reach over each other at other heights.
+  // Plane frames may overlap in plan at different heights.
   if (a.is_plane || b.is_plane) return Facing{0, between_faces(a, b, 0, std::max(0.0, x))};
   const bool along_x = x >= -drawn_rounding && share(a.along[1], b.along[1]);
   const bool along_y = y >= -drawn_rounding && share(a.along[0], b.along[0]);
@@ -95,7 +96,7 @@ std::optional<Facing> facing(const Placed& a, const Placed& b) {
                  : Facing{1, between_faces(a, b, 1, std::max(0.0, y))};
 }
 
-// Whether the first one crosses the other one's inside.
+// True if the first interval overlaps the interior of the second.
 bool crosses(const Interval& a, const Interval& b) {
   if (a.is_point() && b.is_point()) return std::abs(a.middle() - b.middle()) <= drawn_rounding;
   if (a.is_point()) return a.middle() > b.low + drawn_rounding && a.middle() < b.high - drawn_rounding;
@@ -103,7 +104,7 @@ bool crosses(const Interval& a, const Interval& b) {
   return apart(a, b) < -drawn_rounding;
 }
 
-// Whether c stands, even in part, in the space between two that face each other.
+// True if c is at least partly in the space between two facing structures.
 bool is_between(const Placed& c, const Placed& a, const Placed& b, int axis) {
   const auto gap = [&](int i) {
     return Interval{std::min(a.along[i].high, b.along[i].high), std::max(a.along[i].low, b.along[i].low)};
@@ -119,7 +120,7 @@ bool is_hidden(const Placed& a, const Placed& b, int axis, const std::vector<Pla
   return std::ranges::any_of(all, [&](const Placed& c) { return &c != &a && &c != &b && is_between(c, a, b, axis); });
 }
 
-// The advice to a drawing by axes, for two that have this distance; else empty.
+// Advice for a drawing at the axes, for two structures with this distance; otherwise empty.
 std::string cause_by_axes(const Placed& a, const Placed& b, const Facing& found) {
   if (found.distance < narrowest_between_axes) return {};
   const bool in_order = a.along[found.axis].middle() <= b.along[found.axis].middle();
@@ -132,7 +133,7 @@ std::string cause_by_axes(const Placed& a, const Placed& b, const Facing& found)
   }
   if (names.empty() || reach > found.distance) return {};
   return fmt::format(
-      "if they are drawn by the axes of their columns, type face: auto in {}, which leaves {} between faces; if by "
+      "if they are drawn at the axes of their columns, type face: auto in {}, which leaves {} between faces; if at "
       "their faces, ",
       fmt::join(names, " and "), format_quantity(found.distance - reach, dimension::length, 6));
 }
@@ -140,9 +141,10 @@ std::string cause_by_axes(const Placed& a, const Placed& b, const Facing& found)
 std::string refuse_none(const Model& model, const std::vector<Placed>& all) {
   if (all.size() < 2)
     return fmt::format(
-        "neighbours are found among frames, which have a place in plan, and there {}; name the two structures, as in "
+        "neighbours are found among frames, which have a position in plan, and there is {}; name the two structures, "
+        "as in "
         "between: [left, right]",
-        all.empty() ? "is none" : "is one alone");
+        all.empty() ? "none" : "only one");
   const Placed *first = nullptr, *second = nullptr;
   Facing nearest{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -151,15 +153,15 @@ std::string refuse_none(const Model& model, const std::vector<Placed>& all) {
         nearest = *found;
         first = &all[i], second = &all[j];
       }
-  if (!first) return "no two frames face each other in plan; move one by its origin";
+  if (!first) return "no two frames face each other in plan; move the origin of one";
   const std::string distance = format_quantity(nearest.distance, dimension::length, 6);
   return fmt::format(
-      "no two frames are near enough; {} and {} are {} apart: {}type within: {}, or move one by its origin",
+      "no two frames are near enough; {} and {} are {} apart: {}type within: {}, or move the origin of one",
       model.structures[first->structure].name, model.structures[second->structure].name, distance,
       cause_by_axes(*first, *second, nearest), distance);
 }
 
-// Two floors whose edges pass each other, or that are set back, have nothing to hit.
+// Two floors whose edges do not overlap, or that are set back, do not meet.
 bool meet(const Model& model, const LinkPair& pair, Side side, double within) {
   const Structure &a = model.structures[pair.left.structure], &b = model.structures[pair.right.structure];
   if (!pair.left.floor || !pair.right.floor) return true;
@@ -207,7 +209,7 @@ void link_neighbours(Model& model, const LinkOptions& options, const ContactLaw&
     refuse(ModelOption::within, "must be positive and finite, as in within: 1 m");
   if (options.name)
     refuse_idle(ModelOption::link_name,
-                "would be that of many pairs; leave it out, and each link has the name of its two ends");
+                "would be shared by many pairs; remove it, and each link is named after its two ends");
   const std::vector<Neighbours> found = neighbours(model, within);
   if (found.empty()) refuse(ModelOption::between, refuse_none(model, placed(model)));
   std::set<std::pair<int, int>> linked;
@@ -224,7 +226,7 @@ void link_neighbours(Model& model, const LinkOptions& options, const ContactLaw&
                                          options.floors.value_or(FacingFloors::all), options.level_within))
       if (meet(model, ends, side, within)) model.link(location(ends.left), location(ends.right), of_one, law);
   }
-  if (!is_any_left) refuse_idle(ModelOption::between, "all neighbours are linked already; leave these links out");
+  if (!is_any_left) refuse_idle(ModelOption::between, "all neighbours are linked already; remove these links");
   if (model.links.size() == before)
     refuse(ModelOption::between,
            fmt::format("no floors of neighbours meet within {}; type a larger within, or link nodes",

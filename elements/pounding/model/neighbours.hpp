@@ -1,5 +1,5 @@
 #pragma once
-/// Structures that stand beside each other in plan, and links between all of them.
+/// Neighbouring structures in plan, and links between all of them.
 
 #include <vector>
 
@@ -7,25 +7,25 @@
 
 namespace pounding {
 
-/// Structures farther apart are no neighbours, unless another distance is given: a street between them [m].
+/// Default maximum distance between neighbours; farther structures are separated by a street [m].
 inline constexpr double usual_reach = 1;
 
-/// Two structures with a side of the one beside a side of the other.
+/// Two structures with facing sides.
 struct Neighbours {
-  int left = 0, right = 0;  ///< their numbers; the first one has less x, or less y where they stand apart along y
+  int left = 0, right = 0;  ///< indices; the first has smaller x, or smaller y if the two are apart along y
   double distance = 0;      ///< between the two sides, in plan [m]
 };
 
-/// All neighbours among the structures that have a place in plan, as frames do, in the order of the structures. Two are
-/// neighbours where they stand at most `within` [m] apart along x or along y, their sides have a length in common, and
-/// no other structure stands between them. Two that meet at a corner are none. Throws ModelError for frames in space
-/// that stand on each other.
+/// All neighbours among the structures with a position in plan, such as frames, in the order of the structures. Two
+/// structures are neighbours if they are at most `within` [m] apart along x or y, their sides overlap in a length, and
+/// no other structure is between them. Two that meet at a corner are not. Throws ModelError for frames in space that
+/// overlap in plan.
 std::vector<Neighbours> neighbours(const Model& model, double within = usual_reach);
 
-/// Links all neighbours that no link joins yet, each pair as Model::link does it with `options.floors`, which is
-/// FacingFloors::all unless given. Floors whose edges pass each other, or that are set back by more than `within` [m],
-/// do not meet and get no link. Throws ModelError as Model::link does, for a name, which would be that of many pairs,
-/// and where nothing is left to be linked.
+/// Links all neighbours that are not linked yet, each pair like Model::link with `options.floors`, by default
+/// FacingFloors::all. Floors whose edges do not overlap, or that are set back by more than `within` [m], get no link.
+/// Throws ModelError like Model::link, for a given name, which would be shared by many pairs, and if there is nothing
+/// to link.
 void link_neighbours(Model& model, const LinkOptions& options, const ContactLaw& law, double within = usual_reach);
 
 }  // namespace pounding

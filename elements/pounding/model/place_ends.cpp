@@ -48,14 +48,14 @@ void set_face(LinkEnd& end, const Structure& s, const std::optional<Face>& given
   const std::string place = fmt::format("{} of {}", end.label, s.name);
   const std::optional<ColumnFace> found = s.surface->column_face(end.point.position, side);
   if (!found)
-    refuse(option, fmt::format("no column is in line with {}, so face: auto has no depth to use; type face: 0 m if it "
-                               "is drawn by its face, else "
-                               "the distance from there to the face, such as face: 0.3 m",
-                               place));
+    refuse(option,
+           fmt::format("no column is in line with {}, so face: auto has no depth to use; type face: 0 m if it is drawn "
+                       "at its face, otherwise the distance from there to the face, such as face: 0.3 m",
+                       place));
   if (found->is_estimated)
     refuse(option, fmt::format("face: auto needs sections with a size, and that of {} at {} is given by numbers; type "
                                "the distance from the "
-                               "axis to the face, some face: {} by its area and inertia",
+                               "axis to the face, such as face: {} from its area and inertia",
                                found->column, place, format_quantity(found->distance, dimension::length)));
   end.face = found->distance;
   end.face_column = found->column;
@@ -70,16 +70,16 @@ std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pa
   const auto first = edge(pair.left, a, side), second = edge(pair.right, b, opposite(side));
   if (!first && !second) {
     if (points.value_or(1) > 1)
-      refuse_idle(ModelOption::points, "several points need floors of structures in space on both sides; leave it out");
+      refuse_idle(ModelOption::points, "several points require floors of structures in space on both sides; remove it");
     return {0};
   }
   if (!first || !second) {
-    if (points.value_or(1) > 1) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
+    if (points.value_or(1) > 1) refuse_idle(ModelOption::points, "the two meet at one point; remove it");
     const auto [low, high] = first ? *first : *second;
     const double middle = 0.5 * (low + high);
     const Structure& s = first ? b : a;
     if (s.is_rigid() || s.dimension < 3) return {middle};
-    // A node or a column is hit where it stands.
+    // A node or a column is hit at its position.
     const LinkEnd met = first ? place_end(pair.right, b, opposite(side), middle, ModelOption::right)
                               : place_end(pair.left, a, side, middle, ModelOption::left);
     const int across = side == Side::plus_x || side == Side::minus_x ? 1 : 0;
@@ -91,11 +91,11 @@ std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pa
     refuse(
         ModelOption::link,
         fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
-                    "move one by its origin, or link nodes",
+                    "move the origin of one, or link nodes",
                     a.name, b.name, own[0], own[1], other[0], other[1]));
   const bool wide = high > low;
   const int count = points.value_or(wide ? 2 : 1);
-  if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
+  if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; remove it");
   if (count == 1) return {0.5 * (low + high)};
   std::vector<double> along;
   for (int i = 0; i < count; ++i) along.push_back(low + (high - low) * i / (count - 1));
@@ -106,7 +106,7 @@ void require_inertia(const LinkEnd& end, const Structure& s, Side side, ModelOpt
   if (s.is_rigid()) return;
   const int axis = side == Side::plus_x || side == Side::minus_x ? 0 : 1;
   if (end.point.motion[axis].nonZeros() == 0)
-    refuse(option, fmt::format("{} of {} is held by its support and cannot be hit; name a floor, or a node that moves",
+    refuse(option, fmt::format("{} of {} is fixed by its support and cannot be hit; name a floor, or a node that moves",
                                end.label, s.name));
   if (end.point.mass > 0) return;
   refuse(option, fmt::format("{} of {} has no mass; give it one, or name a floor", end.label, s.name));

@@ -8,8 +8,8 @@
 namespace pounding {
 namespace {
 
-// Columns of a damping matrix beside the Rayleigh and the modal damping that are dashpots still; modal damping above
-// isolators fills all of them.
+// Maximum number of columns of a damping matrix, in addition to Rayleigh and modal damping, that are dashpots; modal
+// damping above isolators fills all columns.
 constexpr int max_dashpots = 64;
 
 int columns_in_use(const SparseMatrix& matrix) {
@@ -32,16 +32,16 @@ Reduction reduction_of(const Model& model, int structure) {
 std::string why_not_reduced(const Model& model, int structure) {
   const Structure& s = model.structures[structure];
   if (s.is_rigid()) return "a wall has no modes";
-  if (s.elastic) return "its members turn (corotational), so that its stiffness changes";
-  if (s.is_free || s.rigid_motions > 0) return "nothing holds it to the ground, so that it has no static answers";
+  if (s.elastic) return "its members have large rotations (corotational), so its stiffness changes";
+  if (s.is_free || s.rigid_motions > 0) return "it has no supports, so it has no static responses";
   if (columns_in_use(s.damping) > max_dashpots)
-    return "its damping is a full matrix, as modal damping makes it above isolators; type damping: 5 %, in proportion "
-           "to the stiffness above them";
+    return "its damping is a full matrix, due to modal damping above isolators; type damping: 5 %, proportional to the "
+           "stiffness above them";
   for (const Link& link : model.links) {
     if (link.left.structure != structure && link.right.structure != structure) continue;
     if (link.contact->is_rigid())
       return fmt::format(
-          "link \"{}\" hits it without a stiffness, by a jump of velocities that few modes cannot follow; type a law "
+          "link \"{}\" hits it without a stiffness, by a velocity jump that few modes cannot represent; type a law "
           "with a "
           "stiffness",
           link.name);

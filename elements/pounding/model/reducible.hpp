@@ -1,5 +1,5 @@
 #pragma once
-/// Which structures of a model cannot be reduced.
+/// Structures of a model that cannot be reduced.
 
 #include <string>
 
@@ -7,18 +7,17 @@
 
 namespace pounding {
 
-/// Unknowns with mass of a structure up to which all its natural modes are taken without being asked for: that is
-/// exact.
+/// Maximum number of unknowns with mass up to which all natural modes are used by default, which is exact.
 inline constexpr int small_structure = 500;
 
-/// The reduction that a structure has by itself, else that of the model.
+/// Reduction of a structure: its own, otherwise that of the model.
 Reduction reduction_of(const Model& model, int structure);
 
-/// Why a structure cannot be reduced, with what to type where another law or damping helps; empty where it can.
+/// Reason why a structure cannot be reduced, with what to type if another law or damping helps; empty if it can.
 std::string why_not_reduced(const Model& model, int structure);
 
-/// Why all unknowns of a structure that is asked to be checked cannot be stepped through its impacts, with what to
-/// type; empty where they can, and where nothing is asked.
+/// Reason why the requested check of a structure in all unknowns is not possible, with what to type; empty if it is, or
+/// if none is requested.
 std::string why_not_checked(const Model& model, int structure);
 
 }  // namespace pounding

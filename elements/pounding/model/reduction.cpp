@@ -10,7 +10,7 @@ namespace pounding {
 
 namespace {
 
-// The inputs that are no contacts.
+// Inputs other than contacts.
 std::string links_text(const ReducedStructure& s) {
   std::string text;
   if (s.frictions > 0) text += fmt::format(", {} of them friction", s.frictions);
@@ -19,7 +19,7 @@ std::string links_text(const ReducedStructure& s) {
   return text;
 }
 
-// Errors with their names, without those that are unknown.
+// Errors with their names, except unknown ones.
 std::string listed(std::initializer_list<std::pair<const char*, double>> errors) {
   std::string text;
   for (const auto& [what, error] : errors)
@@ -50,7 +50,7 @@ std::string Reduction::text() const {
 
 std::string ReducedStructure::size_text() const {
   std::string text = fmt::format("{}: {} coordinates of {} (", name, coordinates, unknowns);
-  text += modes > 0 ? fmt::format("{} lowest modes, static answers", modes)
+  text += modes > 0 ? fmt::format("{} lowest modes, static responses", modes)
                     : fmt::format("links {} x {}{}, ground {} x {}", link_blocks, links, links_text(*this),
                                   ground_blocks, grounds);
   if (frequency > 0) text += fmt::format(", one at {:.2g} Hz", frequency);

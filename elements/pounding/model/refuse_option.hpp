@@ -1,5 +1,5 @@
 #pragma once
-/// Refusals of options of a model.
+/// Rejects options of a model.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace pounding {
 
-/// Throws ModelError: the value of an option is wrong.
+/// Throws ModelError: the value of an option is invalid.
 [[noreturn]] inline void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
-/// Throws ModelError: an option should not be there at all.
+/// Throws ModelError: an option is not allowed here.
 [[noreturn]] inline void refuse_idle(ModelOption option, const std::string& text) {
   throw ModelError(option, text).as_idle();
 }

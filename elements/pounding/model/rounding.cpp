@@ -13,7 +13,7 @@ double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen
   for (int i = 0; i < 3; ++i)
     if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0) row += direction[i] * end.point.motion[i];
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  // Rounding of the sum r'u itself.
+  // Round-off of the sum r'u itself.
   const double of_sum = eps * row.cwiseAbs().dot(u.cwiseAbs());
   if (s.at_rest.size() == 0 && s.preload_displacement.size() == 0) return of_sum;
   const Eigen::SimplicialLDLT<SparseMatrix> factor(s.stiffness);

@@ -16,18 +16,18 @@ bool System::has_modal_matrix(const Group& group) const {
 void System::check() const {
   const Eigen::Index ground_count = static_cast<Eigen::Index>(grounds.size());
   const int frictions_from = contact_count() + static_cast<int>(springs.size());
-  if (load.cols() != ground_count) throw std::invalid_argument("System::load needs one column a ground motion");
+  if (load.cols() != ground_count) throw std::invalid_argument("System::load needs one column per ground motion");
   if (gap_by_ground.size() > 0 && (gap_by_ground.rows() != links() || gap_by_ground.cols() != ground_count))
-    throw std::invalid_argument("System::gap_by_ground needs one row a link and one column a ground motion");
+    throw std::invalid_argument("System::gap_by_ground needs one row per link and one column per ground motion");
   if (gravity_offset.size() > 0 && gravity_offset.size() != links())
-    throw std::invalid_argument("System::gravity_offset needs one value a link");
+    throw std::invalid_argument("System::gravity_offset needs one value per link");
   if (frictions_from > links())
-    throw std::invalid_argument("System::gap_jacobian needs one column a contact and a spring");
+    throw std::invalid_argument("System::gap_jacobian needs one column per contact and per spring");
   if (spring_flexibility.size() > 0 && (spring_flexibility.rows() != frictions_from - contact_count() ||
                                         spring_flexibility.cols() != spring_flexibility.rows()))
-    throw std::invalid_argument("System::spring_flexibility needs one row and one column a spring");
+    throw std::invalid_argument("System::spring_flexibility needs one row and one column per spring");
   std::vector<bool> taken(static_cast<std::size_t>(links() - frictions_from),
-                          false);  // by column behind those of the springs
+                          false);  // by column after those of the springs
   for (const Friction& friction : frictions) {
     if (!(friction.coefficient >= 0 && std::isfinite(friction.coefficient)))
       throw std::invalid_argument("the coefficient of a friction must not be negative");
@@ -36,11 +36,11 @@ void System::check() const {
     if (friction.contact < 0 || friction.contact >= contact_count())
       throw std::invalid_argument("a friction belongs to a contact that does not exist");
     if (contacts[friction.contact]->is_rigid())
-      throw std::invalid_argument("a rigid contact takes no friction: its force is not known while it strikes");
+      throw std::invalid_argument("a rigid contact cannot have friction: its force during an impact is unknown");
     if (friction.count < 1 || friction.count > 2 || friction.first < frictions_from ||
         friction.first + friction.count > links())
       throw std::invalid_argument(
-          "a friction needs one or two columns of System::gap_jacobian behind those of the springs");
+          "a friction needs one or two columns of System::gap_jacobian after those of the springs");
     for (int i = friction.first; i < friction.first + friction.count; ++i) {
       if (taken[i - frictions_from])
         throw std::invalid_argument("two frictions share a column of System::gap_jacobian");

@@ -21,13 +21,13 @@ namespace {
 
 using Eigen::VectorXd;
 
-// In parts of the yield deformation: a corner that is reached, and a step along which a law was a straight line.
+// Relative to the yield deformation: a corner that is reached, and a step over which a law is linear.
 constexpr double reached = 1e-9, straight = 1e-8;
-// Equilibrium in parts of the deformations, and what is taken where rounding allows no more.
+// Relative residual of the deformations: the target, and the value accepted if round-off prevents it.
 constexpr double balanced = 1e-13, nearly_balanced = 1e-10;
-// Part of the elastic rate below which the load does not rise.
+// Fraction of the elastic rate below which the load does not rise.
 constexpr double flat = 1e-6;
-// Part of the whole way below which a step is not halved any more.
+// Fraction of the whole path below which a step is not halved any further.
 constexpr double shortest_step = 1e-10;
 
 double sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
@@ -58,8 +58,7 @@ class Pusher {
   }
 
  private:
-  // Gravity strains the parts before they are pushed. Laws without corners give a little already, and so does the
-  // displacement.
+  // State under gravity, before the push. Laws without corners already soften slightly, which affects the displacement.
   void rest() {
     now_.deformations = statics_.at_rest();
     springs_.require_unyielded(now_.deformations);
@@ -73,17 +72,17 @@ class Pusher {
     path_.points.push_back(now_);
   }
 
-  // One step towards a target: to the next corner, or a short one where the laws are smooth.
+  // A step towards a target: to the next corner, or a short one for smooth laws.
   void advance(double target) {
     const double way = sign(target - now_.displacement);
     const PushTangent tangent = tangent_at(statics_, springs_.all(), now_.deformations, way);
-    if (!tangent.exists) return collapse("move while the displacement stays");
+    if (!tangent.exists) return collapse("form a mechanism at constant displacement");
     tell_events(tangent, way);
     const double rise = std::abs(tangent.load_rate) > 1e-9 * elastic_rate_ ? way * tangent.load_rate : 0;
     double step = std::abs(target - now_.displacement);
     if (rise < 0) {
       const double left = -way * now_.factor / rise;
-      if (left <= reached * range_) return collapse("leave no load that the structure could carry");
+      if (left <= reached * range_) return collapse("leave no load-carrying capacity");
       step = std::min(step, left);
     }
     std::vector<double> corners(hit_.size(), std::numeric_limits<double>::infinity());
@@ -105,7 +104,7 @@ class Pusher {
                                            std::abs(tangent.rates[static_cast<Eigen::Index>(j)]);
     } else {
       next = curved_step(tangent, way, std::min(step, smooth_step_));
-      // A step of the whole length ends on the target, not beside it.
+      // A full step ends exactly on the target.
       if (std::abs(target - next.displacement) < shortest_step * range_ && (next.displacement = target, !solve(next)))
         fail(target);
       std::fill(hit_.begin(), hit_.end(), false);
@@ -121,13 +120,13 @@ class Pusher {
     return k;
   }
 
-  // A smooth law that has not reached its yield deformation.
+  // True for a smooth law that has not reached its yield deformation.
   bool waits_for_yield(Eigen::Index j) const {
     return !has_yielded_[static_cast<std::size_t>(j)] && !springs_.has_corner(j) &&
            std::isfinite(springs_[j].yield_deformation());
   }
 
-  // The way to the next corner of a part, or to its first yield; at least to the end of the step where there is none.
+  // Step to the next corner of a part, or to its first yield; at least the whole step if there is none.
   double next_corner(Eigen::Index j, double rate, double step) const {
     const double d = now_.deformations[j], near = reached * scales_[j];
     double found = std::numeric_limits<double>::infinity();
@@ -140,7 +139,7 @@ class Pusher {
     return found;
   }
 
-  // Newton's method for the deformations at the displacement of the point, from those that it has.
+  // Newton's method for the deformations at the displacement of the point, starting from its deformations.
   bool solve(PushPoint& point) const {
     VectorXd d = point.deformations;
     double error = 0;
@@ -165,7 +164,7 @@ class Pusher {
     return false;
   }
 
-  // How far beyond its first yield the farthest part is that had not yielded, in parts of its yield deformation.
+  // Maximum overshoot of a first yield, relative to the yield deformation.
   double beyond_yield(const PushPoint& point) const {
     double farthest = -1;
     for (Eigen::Index j = 0; j < scales_.size(); ++j)
@@ -175,7 +174,7 @@ class Pusher {
     return farthest;
   }
 
-  // A step of Newton's method, shorter where it finds no equilibrium, and up to the first yield of a part inside it.
+  // A Newton step, shortened if no equilibrium is found, and ending at the first yield of a part within it.
   PushPoint curved_step(const PushTangent& tangent, double way, double step) const {
     const auto at = [&](double part) {
       PushPoint point;
@@ -188,7 +187,7 @@ class Pusher {
       if (step < shortest_step * range_) fail(now_.displacement);
     double low = 0, high = step, low_value = beyond_yield(now_), high_value = beyond_yield(point);
     for (int i = 0; i < 100 && high_value > reached; ++i) {
-      // False position, every other time the middle.
+      // Regula falsi, alternating with bisection.
       const double part = i % 2 == 0 ? low - low_value * (high - low) / (high_value - low_value) : 0.5 * (low + high);
       const auto [inside, between] = at(part);
       if (!inside) fail(now_.displacement);
@@ -207,7 +206,7 @@ class Pusher {
     path_.points.push_back(next);
   }
 
-  // The events of the last point: where the tangent there sends each part.
+  // Records the events of the last point, from the direction of each part in the tangent there.
   void tell_events(const PushTangent& tangent, double way) {
     const double largest = tangent.rates.cwiseQuotient(scales_).cwiseAbs().maxCoeff();
     bool some_yield = false;
@@ -244,7 +243,7 @@ class Pusher {
     return parts;
   }
 
-  // Whether the load would rise if what yields had no hardening.
+  // Tests whether the load would rise if the yielding parts had no hardening.
   void look_for_mechanism(double way) {
     VectorXd plastic(scales_.size());
     for (Eigen::Index j = 0; j < plastic.size(); ++j) plastic[j] = springs_[j].first_slope();
@@ -270,8 +269,8 @@ class Pusher {
   const Structure& structure_;
   StaticYielding statics_;
   PushedSprings springs_;
-  std::vector<int> yielding_;            // to which side; 0: not
-  std::vector<bool> has_yielded_, hit_;  // hit_: the last step ended at a corner of it
+  std::vector<int> yielding_;            // yield direction; 0: not yielding
+  std::vector<bool> has_yielded_, hit_;  // hit_: the last step ended at a corner of this part
   VectorXd slopes_, scales_;             // slopes_: along the last step
   double range_ = 0, smooth_step_ = 0, elastic_rate_ = 0;
   PushPoint now_;
@@ -281,8 +280,9 @@ class Pusher {
 }  // namespace
 
 PushPath push(const Structure& structure, const PushOptions& options) {
-  if (structure.yielding.empty()) throw std::invalid_argument("nothing in it yields");
-  if (structure.elastic) throw std::invalid_argument("it turns in large rotations; leave out geometry: corotational");
+  if (structure.yielding.empty()) throw std::invalid_argument("it has no yielding parts");
+  if (structure.elastic)
+    throw std::invalid_argument("large rotations are not supported; remove geometry: corotational");
   return Pusher(structure, options).run(options.targets);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The static path of a structure with parts that yield, from event to event.
+/// Static path of a structure with yielding parts, from event to event.
 
 #include <Eigen/Core>
 #include <optional>
@@ -10,57 +10,57 @@
 
 namespace pounding {
 
-/// The load of a structure that is pushed, the displacement that is followed, and how far.
+/// Load, controlled displacement and targets of a pushed structure.
 struct PushOptions {
-  Eigen::VectorXd load;         ///< p, one value an unknown [N]; the factor of the load multiplies it
-  Row control;                  ///< the displacement that is followed, in terms of the unknowns
-  std::vector<double> targets;  ///< values of that displacement, reached one after the other [m]
-  int smooth_steps = 400;       ///< to the farthest target, where the slope of a law changes everywhere
-  Eigen::MatrixXd follow{};     ///< rows of the unknowns, displacements that are kept at every point
+  Eigen::VectorXd load;         ///< p, one value per unknown [N]; multiplied by the load factor
+  Row control;                  ///< controlled displacement, in terms of the unknowns
+  std::vector<double> targets;  ///< successive values of that displacement [m]
+  int smooth_steps = 400;       ///< to the farthest target, for laws that are not piecewise linear
+  Eigen::MatrixXd follow{};     ///< rows of the unknowns, displacements recorded at each point
 };
 
 /// Equilibrium at one displacement.
 struct PushPoint {
   double displacement = 0;  ///< [m]
-  double factor = 0;        ///< of the load
-  /// Of the yielding parts: deformations [m] or [rad], and forces on top of k times these [N] or [N m].
+  double factor = 0;        ///< load factor
+  /// Of the yielding parts: deformations [m] or [rad], and forces in addition to k times these [N] or [N m].
   Eigen::VectorXd deformations, forces;
-  Eigen::VectorXd followed;  ///< other displacements that were asked for [m]
+  Eigen::VectorXd followed;  ///< other requested displacements [m]
 };
 
-/// Something that happens to a part at a point of the path.
+/// Event of a part at a point of the path.
 struct PushEvent {
-  /// Change of a part that makes an event.
+  /// Change of a part that is an event.
   enum class Kind {
-    softens,  ///< its slope falls before its yield deformation, as where concrete cracks
+    softens,  ///< its slope decreases before its yield deformation, as at cracking of concrete
     yields,
-    unloads  ///< it turns back while it yields
+    unloads  ///< reversal while it yields
   };
-  int point = 0;  ///< number of the point
-  int part = 0;   ///< number of the part
+  int point = 0;  ///< index of the point
+  int part = 0;   ///< index of the part
   Kind kind{};
-  bool is_first = false;  ///< it had never yielded before
+  bool is_first = false;  ///< first yield of the part
 };
 
-/// The path. Between two of its points it is a straight line where every law is piecewise linear.
+/// A path, straight between two points if all laws are piecewise linear.
 struct PushPath {
-  std::vector<PushPoint> points;  ///< the first at rest
-  std::vector<PushEvent> events;  ///< in their order; of laws without corners only the first yield
-  /// The first point after which the load would no longer rise if the parts that yield had no hardening: they, and
-  /// joints, make a mechanism. Nothing where that does not come.
+  std::vector<PushPoint> points;  ///< the first is at rest
+  std::vector<PushEvent> events;  ///< in order; for laws without corners only the first yield
+  /// First point after which the load would no longer increase if the yielding parts had no hardening: together with
+  /// joints they form a mechanism. nullopt if there is none.
   std::optional<int> mechanism;
-  std::vector<int> mechanism_parts;  ///< that yield then
-  std::string collapse;              ///< why the path ends before the last target; empty where it does not
+  std::vector<int> mechanism_parts;  ///< parts that yield then
+  std::string collapse;              ///< reason why the path ends before the last target; empty if it does not
 };
 
-/// Pushes a structure by displacement control. Laws that are piecewise linear are followed exactly, to the next corner
-/// of any part at each step; others by Newton's method in short steps, each of which is exact too while no part turns
-/// back inside it. A falling load is followed. The path ends where no load holds the structure any more: it falls to
-/// zero, or the parts that yield let it move while the displacement stays.
+/// Pushover analysis under displacement control. Piecewise linear laws are followed exactly, each step ending at the
+/// next corner of any part. Other laws use Newton's method in short steps, each of which is also exact unless a part
+/// reverses within it. A falling load is followed. The path ends when the structure cannot carry any load: the load
+/// falls to zero, or the yielding parts form a mechanism at constant displacement.
 ///
-/// The springs of the parts start undeformed but for gravity, and are left so. Throws std::invalid_argument for a
-/// structure that turns in large rotations, without parts, or one part of which yields under gravity alone, and as
-/// StaticYielding; SolverError where no equilibrium is found.
+/// The springs of the parts start undeformed except for gravity, and are restored. Throws std::invalid_argument for a
+/// structure with large rotations, without yielding parts, or with a part that yields under gravity alone, and like
+/// StaticYielding; SolverError if no equilibrium is found.
 PushPath push(const Structure& structure, const PushOptions& options);
 
 }  // namespace pounding

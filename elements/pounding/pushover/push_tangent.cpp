@@ -8,14 +8,14 @@
 namespace pounding {
 namespace {
 
-// A matrix whose reciprocal condition is below is singular.
+// A matrix with a smaller reciprocal condition number is singular.
 constexpr double singular = 1e-12;
-// Rates below this part of the largest count as none.
+// Rates below this fraction of the maximum are zero.
 constexpr double still = 1e-10;
-// Part of the yield deformation by which a slope is asked for beside a kept state.
+// Offset from an accepted state at which a slope is evaluated, relative to the yield deformation.
 constexpr double beside = 1e-9;
 
-// The slopes of each part to both sides.
+// Slopes of each part in both directions.
 struct Sides {
   Eigen::VectorXd up, down;
 
@@ -34,7 +34,7 @@ Sides sides_at(const std::vector<Spring*>& springs, const Eigen::VectorXd& defor
   return sides;
 }
 
-// The part that goes fastest to the side for which its slope does not hold; -1 for none.
+// The fastest part moving against the direction of its chosen slope; -1 for none.
 Eigen::Index most_wrong(const Sides& sides, const Eigen::VectorXd& chosen, const Eigen::VectorXd& scaled,
                         const std::vector<bool>& refused) {
   const double largest = scaled.cwiseAbs().maxCoeff();
@@ -64,7 +64,7 @@ PushTangent rates_of(const StaticYielding& statics, const Eigen::VectorXd& scale
   tangent.rates = elastic;
   Eigen::VectorXd force_rates = Eigen::VectorXd::Zero(slopes.size());
   if (!active.empty()) {
-    // In parts of the scales, so that metres and radians weigh alike.
+    // Relative to the scales, so that metres and radians have equal weight.
     const Eigen::VectorXd scale = scales(active), slope = slopes(active);
     const Eigen::MatrixXd soft = scale.cwiseInverse().asDiagonal() * statics.flexibility()(active, active) *
                                  slope.cwiseProduct(scale).asDiagonal();
@@ -101,8 +101,8 @@ PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>
       if (std::abs(scaled[j]) > still * scaled.cwiseAbs().maxCoeff()) chosen[j] = scaled[j] > 0 ? 1 : -1;
   }
 
-  // From the stiffer sides on. A part without hardening that would make the tangent singular stays as it is, when those
-  // that yield already take its motion.
+  // Starts from the stiffer sides. A part without hardening that would make the tangent singular is unchanged if the
+  // yielding parts already take its motion.
   for (Eigen::Index j = 0; j < count; ++j) chosen[j] = sides.up[j] > sides.down[j] ? 1 : -1;
   std::vector<bool> refused = none;
   PushTangent tangent = rates_of(statics, scales, sides.slopes(chosen), way);

@@ -1,5 +1,5 @@
 #pragma once
-/// The direction in which a path of equilibrium goes on.
+/// Tangent of an equilibrium path.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,24 +9,23 @@
 
 namespace pounding {
 
-/// Rates by a unit way of the displacement that is followed.
+/// Rates per unit of the controlled displacement.
 struct PushTangent {
   bool exists = false;
-  Eigen::VectorXd slopes;  ///< of the forces on top of k d, on the side to which each part goes
+  Eigen::VectorXd slopes;  ///< of the forces in addition to k d, on the side towards which each part moves
   Eigen::VectorXd rates;   ///< of the deformations
-  double load_rate = 0;    ///< of the factor of the load
+  double load_rate = 0;    ///< of the load factor
 };
 
-/// Smallest change of the deformation of a part that counts: corners that are nearer are one.
+/// Minimum significant change of the deformation of a part: closer corners are merged.
 double deformation_scale(const Spring& spring, double deformation);
 
-/// Rates of the deformations where the forces have these slopes; does not exist where these let the parts move by
-/// themselves.
+/// Rates of the deformations for these slopes of the forces; does not exist if the slopes admit a mechanism.
 PushTangent rates_of(const StaticYielding& statics, const Eigen::VectorXd& scales, Eigen::VectorXd slopes, double way);
 
-/// The tangent at deformations that are kept, for a displacement that grows (way 1) or falls (-1). A slope depends on
-/// the side to which its part goes, and that on all slopes: the sides are found by trial, first all that are wrong at
-/// once, then one at a time.
+/// Tangent at accepted deformations, for an increasing (way 1) or decreasing (-1) displacement. A slope depends on the
+/// direction of its part, which depends on all slopes. The directions are found by trial: first all wrong ones are
+/// changed together, then one at a time.
 PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>& springs,
                        const Eigen::VectorXd& deformations, double way);
 

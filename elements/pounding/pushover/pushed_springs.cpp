@@ -9,7 +9,7 @@
 namespace pounding {
 namespace {
 
-// Yield deformations within which a law with corners has one.
+// Number of yield deformations within which a law with corners has one.
 constexpr double far = 1e3;
 
 }  // namespace

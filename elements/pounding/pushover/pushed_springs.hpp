@@ -1,5 +1,5 @@
 #pragma once
-/// The springs of a structure while it is pushed.
+/// Springs of a structure during a pushover.
 
 #include <Eigen/Core>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace pounding {
 
-/// The springs of the yielding parts of a structure, as they were given; they are left so.
+/// Springs of the yielding parts of a structure; restored on destruction.
 class PushedSprings {
  public:
   explicit PushedSprings(const Structure& structure);
@@ -19,18 +19,18 @@ class PushedSprings {
 
   const std::vector<Spring*>& all() const noexcept { return springs_; }
   Spring& operator[](Eigen::Index j) const { return *springs_[static_cast<std::size_t>(j)]; }
-  /// Stiffness of a part before it yields, of all its force [N/m].
+  /// Stiffness of a part before yield, of its total force [N/m].
   double stiffness(Eigen::Index j) const { return (*this)[j].stiffness() + (*this)[j].first_slope(); }
-  /// Whether the slope of a part jumps where it first yields; else it yields where its deformation says so.
+  /// True if the slope of a part jumps at first yield; otherwise yield is defined by its deformation.
   bool has_corner(Eigen::Index j) const { return has_corner_[static_cast<std::size_t>(j)]; }
 
-  /// Forces on top of k d at these deformations, on the straight way from the kept ones, and their slopes.
+  /// Forces in addition to k d at these deformations, on the straight path from the accepted ones, and their slopes.
   std::pair<Eigen::VectorXd, Eigen::VectorXd> law(const Eigen::VectorXd& deformations) const;
-  /// Keeps the straight way from one state to another.
+  /// Accepts the straight path from one state to another.
   void follow(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
-  /// Throws std::invalid_argument for a part, undeformed until now, that would have yielded at its deformation.
+  /// Throws std::invalid_argument for an undeformed part that would yield at its deformation.
   void require_unyielded(const Eigen::VectorXd& deformations) const;
-  /// Begins at these deformations, undeformed before.
+  /// Starts at these deformations, from the undeformed state.
   void start(const Eigen::VectorXd& deformations);
 
  private:

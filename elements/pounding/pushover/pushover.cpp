@@ -31,9 +31,8 @@ std::vector<double> weights_of(const Structure& s, const PushoverOptions& option
   const std::size_t floors = s.floors.size();
   if (options.pattern == LoadPattern::given) {
     if (options.forces.size() != floors)
-      refuse(
-          fmt::format("a load of {} forces was given, and it has {} floors; give one force a floor, from the ground up",
-                      options.forces.size(), floors));
+      refuse(fmt::format("a load of {} forces for {} floors; give one force per floor, from the ground up",
+                         options.forces.size(), floors));
     return options.forces;
   }
   Eigen::VectorXd shape = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(floors));
@@ -47,20 +46,21 @@ std::vector<double> weights_of(const Structure& s, const PushoverOptions& option
   return weights;
 }
 
-// Loads on the floors with the sum 1.
+// Loads on the floors with sum 1.
 std::vector<double> loads_of(const Structure& s, const PushoverOptions& options, const ModeSolver& solver) {
   std::vector<double> loads = weights_of(s, options, solver);
   double sum = 0, size = 0;
   for (const double load : loads) sum += load, size += std::abs(load);
   if (!std::isfinite(size) || !(std::abs(sum) > 1e-9 * size))
     refuse(
-        "the forces on the floors have no sum, and the base shear is that; give other forces, or masses to the floors");
+        "the forces on the floors have zero sum, so the base shear is zero; give other forces, or masses of the "
+        "floors");
   for (double& load : loads) load /= sum;
   return loads;
 }
 
-// How a force on a floor acts on the unknowns. The nodes of a floor of a plane frame share it with their masses; floors
-// in space, where the motion of the floor is that of its masses, and sticks take it there.
+// Distribution of a floor force over the unknowns. The nodes of a floor of a plane frame share it in proportion to
+// their masses. For floors in space and for sticks it acts on the motion of the floor mass.
 Eigen::VectorXd force_on(const Structure& s, std::size_t floor, int direction) {
   const Row& motion = s.floors[floor].motion.at(static_cast<std::size_t>(direction));
   if (s.dimension != 2) return motion;
@@ -82,18 +82,18 @@ Eigen::VectorXd force_on(const Structure& s, std::size_t floor, int direction) {
 
 void check(const Structure& s, const PushoverOptions& options) {
   if (s.yielding.empty())
-    refuse("nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
-  if (s.floors.empty()) refuse("it has no floors that could be pushed; name them under floors");
+    refuse("it has no yielding parts; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+  if (s.floors.empty()) refuse("it has no floors to push; define them under floors");
   if (options.direction < 0 ||
       static_cast<std::size_t>(options.direction) >= std::min<std::size_t>(2, s.floors.front().motion.size()))
     refuse(fmt::format("it does not move along {}; push it along x", axis(options.direction)));
-  if (options.targets.empty()) refuse("it is not told how far it is pushed; give a displacement of the roof");
+  if (options.targets.empty()) refuse("no target displacement; give a displacement of the roof such as 250 mm");
   for (const double target : options.targets)
     if (!std::isfinite(target) || target == 0)
-      refuse("a displacement of the roof of zero leads nowhere; give one such as 250 mm");
+      refuse("the displacement of the roof must not be zero; give one such as 250 mm");
 }
 
-// The displacement at which a part yields if it goes on as it began; infinite where none ever does.
+// Displacement of the first yield under linear continuation of the initial path; infinite if there is none.
 double way_to_yield(const Structure& s, const PushPath& path) {
   const PushPoint &first = path.points.front(), &last = path.points.back();
   double way = std::numeric_limits<double>::infinity();
@@ -110,10 +110,11 @@ double way_to_yield(const Structure& s, const PushPath& path) {
 void require_yield(const Structure& s, const Pushover& found) {
   if (found.first_yield()) return;
   const double way = way_to_yield(s, found.path);
-  if (!std::isfinite(way)) refuse("nothing in it yields, however far it is pushed");
+  if (!std::isfinite(way)) refuse("no part yields at any displacement");
   const double enough = 1.1 * way;
   refuse(
-      fmt::format("nothing yields on this way; the first part does at {} of the roof. Push it farther, such as to {}",
+      fmt::format("nothing yields up to this displacement; the first part yields at a roof displacement of {}. Push it "
+                  "farther, such as to {}",
                   format_quantity(way, dimension::length), format_quantity(enough, dimension::length, 2)));
 }
 
@@ -153,7 +154,7 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
         Eigen::VectorXd(s.floors[i].motion[static_cast<std::size_t>(options.direction)]).transpose();
   push_options.follow = motion;
   found.path = push(s, push_options);
-  // The force of a device is on top of nothing there, and on top of its stiffness here, as that of other parts.
+  // The force of a device has no linear part there; here it is in addition to its stiffness, like that of other parts.
   for (std::size_t j = 0; j < s.yielding.size(); ++j)
     if (const double stiffness = s.yielding[j].spring->first_slope(); stiffness != 0)
       for (PushPoint& point : found.path.points)
@@ -170,7 +171,7 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
     base_shears.push_back(point.factor);
   }
   if (options.targets.size() > 1) return found;
-  // A curve against the direction is that of the mirrored building.
+  // A curve in the negative direction is that of the mirrored building.
   const double way = options.targets.front() > 0 ? 1 : -1;
   for (double& value : displacements) value *= way;
   for (double& value : base_shears) value *= way;

@@ -1,4 +1,4 @@
-/// Numbers that an engineer takes from a pushover.
+/// Engineering measures of a pushover.
 
 #include <algorithm>
 #include <cmath>

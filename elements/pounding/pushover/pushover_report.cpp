@@ -21,7 +21,7 @@ std::string_view word(PushEvent::Kind kind) {
   return words[static_cast<int>(kind)];
 }
 
-// One kind of event at one point, of several parts.
+// Events of one kind at one point, of several parts.
 struct Happening {
   int point;
   PushEvent::Kind kind;
@@ -51,7 +51,7 @@ std::string point_text(const PushPoint& point) {
 }
 
 std::string events_table(const Pushover& found) {
-  std::string text = " no.  displacement    base shear  what happens\n              (mm)          (kN)\n";
+  std::string text = " no.  displacement    base shear  events\n              (mm)          (kN)\n";
   int number = 0;
   for (const Happening& row : happenings_of(found.path)) {
     const PushPoint& point = found.path.points[row.point];
@@ -79,7 +79,7 @@ std::string summary_text(const Pushover& found) {
     text += fmt::format("mechanism     at {}: {}\n", point_text(found.path.points[*found.path.mechanism]),
                         fmt::join(names_of(found, found.path.mechanism_parts), ", "));
   else
-    text += "mechanism     none on this way\n";
+    text += "mechanism     none up to the last displacement\n";
   text += fmt::format(
       "overstrength  {}{:.4f} at the largest base shear, over that at the first yield\n",
       found.path.mechanism ? fmt::format("{:.4f} at the mechanism, ", found.overstrength(*found.path.mechanism)) : "",

@@ -24,14 +24,13 @@ StaticYielding::StaticYielding(const Structure& s, const Eigen::VectorXd& load, 
     : at_rest_(static_cast<Eigen::Index>(s.yielding.size())) {
   StaticSolver solver(s.stiffness);
   if (!solver.holds())
-    throw std::invalid_argument(solver.buckles() ? "it buckles before it is pushed" : "nothing holds it to the ground");
+    throw std::invalid_argument(solver.buckles() ? "it buckles under gravity" : "it has no supports");
   const SparseMatrix columns = deformation_columns(s);
   const Eigen::VectorXd loaded = solver.solve(load);
   const Eigen::MatrixXd by_parts = solver.solve(Eigen::MatrixXd(columns));
   by_load_ = control.dot(loaded);
   if (!(by_load_ > rounding * loaded.cwiseAbs().maxCoeff()))
-    throw std::invalid_argument(
-        "the load does not move the displacement that is followed, or moves it against its own direction");
+    throw std::invalid_argument("the load does not move the controlled displacement in its positive direction");
   for (Eigen::Index j = 0; j < at_rest_.size(); ++j) at_rest_[j] = s.yielding[static_cast<std::size_t>(j)].at_rest;
   by_displacement_ = columns.transpose() * loaded / by_load_;
   held_ = by_parts.transpose() * control;

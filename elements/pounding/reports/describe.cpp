@@ -57,7 +57,7 @@ std::string describe_isolators(const Structure& s) {
                   s.dimension == 1 ? "isolators" : fmt::format("{} isolator{}", count, count == 1 ? "" : "s"), laws,
                   stiffness.text(dimension::stiffness), yield.text(dimension::length), force.text(dimension::force));
   text += std::isfinite(period) ? fmt::format("isolated period {:.4g} s", period)
-                                : "no isolated period, nothing brings it back";
+                                : "no isolated period(no restoring force)";
   if (capacity.largest > 0) text += ", capacity " + capacity.text(dimension::length);
   return text + '\n';
 }
@@ -97,7 +97,7 @@ std::string faces_of(const Link& link) {
   return fmt::format(" between faces ({}{}{})", left, left.empty() || right.empty() ? "" : " and ", right);
 }
 
-// ", floors 10 mm apart in height"; empty for floors that are level but for rounding, and for other ends.
+// ", floors 10 mm apart in height"; empty for floors that are level within round-off, and for other ends.
 std::string heights_of(const Model& model, const Link& link) {
   if (link.left.floor < 0 || link.right.floor < 0) return {};
   const auto elevation = [&](const LinkEnd& end) {

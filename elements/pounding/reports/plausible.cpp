@@ -35,21 +35,20 @@ constexpr double deepest_penetration = 0.05;                   // [m]
 constexpr double coarsest_tolerance = 1e-2;
 constexpr double max_cut = 0.05;  // of the Arias intensity of a record
 
-// Bodies are no buildings: balls and trucks may be light.
+// True for buildings: bodies such as balls and trucks may be light.
 bool stands(const Structure& s) { return !s.is_rigid() && !s.is_free; }
 
 void warn_about_period(const Structure& s, std::vector<Warning>& warnings) {
   const double period = 2 * M_PI / s.frequencies[0];
   if (period >= shortest_period && period <= longest_period) return;
   warnings.push_back(
-      {"period",
-       fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to {:g} s; are "
-                   "masses and stiffnesses in kg and N/m, or with their units?",
-                   s.name, period, shortest_period, longest_period)});
+      {"period", fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to "
+                             "{:g} s; check that masses and stiffnesses are in kg and N/m, or have units",
+                             s.name, period, shortest_period, longest_period)});
 }
 
 void warn_about_mass(const Structure& s, std::vector<Warning>& warnings) {
-  // The number that makes the floors light has been doubted as it was read.
+  // A number that makes the floors light already has a warning of the reader.
   const std::string place = fmt::format("structures.{}.", s.name);
   if (std::ranges::any_of(
           warnings, [&](const Warning& warning) { return warning.name == "mass" && warning.text.starts_with(place); }))
@@ -62,7 +61,7 @@ void warn_about_mass(const Structure& s, std::vector<Warning>& warnings) {
                            s.name, lightest->label, format_quantity(lightest->mass, dimension::mass))});
 }
 
-// Height of the highest storey, the first one from the lowest node [m]; of the whole frame where it has no floors.
+// Height of the highest storey, the first one from the lowest node [m]; of the whole frame if it has no floors.
 double highest_storey(const Structure& s) {
   const auto less = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); };
   const auto [low, high] = std::minmax_element(s.geometry.positions.begin(), s.geometry.positions.end(), less);
@@ -90,7 +89,7 @@ void warn_about_members(const Structure& s, std::vector<Warning>& warnings) {
   const auto thinnest = std::min_element(g.depths.begin(), g.depths.end());
   if (*thinnest < thinnest_member)
     warnings.push_back(
-        {"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; look at the unit of its section",
+        {"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; check the unit of its section",
                                 s.name, name_of(thinnest - g.depths.begin()), metres(*thinnest))});
   const auto softest = std::min_element(g.moduli.begin(), g.moduli.end());
   if (*softest < softest_material)
@@ -128,7 +127,7 @@ void warn_about_yielding(const Structure& s, std::vector<Warning>& warnings) {
   });
 }
 
-// Force at which an isolator begins to move [N]; NaN if its law does not have one number for it.
+// Force at which an isolator starts to move [N]; NaN if its law does not define one.
 double strength(const YieldingPart& part) {
   if (const double sliding = part.parameter("friction") * part.parameter("weight"); !std::isnan(sliding))
     return sliding;
@@ -136,7 +135,7 @@ double strength(const YieldingPart& part) {
   return std::isnan(characteristic) ? part.parameter("yield_force") : characteristic;
 }
 
-// The strength of all isolators together; in space each stands for one of two axes.
+// Strength of all isolators together; in space each is listed once per axis.
 void warn_about_isolators(const Structure& s, std::vector<Warning>& warnings) {
   const double weight = s.total_mass().x() * standard_gravity;
   double sum = 0;
@@ -144,8 +143,8 @@ void warn_about_isolators(const Structure& s, std::vector<Warning>& warnings) {
     if (isolates(part)) sum += strength(part);
   if (s.dimension == 3) sum /= 2;
   if (!(weight > 0) || !(sum > 0) || (sum >= weakest_isolators * weight && sum <= weight)) return;
-  warnings.push_back({"isolator", fmt::format("structure {}: its isolators begin to move at {}, {:.3g} % of its weight "
-                                              "of {}, and 2 % to 15 % are usual; a bare "
+  warnings.push_back({"isolator", fmt::format("structure {}: its isolators start to move at {}, {:.3g} % of its weight "
+                                              "of {}, 2 % to 15 % are typical; a bare "
                                               "force is in N, type its unit, as in 375 kN",
                                               s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
                                               format_quantity(weight, dimension::force))});
@@ -156,12 +155,11 @@ void warn_about_start(const Structure& s, std::vector<Warning>& warnings) {
     return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
   };
   if (const double moved = largest(s.initial_displacement); moved > largest_start)
-    warnings.push_back(
-        {"initial", fmt::format("structure {}: it begins with a displacement of {}, above {:g} m; a bare "
-                                "length is in m, type its unit, as in -5 mm",
-                                s.name, format_quantity(moved, dimension::length), largest_start)});
+    warnings.push_back({"initial", fmt::format("structure {}: initial displacement of {}, above {:g} m; a bare "
+                                               "length is in m, type its unit, as in -5 mm",
+                                               s.name, format_quantity(moved, dimension::length), largest_start)});
   if (const double velocity = largest(s.initial_velocity); velocity > fastest_start)
-    warnings.push_back({"initial", fmt::format("structure {}: it begins with a velocity of {}, above {:g} m/s; a bare "
+    warnings.push_back({"initial", fmt::format("structure {}: initial velocity of {}, above {:g} m/s; a bare "
                                                "velocity is in m/s, type its unit, as in 0.5 "
                                                "m/s",
                                                s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
@@ -192,13 +190,13 @@ void warn_about_gaps(const Model& model, std::vector<Warning>& warnings) {
     warnings.push_back(
         {"gap",
          fmt::format(
-             "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 where the two touch",
+             "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 if the two touch",
              narrow->name, format_quantity(narrow->gap, dimension::length))});
   if (widest->gap <= widest_gap) return;
   warnings.push_back(
       {"gap",
        fmt::format(
-           "link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and look at the "
+           "link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and check the "
            "origins",
            widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
 }
@@ -220,7 +218,7 @@ void for_each_record(const Model& model, const Visit& visit) {
   }
 }
 
-// Closed forms are not judged: their times are typed next to the duration.
+// Closed forms are skipped: their times are typed next to the duration.
 void warn_about_duration(const Model& model, std::vector<Warning>& warnings) {
   std::map<const Samples*, double> arrivals;
   for_each_record(model, [&](const Samples& samples, double arrival) {
@@ -240,7 +238,7 @@ void warn_about_duration(const Model& model, std::vector<Warning>& warnings) {
     warnings.push_back(
         {"duration", fmt::format("analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the "
                                  "Arias intensity and up "
-                                 "to {:.0f} %; type a duration of at least {:.6g} s, or leave it out",
+                                 "to {:.0f} %; type a duration of at least {:.6g} s, or remove it",
                                  model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s",
                                  100 * worst, std::ceil(10 * needed) / 10)});
 }
@@ -253,7 +251,7 @@ void warn_about_records(const Model& model, std::vector<Warning>& warnings) {
   });
 }
 
-// Ends without a typed face whose gap would hold the columns on both sides: drawn by axes, it seems.
+// Ends without a typed face whose gap has room for the columns on both sides: probably drawn at the axes.
 void warn_about_faces(const Model& model, std::vector<Warning>& warnings) {
   for (const Link& link : model.links) {
     const Structure &a = model.structures[link.left.structure], &b = model.structures[link.right.structure];
@@ -274,7 +272,7 @@ void warn_about_faces(const Model& model, std::vector<Warning>& warnings) {
   }
 }
 
-// A column is stiff that near a joint, and its short end takes nearly the whole blow.
+// Near a joint a column is so stiff that its short end takes almost the entire impact.
 void warn_about_joints(const Model& model, std::vector<Warning>& warnings) {
   const Link* nearest = nullptr;
   const LinkEnd* hit = nullptr;
@@ -296,12 +294,12 @@ void warn_about_joints(const Model& model, std::vector<Warning>& warnings) {
                             metres(std::ceil(hit->point.to_joint * 100) / 100))});
 }
 
-// The texts of those that the model does not accept.
+// Texts of the warnings that the model does not accept.
 std::vector<std::string> texts(const Model& model, const std::vector<Warning>& warnings) {
   std::vector<std::string> all;
   for (const Warning& warning : warnings)
     if (std::find(model.accept.begin(), model.accept.end(), warning.name) == model.accept.end())
-      all.push_back(fmt::format("{} (where it is meant: accept: [{}])", warning.text, warning.name));
+      all.push_back(fmt::format("{} (to suppress this warning: accept: [{}])", warning.text, warning.name));
   return all;
 }
 
@@ -329,8 +327,9 @@ std::vector<std::string> implausible(const Model& model, double tolerance) {
   if (tolerance > coarsest_tolerance)
     warnings.push_back(
         {"tolerance",
-         fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
-                     tolerance, 100 * tolerance)});
+         fmt::format(
+             "analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is typical",
+             tolerance, 100 * tolerance)});
   return texts(model, warnings);
 }
 
@@ -345,7 +344,7 @@ std::vector<std::string> implausible(const Model& model, bool moved, std::span<c
   if (deepest != penetrations.end() && *deepest > deepest_penetration)
     warnings.push_back(
         {"penetration",
-         fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft, look at the unit "
+         fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft; check the unit "
                      "of its stiffness",
                      model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
                      format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
@@ -356,9 +355,9 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
   std::vector<Warning> warnings;
   for (std::size_t k = 0; k < drifts.size(); ++k) {
     const Structure& s = model.structures[k];
-    // Members that may turn by large angles are meant to.
+    // Members in large rotations are expected to drift far.
     const std::vector<double> heights = s.forces.turned ? std::vector<double>{} : storey_heights(s);
-    // Isolators move far by design, and where they stand under a frame its lowest floor moves with them.
+    // Isolators move far by design, and the lowest floor of a frame on isolators moves with them.
     std::size_t worst = is_isolated(s) ? 1 : 0;
     for (std::size_t i = worst + 1; i < std::min(heights.size(), drifts[k].size()); ++i)
       if (drifts[k][i] / heights[i] > drifts[k][worst] / heights[worst]) worst = i;
@@ -366,7 +365,7 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
       continue;
     warnings.push_back(
         {"drift", fmt::format("structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, "
-                              "where no building stands; look at the "
+                              "which no building survives; check the "
                               "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 "
                               "%}} to end the run there",
                               s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),

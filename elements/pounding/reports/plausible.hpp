@@ -1,6 +1,5 @@
 #pragma once
-/// Warnings of what a model can say and seldom means: numbers far from those of buildings, mostly by a unit that is
-/// missing.
+/// Plausibility warnings: valid numbers that are atypical of buildings, usually because of a missing unit.
 
 #include <span>
 #include <string>
@@ -10,16 +9,16 @@
 
 namespace pounding {
 
-/// Warnings about a model, one line each; none of those that it accepts. `tolerance`: of the run, if it is not the
-/// model's.
+/// Warnings about a model, one line each, except those that it accepts. `tolerance`: that of the run, if different from
+/// the model's.
 std::vector<std::string> implausible(const Model& model, double tolerance);
 std::vector<std::string> implausible(const Model& model);
 
-/// Warnings about a run of it: whether anything moved, and the peak penetrations of its links [m].
+/// Warnings about a run: no motion, and the peak penetrations of its links [m].
 std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations);
 
-/// Warnings about the largest drifts of the storeys [structure][storey] in a run [m]. Storeys without heights, and of
-/// members that may turn by large angles, are left out.
+/// Warnings about the maximum storey drifts [structure][storey] in a run [m]. Storeys without heights, and with members
+/// in large rotations, are skipped.
 std::vector<std::string> implausible_drifts(const Model& model, std::span<const std::vector<double>> drifts);
 
 }  // namespace pounding

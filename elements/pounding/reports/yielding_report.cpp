@@ -25,11 +25,11 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // One end of a column.
 struct ColumnEnd {
-  std::string name;   // as that of a hinge there
-  double sags, hogs;  // yield moments [N m]; 0 where it is pinned, NaN where it stays elastic
+  std::string name;   // like that of a hinge there
+  double sags, hogs;  // yield moments [N m]; 0 if pinned, NaN if elastic
 };
 
-// A member from joint to joint, all its parts where it is cut.
+// A member from joint to joint, including all its segments.
 struct Column {
   int first, last;  // members of the frame
 };
@@ -64,7 +64,7 @@ ColumnEnd end_of(const Structure& s, int member, bool is_start) {
   return end;
 }
 
-// Whether a member leads from below a floor to it; floors count from 0, the ground below the lowest is -1.
+// True if the member connects this floor to the level below; floors count from 0, the ground below the lowest is -1.
 bool reaches(const Structure& s, const Column& column, int floor) {
   const auto& floors = s.geometry.floor_of_node;
   const int a = s.geometry.members[column.first][0], b = s.geometry.members[column.last][1];
@@ -94,7 +94,7 @@ StoreyMechanism mechanism_of(const Structure& s, int floor, double height) {
   return found;
 }
 
-// Parts that are alike, in the order of the first of each.
+// Groups of identical parts, in the order of their first members.
 std::vector<std::vector<YieldingFacts>> alike(const std::vector<YieldingFacts>& facts) {
   std::vector<std::vector<YieldingFacts>> groups;
   const auto key = [](const YieldingFacts& f) {
@@ -110,7 +110,7 @@ std::vector<std::vector<YieldingFacts>> alike(const std::vector<YieldingFacts>& 
   return groups;
 }
 
-// Tangents of the ends of members, one line for all hinges with the same one: their moments at rest do not matter here.
+// Tangents of member ends, one line for all hinges with the same value; moments at rest are irrelevant here.
 std::string tangents_of(const std::vector<YieldingFacts>& facts) {
   std::vector<std::pair<std::string, std::vector<std::string>>> lines;
   for (const YieldingFacts& one : facts) {
@@ -153,10 +153,11 @@ std::string table_of(const Structure& s) {
   const auto sways = [](const StoreyMechanism& one) { return one.elastic.empty(); };
   for (const StoreyMechanism& one : mechanisms)
     if (sways(one))
-      text += fmt::format("storey {} can sway on its own, at a shear of {:.5g} kN\n", one.storey, one.shear / 1e3);
+      text +=
+          fmt::format("storey mechanism possible in storey {}, at a shear of {:.5g} kN\n", one.storey, one.shear / 1e3);
   if (!mechanisms.empty() && std::ranges::none_of(mechanisms, sways))
-    text += fmt::format("no storey can sway on its own, as columns stay elastic; in storey {} {} does\n",
-                        mechanisms.front().storey, mechanisms.front().elastic);
+    text += fmt::format("no storey mechanism, as columns stay elastic; in storey {}: {}\n", mechanisms.front().storey,
+                        mechanisms.front().elastic);
   return text;
 }
 

@@ -72,12 +72,11 @@ void Damper::check() const {
     throw std::invalid_argument(fmt::format(
         "the exponent of a damper with a stiffness must be in [{:g}, 1], but is {:g}", min_exponent, exponent));
   if (has_stiffness() && exponent * coefficient / stiffness < shortest_relaxation)
-    throw std::invalid_argument(
-        fmt::format("the spring in series with the damper is far too stiff: with {:.3g} N/m its force follows the "
-                    "damper within {:.2g} s at 1 m/s, and no step resolves less than {:g} s; leave stiffness out, "
-                    "which means a rigid one, or type at most {:.3g} N/m",
-                    stiffness, exponent * coefficient / stiffness, shortest_relaxation,
-                    exponent * coefficient / shortest_relaxation));
+    throw std::invalid_argument(fmt::format(
+        "the spring in series with the damper is too stiff: with {:.3g} N/m the relaxation time is {:.2g} s at 1 m/s, "
+        "below the resolvable {:g} s; remove stiffness for a rigid connection, or type at most {:.3g} N/m",
+        stiffness, exponent * coefficient / stiffness, shortest_relaxation,
+        exponent * coefficient / shortest_relaxation));
 }
 
 }  // namespace pounding

@@ -12,7 +12,7 @@ namespace pounding {
 /// Matrices of structures, in compressed column format.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// The matrix of these entries; entries at the same place are added.
+/// Sparse matrix of these entries; duplicate entries are added.
 template <class Matrix = SparseMatrix>
 Matrix sparse_matrix(Eigen::Index rows, Eigen::Index columns, const std::vector<Eigen::Triplet<double>>& entries) {
   Matrix matrix(rows, columns);
@@ -20,7 +20,7 @@ Matrix sparse_matrix(Eigen::Index rows, Eigen::Index columns, const std::vector<
   return matrix;
 }
 
-/// Degrees of freedom by their mass, both lists increasing.
+/// Degrees of freedom by mass, both lists increasing.
 struct MassSplit {
   std::vector<int> dynamic;   ///< with mass
   std::vector<int> massless;  ///< without

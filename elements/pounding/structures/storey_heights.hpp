@@ -1,5 +1,5 @@
 #pragma once
-/// How high storeys are.
+/// Storey heights.
 
 #include <vector>
 
@@ -7,12 +7,12 @@
 
 namespace pounding {
 
-/// Whether every floor says how high it stands.
+/// True if the heights of all floors are known.
 bool knows_heights(const Structure& structure);
-/// Lowest height that counts: of a node, or of the ground below a structure without nodes [m].
+/// Height of the base: of the lowest node, or of the ground below a structure without nodes [m].
 double base_height(const Structure& structure);
-/// Heights of the storeys from the floor below, of the lowest from the base, from the ground up [m]. Empty where
-/// heights or storeys are not known.
+/// Heights of the storeys from the ground up, the lowest from the base, the others from the floor below [m]. Empty if
+/// heights or storeys are unknown.
 std::vector<double> storey_heights(const Structure& structure);
 
 }  // namespace pounding

@@ -21,11 +21,11 @@ class UnitImpact {
  public:
   explicit UnitImpact(const laws::AdamsImpact& law) : law_(law), impact_(laws::touch(law, 1)) {}
 
-  /// To 1e-11.
+  /// Restitution to 1e-11.
   double restitution() {
-    // A spring that is pressed as little as this has no energy left.
+    // At such a penetration the energy of the spring is negligible.
     for (int i = 0; i < 5000 && (y_[1] > 0 || y_[0] > 1e-6); ++i) {
-      // The end of the force is no smooth place: it is not stepped over.
+      // The force is not smooth at its end, so steps do not pass it.
       if (y_[1] < 0) h_ = std::min(h_, std::sqrt(std::sqrt(x_ * x_ * x_ * x_ - 0.9 * y_[0] / y_[1])) - x_);
       auto end = moved(h_);
       land(end);
@@ -43,7 +43,7 @@ class UnitImpact {
   using State = std::array<double, 2>;
   static constexpr double tolerance = 1e-12, shortest = 1e-9;
 
-  // By the fourth root of time, in which the first touch is smooth.
+  // In the fourth root of time, in which the first touch is smooth.
   ExtrapolatedStep<2> moved(double h) const {
     const auto slope = [&](double x, const State& y) {
       const double speed = 4 * x * x * x;
@@ -51,8 +51,8 @@ class UnitImpact {
     };
     return extrapolated_step<2>(slope, x_, y_, h, tolerance);
   }
-  // Ends the step where the damping is full or the force is cut: the error estimate can overlook such places. It ends
-  // where the bodies turn, too: those that come just as deep as the depth of full damping would pass it twice in one
+  // Ends the step where the damping becomes full or the force is cut off: the error estimate can overlook such points.
+  // It also ends at the reversal, since bodies that just reach the depth of full damping would pass it twice in one
   // step.
   void land(ExtrapolatedStep<2>& end) {
     const auto place = [&](int which, const State& y) {
@@ -74,7 +74,7 @@ class UnitImpact {
   double x_ = 0, h_ = 0.3;
 };
 
-/// Damping numbers of one restitution and one exponent over the depth of full damping, in lengths of the impact.
+/// Damping numbers of one restitution and one exponent over the depth of full damping, in impact lengths.
 class Table {
  public:
   Table(double restitution, double exponent) : restitution_(restitution), exponent_(exponent) {}
@@ -91,9 +91,9 @@ class Table {
   }
 
  private:
-  static constexpr int deepest = 16;  // level of pieces as wide as 2^-16 octaves
+  static constexpr int deepest = 16;  // level of pieces with a width of 2^-16 octaves
   static constexpr std::size_t terms = 12;
-  using Series = std::array<double, terms>;  // of Chebyshev
+  using Series = std::array<double, terms>;  // Chebyshev coefficients
 
   double solved(double depth) const {
     const double scale = std::max(1.0, depth * depth / 3);
@@ -107,7 +107,7 @@ class Table {
     };
     double low = 0, at_low = 1 - restitution_, high = 1, at_high = miss(high);
     while (at_high > 0) {
-      // A law that cannot reach its restitution has said so when it was checked.
+      // A law that cannot reach its restitution has been rejected by check().
       if (high > 1e9) return scale * high;
       low = std::exchange(high, 4 * high), at_low = at_high;
       at_high = miss(high);
@@ -115,8 +115,8 @@ class Table {
     return scale * find_root(miss, low, at_low, high, at_high);
   }
 
-  // Logarithms of the numbers over one piece; nothing where they are not smooth: the bodies come just as deep as the
-  // depth, or are just released.
+  // Logarithms of the numbers over one piece; nullopt if they are not smooth: at bodies that just reach the depth or
+  // are just released.
   std::optional<Series> polynomial(int level, double index) const {
     Series logarithms, series{};
     const auto angle = [](std::size_t i) { return std::numbers::pi * (static_cast<double>(i) + 0.5) / terms; };

@@ -1,13 +1,13 @@
 #pragma once
-/// The damping that gives adams_impact a restitution, at every touch.
+/// Damping of adams_impact for a target restitution, at every touch.
 
 #include <pounding/laws/table.hpp>
 
 namespace pounding::study {
 
-/// As laws::exact_adams_impact, which integrates impacts for milliseconds, to 1e-8 of it: from a polynomial over the
-/// logarithm of the depth of full damping that is made when a history first comes there. Its pieces are the same
-/// whatever was asked before, so that the answer depends on `asked` alone; each thread makes its own.
+/// Approximates laws::exact_adams_impact, which integrates impacts for milliseconds, to a relative error of 1e-8. It
+/// uses a polynomial in the logarithm of the depth of full damping, which is created when a history first requires it.
+/// Its pieces do not depend on the order of requests, so the function is pure; each thread has its own pieces.
 double tabled_adams_impact(const laws::CalibrationTarget& requested);
 
 }  // namespace pounding::study

@@ -1,6 +1,5 @@
 #pragma once
-/// Calibrations of a law that are found once and not again at every touch: some of them integrate impacts for
-/// milliseconds.
+/// Cached calibrations of a law, instead of one at every touch: some integrate impacts for milliseconds.
 
 #include <array>
 #include <type_traits>
@@ -10,8 +9,7 @@
 
 namespace pounding::study {
 
-/// The last calibration of one formula on this thread. The formula is a pure function, so the bits are those of the
-/// formula itself.
+/// Last calibration of one formula on this thread. The formula is pure, so cached results are bitwise identical.
 struct LastCalibration {
   laws::DampingFormula formula = nullptr;
   laws::CalibrationTarget target{};
@@ -33,22 +31,22 @@ struct LastCalibration {
   }
 };
 
-/// One for each law.
+/// One per law.
 template <class Law>
 LastCalibration& last_calibration() {
   thread_local LastCalibration last;
   return last;
 }
 
-/// Whether laws have the same formula, or none has any.
+/// True if the laws have the same formula or none has any.
 template <class Law>
 bool same_formula(const Law& a, const Law& b) {
   if constexpr (requires { a.formula == b.formula; }) return a.formula == b.formula;
   return true;
 }
 
-/// The law, with a formula that remembers its last answer on this thread. A number that depends on the closing speed is
-/// found at every touch as before, but for those of adams_impact, which are tabled.
+/// The law with a formula that caches its last result on this thread. A number that depends on the closing speed is
+/// still computed at every touch, except for adams_impact, which uses a table.
 template <class Law>
 Law remembering(Law law) {
   if constexpr (std::is_same_v<Law, laws::AdamsImpact>) {
@@ -64,12 +62,12 @@ Law remembering(Law law) {
   return law;
 }
 
-/// True for a law whose curve follows from powers of the closing speed, and which takes the curve instead of them.
+/// True for a law whose curve follows from powers of the closing speed and that accepts the curve instead.
 template <class Law>
 inline constexpr bool has_curve =
     requires(Law law, const laws::Impact& impact) { law.initial_stiffness = law.curve(impact).k1; };
 
-/// The law with the curve of one impact, which is found once.
+/// The law with the curve of one impact, computed once.
 template <class Law>
 Law with_curve(const Law& law, const laws::Impact& impact) {
   const auto [k1, k2, yield] = law.curve(impact);

@@ -1,11 +1,11 @@
 #pragma once
-/// The variable by which the integrator steps in contact: time, or a root of the time since a touch.
+/// Integration variable in contact: time, or a root of the time since a touch.
 
 #include <cmath>
 
 namespace pounding::study {
 
-/// t = touch + s^p: a force that begins as d^(n/p) with a whole n is smooth in s, and with it the motion.
+/// t = touch + s^p: a force that starts as d^(n/p) with an integer n is smooth in s, and so is the motion.
 class Clock {
  public:
   /// Time, and dt/ds.
@@ -13,7 +13,7 @@ class Clock {
     double time, speed;
   };
 
-  /// Goes by time itself.
+  /// Uses time itself.
   Clock() = default;
   Clock(double touch, int p) noexcept : touch_(touch), p_(p) {}
 
@@ -29,14 +29,14 @@ class Clock {
     const double root = std::sqrt(std::fmax(t - touch_, 0));
     return p_ == 2 ? root : std::sqrt(root);
   }
-  /// Time takes a step by s longer the later it is: the factor to the next step of about the same length in time. The
-  /// step from the touch itself says more about s than about time.
+  /// A step of given length in s covers more time the later it is: factor to the next step of about the same length in
+  /// time. The first step after the touch has about the same length in s instead.
   double shortening(double s, double ds) const noexcept {
     if (s == 0) return p_ == 1 ? 1 : 0.8;
     const double ratio = (2 * s + ds) / (2 * s + 3 * ds);
     return p_ == 1 ? 1 : p_ == 2 ? ratio : ratio * ratio;
   }
-  /// Times count from later by `shift`.
+  /// Shifts the origin of time by `shift`.
   void move(double shift) noexcept { touch_ -= shift; }
 
  private:

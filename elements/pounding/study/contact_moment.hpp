@@ -1,5 +1,5 @@
 #pragma once
-/// States in contact with all that follows from them.
+/// States in contact with all derived quantities.
 
 #include <cstddef>
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace pounding::study {
 
-/// Motion of one link and its force.
+/// Motion and force of one link.
 struct LinkMoment {
   double d = 0, rate = 0, acceleration = 0;  ///< penetration [m], [m/s], [m/s^2]
   laws::Response force;
   double force_rate = 0;  ///< dF/dt [N/s]
 };
 
-/// Motion of a link over a step of length h [s], from both ends of it.
+/// Motion of a link over a step of length h [s], from both of its ends.
 inline Quintic quintic_path(const LinkMoment& begin, const LinkMoment& end, double h) noexcept {
   return Quintic({begin.d, begin.rate, begin.acceleration}, {end.d, end.rate, end.acceleration}, h);
 }
 
-/// A state in contact with all that follows from it.
+/// A state in contact with all derived quantities.
 template <int M, int L>
 struct Moment : ModalState<M> {
   double time = 0;  ///< in the interval [s]
@@ -31,7 +31,7 @@ struct Moment : ModalState<M> {
   Numbers<L, LinkMoment> links;
 };
 
-/// The equations of motion in contact.
+/// Equations of motion in contact.
 template <class Law, int M, int L>
 class ContactMotion {
  public:
@@ -46,7 +46,7 @@ class ContactMotion {
     return m;
   }
 
-  /// Fills in what follows from q, v and the time.
+  /// Computes the derived quantities from q, v and the time.
   void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
     m.ground = ground(m.time), m.slope = ground.slope_at(m.time);
     pull(m.q, m.v, m.ground, m.a);
@@ -71,7 +71,7 @@ class ContactMotion {
   }
 
  protected:
-  // Accelerations by the structures and the ground.
+  // Accelerations due to the structures and the ground.
   void pull(const Modes<M>& q, const Modes<M>& v, double ag, Modes<M>& acceleration) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i)
       acceleration.part(i) = -(s_.c.part(i) * v.part(i) + s_.k.part(i) * q.part(i) + ag * s_.p.part(i));

@@ -1,5 +1,5 @@
 #pragma once
-/// Steps in contact, from a touch until all links are open again.
+/// Integration in contact, from a touch until all links are open again.
 
 #include <algorithm>
 #include <bit>
@@ -33,19 +33,19 @@ class ContactRun {
         jerk_(structures.count) {
     for (Moment<M, L>& moment : moments_) moment = step_.moment();
   }
-  // It points at its own moments.
+  // Not copyable: contains pointers to its own moments.
   ContactRun(const ContactRun&) = delete;
   ContactRun& operator=(const ContactRun&) = delete;
 
   bool closed() const noexcept { return closed_; }
-  /// Kept steps.
+  /// Number of accepted steps.
   long steps() const noexcept { return steps_; }
-  /// A link has moved at this rate [m/s].
+  /// Records a rate of a link [m/s].
   void saw(double rate) noexcept { fastest_ = std::max(fastest_, std::abs(rate)); }
-  /// An interval begins at this time of the history [s].
+  /// Starts an interval at this time of the history [s].
   void begin_interval(double time) noexcept { time_ = time; }
 
-  /// A link touches at a time of the interval.
+  /// A link touches at this time of the interval.
   void touch(std::size_t link, const ModalState<M>& x, double t, const Ground& ground) {
     Moment<M, L>& m = *begin_;
     m.q = x.q, m.v = x.v, m.time = t;
@@ -53,8 +53,9 @@ class ContactRun {
     apply({LinkEvent::touch, link, 0}, ground);
   }
 
-  /// Steps from x until all links are open again or the interval is over. A step may end in the next interval of the
-  /// same length where the ground goes on there. Returns the time of the interval, and the state then in x.
+  /// Integrates from x until all links are open again or the interval ends. A step may end in the next interval of the
+  /// same length if the ground motion continues there. Returns the time in the interval; x is then the state at that
+  /// time.
   double press(const Ground& ground, ModalState<M>& x, double t, double length) {
     Moment<M, L>& m = *begin_;
     m.q = x.q, m.v = x.v, m.time = t;
@@ -67,7 +68,7 @@ class ContactRun {
   }
 
  private:
-  // Applies an event to begin_, which then is complete again.
+  // Applies an event to begin_, and recomputes its derived quantities.
   void apply(const Found& found, const Ground& ground) {
     LinkContact<Law>& link = links_[found.link];
     link.apply(found.event, begin_->links[found.link].d, begin_->links[found.link].rate);
@@ -83,11 +84,11 @@ class ContactRun {
       clock_ = Clock(), reading_ = begin_->time, ds_ = last_;
   }
 
-  // An impact begins: its scales, and the clock by which the first steps go.
+  // Start of an impact: its scales, and the integration variable of the first steps.
   void wind_up(std::size_t l) {
     const double inverse_mass = dot(s_.closing[l], s_.closing[l]);
     const double speed = std::max({std::abs(begin_->links[l].rate), 1e-3 * fastest_, laws::slowest_closing_speed});
-    // Depth at which the spring alone does the work m v^2: a step or two of a fixed point are enough for a scale.
+    // Depth at which the spring alone does the work m v^2; one or two fixed-point iterations suffice for a scale.
     double depth = 1e-3 * speed;
     for (int i = 0; i < 8; ++i) {
       const double force = links_[l].slow_force(depth);
@@ -100,7 +101,7 @@ class ContactRun {
     time_scale_ = depth / speed, per_square_of_time_ = 1 / (time_scale_ * time_scale_);
     clock_ = Clock(begin_->time, links_[l].root());
     reading_ = clock_.reading(begin_->time);
-    // A first step that the error test keeps nearly always.
+    // Initial step that almost always passes the error test.
     ds_ = clock_.reading(begin_->time + (clock_.p() == 1   ? 0.3
                                          : clock_.p() == 2 ? 0.1
                                                            : 0.003) *
@@ -108,9 +109,9 @@ class ContactRun {
           reading_;
   }
 
-  // One kept step.
+  // Performs one accepted step.
   void advance(const Ground& ground, double length) {
-    // Away from the touch time itself will do.
+    // Away from the touch, time itself is used.
     if (clock_.p() > 1 && begin_->time - clock_.touch() > time_scale_) {
       ds_ *= clock_.at(reading_).speed;
       clock_ = Clock(), reading_ = begin_->time;
@@ -125,18 +126,18 @@ class ContactRun {
       const double ds = ends ? to_end : ds_;
       const double end_time = ends ? last : clock_.at(reading_ + ds).time;
       if (!(end_time > begin_->time)) fail("steps in contact become too short");
-      if (++tries_ > settings_.max_steps) fail("there are too many steps in contact");
+      if (++tries_ > settings_.max_steps) fail("too many steps in contact");
       const double square = take(ground, ds, end_time);
       if (!(square <= 1)) {
         ds_ = ds * (square < 1e24 ? std::max(0.2, growth(square)) : 0.2);
         continue;
       }
-      // The force grows steeper on the way to its release: steps that grow fast are refused there.
+      // The force becomes steeper towards its release: rapidly growing steps would be rejected there.
       const double maximum = clock_.p() == 1 && square > 1e-6 ? 1.2 : 5.0;
       const double wanted = ds * std::min(maximum, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
       const Found found = first_event(links_, step_, *begin_, *end_);
       if (found.event == LinkEvent::none) {
-        // A step that the interval has cut says little about the next.
+        // The length of a step cut by the interval does not limit the next one.
         ds_ = ends ? std::max(ds_, wanted) : wanted;
         keep(ground, reading_ + ds);
         return;
@@ -147,25 +148,25 @@ class ContactRun {
     }
   }
 
-  // Growth of the next step by the square of this one's error: 0.9 error^-0.2, within 7 %, from the logarithm that the
-  // bits of a number are. Whole numbers are computed alike on every machine, powers are not.
+  // Growth factor of the next step from the square of this error: 0.9 error^-0.2, within 7 %. It uses the logarithm in
+  // the exponent of the floating-point number: integer arithmetic is identical on all machines, powers are not.
   static double growth(double square) noexcept {
     constexpr std::int64_t one = std::bit_cast<std::int64_t>(1.0);
     return 0.9 * std::bit_cast<double>(one - (std::bit_cast<std::int64_t>(square) - one) / 10);
   }
 
-  // Square of the step's error over the largest one allowed.
+  // Square of the step error relative to its maximum.
   double take(const Ground& ground, double ds, double end_time) noexcept {
     return per_allowed_ *
            step_.take(links_, ground, clock_, *begin_, reading_, ds, end_time, per_square_of_time_, *end_);
   }
-  // The fastest closing of this impact has grown: so does the error that a step may have.
+  // The maximum closing speed of this impact has increased: so does the admissible error of a step.
   void allow() noexcept {
     const double allowed = settings_.tolerance * speed_ * root_of_mass_;
     per_allowed_ = 1 / (allowed * allowed);
   }
 
-  // The state at a part of the last step, with its accelerations.
+  // State at a fraction of the last step, with its accelerations.
   const Moment<M, L>& inside(const Ground& ground, double part) noexcept {
     step_.inside(part, *begin_, *end_, *middle_);
     middle_->time = begin_->time + part * (end_->time - begin_->time);
@@ -173,10 +174,10 @@ class ContactRun {
     return *middle_;
   }
 
-  // The step is kept, and the next one begins at its end.
+  // Accepts the step; the next one begins at its end.
   void keep(const Ground& ground, double reading) {
     const double h = end_->time - begin_->time;
-    // Before the laws' memories move: what lies inside the step belongs to those at its beginning.
+    // Before the laws update their history: points within the step belong to the history at its beginning.
     const auto jerk = [&](const Moment<M, L>& m) -> const Modes<M>& { return step_.jerk(m, jerk_), jerk_; };
     if (!outputs_.goes_on(*begin_, *end_))
       outputs_.pressed(*begin_, *end_, h, jerk,
@@ -221,7 +222,7 @@ class ContactRun {
       if (i < 3) t = std::min(t + left, end_time), left = 0;
     }
     if (t - begin_->time > shortest) {
-      // A ten-thousandth of the step is left: three terms of its series.
+      // Over the remaining ten-thousandth of the step, three terms of its series suffice.
       step_.jerk(*end_, jerk_);
       for (std::size_t i = 0; i < jerk_.parts(); ++i) {
         end_->q.part(i) += left * (end_->v.part(i) + 0.5 * left * end_->a.part(i));
@@ -247,12 +248,12 @@ class ContactRun {
   Moment<M, L>*begin_ = &moments_[0], *end_ = &moments_[1], *middle_ = &moments_[2];
   Modes<M> jerk_;
   bool closed_ = false;
-  double time_ = 0;     // of the present interval
-  double fastest_ = 0;  // rate of any link so far
+  double time_ = 0;     // of the current interval
+  double fastest_ = 0;  // maximum rate of any link
   Clock clock_;
   double reading_ = 0, ds_ = 0, last_ = 0;
-  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;  // of the present impact
-  double per_allowed_ = 0, per_square_of_time_ = 0;       // inverse squares of the allowed error and of the time
+  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;  // of the current impact
+  double per_allowed_ = 0, per_square_of_time_ = 0;       // inverse squares of the admissible error and of the time
   long steps_ = 0, tries_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// One step in contact: Dormand & Prince's pair 5(4) on all modes, by the clock of the contact.
+/// One step in contact: Dormand & Prince's pair 5(4) for all modes, in the integration variable of the contact.
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +28,12 @@ class ContactStep : public ContactMotion<Law, M, L> {
     if (s_.links() == 1) by_ground_ = s_.closes(0, s_.p), by_force_ = s_.closes(0, s_.closing[0]);
   }
 
-  /// Steps go on from this complete state.
+  /// Continues from this complete state.
   void begin(const Links&, const Ground&, const Moment<M, L>&, double) const noexcept {}
 
-  /// A step from `begin` by ds on the clock, ending at the time given; returns the square of the velocity that the
-  /// error of the modes' energy stands for [kg m^2/s^2]; `of_displacement` [1/s^2] is the inverse square of a time
-  /// between displacements and velocities.
+  /// A step from `begin` by ds in the integration variable, ending at the given time. Returns the square of the
+  /// velocity that corresponds to the error of the modal energy [kg m^2/s^2]; `of_displacement` [1/s^2] is the inverse
+  /// square of a time between displacements and velocities.
   double take(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s,
               double ds, double end_time, double of_displacement, Moment<M, L>& end) noexcept {
     if constexpr (L != 1)
@@ -41,11 +41,11 @@ class ContactStep : public ContactMotion<Law, M, L> {
     return take_with<true>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
   }
 
-  /// The motion of a link in the last step.
+  /// Motion of a link in the last step.
   Quintic path(std::size_t link, const Moment<M, L>& begin, const Moment<M, L>& end) const noexcept {
     return quintic_path(begin.links[link], end.links[link], end.time - begin.time);
   }
-  /// Displacements and velocities at a part of the last step.
+  /// Displacements and velocities at a fraction of the last step.
   void inside(double part, const Moment<M, L>& b, const Moment<M, L>& e, ModalState<M>& x) const noexcept {
     for (std::size_t j = 0; j < s_.modes(); ++j) {
       const Jet jet = Quintic({b.q[j], b.v[j], b.a[j]}, {e.q[j], e.v[j], e.a[j]}, e.time - b.time).at(part);
@@ -66,15 +66,15 @@ class ContactStep : public ContactMotion<Law, M, L> {
   }
 
  private:
-  // Derivatives by the clock, times the length of the step, and the links.
+  // Derivatives in the integration variable, multiplied by the step length, and the links.
   struct Stage {
     Modes<M> q, v;
     Numbers<L> force, rate;
-    double closing = 0, closing_faster = 0;  // of the one link: penetration and rate, as the modes
+    double closing = 0, closing_faster = 0;  // of a single link: penetration and rate, like the modes
   };
 
   using Part = typename Modes<M>::Part;
-  // Registers, where there are few modes; else a place that is there.
+  // Registers for few modes; otherwise existing storage.
   using Local = std::conditional_t<(M > 0), Modes<M>, Modes<M>&>;
 
   static constexpr double c[] = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1};
@@ -86,12 +86,11 @@ class ContactStep : public ContactMotion<Law, M, L> {
                                      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
   static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
-  // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that
-  // nothing holds: what is left is smooth there. Of that motion with a load of 1: its velocity, and the time since the
-  // corner.
+  // After a corner of the ground acceleration, the stages exclude the motion of free bodies due to the change of slope
+  // alone; the remainder is smooth there. For unit load: its velocity, and the time since the corner.
   struct Bend {
     double rate = 0, beyond = 0;
-    // Displacement that goes with a velocity.
+    // Displacement for a velocity.
     double way(double velocity) const noexcept { return velocity * beyond * (1.0 / 3); }
   };
   static Bend bend_of(const Ground& ground, double time) noexcept {
@@ -147,7 +146,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) x.part(i) += part * s_.p.part(i);
   }
 
-  // Times of the stages, and their speeds times the length of the step.
+  // Times of the stages, and dt/ds multiplied by the step length.
   void read(const Clock& clock, double s, double ds, double (&times)[6]) noexcept {
     for (int i = 0; i < 6; ++i)
       if (clock.p() == 1) {
@@ -163,7 +162,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
       stage.v.part(i) = speed * acceleration.part(i);
     }
   }
-  // q and v, moved from the beginning of the step by the I stages before.
+  // q and v, advanced from the beginning of the step by the first I stages.
   template <int I>
   void move(const Moment<M, L>& begin, Modes<M>& q, Modes<M>& v) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) {
@@ -177,8 +176,8 @@ class ContactStep : public ContactMotion<Law, M, L> {
     }
   }
 
-  // Penetration and rate of the one link, moved as those of the modes are: nothing but its last force then waits for
-  // the stage before.
+  // Penetration and rate of a single link, advanced like those of the modes, so that only its last force waits for the
+  // previous stage.
   template <int I>
   void move_link(const LinkMoment& begin, const Bend& bend, Stage& stage, double& d, double& rate) const noexcept {
     d = begin.d, rate = begin.rate;
@@ -192,7 +191,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
     }
   }
 
-  // Forces of the links that press and the accelerations, of the state that the I stages before have moved to.
+  // Forces of the closed links and the accelerations, for the state advanced by the first I stages.
   template <int I, bool one_link>
   [[gnu::always_inline]] void evaluate(const Links& links, const Moment<M, L>& begin, double ag, const Bend& bend,
                                        const Modes<M>& q, const Modes<M>& v, Modes<M>& acceleration) noexcept {
@@ -228,8 +227,8 @@ class ContactStep : public ContactMotion<Law, M, L> {
     return squares_v + of_displacement * squares_q;
   }
 
-  Numbers<L, int> presses_;              // whether a link does in the present step
-  double by_ground_ = 0, by_force_ = 0;  // B^T p and B^T B of the one link
+  Numbers<L, int> presses_;              // per link: true if closed in the current step
+  double by_ground_ = 0, by_force_ = 0;  // B^T p and B^T B of a single link
   Stage stages_[6];
   double speeds_[6] = {};
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Motion without contact: exact for straight ground acceleration.
+/// Motion without contact: exact for piecewise linear ground acceleration.
 
 #include <array>
 
@@ -31,7 +31,7 @@ class Flight {
       to.q.part(i) = end.q, to.v.part(i) = end.v;
     }
   }
-  /// Some of the modes.
+  /// A subset of the modes.
   struct Part {
     typename Modes<M>::Part q, v;
   };
@@ -63,7 +63,7 @@ class PartOfFlight {
                    ground.slope * s_.p.part(i),
                    [&](std::size_t term, const auto& pack) { terms_[term].part(i) = pack; });
   }
-  /// The rest of a link's gap.
+  /// Remaining gap of a link.
   Polynomial gap(std::size_t link, double whole) const noexcept {
     Polynomial left{.order = s_.order, .c = {}};
     for (std::size_t term = 0; term <= static_cast<std::size_t>(s_.order); ++term)
@@ -71,7 +71,7 @@ class PartOfFlight {
     left.c[0] += whole;
     return left;
   }
-  /// The state after a time t.
+  /// State after a time t.
   void end(double t, ModalState<M>& x) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) {
       const auto last = static_cast<std::size_t>(s_.order);
@@ -90,8 +90,8 @@ class PartOfFlight {
   std::array<Modes<M>, taylor_order + 1> terms_;
 };
 
-/// Whether a gap that is open at both ends of an interval may have closed inside: the tangents at both ends meet behind
-/// it. Gaps g0, g1 > 0 [m], closing rates r0, r1 [m/s].
+/// True if a gap that is open at both ends of an interval may have closed within it: the tangents at both ends
+/// intersect below zero. Gaps g0, g1 > 0 [m], closing rates r0, r1 [m/s].
 inline bool may_dip(double g0, double r0, double g1, double r1, double h) noexcept {
   return r0 > 0 && r1 < 0 && g0 * (r0 - r1) <= r0 * (g0 - g1 - r1 * h);
 }

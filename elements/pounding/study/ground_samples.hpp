@@ -1,6 +1,5 @@
 #pragma once
-/// The ground's acceleration as a history wants it: straight in intervals that are short beside the motion of every
-/// mode.
+/// Ground acceleration of a history: linear in intervals that are short compared with the periods of all modes.
 
 #include <algorithm>
 #include <cmath>
@@ -23,23 +22,23 @@ class GroundSamples {
         refined_(refined(record, pieces_)),
         samples_(pieces_ == 1 ? record.accelerations : refined_),
         last_(static_cast<long>(samples_.size()) - 1) {}
-  // It points at its own samples.
+  // Not copyable: contains a pointer to its own samples.
   GroundSamples(const GroundSamples&) = delete;
   GroundSamples& operator=(const GroundSamples&) = delete;
 
   /// Length of an interval [s].
   double step() const noexcept { return step_; }
-  /// The largest omega h or 2 zeta omega h of an interval, at most 1.
+  /// Maximum omega h or 2 zeta omega h of an interval, at most 1.
   double reach() const noexcept { return reach_; }
-  /// Just before the beginning of interval n; after the record it is zero.
+  /// Value just before the beginning of interval n; zero after the record.
   double before(long n) const noexcept { return n <= last_ ? factor_ * samples_[static_cast<std::size_t>(n)] : 0; }
-  /// Just after it: the record jumps to zero at its end.
+  /// Value just after it: the record jumps to zero at its end.
   double after(long n) const noexcept { return after(n, before(n)); }
-  /// The same from what is known to be just before it.
+  /// Value just after it, from the known value just before it.
   double after(long n, double before) const noexcept { return n < last_ ? before : 0; }
-  /// In interval n.
+  /// Acceleration in interval n.
   Ground in(long n) const noexcept { return {.at = after(n), .slope = slope(n)}; }
-  /// In interval n and the next one; in n alone where the record jumps between them.
+  /// Acceleration in interval n and the next one; in n alone if the record jumps between them.
   Ground in_both(long n) const noexcept {
     if (n + 1 == last_) return in(n);
     return {.at = after(n), .slope = slope(n), .corner = step_, .bend = slope(n + 1) - slope(n)};
@@ -56,7 +55,7 @@ class GroundSamples {
   static long pieces(const LinearModel& model, const EvenRecord& record) {
     return std::max(1L, static_cast<long>(std::ceil(fastest(model) * record.step)));
   }
-  // Samples between which the record is straight, one at each end of an interval.
+  // Samples between which the record is linear, one at each end of an interval.
   static std::vector<double> refined(const EvenRecord& record, long pieces) {
     std::vector<double> all;
     if (pieces == 1) return all;

@@ -1,6 +1,5 @@
 #pragma once
-/// One history of the kernel: flights between contacts. M modes and L links, 0 for a number that is known at run time
-/// only.
+/// One history of the kernel: flights between contacts. M modes and L links, 0 for a number known only at run time.
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +46,7 @@ class History {
     const double h = flight_.length();
     const double whole = settings_.duration > 0 ? settings_.duration
                                                 : record_.step * static_cast<double>(record_.accelerations.size() - 1);
-    // Rounding of a duration that is a multiple of the step is no interval.
+    // Round-off of a duration that is a multiple of the step does not add an interval.
     const auto intervals = static_cast<long>(std::ceil(whole / h * (1 - 1e-13)));
     const double rest = std::min(h, whole - h * static_cast<double>(intervals - 1));
     const long full = rest == h ? intervals : intervals - 1;
@@ -70,7 +69,7 @@ class History {
   // An open link at one instant.
   struct Closing {
     double gap = 0, rate = 0;
-    // Whether the link may close on the way to an instant a time h later.
+    // True if the link may close before an instant a time h later.
     bool may_close_before(const Closing& later, double h) const noexcept {
       return !(later.gap > 0) || (gap > 0 ? may_dip(gap, rate, later.gap, later.rate, h) : !(rate < 0));
     }
@@ -79,7 +78,7 @@ class History {
     return {links_[l].gap() - s_.closes(l, x.q), s_.closes(l, x.v)};
   }
 
-  // Whole intervals without contact, from number n to the first one in which a link may close, or to `end`.
+  // Whole intervals without contact, from index n to the first one in which a link may close, or to `end`.
   [[gnu::noinline]] long glide(long n, long end) noexcept {
     if constexpr (M == 2 && L == 1)
       if (outputs_.are_of_modes()) return glide_pair(n, end);
@@ -107,9 +106,9 @@ class History {
     contact_.saw(fastest);
     return n;
   }
-  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at. One question is
-  // asked of each state, with the same answer for nearly all of them: whether a link could close or a peak be passed
-  // within an interval at its present rates.
+  // Like glide(), with all numbers in registers, if the outputs are only displacements of modes. One test per state has
+  // the same result for almost all of them: whether a link could close or a peak be passed within an interval at the
+  // current rates.
   long glide_pair(long n, long end) noexcept {
     const double h = flight_.length(), per_h = 1 / h, gap = links_[0].gap();
     const auto closing_by = s_.closing[0].part(0);
@@ -140,8 +139,8 @@ class History {
     return n;
   }
 
-  // From a time t of an interval to its end at `length`, with its contacts. A step in contact may end in the next
-  // interval where `goes_on`. Returns the time there.
+  // From a time t of an interval to its end at `length`, including contacts. A step in contact may end in the next
+  // interval if `goes_on` is true. Returns the time reached.
   double go(long n, double t, double length, bool goes_on) {
     const Ground ground = goes_on ? ground_.in_both(n) : ground_.in(n);
     contact_.begin_interval(flight_.length() * static_cast<double>(n));

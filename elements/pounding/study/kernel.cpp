@@ -9,7 +9,7 @@ namespace pounding::study {
 namespace {
 
 void check(const EvenRecord& record, const Settings& settings) {
-  if (record.accelerations.size() < 2) throw std::invalid_argument("a record needs two samples at least");
+  if (record.accelerations.size() < 2) throw std::invalid_argument("a record needs at least two samples");
   for (const double a : record.accelerations)
     if (!std::isfinite(a)) throw std::invalid_argument("a sample of the record is not finite");
   if (!(record.step > 0 && std::isfinite(record.step)))

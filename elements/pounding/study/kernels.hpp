@@ -1,5 +1,5 @@
 #pragma once
-/// The shapes of the kernel, each compiled by itself.
+/// Instances of the kernel, compiled separately.
 
 #include <stdexcept>
 #include <type_traits>
@@ -9,14 +9,14 @@
 
 namespace pounding::study {
 
-/// Two modes and one link, of sizes that the compiler knows.
+/// Two modes and one link, with sizes known at compile time.
 Peaks run_pair(const LinearModel& model, const EvenRecord& record, const Settings& settings);
 /// Up to eight modes, and any number of links: two or three buildings of a few storeys.
 Peaks run_few(const LinearModel& model, const EvenRecord& record, const Settings& settings);
 /// Any number of modes and links.
 Peaks run_any(const LinearModel& model, const EvenRecord& record, const Settings& settings);
 
-/// The history by the law of the links.
+/// History for the law of the links.
 template <int M, int L>
 Peaks run_by_law(const LinearModel& model, const EvenRecord& record, const Settings& settings) {
   if (model.links.empty()) return History<laws::LinearSpring, M, L>(model, record, settings).run();

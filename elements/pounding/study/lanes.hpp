@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers side by side, computed at once: one for each mode of the structures.
+/// Vectors of numbers for SIMD: one number per mode of the structures.
 
 #include <algorithm>
 #include <array>
@@ -7,13 +7,12 @@
 #include <type_traits>
 #include <vector>
 
-// Packs are passed inside one translation unit only, where they are inlined.
+// Packs are passed only within a translation unit, where they are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace pounding::study {
 
-/// Arrays over links, of a size that the compiler knows where there are few of them; N is 0 for a size that is known at
-/// run time only.
+/// Arrays over links, with a size known at compile time for few links; N is 0 for a size known only at run time.
 template <int N, class T = double>
 using Numbers = std::conditional_t<(N > 0), std::array<T, static_cast<std::size_t>(N > 0 ? N : 1)>, std::vector<T>>;
 
@@ -28,7 +27,7 @@ Numbers<N, T> numbers(int count, const T& value = {}) {
   }
 }
 
-/// W doubles side by side.
+/// W doubles for SIMD.
 template <int W>
 struct Pack;
 
@@ -51,8 +50,8 @@ struct Pack<2> {
   Pack operator-() const noexcept { return {-v}; }
 };
 
-/// Four doubles in two registers. One vector of four would go through memory on processors that have no register of its
-/// size.
+/// Four doubles in two registers. A single vector of four would be passed through memory on processors without
+/// registers of that size.
 template <>
 struct Pack<4> {
   Pack<2> low, high;
@@ -86,7 +85,7 @@ inline Pack<4> four(double a, double b, double c, double d) noexcept {
   return {Pack<2>{Pack<2>::Vector{a, b}}, Pack<2>{Pack<2>::Vector{c, d}}};
 }
 
-/// A number in all places.
+/// A pack of equal numbers.
 template <class P>
 constexpr P same(double x) noexcept;
 template <>
@@ -98,7 +97,7 @@ constexpr Pack<4> same(double x) noexcept {
   return {same<Pack<2>>(x), same<Pack<2>>(x)};
 }
 
-/// One number for each mode, in packs that end with zeros: M modes at most, or as many as there are where M is 0.
+/// One number per mode, in packs filled up with zeros: at most M modes, or any number if M is 0.
 template <int M>
 class Modes {
  public:
@@ -110,11 +109,11 @@ class Modes {
     if constexpr (M == 0) parts_.resize(static_cast<std::size_t>((count + width - 1) / width));
   }
 
-  /// Packs.
+  /// Number of packs.
   std::size_t parts() const noexcept { return parts_.size(); }
   Part& part(std::size_t i) noexcept { return parts_[i]; }
   const Part& part(std::size_t i) const noexcept { return parts_[i]; }
-  /// The number of one mode.
+  /// Value of one mode.
   double& operator[](std::size_t j) noexcept { return reinterpret_cast<double*>(parts_.data())[j]; }
   double operator[](std::size_t j) const noexcept { return reinterpret_cast<const double*>(parts_.data())[j]; }
 
@@ -122,7 +121,7 @@ class Modes {
   Numbers<(M + width - 1) / width, Part> parts_{};
 };
 
-/// Sum of the products.
+/// Dot product.
 template <int M>
 double dot(const Modes<M>& a, const Modes<M>& b) noexcept {
   typename Modes<M>::Part all = a.part(0) * b.part(0);

@@ -37,7 +37,7 @@ void require_law(const LinkModes& link) {
 
 void LinearModel::check() const {
   const std::size_t count = stiffness.size();
-  if (count == 0) throw std::invalid_argument("a study needs a structure that can move");
+  if (count == 0) throw std::invalid_argument("no structure of the study can move");
   require_numbers("stiffness", stiffness, count, false);
   require_numbers("damping", damping, count, false);
   require_numbers("load", load, count, true);

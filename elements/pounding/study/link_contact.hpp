@@ -1,5 +1,5 @@
 #pragma once
-/// One link in a history of the kernel: its law inlined, its phase, its peaks.
+/// One link in a history of the kernel: inlined law, phase, peaks.
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ namespace pounding::study {
 
 using LinkEvent = ContactEvent;
 
-/// The p for which a law's force is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and of its
-/// dashpot at the touch, which are measured on the law itself. 4 serves exponents that are no multiples of a quarter as
-/// well as can be.
+/// The p for which the force of a law is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and
+/// dashpot at touch, measured numerically. The value 4 is a compromise for exponents that are not multiples of a
+/// quarter.
 template <class Law>
 int clock_root(const Law& law, const laws::Impact& impact) {
   constexpr double d = 1e-9;
-  // The dashpot of some laws acts in the approach only, which any rate is.
+  // The dashpot of some laws acts only in approach, which any positive rate is.
   constexpr double rate = 1e-300;
   const laws::Response near = law.contact(d, rate, impact), far = law.contact(2 * d, rate, impact);
   const auto whole = [](double at_far, double at_near, int p) {
@@ -34,8 +34,8 @@ int clock_root(const Law& law, const laws::Impact& impact) {
   return 4;
 }
 
-/// Whether the answer of a law depends on where exactly the rate changes its sign: it remembers, or has a dashpot in
-/// one direction only.
+/// True if the response of a law depends on the exact instant of reversal: it has a history, or a dashpot in one
+/// direction only.
 template <class Law>
 bool turn_matters(const Law& law, const laws::Impact& impact) {
   if constexpr (laws::crushes<Law> || requires(laws::Impact i) { law.keep(0.0, 0.0, i); }) return true;
@@ -43,8 +43,8 @@ bool turn_matters(const Law& law, const laws::Impact& impact) {
   return law.contact(d, rate, impact).by_rate != law.contact(d, -rate, impact).by_rate;
 }
 
-/// True for a law whose slopes jump inside an impact: the error of a step that passes over a jump can be overlooked, so
-/// steps end there.
+/// True for a law whose slopes jump within an impact: the error estimate can overlook a jump inside a step, so steps
+/// end there.
 template <class Law>
 inline constexpr bool has_corner =
     requires(const Law& law, const laws::Impact& impact) { law.corner(0.0, 0.0, impact); };
@@ -59,12 +59,12 @@ class LinkContact {
     return state_.phase == ContactPhase::approach || state_.phase == ContactPhase::restitution;
   }
   double gap() const noexcept { return state_.gap; }
-  /// See clock_root(); known once the link has touched.
+  /// See clock_root(); valid once the link has touched.
   int root() const noexcept { return root_; }
   const LinkPeaks& peaks() const noexcept { return peaks_; }
 
-  /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise. At a corner of the
-  /// law the slopes are those of the side on which the bodies are, whichever of them rounding would take.
+  /// Force and slopes of a closed link, without cut-off, as within a step of the solver; zero otherwise. At a corner of
+  /// the law the slopes are those of the current side, independent of round-off.
   laws::Response force(double penetration, double rate) const noexcept {
     if (!pressed()) return {};
     laws::Response f = law().contact(penetration, rate, state_.impact);
@@ -77,24 +77,24 @@ class LinkContact {
         }
     return f;
   }
-  /// Slopes of a linear law in the present phase.
+  /// Slopes of a linear law in the current phase.
   laws::Response slopes() const noexcept {
     return law().contact(1, state_.phase == ContactPhase::approach ? 1 : -1, state_.impact);
   }
-  /// The law's formula, whatever the phase.
+  /// Formula of the law in any phase.
   laws::Response uncut(double penetration, double rate) const noexcept {
     return law().contact(penetration, rate, state_.impact);
   }
-  /// Force between bodies that have come slowly to this penetration [N].
+  /// Force for slow loading to this penetration [N].
   double slow_force(double penetration) const noexcept { return law().contact(penetration, 0, state_.impact).force; }
 
-  /// Positive as long as the bodies stay on their side of the law's corner.
+  /// Positive while the bodies remain on their side of the law's corner.
   double before_corner(double penetration, double rate) const noexcept {
     if constexpr (has_corner<Law>) return side_ * law().corner(penetration, rate, state_.impact);
     return std::numeric_limits<double>::infinity();
   }
-  /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot
-  /// end it. A touch is looked for elsewhere.
+  /// Positive during the current phase, negative after its end by this event; infinite for an event that cannot end it.
+  /// Touches are located elsewhere.
   double margin(LinkEvent event, double penetration, double rate) const noexcept {
     const bool slack = state_.phase == ContactPhase::slack;
     if (event == LinkEvent::corner && !slack) return before_corner(penetration, rate);
@@ -104,7 +104,7 @@ class LinkContact {
     return state_.margin(event, law(), penetration, rate);
   }
 
-  /// True where no margin is negative, asked first: most steps end so. `force` is that of the state [N].
+  /// True if no margin is negative, which is the usual case. `force` is that of the state [N].
   bool goes_on(double penetration, double rate, double force) const noexcept {
     if (!pressed() || !(penetration > at_least_a_trace(0, state_.impact))) return false;
     return (laws::may_pull<Law> || force > 0) &&
@@ -112,7 +112,7 @@ class LinkContact {
            !(before_corner(penetration, rate) < 0);
   }
 
-  /// A state inside the contact was kept. Throws laws::BeyondDesign.
+  /// Accepts a state within the contact. Throws laws::BeyondDesign.
   void keep(double penetration, double rate, double force) {
     laws::require_design(law_, penetration, state_.impact);
     state_.keep(law(), penetration, rate);
@@ -130,20 +130,20 @@ class LinkContact {
     peaks_.energy_lost += work;
   }
 
-  /// An event at a kept state, with the rate [m/s] and the penetration [m] there.
+  /// Applies an event at an accepted state, with the rate [m/s] and the penetration [m] there.
   void apply(LinkEvent event, double penetration, double rate) {
     change(event, penetration, rate);
     if constexpr (has_corner<Law>)
       if (pressed()) side_ = event == LinkEvent::corner ? -side_ : side_of_corner(penetration, rate);
   }
 
-  /// The history is over in this state: what the contact can still give back is not lost.
+  /// Ends the history in this state: the recoverable energy of the contact is not lost.
   void finish(double penetration) noexcept {
     if (pressed()) peaks_.energy_lost -= laws::stored_energy(law(), penetration, state_.impact);
   }
 
  private:
-  // The law of the present impact.
+  // Law of the current impact.
   const Law& law() const noexcept {
     if constexpr (has_curve<Law>) return curve_;
     return law_;
@@ -159,10 +159,10 @@ class LinkContact {
     located_turn_ = turn_matters(law(), state_.impact);
   }
 
-  // A way far above rounding, and far below all that matters [m].
+  // Distance well above round-off and well below all relevant distances [m].
   static double trace(double penetration) noexcept { return penetration > 0 ? 1e-9 * penetration : 1e-12; }
 
-  // The sign of the law's corner() a little further on the way on which the bodies are.
+  // Sign of the law's corner() slightly further in the direction of motion.
   double side_of_corner(double penetration, double rate) const noexcept {
     const double step = state_.phase == ContactPhase::approach ? trace(penetration) : -trace(penetration);
     return law().corner(penetration + step, rate, state_.impact) < 0 ? -1 : 1;
@@ -173,7 +173,7 @@ class LinkContact {
   LinkPeaks peaks_;
   int root_ = 0;
   bool located_turn_ = false;
-  double side_ = 1;  // the sign of the law's corner() where the bodies are now
+  double side_ = 1;  // current sign of the law's corner()
 };
 
 }  // namespace pounding::study

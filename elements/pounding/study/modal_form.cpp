@@ -15,10 +15,10 @@
 namespace pounding::study {
 namespace {
 
-// Off the diagonal of a damping matrix in modal coordinates, this part of the largest entry is rounding.
+// Relative size of off-diagonal entries of a modal damping matrix that are round-off.
 constexpr double rounding = 1e-11;
 
-// The law of a contact, where it is one of the library's with a force.
+// Law of a contact, if it is a law of the library with a force.
 template <std::size_t I = 0>
 std::optional<laws::AnyLaw> law_of(const Contact& contact) {
   if constexpr (I == std::variant_size_v<laws::AnyLaw>) {
@@ -50,8 +50,8 @@ Block block_of(const Structure& s, int first) {
 
 std::string unfit(const Structure& s) {
   if (!s.yielding.empty()) return s.name + " yields";
-  if (s.elastic) return s.name + " turns far";
-  if (!s.applied_forces.empty()) return s.name + " is driven by forces over time";
+  if (s.elastic) return s.name + " has large rotations";
+  if (!s.applied_forces.empty()) return s.name + " has forces over time";
   return "";
 }
 
@@ -62,7 +62,7 @@ std::string unfit(const Model& model) {
   std::optional<std::size_t> law;
   for (const Link& link : model.links) {
     if (link.friction > 0) return "link " + link.name + " has friction";
-    if (link.preload) return "link " + link.name + " presses from the start";
+    if (link.preload) return "link " + link.name + " is closed at the start";
     const std::optional<laws::AnyLaw> found = law_of(*link.contact);
     if (!found) return "link " + link.name + ": its law is not a penalty law of the library";
     if (law && *law != found->index()) return "links by different laws";
@@ -70,8 +70,8 @@ std::string unfit(const Model& model) {
   }
   if (model.ground.components[0].is_still() || !model.ground.components[1].is_still() ||
       !model.ground.components[2].is_still())
-    return "the ground does not move along x alone";
-  if (ground_plan(model).motions.size() != 1) return "the ground does not move alike under all supports";
+    return "the ground motion is not along x only";
+  if (ground_plan(model).motions.size() != 1) return "the ground motion differs between supports";
   return "";
 }
 
@@ -84,13 +84,13 @@ std::string needs_solver(const Model& model) {
   for (const Structure& s : model.structures)
     if (!s.is_rigid() && !block_of(s, 0).classical) return "the damping of " + s.name + " couples its modes";
   const System system = assemble(model);
-  if (system.gap_by_ground.size() > 0) return "the ground takes the two sides of a link differently";
+  if (system.gap_by_ground.size() > 0) return "the ground motion differs between the two sides of a link";
   return "";
 }
 
 LinearModel modal_form(const Model& model, bool accelerations) {
   if (const std::string why = needs_solver(model); !why.empty())
-    throw std::invalid_argument("this model takes the solver: " + why);
+    throw std::invalid_argument("this model requires the solver: " + why);
   const std::vector<int> first = offsets(model);
   const System system = assemble(model);
   const auto [u, v] = initial_state(model);
@@ -104,7 +104,7 @@ LinearModel modal_form(const Model& model, bool accelerations) {
     count += blocks[i].shapes.cols();
   }
   Eigen::VectorXd squares(count), damping(count), load(count), q(count), dq(count);
-  // Factors of the modes from factors of the unknowns.
+  // Modal factors from factors of the unknowns.
   const auto in_modes = [&](const Eigen::VectorXd& factors) {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(count);
     for (std::size_t i = 0; i < blocks.size(); ++i)

@@ -1,5 +1,5 @@
 #pragma once
-/// A model as the kernel runs it.
+/// A model in the form used by the kernel.
 
 #include <string>
 
@@ -8,14 +8,14 @@
 
 namespace pounding::study {
 
-/// Why the kernel cannot run a complete model, one line that names what needs the solver; empty where it can:
-/// structures without yielding, large turns and devices, damping by Rayleigh or by modes, links by one penalty law
-/// without friction and preload, one ground motion along x under all supports, no forces over time.
+/// Reason why the kernel cannot run a complete model, in one line; empty if it can. The kernel accepts structures
+/// without yielding, large rotations and devices, Rayleigh or modal damping, links with one penalty law without
+/// friction and preload, one ground motion along x under all supports, and no forces over time.
 std::string needs_solver(const Model& model);
 
-/// A complete model in modal coordinates, all modes of every structure. Outputs, structure by structure: displacements
-/// of the floors along x from the lowest up, drifts of a structure with storeys, and, when asked for, absolute
-/// accelerations. Throws std::invalid_argument with the text of needs_solver().
+/// A complete model in modal coordinates, with all modes of each structure. Outputs, structure by structure:
+/// displacements of the floors along x from the lowest up, drifts of a structure with storeys and, if requested,
+/// absolute accelerations. Throws std::invalid_argument with the text of needs_solver().
 LinearModel modal_form(const Model& model, bool accelerations = false);
 
 }  // namespace pounding::study

@@ -1,5 +1,5 @@
 #pragma once
-/// The structures as the kernel holds them, and their motion.
+/// Structures as stored by the kernel, and their motion.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace pounding::study {
 
-/// The modes and how the links close by them.
+/// Modes, and the closing of the links in terms of them.
 template <int M, int L>
 struct Structures {
-  /// `order`: of the polynomials of its motion.
+  /// `order`: of the polynomials of the motion.
   explicit Structures(const LinearModel& model, int order = taylor_order)
       : count(model.modes()),
         link_count(static_cast<int>(model.links.size())),
@@ -41,15 +41,14 @@ struct Structures {
   Numbers<L, Modes<M>> closing;  ///< B
 };
 
-/// Acceleration of the ground from the beginning of an interval: a straight line, for contacts also the one that
-/// follows it.
+/// Ground acceleration from the beginning of an interval: a straight line, for contacts including the following one.
 struct Ground {
   double at = 0, slope = 0;
-  double corner = std::numeric_limits<double>::infinity();  ///< where the second line begins
-  double bend = 0;                                          ///< by how much its slope is larger
+  double corner = std::numeric_limits<double>::infinity();  ///< start of the second line
+  double bend = 0;                                          ///< increase of the slope there
 
   double line(double t) const noexcept { return at + slope * t; }
-  /// How far a time lies behind the corner, or 0.
+  /// Time since the corner, or 0.
   double beyond(double t) const noexcept { return std::max(t - corner, 0.0); }
   double operator()(double t) const noexcept { return line(t) + bend * beyond(t); }
   double slope_at(double t) const noexcept { return t > corner ? slope + bend : slope; }

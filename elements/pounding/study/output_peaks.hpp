@@ -1,5 +1,5 @@
 #pragma once
-/// Peaks of the outputs of a history: at turns, which are located, and at the ends of motions.
+/// Peaks of the outputs of a history: at reversals, which are located, and at the ends of motions.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace pounding::study {
 
-/// A displacement is largest where its velocity changes sign, which is all that is looked at as long as it does not.
+/// A displacement has its maximum at a sign change of its velocity; without a sign change nothing else is evaluated.
 template <int M, int L>
 class OutputPeaks {
  public:
@@ -56,31 +56,30 @@ class OutputPeaks {
     }
   }
 
-  /// Whether only displacements of single modes are asked for: nothing has to be looked at as long as no velocity of a
-  /// mode changes its sign.
+  /// True if only displacements of single modes are recorded: evaluation is needed only if a modal velocity changes
+  /// sign.
   bool are_of_modes() const noexcept { return of_oscillators_ && accelerations_.empty(); }
 
-  /// Displacements of the modes at which one of those that are asked for is at its peak, where are_of_modes().
+  /// Displacements of the modes at which a recorded displacement is at its peak, if are_of_modes().
   const Modes<M>& peaks_of_modes() const noexcept { return at_peak_; }
 
-  /// The history begins.
+  /// Starts the history.
   void start(const ModalState<M>& x, const Ground& ground) noexcept {
     for (Row& row : displacements_) row.see(row.displacement(x.q));
     find_lowest();
     energy_ = doubled_energy(x);
     resume(x, ground);
   }
-  /// The motion goes on without contact from here.
+  /// Continues without contact from here.
   void resume(const ModalState<M>& x, const Ground& ground) noexcept {
     for (Row& row : accelerations_) row.begin(x, ground);
   }
-  /// The history ends.
+  /// Ends the history.
   void finish(const ModalState<M>& x) noexcept {
     for (Row& row : displacements_) row.see(row.displacement(x.q));
   }
 
-  /// Whether nothing has to be looked at on the way from the last state to `end`, at most an interval later: asked once
-  /// for each of them.
+  /// True if no peak is possible between the last state and `end`, at most an interval later; called once per state.
   [[gnu::always_inline]] bool goes_on(const ModalState<M>& begin, const ModalState<M>& end) noexcept {
     if (of_oscillators_) {
       calm_ = !modes_turn(begin.v, end.v) || stays_low(std::max(doubled_energy(begin), doubled_energy(end)), lowest_);
@@ -91,22 +90,22 @@ class OutputPeaks {
     }
     return calm_ && accelerations_.empty();
   }
-  /// An interval of length h without contact on which something has to be looked at.
+  /// An interval of length h without contact in which a peak is possible.
   [[gnu::noinline]] void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground,
                                double h) noexcept {
     for_turning(begin, end, h, [&](Row& row, double later) { row.locate(s_, begin, ground, h, later); });
     for (Row& row : accelerations_) row.fly(s_, begin, end, ground, h);
   }
 
-  /// A step in contact on which something has to be looked at. `jerk(state)` is the derivative of the accelerations of
-  /// a state, `inside(part)` the state with its accelerations at a part of the step.
+  /// A step in contact in which a peak is possible. `jerk(state)` is the derivative of the accelerations of a state,
+  /// `inside(part)` the state with its accelerations at a fraction of the step.
   template <class State, class Jerk, class Inside>
   [[gnu::noinline]] void pressed(const State& begin, const State& end, double h, const Jerk& jerk,
                                  const Inside& inside) noexcept {
     for_turning(begin, end, h, [&](Row& row, double) { row.turn(begin, end, h); });
     for (Row& row : accelerations_) row.press(begin, end, h, jerk, inside);
   }
-  /// Accelerations of a state in contact, as an event has left it.
+  /// Accelerations of a state in contact after an event.
   template <class State>
   void jumped(const State& state) noexcept {
     for (Row& row : accelerations_) row.see(row.absolute(state));
@@ -123,10 +122,10 @@ class OutputPeaks {
  private:
   using Row = OutputRow<M, L>;
 
-  // Whether no displacement, of those with this least doubled energy at their peaks, can get beyond one where it turns
-  // between two states with at most an `energy`: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see
-  // OutputRow::reaches(). Cauchy and Schwarz: (|r^T q| + h/2 |r^T v|)^2 <= sum r^2/k sum k (|q| + h/2 |v|)^2 <= sum
-  // r^2/k (1 + (omega h)^2/4) sum (k q^2 + v^2), and omega h is 1 at most.
+  // True if no displacement with this minimum doubled energy at its peak can exceed its peak between two states of at
+  // most this `energy`: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see OutputRow::reaches(). Cauchy and
+  // Schwarz: (|r^T q| + h/2 |r^T v|)^2 <= sum r^2/k sum k (|q| + h/2 |v|)^2 <= sum r^2/k (1 + (omega h)^2/4) sum (k q^2
+  // + v^2), with omega h <= 1.
   static bool stays_low(double energy, double lowest) noexcept { return 1.25 * energy < lowest; }
   double doubled_energy(const ModalState<M>& x) const noexcept {
     auto all = s_.k.part(0) * x.q.part(0) * x.q.part(0) + x.v.part(0) * x.v.part(0);
@@ -134,7 +133,7 @@ class OutputPeaks {
       all += s_.k.part(i) * x.q.part(i) * x.q.part(i) + x.v.part(i) * x.v.part(i);
     return sum(all);
   }
-  // The smallest doubled energy at which a displacement may be at its peak.
+  // Minimum doubled energy at which a displacement may be at its peak.
   void find_lowest() noexcept {
     lowest_ = std::numeric_limits<double>::infinity();
     for (Block& block : blocks_) block.lowest = lowest_;
@@ -147,20 +146,20 @@ class OutputPeaks {
     if (!are_of_modes()) return;
     for (std::size_t j = 0; j < at_peak_.parts() * Modes<M>::width; ++j)
       at_peak_[j] = std::numeric_limits<double>::infinity();
-    // Rounding here is not that of the rows.
+    // Round-off here differs from that of the rows.
     for (const Row& row : displacements_)
       at_peak_[row.first()] =
           std::min(at_peak_[row.first()], (1 - 1e-12) * row.peak() / std::abs(row.factor(row.first())));
   }
 
-  // Whether the velocity of a mode changes its sign.
+  // True if the velocity of a mode changes sign.
   [[gnu::always_inline]] bool modes_turn(const Modes<M>& v, const Modes<M>& later) const noexcept {
     double minimum = smallest(v.part(0) * later.part(0) + beyond_.part(0));
     for (std::size_t i = 1; i < v.parts(); ++i)
       minimum = std::min(minimum, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
     return !(minimum > 0);
   }
-  // Whether the rate of a displacement does that may be at its peak.
+  // True if the rate of a displacement that may be at its peak changes sign.
   [[gnu::noinline]] bool rates_turn(const Modes<M>& v, const Modes<M>& later, double energy) noexcept {
     bool any = false;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -175,8 +174,8 @@ class OutputPeaks {
     }
     return any;
   }
-  // Calls see(row, rate at the second state) where a displacement turns beyond its peak. A turn at the second state
-  // itself is seen here.
+  // Calls see(row, rate at the second state) if a displacement has a reversal beyond its peak. A reversal at the second
+  // state itself is included.
   template <class State, class See>
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
     if (calm_) return;
@@ -198,13 +197,13 @@ class OutputPeaks {
     if (higher) find_lowest();
   }
 
-  // Four displacements, the modes that they have, and 1 in places without one.
+  // Four displacements, their modes, and 1 in unused entries.
   struct Block {
     std::size_t first, last, start;
     Pack<4> empty;
-    double lowest;  // the smallest doubled energy at which one of them may be at its peak
-    long known;     // the state up to which their rates are known
-    bool turns;     // whether a rate changes its sign on the way to it
+    double lowest;  // minimum doubled energy at which one of them may be at its peak
+    long known;     // last state at which their rates are known
+    bool turns;     // true if a rate changes sign before it
   };
   Pack<4> rates(const Block& block, const Modes<M>& v) const noexcept {
     Pack<4> all;
@@ -215,16 +214,16 @@ class OutputPeaks {
 
   const Structures<M, L>& s_;
   std::vector<Row> displacements_, accelerations_;
-  std::vector<bool> order_;     // whether an output is an acceleration
-  bool of_oscillators_ = true;  // every displacement is that of one mode
-  Modes<M> beyond_;             // 1 in places without a mode
+  std::vector<bool> order_;     // per output: true for an acceleration
+  bool of_oscillators_ = true;  // each displacement is that of a single mode
+  Modes<M> beyond_;             // 1 in unused entries
   Modes<M> at_peak_;
   std::vector<Block> blocks_;
   std::vector<Pack<4>> columns_, rates_, later_;  // rates of the displacements by modes, and in two states
-  std::vector<double> energies_;                  // the least doubled energy at a displacement of one
-  double lowest_ = 0, energy_ = 0;                // the latter of the last state
-  long states_ = 0;                               // looked at so far
-  bool calm_ = false;                             // no displacement is at a peak between the last two states
+  std::vector<double> energies_;                  // minimum doubled energy at a displacement of one
+  double lowest_ = 0, energy_ = 0;                // energy_: of the last state
+  long states_ = 0;                               // number of states evaluated
+  bool calm_ = false;                             // no displacement has a peak between the last two states
 };
 
 }  // namespace pounding::study

@@ -42,22 +42,22 @@ class OutputRow {
   }
 
   bool is_one_mode() const noexcept { return last_ == first_ + 1; }
-  /// Modes that count.
+  /// Index of the first mode with a contribution.
   std::size_t first() const noexcept { return first_; }
   std::size_t last() const noexcept { return last_; }
   double factor(std::size_t mode) const noexcept { return r_[mode]; }
   double peak() const noexcept { return peak_; }
   void see(double x) noexcept { peak_ = std::max(peak_, kind_ == Output::Kind::closing ? x : std::abs(x)); }
 
-  /// Whether values with these rates, h apart, turn between them and may do so beyond the peak: the tangents at both
+  /// True if values with these rates, h apart, may have a reversal between them beyond the peak: the tangents at both
   /// ends reach that far.
   bool reaches(double y0, double w0, double y1, double w1, double h) const noexcept {
     if (!(w0 * w1 < 0)) return false;
     return std::max(std::abs(y0) + 0.5 * h * std::abs(w0), std::abs(y1) + 0.5 * h * std::abs(w1)) > peak_;
   }
-  /// A displacement from modal ones, or its rate.
+  /// Displacement from modal displacements, or its rate.
   double displacement(const Modes<M>& x) const noexcept { return dot(r_, x); }
-  /// Sees the turn of a displacement between two states in contact.
+  /// Records the reversal of a displacement between two states in contact.
   template <class State>
   void turn(const State& begin, const State& end, double h) noexcept {
     const double rate = displacement(begin.v), later = displacement(end.v);
@@ -65,7 +65,8 @@ class OutputRow {
                     {displacement(end.q), later, displacement(end.a)}, h);
     see(x.at(turn_on(x, rate, later)).x);
   }
-  /// Sees the turn between a state and another one, reached without contact after a time h, where the rate is `later`.
+  /// Records the reversal between a state and another one, reached without contact after a time h, with the rate
+  /// `later`.
   void locate(const Structures<M, L>& s, const ModalState<M>& begin, const Ground& g, double h, double later) noexcept {
     Polynomial y{.order = s.order, .c = {}};
     for (std::size_t j = first_; j < last_; ++j) {
@@ -74,11 +75,11 @@ class OutputRow {
       if (kind_ == Output::Kind::acceleration) y.add(by_v_[j], q.slope());
     }
     y.c[0] += by_ground_ * g.at, y.c[1] += by_ground_ * g.slope;
-    // A peak is flat: half the digits of its place are enough.
+    // A peak is stationary: half the digits of its location suffice.
     see(y.at(turn_of(y, y.c[1], h, later, 1e-4)).x);
   }
 
-  /// An acceleration without contact from here.
+  /// Starts an acceleration without contact.
   void begin(const ModalState<M>& x, const Ground& ground) noexcept {
     y_ = value(x, ground.at);
     w_ = rate(x, ground.at);
@@ -88,7 +89,7 @@ class OutputRow {
   void fly(const Structures<M, L>& s, const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground,
            double h) noexcept {
     const double y = value(end, ground(h)), w = rate(end, ground(h));
-    // The ground's slope jumps at samples, and the rate with it.
+    // The slope of the ground acceleration jumps at samples, and so does the rate.
     const double slope = rate_by_slope_ * ground.slope;
     if (reaches(y_, w_ + slope, y, w + slope, h)) locate(s, begin, ground, h, w + slope);
     see(y);
@@ -114,12 +115,12 @@ class OutputRow {
   double value(const ModalState<M>& x, double ag) const noexcept {
     return dot(by_q_, x.q) + dot(by_v_, x.v) + by_ground_ * ag;
   }
-  // Without the part of the ground's slope.
+  // Without the contribution of the ground's slope.
   double rate(const ModalState<M>& x, double ag) const noexcept {
     return dot(rate_by_q_, x.q) + dot(rate_by_v_, x.v) + rate_by_ground_ * ag;
   }
   Output::Kind kind_;
-  std::size_t first_, last_;  // modes that count
+  std::size_t first_, last_;  // range of modes with a contribution
   Modes<M> r_, by_q_, by_v_, rate_by_q_, rate_by_v_;
   double ground_ = 0, by_ground_ = 0, rate_by_ground_ = 0, rate_by_slope_ = 0;
   double y_ = 0, w_ = 0;  // of an acceleration

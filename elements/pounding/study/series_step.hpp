@@ -1,6 +1,5 @@
 #pragma once
-/// One step in contact by a law whose force is a linear function of penetration and rate: the Taylor series of the
-/// motion.
+/// One step in contact for a law whose force is linear in penetration and rate: Taylor series of the motion.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +13,7 @@
 
 namespace pounding::study {
 
-/// Motion of a link over a step, as Quintic.
+/// Motion of a link over a step, like Quintic.
 class SeriesPath {
  public:
   SeriesPath(const Polynomial& d, double h) noexcept : d_(d), h_(h) {}
@@ -41,7 +40,7 @@ class SeriesStep : public ContactMotion<Law, M, L> {
       stiffest_ = std::max(stiffest_, s_.k[j]), strongest_ = std::max(strongest_, s_.c[j]);
   }
 
-  /// Steps go on from this complete state, with a tolerance as in Settings.
+  /// Continues from this complete state, with a tolerance as in Settings.
   void begin(const Links& links, const Ground& ground, const Moment<M, L>& m, double tolerance) noexcept {
     double stiffness = stiffest_, damping = strongest_;
     terms_[0] = m.q, terms_[1] = m.v;
@@ -75,11 +74,10 @@ class SeriesStep : public ContactMotion<Law, M, L> {
       for (std::size_t l = 0; l < s_.links(); ++l) links_[l].d.c[i + 2] = s_.closes(l, terms_[i + 2]);
     }
   }
-  /// The longest step from there [s].
+  /// Maximum step from there [s].
   double longest() const noexcept { return longest_; }
 
-  /// As for other laws, with the slopes of the present phase: where the bodies turn, rounding gives the rate either
-  /// sign.
+  /// Like other laws, with the slopes of the current phase: at a reversal, round-off may give the rate either sign.
   void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
     Base::complete(links, ground, m);
     for (std::size_t l = 0; l < s_.links(); ++l) {
@@ -90,7 +88,7 @@ class SeriesStep : public ContactMotion<Law, M, L> {
     }
   }
 
-  /// A step to a time; returns 0, the square of its error.
+  /// A step to this time; returns 0, the square of its error.
   double take(const Links& links, const Ground& ground, const Clock&, const Moment<M, L>& begin, double, double,
               double end_time, double, Moment<M, L>& end) noexcept {
     length_ = end_time - begin.time;
@@ -100,11 +98,11 @@ class SeriesStep : public ContactMotion<Law, M, L> {
     return 0;
   }
 
-  /// The motion of a link in the last step.
+  /// Motion of a link in the last step.
   SeriesPath path(std::size_t link, const Moment<M, L>&, const Moment<M, L>&) const noexcept {
     return {links_[link].d, length_};
   }
-  /// Displacements and velocities at a part of the last step.
+  /// Displacements and velocities at a fraction of the last step.
   void inside(double part, const Moment<M, L>&, const Moment<M, L>&, ModalState<M>& x) const noexcept {
     motion(part * length_, x);
   }
@@ -125,9 +123,9 @@ class SeriesStep : public ContactMotion<Law, M, L> {
 
  private:
   static constexpr int order = 13;
-  // The largest omega h of a step, for omega no lower than any of the structures with these links: errors below 3e-8,
-  // 3e-10 and 3e-12 of the motion. One link is left in two steps at the tolerance of studies. Where another one may
-  // touch, a step has one turn at most.
+  // Maximum omega h of a step, for omega not below that of any structure with these links: relative errors below 3e-8,
+  // 3e-10 and 3e-12 of the motion. A single link separates within two steps at the tolerance of studies. If another one
+  // may touch, a step has at most one reversal.
   double reach(double tolerance) const noexcept {
     const double longest = tolerance >= 1e-5 ? 1.75 : tolerance >= 1e-7 ? 1.25 : 0.9;
     return s_.links() == 1 ? longest : std::min(longest, 1.0);
@@ -137,7 +135,7 @@ class SeriesStep : public ContactMotion<Law, M, L> {
     Polynomial d;           // penetration
   };
 
-  // Integral of d'^2 over the last step, by Gauss's rule; the middle point stands alone.
+  // Integral of d'^2 over the last step by Gauss's rule; the middle point has no partner.
   double squares_of_rate(const Polynomial& d) const noexcept {
     static constexpr auto& points = gauss_points;
     static constexpr auto& weights = gauss_weights;

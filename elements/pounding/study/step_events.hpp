@@ -1,5 +1,5 @@
 #pragma once
-/// Events of the links inside a step in contact, and the peak of a force there.
+/// Events of the links within a step in contact, and the peak force there.
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace pounding::study {
 
-/// The first event inside a step.
+/// First event within a step.
 struct Found {
   LinkEvent event = LinkEvent::none;
   std::size_t link = 0;
-  double part = 2;  ///< of the step
+  double part = 2;  ///< fraction of the step
 };
 
-/// Part of the step after which an open link touches; 2 for none. `path()` is the motion of the link over the step.
+/// Fraction of the step at which an open link touches; 2 for none. `path()` is the motion of the link over the step.
 template <class Path>
 double touch_inside(const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
   if (e.d < 0 && !may_dip(std::max(-b.d, 0.0), b.rate, -e.d, e.rate, h)) return 2;
@@ -35,7 +35,7 @@ double touch_inside(const LinkMoment& b, const LinkMoment& e, double h, const Pa
   return bracketed_root([&](double s) { return Graph{way.at(s).x, way.at(s).v * h}; }, low, high, true);
 }
 
-/// A quantity that is zero at an event, and its rate.
+/// A quantity that vanishes at an event, and its rate.
 template <class Law>
 Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m) noexcept {
   switch (event) {
@@ -54,8 +54,8 @@ Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m)
   }
 }
 
-/// Part of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 where
-/// it stays before it. Bodies may part and meet again within a step.
+/// Fraction of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 if
+/// it stays before the event. Bodies may separate and meet again within a step.
 template <class Law, class Path>
 double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h,
            const Path& path) noexcept {
@@ -77,7 +77,7 @@ double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, c
   return link.margin(event, jet.x, jet.v) < 0 ? bottom : 2;
 }
 
-/// Part of the step after which a closed link meets an event whose margin is negative at a later part.
+/// Fraction of the step at which a closed link meets an event whose margin is negative later in the step.
 template <class Law, class Path>
 double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e,
                 const Path& path, double later = 1) noexcept {
@@ -87,10 +87,10 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
     return link.margin(event, jet.x, jet.v);
   };
   double low = 0, at_low = link.margin(event, b.d, b.rate), high = later, at_high = margin(later);
-  // Bodies that have just touched close first, however slowly.
+  // Bodies that have just touched first approach, however slowly.
   if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0)
     low = turn_on(way, b.rate, e.rate), at_low = margin(low);
-  // A margin that grows from zero, or from what rounding makes of it, is positive a little later.
+  // A margin that grows from zero, or from its round-off, is positive slightly later.
   const double trace = 1e-12 * std::abs(at_high);
   for (double s = 0.5 * later; !(at_low > trace) && s > 1e-3 * later; s *= 0.5)
     if (const double m = margin(s); m > trace)
@@ -99,7 +99,7 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
       high = s, at_high = m;
   if (!(at_low > 0)) return 0;
   if (!(at_high < 0)) return later;
-  // Regula falsi; a side that stays twice weighs half (Illinois).
+  // Regula falsi with the Illinois modification: a side that is retained twice gets half the weight.
   int side = 0;
   for (int i = 0; i < 40 && high - low > 1e-9; ++i) {
     const double s = (low * at_high - high * at_low) / (at_high - at_low), m = margin(s);
@@ -115,7 +115,7 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
   return 0.5 * (low + high);
 }
 
-/// The first event of a step from `begin` to `end`; none where the phases of all links last.
+/// First event of a step from `begin` to `end`; none if the phases of all links continue.
 template <class Law, int M, int L, class Step>
 Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, const Moment<M, L>& begin,
                   const Moment<M, L>& end) noexcept {
@@ -131,7 +131,8 @@ Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, 
       if (const double part = touch_inside(b, e, h, path); part < first.part) first = {LinkEvent::touch, l, part};
       continue;
     }
-    // A margin that is positive at the end has been negative only where it fell at the beginning and rises at the end.
+    // A margin that is positive at the end can have been negative only if it decreases at the beginning and increases
+    // at the end.
     const bool may_part = b.rate < 0 && e.rate > 0,
                may_cross = !link.pressed() || (b.force_rate < 0 && e.force_rate > 0);
     if (!may_part && !may_cross && link.goes_on(e.d, e.rate, e.force.force)) continue;
@@ -144,12 +145,12 @@ Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, 
   return first;
 }
 
-/// Records the peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on
-/// the path of the link.
+/// Records the peak of a force that increases at the beginning of a step and decreases at its end: the point of zero
+/// slope on the path of the link.
 template <class Law, class Path>
 void record_top(LinkContact<Law>& link, const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
   const double p0 = h * b.force_rate, p1 = h * e.force_rate;
-  // Tangents at both ends are above the force.
+  // The tangents at both ends are upper bounds on the force.
   const double part = (e.force.force - p1 - b.force.force) / (p0 - p1);
   if (b.force.force + p0 * std::clamp(part, 0.0, 1.0) <= link.peaks().peak_force) return;
   const auto way = path();

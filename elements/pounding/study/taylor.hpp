@@ -1,5 +1,5 @@
 #pragma once
-/// Motion of modes under straight ground acceleration as polynomials of time, and roots of such polynomials.
+/// Motion of modes for linear ground acceleration as polynomials of time, and roots of such polynomials.
 
 #include <array>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 namespace pounding::study {
 
-/// Terms up to t^14: pieces with omega t <= 1 and 2 zeta omega t <= 1 are right to 1e-12.
+/// Terms up to t^14: pieces with omega t <= 1 and 2 zeta omega t <= 1 are accurate to 1e-12.
 inline constexpr int taylor_order = 14;
 
-/// Terms that are enough for the same error of shorter pieces; `reach` is the larger one of omega t and 2 zeta omega t.
+/// Number of terms with the same error for shorter pieces; `reach` is the maximum of omega t and 2 zeta omega t.
 constexpr int taylor_order_for(double reach) noexcept {
   int order = 4;
   for (double left = reach * reach * reach * reach * reach / 120; order < taylor_order && left > 1e-12; ++order)
@@ -33,7 +33,7 @@ struct Polynomial {
   int order = taylor_order;
   std::array<double, taylor_order + 1> c{};
 
-  /// With its first two derivatives.
+  /// Value with its first two derivatives.
   Jet at(double t) const noexcept {
     double x = c[static_cast<std::size_t>(order)], v = 0, half_a = 0;
     for (int i = order - 1; i >= 0; --i) {
@@ -54,7 +54,7 @@ struct Polynomial {
 };
 
 /// Calls keep(i, c_i) with the terms of q'' + damping q' + stiffness q = -(forcing + forcing_slope t), from q and v at
-/// t = 0; a number each, or a pack.
+/// t = 0; each a number or a pack.
 template <class Number, class Keep>
 void motion_terms(int order, const Number& stiffness, const Number& damping, const Number& q, const Number& v,
                   const Number& forcing, const Number& forcing_slope, const Keep& keep) noexcept {
@@ -70,7 +70,7 @@ void motion_terms(int order, const Number& stiffness, const Number& damping, con
   }
 }
 
-/// The motion of one mode.
+/// Motion of one mode.
 inline Polynomial motion(int order, double stiffness, double damping, double q, double v, double forcing,
                          double forcing_slope) noexcept {
   Polynomial x{.order = order, .c = {}};
@@ -79,13 +79,13 @@ inline Polynomial motion(int order, double stiffness, double damping, double q, 
   return x;
 }
 
-/// Between values of opposite sign: where the straight line through them is zero.
+/// Root of the straight line through two values of opposite sign.
 constexpr double straight_root(double low, double at_low, double high, double at_high) noexcept {
   return low + (high - low) * at_low / (at_low - at_high);
 }
 
-/// Where p is zero between low and high, by a first guess. Newton's method doubles the digits of a guess: the last one
-/// has all of them.
+/// Root of p between low and high from a first guess. Newton's method doubles the digits of a guess: the last iterate
+/// has full precision.
 inline double root_of(const Polynomial& p, double low, double high, bool rises, double start) noexcept {
   return bracketed_root(
       [&](double t) {
@@ -94,7 +94,7 @@ inline double root_of(const Polynomial& p, double low, double high, bool rises, 
       },
       low, high, rises, start, 1e-9);
 }
-/// Where p turns between 0 and high, from its slopes there; a turn that is `enough` of its own time away will do.
+/// Reversal of p between 0 and high, from its slopes there, to a relative accuracy of `enough`.
 inline double turn_of(const Polynomial& p, double at_zero, double high, double at_high, double enough = 1e-9) noexcept {
   return bracketed_root(
       [&](double t) {
@@ -104,8 +104,8 @@ inline double turn_of(const Polynomial& p, double at_zero, double high, double a
       0, high, at_high > 0, at_zero == 0 ? 0.5 * high : straight_root(0, at_zero, high, at_high), enough);
 }
 
-/// First time in [0, end] at which a gap closes, negative for none. A gap of zero at the start that opens is not closed
-/// yet. At most one turn of the gap is looked for.
+/// First time in [0, end] at which a gap closes, negative for none. An opening gap that is zero at the start is not
+/// closed yet. At most one reversal of the gap is considered.
 inline double first_closing(const Polynomial& gap, double end) noexcept {
   const Jet last = gap.at(end);
   const auto touch = [&](double low, double at_low, double high, double at_high) {

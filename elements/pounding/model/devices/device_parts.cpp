@@ -20,7 +20,8 @@ Bar bar_of(const std::variant<Bar, BarSection>& given, std::optional<double> len
     refuse(ModelOption::bar, "Young's modulus and area of a bar must be positive");
   if (!length.value_or(0))
     refuse(ModelOption::bar,
-           "E and area need the length of the bar, which is drawn between frames that stand apart; type bar: "
+           "E and area require the length of the bar, which is defined only between drawn frames that are apart; type "
+           "bar: "
            "{stiffness: 50 MN/m}");
   return {section.young * section.area / *length};
 }
@@ -52,7 +53,7 @@ double against(const SparseMatrix& matrix, const Row& motion) {
 }
 
 void require_digits(const DeviceParts& parts, double stiffness, double mass) {
-  // The forces keep six digits.
+  // Forces keep six significant digits.
   constexpr double largest_ratio = 1e10;
   // A body has no stiffness; slow structures have about this circular frequency [rad/s].
   constexpr double slow = 1;
@@ -61,26 +62,24 @@ void require_digits(const DeviceParts& parts, double stiffness, double mass) {
     if (of_structures > 0 && value > largest_ratio * of_structures)
       refuse(option,
              fmt::format("{} is far too stiff: {:.3g} {}, and the structures at its ends have {:.3g} {}; beyond {:g} "
-                         "times that its force is round-off. Look "
-                         "at the unit, or type at most {:.3g} {}",
+                         "times that, its force is round-off. Check the unit, or type at most {:.3g} {}",
                          what, value, unit, of_structures, unit, largest_ratio, largest_ratio * of_structures, unit));
   };
   if (parts.bar) require(ModelOption::bar, "the bar", parts.bar->stiffness, stiffness, "N/m");
   if (parts.law)
     require(ModelOption::device_law, "the device", DeviceSpring({.law = parts.law}).first_slope(), stiffness, "N/m");
   if (!parts.damper || parts.damper->has_stiffness()) return;
-  const double rate = parts.damper->exponent > 1 ? 1 : 0;  // where the slope is to be compared [m/s]
+  const double rate = parts.damper->exponent > 1 ? 1 : 0;  // velocity at which slopes are compared [m/s]
   require(ModelOption::damper, "the damper", parts.damper->slope(rate), std::sqrt(stiffness * mass), "N s/m");
 }
 
 DeviceParts parts_of(const DeviceOptions& options, std::optional<double> length) {
   if (!options.bar && !options.law && !options.damper)
     refuse(ModelOption::device,
-           "is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}, "
+           "has no bar, damper or hysteretic law; type bar: {stiffness: 50 MN/m}, "
            "bilinear: {stiffness: 50 MN/m, yield_force: 600 kN} or damper: {coefficient: 200 kN s/m}");
   if (options.bar && options.law)
-    refuse(ModelOption::device_law,
-           "a device has a bar or a law of yielding, and a bar is given too; keep one of the two");
+    refuse(ModelOption::device_law, "a device has either a bar or a hysteretic law; keep one of the two");
   DeviceParts parts;
   checked(ModelOption::bar, [&] {
     if (!options.bar) return;

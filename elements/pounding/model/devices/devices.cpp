@@ -1,4 +1,4 @@
-/// Bars and dampers between two structures: ends, direction, and the periods of what bars join.
+/// Bars and dampers between two structures: ends, direction, and the periods of structures joined by bars.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@
 namespace pounding {
 namespace {
 
-// Frequencies of structures that bars join.
+// Number of frequencies of structures joined by bars.
 constexpr int max_joined_modes = 3;
 
 void check_name(const std::string& name, const std::vector<Device>& others) {
@@ -30,21 +30,21 @@ void check_name(const std::string& name, const std::vector<Device>& others) {
       refuse(ModelOption::device_name, fmt::format("a device \"{}\" exists already; give this one another name", name));
 }
 
-// Two nodes that are drawn are joined by the line between them.
+// Two drawn nodes are joined along the line between them.
 void lay_between_nodes(Device& device, const LinkPair& pair, const Structure& a, const Structure& b) {
   device.left = place_end(pair.left, a, Side::plus_x, 0, ModelOption::left);
   device.right = place_end(pair.right, b, Side::minus_x, 0, ModelOption::right);
   const Eigen::Vector3d line = device.right.point.position - device.left.point.position;
   if (line.norm() <= drawn_rounding)
     refuse(ModelOption::between,
-           fmt::format("{} of {} and {} of {} stand at one point, and a device acts along the line between its "
+           fmt::format("{} of {} and {} of {} are at the same point, but a device acts along the line between its "
                        "ends; name nodes apart from each other, or floors",
                        device.left.label, a.name, device.right.label, b.name));
   device.direction = unit_vector(line);
   device.length = line.norm();
 }
 
-// All other ends are joined as links join them.
+// All other ends are joined like those of links.
 void lay_between_sides(Device& device, const LinkPair& pair, const Model& model) {
   const Structure &a = model.structures[pair.left.structure], &b = model.structures[pair.right.structure];
   const Side side = facing_side(a, b);
@@ -55,8 +55,8 @@ void lay_between_sides(Device& device, const LinkPair& pair, const Model& model)
   if (are_drawn(a, b)) device.length = drawn_gap(model, device.left, device.right, side, {});
 }
 
-// The end moves with mass along every axis along which the device acts, so that its force is nowhere taken by a support
-// alone and gives nothing any velocity at once.
+// Each end must move a mass along all axes of the device: otherwise its force is taken by a support alone, or acts on
+// no mass.
 void require_motion(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction, ModelOption option) {
   if (s.is_rigid()) return;
   if (end.point.member >= 0)
@@ -67,10 +67,9 @@ void require_motion(const LinkEnd& end, const Structure& s, const Eigen::Vector3
     if (direction[axis] == 0) continue;
     const Row& row = end.point.motion[axis];
     if (row.nonZeros() == 0)
-      refuse(
-          option,
-          fmt::format("{} of {} does not move along {}, and the device acts there; name a floor, or a node that moves",
-                      end.label, s.name, axes[axis]));
+      refuse(option,
+             fmt::format("{} of {} does not move along {}, where the device acts; name a floor, or a node that moves",
+                         end.label, s.name, axes[axis]));
     for (Row::InnerIterator it(row); it; ++it)
       if (it.value() != 0 && !(s.mass.coeff(it.index(), it.index()) > 0))
         refuse(option, fmt::format("the device acts on {} of {}, which has no mass; give it one, or name a floor",
@@ -89,10 +88,10 @@ std::string names_of(const Model& model, const std::vector<int>& structures) {
   return text;
 }
 
-// Stiffness of a device before anything yields; a damper has none in a slow motion.
+// Stiffness of a device before yield; zero for a damper, in slow motion.
 double first_stiffness(const Device& device) { return device.member->first_slope(); }
 
-// Motion of an end along the device by the unknowns of all joined structures, from this one on.
+// Motion of an end along the device in terms of the unknowns of all joined structures, from this one on.
 void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
   for (int axis = 0; axis < 3; ++axis)
     if (direction[axis] != 0)
@@ -109,7 +108,7 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
   if (left.structure == right.structure)
     refuse(ModelOption::between, "both ends are on one structure; name two structures, the left one first");
   for (const auto& [location, option] : {std::pair(&left, ModelOption::left), std::pair(&right, ModelOption::right)})
-    if (location->face) refuse(option, "face belongs to links; a device is drawn between axes, so leave face out");
+    if (location->face) refuse(option, "face applies only to links; a device is drawn between axes: remove face");
   const LinkPair pair = pairs_of(*this, left, right, {}).front();
   const Structure &a = structures[left.structure], &b = structures[right.structure];
   Device device;
@@ -182,7 +181,7 @@ std::string describe_joined(const Model& model) {
   for (const double w : joined.frequencies)
     if (w > 0) periods += fmt::format("{}{:.4g} s", periods.empty() ? "" : ", ", 2 * M_PI / w);
   if (periods.empty()) return {};
-  return fmt::format("joined by bars: {} together, first periods {}; those above are of each by itself\n",
+  return fmt::format("joined by bars: {} together, first periods {}; those above are for each structure alone\n",
                      names_of(model, joined.structures), periods);
 }
 

@@ -1,4 +1,4 @@
-/// Devices inside one structure, as parts of it that yield.
+/// Devices within one structure, as yielding parts.
 
 #include <algorithm>
 #include <array>
@@ -19,13 +19,13 @@ namespace {
 
 constexpr char axis_names[] = "xyz";
 
-// An end on its structure.
+// Location of an end on its structure.
 struct Place {
   std::string label;
-  std::array<Row, 3> motion;                ///< empty rows where it does not move
+  std::array<Row, 3> motion;                ///< empty rows for fixed directions
   std::optional<Eigen::Vector3d> position;  ///< of a node
   std::string node;
-  int floor = -1;  ///< the highest that is not above it; -1 for none
+  int floor = -1;  ///< the highest floor that is not above the end; -1 for none
 };
 
 int floor_below(const Structure& s, double elevation) {
@@ -70,14 +70,14 @@ Eigen::Vector3d direction_of(const Place& from, const Place& to, std::optional<D
   if (!is_drawn) refuse(ModelOption::axis, "along is the line between two nodes; name two, or type axis: x");
   const Eigen::Vector3d line = *to.position - *from.position;
   if (line.norm() <= drawn_rounding)
-    refuse(
-        ModelOption::between,
-        fmt::format("{} and {} of {} stand at one point, and the device acts along the line between them; type axis: x",
-                    from.label, to.label, s.name));
+    refuse(ModelOption::between,
+           fmt::format(
+               "{} and {} of {} are at the same point, but the device acts along the line between them; type axis: x",
+               from.label, to.label, s.name));
   return unit_vector(line);
 }
 
-// Elongation by the unknowns.
+// Elongation in terms of the unknowns.
 Row elongation(const Place& from, const Place& to, const Eigen::Vector3d& direction, const Structure& s) {
   Row row(s.size());
   for (int axis = 0; axis < 3; ++axis) {
@@ -97,7 +97,7 @@ void require_motion(const Row& row, const Place& from, const Place& to, const Ei
       if (direction[axis] != 0)
         along += along.empty() ? fmt::format("{}", axis_names[axis]) : fmt::format(" and {}", axis_names[axis]);
     refuse(ModelOption::between,
-           fmt::format("{} and {} of {} do not move against each other along {}; name two that do, or another axis",
+           fmt::format("{} and {} of {} have no relative motion along {}; name two that have, or another axis",
                        from.label, to.label, s.name, along));
   }
   for (Row::InnerIterator it(row); is_damped && it; ++it)
@@ -127,7 +127,7 @@ std::vector<YieldingPart::Parameter> numbers(const DeviceParts& parts) {
   return all;
 }
 
-// Storey shears with the force of the last part, where its ends lie on different sides of the storey's top.
+// Adds the force of the last part to the storey shears, if its ends are on different sides of the top of the storey.
 void add_to_shears(const Place& from, const Place& to, const Eigen::Vector3d& direction, Structure& s) {
   const auto count = static_cast<Eigen::Index>(s.yielding.size());
   if (!s.has_storeys()) return;
@@ -144,7 +144,7 @@ void add_to_shears(const Place& from, const Place& to, const Eigen::Vector3d& di
   }
 }
 
-// Reactions at nodes that the ground holds.
+// Adds the reactions at supported nodes.
 void add_to_reactions(const Place& from, const Place& to, const Eigen::Vector3d& direction, Structure& s) {
   InternalForces& forces = s.forces;
   if (forces.rows.rows() == 0) return;
@@ -185,10 +185,13 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   check_name(name, s);
   if (s.is_rigid() || s.is_free)
     refuse(ModelOption::device,
-           fmt::format("{} has no two points that a device could join; connect it to another structure", s.name));
+           fmt::format("{} has no two points for a device; connect it to another structure", s.name));
   if (s.elastic)
-    refuse(ModelOption::device,
-           fmt::format("{} turns (geometry: corotational), and its devices would not; type geometry: p_delta", s.name));
+    refuse(
+        ModelOption::device,
+        fmt::format(
+            "{} has large rotations (geometry: corotational), which its devices do not support; type geometry: p_delta",
+            s.name));
   const Place a = placed(from, s, ModelOption::left), b = placed(to, s, ModelOption::right);
   const Eigen::Vector3d direction = direction_of(a, b, axis, s);
   const std::optional<double> length =
@@ -202,10 +205,10 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   part.kind = YieldingPart::Kind::device;
   part.device = fmt::format("{}, between {} and {}", describe(parts), a.label, b.label);
   if (const auto yield = yields_before(*part.spring, strained))
-    refuse(ModelOption::device,
-           fmt::format(
-               "is strained by {} at the start, and yields at {}; displace {} less, or give it an initial_velocity",
-               format_quantity(strained, dimension::length), format_quantity(*yield, dimension::length), s.name));
+    refuse(
+        ModelOption::device,
+        fmt::format("is deformed by {} at the start, but yields at {}; displace {} less, or give an initial_velocity",
+                    format_quantity(strained, dimension::length), format_quantity(*yield, dimension::length), s.name));
   s.yielding.push_back(std::move(part));
   const auto count = static_cast<Eigen::Index>(s.yielding.size());
   if (s.yielding_flexibility.size() > 0) s.yielding_flexibility.conservativeResize(count, count);

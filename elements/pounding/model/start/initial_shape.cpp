@@ -10,7 +10,7 @@
 namespace pounding {
 namespace {
 
-// A direction that the others span counts as theirs below this part.
+// Relative threshold below which a direction is linearly dependent on the others.
 constexpr double dependent = 1e-10;
 
 bool moves_mass(const Structure& s, const Row& row) {
@@ -19,23 +19,23 @@ bool moves_mass(const Structure& s, const Row& row) {
   return false;
 }
 
-// q = K^-1 R^T f with R q = d: the shape of least strain energy.
+// q = K^-1 R^T f with R q = d: the shape of minimum strain energy.
 Eigen::VectorXd held_shape(const Structure& s, const std::vector<Row>& rows, const Eigen::VectorXd& displacements) {
   if (s.rigid_motions > 0)
     throw std::invalid_argument(
-        "without supports no forces hold a frame in a shape; leave it out, or give an initial_velocity");
+        "a frame without supports cannot be held in a shape; remove it, or give an initial_velocity");
   const auto count = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd directions(s.size(), count);
   for (Eigen::Index i = 0; i < count; ++i) directions.col(i) = rows[static_cast<std::size_t>(i)];
   const Eigen::SimplicialLDLT<SparseMatrix> stiffness(s.stiffness);
   const Eigen::MatrixXd by_forces = stiffness.solve(directions);
   const Eigen::MatrixXd flexibility = directions.transpose() * by_forces;
-  // Rotations and translations weigh alike.
+  // Rotations and translations have equal weight.
   const Eigen::VectorXd scale = flexibility.diagonal().cwiseSqrt().cwiseInverse();
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(scale.asDiagonal() * flexibility * scale.asDiagonal());
   solver.setThreshold(dependent);
   if (solver.rank() < count)
-    throw std::invalid_argument("two of the displacements are tied to each other; keep one of them");
+    throw std::invalid_argument("two of the displacements are linearly dependent; keep one of them");
   const Eigen::VectorXd forces = scale.asDiagonal() * solver.solve(Eigen::VectorXd(scale.asDiagonal() * displacements));
   return by_forces * forces;
 }
@@ -50,7 +50,7 @@ Eigen::VectorXd shape_of_floors(const Structure& frame, const std::vector<double
   for (const Floor& floor : frame.floors) {
     if (!moves_mass(frame, floor.motion.front()))
       throw std::invalid_argument(fmt::format(
-          "floor {} moves as a node without mass does, and would spring back at once; give the node a mass, or "
+          "floor {} follows a massless node, so the displacement would vanish immediately; give the node a mass, or "
           "let the floor be rigid",
           floor.label));
     rows.push_back(floor.motion.front());
@@ -68,10 +68,11 @@ Eigen::VectorXd shape_of_nodes(const Structure& frame, const std::vector<NodeDis
     Row row = frame.surface->displacement(node, dof);
     row.prune(0.0);
     if (row.nonZeros() == 0)
-      throw std::invalid_argument(fmt::format("{} of node {} is held by the supports; leave it out", dof, node));
+      throw std::invalid_argument(fmt::format("{} of node {} is fixed by the supports; remove it", dof, node));
     if (!moves_mass(frame, row))
       throw std::invalid_argument(fmt::format(
-          "{} of node {} has no mass, and would spring back at once; leave it out, or give it a mass", dof, node));
+          "{} of node {} has no mass, so the displacement would vanish immediately; remove it, or give the node a mass",
+          dof, node));
     rows.push_back(std::move(row));
     values[static_cast<Eigen::Index>(i)] = value;
   }

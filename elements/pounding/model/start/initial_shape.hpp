@@ -1,5 +1,5 @@
 #pragma once
-/// Displacements of a frame at the start.
+/// Initial displacements of a frame.
 
 #include <Eigen/Core>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace pounding {
 
-/// Displacements of all unknowns when forces hold the floors at these displacements along x, one a floor from the
-/// ground up [m], and nothing else acts: K q = the forces. Relative to the state at rest. Throws std::invalid_argument
-/// for a frame without floors, for a floor that moves as a node without mass does, and for a frame that nothing holds.
+/// Displacements of all unknowns for forces that hold the floors at these displacements along x, one per floor from the
+/// ground up [m], without other loads: K q = the forces. Relative to the state at rest. Throws std::invalid_argument
+/// for a frame without floors, for a floor whose motion follows a massless node, and for a frame without supports.
 Eigen::VectorXd shape_of_floors(const Structure& frame, const std::vector<double>& displacements);
 
-/// Shape by displacements of nodes. Throws std::invalid_argument, too, for a node or a displacement that is not there,
-/// is held or has no mass, and for two that are the same unknown.
+/// Shape by displacements of nodes. Also throws std::invalid_argument for an unknown node or displacement, for one that
+/// is fixed or massless, and for two that are the same unknown.
 Eigen::VectorXd shape_of_nodes(const Structure& frame, const std::vector<NodeDisplacement>& displacements);
 
 }  // namespace pounding

@@ -22,24 +22,23 @@ namespace {
 [[noreturn]] void refuse_preload(const std::string& text) { throw ModelError(ModelOption::preload, text); }
 
 constexpr int max_iterations = 200;
-// The penetration counts as found when a Newton step is below this part of it.
+// Relative Newton step at which the penetration is converged.
 constexpr double solved = 1e-14;
 
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
 void require_linear_start(const Structure& s) {
   if (s.is_free || s.rigid_motions > 0)
-    refuse_preload(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
+    refuse_preload(fmt::format("{} has no stiffness against a preload; use a structure with a stiffness", s.name));
   if (s.elastic)
     refuse_preload(fmt::format(
-        "{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out",
-        s.name));
+        "{} has large rotations, but a preload requires a constant stiffness; remove one of the two", s.name));
   if (s.initial_displacement.cwiseAbs().maxCoeff() > 0)
-    refuse_preload(fmt::format(
-        "{} starts displaced, and with a preload it starts in equilibrium; leave one of the two out", s.name));
+    refuse_preload(
+        fmt::format("{} starts displaced, but with a preload it starts in equilibrium; remove one of the two", s.name));
 }
 
-// How far an end moves along the link by these unknowns.
+// Displacement of an end along the link in terms of these unknowns.
 Eigen::VectorXd along(const LinkEnd& end, const Eigen::Vector3d& direction, int size) {
   Eigen::VectorXd row = Eigen::VectorXd::Zero(size);
   for (int i = 0; i < 3; ++i)
@@ -59,7 +58,7 @@ double approach(const Link& link, const std::vector<Structure>& structures, Disp
   return sum;
 }
 
-// Penetrations p = p0 - G F(p): Newton's method, with shorter steps while the remainder does not fall.
+// Penetrations p = p0 - G F(p): Newton's method, with shorter steps if the residual does not decrease.
 Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::MatrixXd& flexibility,
                             const std::vector<const Contact*>& contacts) {
   const auto count = undeformed.size();
@@ -83,16 +82,16 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::Matr
     p += part * step;
     left = next;
   }
-  refuse_preload("the preloaded contacts find no equilibrium; check the units of their stiffness");
+  refuse_preload("no equilibrium of the preloaded contacts was found; check the units of their stiffness");
 }
 
-// The structures are taken as elastic.
+// The structures are assumed elastic.
 void refuse_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     if (part.is_device()) continue;  // undeformed
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
-      refuse_preload(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name,
+      refuse_preload(fmt::format("deforms {} of {} by {}, but it yields at {}; give less", part.name, s.name,
                                  deformation_text(s, part, strained), deformation_text(s, part, *yield)));
   }
 }
@@ -106,7 +105,7 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
   if (pressed.empty()) return;
 
   const auto count = static_cast<Eigen::Index>(pressed.size());
-  // Displacements of each structure by a unit force of each link that pushes its ends apart.
+  // Displacements of each structure for a unit force per link that pushes its ends apart.
   std::map<int, Eigen::MatrixXd> pushed;
   std::map<int, Eigen::MatrixXd> closing;
   for (Eigen::Index i = 0; i < count; ++i)
@@ -121,7 +120,7 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
   for (const auto& [number, columns] : closing) {
     const Factor factor(structures[number].stiffness);
     if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
-      refuse_preload(fmt::format("nothing holds {} against a preload; check its supports", structures[number].name));
+      refuse_preload(fmt::format("{} has no stiffness against a preload; check its supports", structures[number].name));
     pushed[number] = -factor.solve(columns);
     flexibility -= columns.transpose() * pushed[number];
   }
@@ -137,7 +136,7 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
     Link& link = *pressed[i];
     if (!(penetration[i] > 0))
       refuse_preload(
-          fmt::format("{} would start {} apart, as the other preloaded links push it open; give it a gap that is more "
+          fmt::format("{} would start {} apart, opened by the other preloaded links; give it a gap that is more "
                       "negative, or none",
                       link.name, format_quantity(-penetration[i], dimension::length)));
     try {

@@ -17,7 +17,7 @@ constexpr double at_rest_solved = 1e-14, min_step_part = 1e-4;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Parts that gravity strains, on the straight way from where they were made.
+// Parts deformed by gravity, on the straight path from their initial state.
 class StrainedParts {
  public:
   explicit StrainedParts(const Structure& s) {
@@ -40,10 +40,10 @@ class StrainedParts {
   Eigen::Index size() const { return static_cast<Eigen::Index>(parts_.size()); }
   bool straight() const { return size() == 0 || law(at_rest_).first.isZero(0); }
 
-  // `s` is the structure that they were made with.
+  // `s` is the structure with which they were created.
   VectorXd displacement(const Structure& s) const {
     StaticSolver solver(s.stiffness);
-    if (!solver.holds()) throw std::invalid_argument("nothing holds it under gravity");
+    if (!solver.holds()) throw std::invalid_argument("it has no stiffness against gravity");
     MatrixXd columns = MatrixXd::Zero(s.size(), size());
     for (Eigen::Index j = 0; j < size(); ++j)
       for (Row::InnerIterator it(s.yielding[static_cast<std::size_t>(parts_[j])].deformation); it; ++it)
@@ -66,10 +66,10 @@ class StrainedParts {
         std::tie(answer, slopes) = law(at_rest_ - flexibility * next);
         if ((answer - next).norm() < left.norm() || part < min_step_part) break;
       }
-      if (part < min_step_part && left.norm() <= 1e3 * rounding) return -by_parts * forces;  // nothing else is left
+      if (part < min_step_part && left.norm() <= 1e3 * rounding) return -by_parts * forces;  // only round-off is left
       forces = next;
     }
-    throw std::invalid_argument("its parts find no equilibrium under gravity; make them stronger");
+    throw std::invalid_argument("no equilibrium of its parts under gravity was found; make them stronger");
   }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// A structure at rest under gravity whose parts are not straight before they yield.
+/// Static equilibrium under gravity of a structure whose laws are nonlinear before yield.
 
 #include <Eigen/Core>
 
@@ -7,13 +7,13 @@
 
 namespace pounding {
 
-/// How far a structure gives way under gravity beyond what its elastic stiffness says [m], [rad]: q with
+/// Displacement under gravity in addition to that of the elastic stiffness [m], [rad]: q with
 ///
 ///     K q + B F = 0,   F = phi(d0 + B^T q - R F),
 ///
-/// where the loads bring the parts straight from nothing to their deformations; devices are put in afterwards. Zero
-/// without such parts, and then empty. Puts the parts back to where they were made. Throws std::invalid_argument where
-/// the laws find no equilibrium.
+/// for monotonic loading of the parts from zero to their deformations; devices are inserted afterwards. Zero without
+/// such parts, and then empty. Resets the parts to their initial state. Throws std::invalid_argument if no
+/// equilibrium is found.
 Eigen::VectorXd rest_by_yielding(const Structure& structure);
 
 }  // namespace pounding
