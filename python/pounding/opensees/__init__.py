@@ -19,6 +19,7 @@ import json
 import math
 import subprocess
 import sys
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -29,29 +30,13 @@ from pounding._native import core
 from pounding.arguments import quantity, refuse, takes, whole
 from pounding.contact import Law, Quantity, laws
 from pounding.errors import InputError, SolverError
+from pounding.opensees.link_process import Impact
 
 #: The program that serves one link.
 LINK_PROCESS = Path(__file__).parent / "link_process.py"
 #: Columns of Link.impacts, with the meaning and the units of those of Run.impacts; peaks are the largest at the ends of
 #: steps.
-IMPACT = np.dtype(
-    [
-        (name, float)
-        for name in (
-            "t_start",
-            "t_end",
-            "v_approach",
-            "v_separation",
-            "restitution",
-            "peak_force",
-            "t_peak",
-            "peak_penetration",
-            "impulse",
-            "energy_lost",
-            "energy_stored",
-        )
-    ]
-)
+IMPACT = np.dtype([(column.name, float) for column in fields(Impact)])
 
 
 def openseespy() -> Any:
@@ -75,15 +60,10 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
         self.tag, self.nodes, self.dof, self.gap, self.law = tag, nodes, dof, gap, law
         self.reduced_mass = reduced_mass  #: [kg]; None if the law needs none
         self._last: dict[str, Any] | None = None
-        values = {
-            "restitution": law.restitution,
-            "impact_velocity": law.impact_velocity,
-            "reduced_mass": reduced_mass,
-            **law.parameters,
-        }
+        values = {**law.given(), "reduced_mass": reduced_mass}
         asked = {
             "law": law.kind.name,
-            "formula": law.formula or "",
+            "formula": values.pop("formula", ""),
             "gap": gap,
             "values": {name: value for name, value in values.items() if value is not None},
         }
@@ -148,6 +128,8 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
         return json.loads(lines[-1]) if lines else {"error": "", "impacts": []}
 
 
+#: Tags of OpenSees.
+_INT = whole(-(2**31), 2**31 - 1)
 #: All links of this process: a link serves its element even if no variable refers to it.
 _made: list[Link] = []
 
@@ -160,13 +142,7 @@ def links() -> list[Link]:
     return [each for each in _made if of_tag.get(each.tag) is each]
 
 
-@takes(
-    tag=whole(-(2**31), 2**31 - 1),
-    node_i=whole(-(2**31), 2**31 - 1),
-    node_j=whole(-(2**31), 2**31 - 1),
-    gap=quantity,
-    dof=whole(1),
-)
+@takes(tag=_INT, node_i=_INT, node_j=_INT, gap=quantity, dof=whole(1))
 def link(
     tag: int,
     node_i: int,
@@ -192,8 +168,8 @@ def link(
     with the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
     ops = openseespy()
     if isinstance(law, str):
-        words: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
-        law = laws[law](**words)
+        given: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
+        law = laws[law](**given)
     elif not isinstance(law, Law):
         raise refuse("law", "the name of a law or a law", law)
     elif parameters:
@@ -218,22 +194,8 @@ def link(
     if law.kind.takes_reduced_mass and mass is None:
         mass = _reduced_mass(ops, tag, node_i, node_j, dof)
     made = Link(tag, (node_i, node_j), dof, opening, law, mass if law.kind.takes_reduced_mass else None)
-    ops.element(
-        "genericClient",
-        tag,
-        "-node",
-        node_i,
-        node_j,
-        "-dof",
-        dof,
-        "-dof",
-        dof,
-        "-server",
-        made.port,
-        "-dataSize",
-        8,
-        "-noRayleigh",
-    )
+    words = ["-node", node_i, node_j, "-dof", dof, "-dof", dof, "-server", made.port, "-dataSize", 8, "-noRayleigh"]
+    ops.element("genericClient", tag, *words)
     _made.append(made)
     return made
 

@@ -16,21 +16,13 @@ from pounding.opensees.hinge_members import HINGE_MEMBER, read_hinge_member
 from pounding.opensees.printed import PRINTED, Printed
 from pounding.opensees.springs import SPRINGS, End, Spring, hinge_words, read_spring, rotates_only, take_hinges
 
+_BEAM3 = {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"}
 #: Supported members, their properties, and the parameters for their exact values in OpenSees.
 MEMBERS = {
     "ElasticBeam2d": {"E": "E", "A": "A", "Iz": "I"},
     "ElasticTimoshenkoBeam2d": {"E": "E", "G": "G", "A": "A", "Iz": "Iz", "Avy": "Avy"},
-    "ElasticBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"},
-    "ElasticTimoshenkoBeam3d": {
-        "E": "E",
-        "G": "G",
-        "A": "A",
-        "Jx": "J",
-        "Iy": "Iy",
-        "Iz": "Iz",
-        "Avy": "Avy",
-        "Avz": "Avz",
-    },
+    "ElasticBeam3d": _BEAM3,
+    "ElasticTimoshenkoBeam3d": {**_BEAM3, "Avy": "Avy", "Avz": "Avz"},
 }
 #: Commands that create these members.
 COMMANDS = {

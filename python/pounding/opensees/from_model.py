@@ -162,16 +162,10 @@ def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:
             f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are supported"
         )
     law = link.law
-    given = {
-        "formula": law.formula,
-        "restitution": law.restitution,
-        "impact_velocity": law.impact_velocity,
-        "reduced_mass": link.reduced_mass,
-        **law.parameters,
-    }
+    given = dict.fromkeys(("formula", "restitution", "impact_velocity", "reduced_mass")) | law.given()
     return {
         "between": [{"structure": home[node], "node": f"n{node}"} for node in link.nodes],
         "gap": link.gap,
         "law": law.kind.name,
-        **{name: value for name, value in given.items() if value is not None},
+        **{name: value for name, value in {**given, "reduced_mass": link.reduced_mass}.items() if value is not None},
     }

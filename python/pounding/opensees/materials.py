@@ -93,19 +93,10 @@ def _steel01(of: Material) -> Law:
 
 
 def _steel02(of: Material) -> Law:
-    of.require(a1=0, a3=0, sigini=0)
-    return Law(
-        "menegotto_pinto",
-        {
-            "stiffness": of.values["E"],
-            "yield_force": of.values["fy"],
-            "hardening": of.values["b"],
-            "R0": of.values["R0"],
-            "cR1": of.values["cR1"],
-            "cR2": of.values["cR2"],
-            "memory": "last",
-        },
-    )
+    bilinear = _steel01(of).values
+    of.require(sigini=0)
+    curve = {name: of.values[name] for name in ("R0", "cR1", "cR2")}
+    return Law("menegotto_pinto", {**bilinear, **curve, "memory": "last"})
 
 
 def _elastic_plastic(of: Material) -> Law:

@@ -19,12 +19,14 @@ from typing import Any
 import numpy as np
 
 from pounding._native import core
+from pounding.arguments import is_encodable
 from pounding.checked_file import STUDY
 from pounding.ended import exit_code
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.outputs import destination
 from pounding.studies import cross_check
-from pounding.studies.engines import ENGINES, KERNEL, STATUSES, Batch, Done, run_batch
+from pounding.studies.batches import STATUSES, Batch, Done, side_by_side
+from pounding.studies.engines import ENGINES, KERNEL, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
@@ -77,7 +79,7 @@ def main(arguments: list[str] | None = None) -> int:
         # The program blocks it during imports.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
         for word in rest:
-            if not _is_text(word):
+            if not is_encodable(word):
                 raise InputError(f'"{word}" is not valid UTF-8; rename the file, or run in its folder')
         with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
@@ -86,53 +88,31 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         raise
     except (InputError, ImportError) as error:
-        print(f"pounding: {error}", file=sys.stderr)
-        return 2
+        code, said = 2, str(error)
     except SolverError as error:
-        print(f"pounding: {error}", file=sys.stderr)
-        return 3
+        code, said = 3, str(error)
     except MemoryError:
-        print(
-            "pounding: out of memory. Finished rows are kept; type the same command again to resume, with fewer processes: -j 1",
-            file=sys.stderr,
+        code, said = (
+            3,
+            f"out of memory. Finished rows are kept; type the same command again to resume, with fewer processes: -j 1",
         )
-        return 3
     except OSError as error:
-        if (
-            error.errno not in _DISK
-            or name != "study"
-            or (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
-        ):
-            print(f"pounding: {error}", file=sys.stderr)
-            return 2
-        print(
-            f"pounding: {error}. Finished rows are kept; make room and type the same command again to resume",
-            file=sys.stderr,
-        )
-        return 3
+        writes = name == "study" and not (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
+        on_disk = error.errno in _DISK and writes
+        code, said = 3 if on_disk else 2, str(error)
+        if on_disk:
+            said += ". Finished rows are kept; make room and type the same command again to resume"
     except _Terminated:
-        print(
-            "pounding: stopped by a signal; finished rows are kept. Type the same command again to resume",
-            file=sys.stderr,
-        )
-        return 3
+        code, said = 3, "stopped by a signal; finished rows are kept. Type the same command again to resume"
     except KeyboardInterrupt:
-        print("pounding: stopped; finished rows are kept. Type the same command again to resume", file=sys.stderr)
-        return 3
-
-
-def _is_text(word: str) -> bool:
-    try:
-        word.encode()
-    except UnicodeEncodeError:
-        return False
-    return True
+        code, said = 3, "stopped; finished rows are kept. Type the same command again to resume"
+    print(f"pounding: {said}", file=sys.stderr)
+    return code
 
 
 def _study(words: list[str]) -> int:
     verb, rest = (words[0], words[1:]) if words and words[0] in VERBS else ("run", words)
-    verbs = {"run": _run, "check": _check, "show": _show, "merge": _merge, "plot": _plot, "export": _export}
-    return verbs[verb](rest)
+    return {"run": _run, "check": _check, "show": _show, "merge": _merge, "plot": _plot, "export": _export}[verb](rest)
 
 
 def _parser(verb: str, meaning: str) -> argparse.ArgumentParser:
@@ -439,11 +419,8 @@ def _told(done: Study) -> str:
             if (count := int((done["engine"] == i).sum()))
         )
     columns = done.description["kept"]["columns"]
-    lines += cross_check.report_lines(
-        done.check,
-        np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)),
-        columns,
-    )
+    values = side_by_side([done[column] for column in columns], len(done))
+    lines += cross_check.report_lines(done.check, values, columns)
     if options := done.description.get("options"):
         lines.append(f"options of PETSc for rows of the solver: {' '.join(options)}")
     lines += [f"warning: {doubt}" for doubt in done.warnings]

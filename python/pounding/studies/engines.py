@@ -8,45 +8,11 @@ from typing import Protocol
 import numpy as np
 
 from pounding.errors import InputError, shortened
-from pounding.studies.batches import (
-    COLLAPSED,
-    COMPLETE,
-    DIED,
-    DONE,
-    EXCEEDED,
-    FAILED,
-    NOT_RUN,
-    REFUSED,
-    STATUSES,
-    Batch,
-    Done,
-    nothing_of,
-)
+from pounding.studies.batches import COLLAPSED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, Batch, Done, nothing_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.prepared import prepared
 from pounding.studies.quantities import collapse_of
 from pounding.studies.template import Template
-
-__all__ = [
-    "COLLAPSED",
-    "COMPLETE",
-    "DIED",
-    "DONE",
-    "ENGINES",
-    "EXCEEDED",
-    "FAILED",
-    "KERNEL",
-    "NOT_RUN",
-    "REFUSED",
-    "STATUSES",
-    "Batch",
-    "Done",
-    "Engine",
-    "SolverEngine",
-    "nothing_of",
-    "run_batch",
-    "run_kernel",
-]
 
 
 class Engine(Protocol):

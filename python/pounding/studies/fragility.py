@@ -7,7 +7,7 @@ finite fit; bounds are reported instead."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -182,20 +182,7 @@ def of_rows(
             # A bootstrap sample without a finite fit is a step between its bounds of theta.
             if one.is_finite:
                 boot.append((one.theta, one.beta))
-    return Fragility(
-        found.theta,
-        found.beta,
-        found.se_log_theta,
-        found.se_beta,
-        found.im,
-        found.count,
-        found.exceeded,
-        found.bounds,
-        found.problem,
-        np.array(boot).reshape(-1, 2),
-        failed,
-        undefined,
-    )
+    return replace(found, boot=np.array(boot).reshape(-1, 2), failed=failed, undefined=undefined)
 
 
 def _counted(im: np.ndarray, exceeded: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

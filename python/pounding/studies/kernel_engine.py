@@ -14,7 +14,7 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies.batches import DONE, EXCEEDED, Batch, Done, nothing_of
+from pounding.studies.batches import DONE, EXCEEDED, Batch, Done, nothing_of, side_by_side
 from pounding.studies.factors import at
 from pounding.studies.kernel_columns import OF_KERNEL, Found, column_of, separations, step_error
 from pounding.studies.pairs import Pairs
@@ -73,11 +73,7 @@ class KernelEngine:
     @staticmethod
     def _fill(done: Done, rows: np.ndarray, found: Found, kept: Kept) -> None:
         ran = np.array([i for i in range(len(rows)) if i not in found.reasons], dtype=np.int64)
-        values = (
-            np.column_stack([column_of(column, found) for column in kept.columns])
-            if kept.columns
-            else np.empty((len(rows), 0))
-        )
+        values = side_by_side([column_of(column, found) for column in kept.columns], len(rows))
         if kept.undefined_limits(values[ran]):
             # The solver reports these rows.
             found.reasons.update(

@@ -18,7 +18,8 @@ from pounding.checked_file import STUDY
 from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.models import Model
 from pounding.outputs import destination
-from pounding.studies.engines import COMPLETE, run_batch
+from pounding.studies.batches import COMPLETE
+from pounding.studies.engines import run_batch
 from pounding.studies.execution import Progress, batch_of, require_count, run_rows
 from pounding.studies.factors import Factor
 from pounding.studies.files import located, relative

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.studies.engines import STATUSES
+from pounding.studies.batches import STATUSES
 from pounding.studies.percentiles import finite, order_statistic
 from pounding.studies.quantities import COLLAPSED_COLUMN
 from pounding.studies.rows import Rows

@@ -16,7 +16,7 @@ import numpy as np
 import pounding
 from pounding.errors import InputError
 from pounding.studies import command
-from pounding.studies.engines import COLLAPSED, DONE, EXCEEDED, STATUSES
+from pounding.studies.batches import COLLAPSED, DONE, EXCEEDED, STATUSES
 from pounding.studies.plan import make_plan
 from pounding.studies.quantities import Kept
 from pounding.studies.study import run_plan
