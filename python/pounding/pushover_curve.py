@@ -144,14 +144,11 @@ MOST = 12
 
 def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] | None = None) -> Figure:
     """The picture of `Pushover.plot`."""
-    from matplotlib import rc_context
-
-    from pounding.pictures.style import NARROW, STYLE, Picture, head
+    from pounding.pictures.style import NARROW, picture
 
     size = size or (6.5, 3.4)
     narrow = size[0] < NARROW
-    with rc_context(STYLE):
-        figure = Picture(figsize=size, layout="constrained")
+    with picture(size, title) as figure:
         axes = figure.subplots()
         _draw_curve(axes, found)
         _number_events(axes, found, 38)
@@ -161,7 +158,6 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
             handlelength=1.2,
             loc="outside lower center" if narrow else "outside right center",
         )
-        head(figure, title)
         return figure
 
 

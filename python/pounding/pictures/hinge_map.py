@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib import colormaps, rc_context
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -18,17 +18,7 @@ from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, 
 from pounding.pictures.model_picture import TITLES, label_floors, name_structures, spread_scene
 from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import (
-    ENERGY_UNITS,
-    FORCE_UNITS,
-    NARROW,
-    STYLE,
-    YELLOW,
-    BadRequest,
-    Picture,
-    engineering,
-    head,
-)
+from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, NARROW, YELLOW, BadRequest, engineering, picture
 from pounding.results import RunData, Structure
 from pounding.springs import Springs
 
@@ -99,8 +89,7 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
         )
     narrow = size is not None and size[0] < NARROW
     views = ["elevation"] if not scene.is_spatial else ["oblique"] if narrow else ["oblique", "elevation"]
-    with rc_context(STYLE):
-        figure = Picture(figsize=size or _size(scene, len(views)), layout="constrained")
+    with picture(size or _size(scene, len(views)), run.title if title is None else title) as figure:
         panels = figure.subplots(1, len(views), squeeze=False)[0]
         norm = Normalize(measure.lowest, max([measure.least_top, *(mark.value for mark in marks)]))
         for letter, panel, view in zip("ab", panels, views):
@@ -117,7 +106,6 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
         )
         handles = list(_legend(run, marks))
         legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 2 if narrow else 4)
-        head(figure, run.title if title is None else title)
         return figure
 
 

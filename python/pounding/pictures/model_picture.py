@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -15,7 +14,7 @@ from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes
 from pounding.pictures.geometry import floor_heights
 from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import MM, NARROW, STYLE, Picture, head, structure_colour
+from pounding.pictures.style import MM, NARROW, picture, structure_colour
 from pounding.results import RunData
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
@@ -30,15 +29,13 @@ def model_figure(run: RunData, title: str | None = None, size: tuple[float, floa
     views: list[Any] = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
     if scene.is_spatial and size is not None and size[0] < NARROW:
         views = [["oblique"]]
-    with rc_context(STYLE):
-        figure = Picture(figsize=size or _size(scene), layout="constrained")
+    with picture(size or _size(scene), run.title if title is None else title) as figure:
         axes = figure.subplot_mosaic(views)
         for letter, (view, panel) in zip("abcd", axes.items()):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
             draw_model(panel, scene, view)
         handles = list(_legend(run))
         legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 4)
-        head(figure, run.title if title is None else title)
         return figure
 
 

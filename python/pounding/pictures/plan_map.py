@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from matplotlib import colormaps, rc_context
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -17,7 +17,7 @@ from pounding.pictures.comparison import require_comparison
 from pounding.pictures.drawing import are_many
 from pounding.pictures.geometry import outline, storey_heights
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, STYLE, BadRequest, Picture, engineering, head
+from pounding.pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, BadRequest, engineering, picture
 from pounding.results import RunData, Structure
 
 #: From little to much: drifts of structures, and forces between them.
@@ -63,11 +63,11 @@ def plan_figure(
     drifts = [{name: largest_drift(each, each.structures[name]) for name in drawn} for each in runs]
     found = contacts(run)
     rigid = _is_rigid(run)
-    with rc_context(STYLE):
-        width, depth = np.ptp(scene.bounds()[:2], axis=1)
-        stacked = len(runs) > 1 and (width > 1.6 * depth or size is not None and size[0] < NARROW)
-        rows, columns = (len(runs), 1) if stacked else (1, len(runs))
-        figure = Picture(figsize=size or _size(width, depth, rows, columns), layout="constrained")
+    width, depth = np.ptp(scene.bounds()[:2], axis=1)
+    narrow = size is not None and size[0] < NARROW
+    stacked = len(runs) > 1 and (width > 1.6 * depth or narrow)
+    rows, columns = (len(runs), 1) if stacked else (1, len(runs))
+    with picture(size or _size(width, depth, rows, columns), run.title if title is None else title) as figure:
         panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True).ravel()
         norm = Normalize(0, max(max(values.values()) for values in drifts) or 1.0)
         hardest = max((contact.strength for contact in found), default=0.0)
@@ -86,7 +86,7 @@ def plan_figure(
             _frame(axes, scene, first_column=columns == 1 or number == 0, last_row=rows == 1 or number == len(runs) - 1)
         horizontal: dict[str, Any] = (
             {"location": "bottom", "shrink": 0.6, "aspect": 30, "pad": 0.02}
-            if size is not None and size[0] < NARROW
+            if narrow
             else {"location": "right", "shrink": 0.75, "aspect": 24, "pad": 0.02}
         )
         figure.colorbar(
@@ -95,7 +95,6 @@ def plan_figure(
         if hardest > 0:
             label = f"{'Impulse' if rigid else 'Peak force'} between neighbours [{name_of_unit}]"
             figure.colorbar(ScalarMappable(force_norm, FORCES), ax=list(panels), label=label, **horizontal)
-        head(figure, run.title if title is None else title)
         return figure
 
 

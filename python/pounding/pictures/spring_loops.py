@@ -8,7 +8,6 @@ from collections.abc import Callable
 from functools import partial
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -20,12 +19,10 @@ from pounding.pictures.style import (
     ENERGY_UNITS,
     FORCE_UNITS,
     MM,
-    STYLE,
     BadRequest,
-    Picture,
     engineering,
-    head,
     largest,
+    picture,
     structure_colour,
 )
 from pounding.results import RunData, Structure
@@ -67,8 +64,7 @@ def loops_figure(
     if size is not None and parts is None:
         rows = min(rows, max(1, int((size[1] - 0.7) / MIN_HEIGHT)))
         chosen = chosen[: rows * columns]
-    with rc_context(STYLE):
-        figure = Picture(figsize=size or (7.5, 0.7 + 2.2 * rows), layout="constrained")
+    with picture(size or (7.5, 0.7 + 2.2 * rows), run.title if title is None else title) as figure:
         grid = figure.subplots(rows, columns, squeeze=False)
         for axes in grid.flat[len(chosen) :]:
             axes.set_axis_off()
@@ -76,7 +72,6 @@ def loops_figure(
             draw(axes)
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
         figure.legend(handles=_legend(), loc="outside lower center", ncols=2)
-        head(figure, run.title if title is None else title)
         return figure
 
 
