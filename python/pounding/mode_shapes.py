@@ -69,16 +69,13 @@ def read_modes(values: dict[str, Any]) -> list[DrawnStructure]:
     structures = []
     for name, found in whole["modes"].items():
         geometry = whole.get("geometry", {}).get(name) or {}
+        periods = [math.inf if one.get("period") is None else one["period"] for one in found]
         structures.append(
             DrawnStructure(
                 name,
                 [
-                    DrawnMode(
-                        math.inf if one.get("period") is None else one["period"],
-                        one["damping_ratio"],
-                        np.array(one["shape"]),
-                    )
-                    for one in found
+                    DrawnMode(period, one["damping_ratio"], np.array(one["shape"]))
+                    for period, one in zip(periods, found)
                 ],
                 whole.get("elevations", {}).get(name),
                 np.array(geometry.get("nodes", []), float).reshape(-1, 3),
