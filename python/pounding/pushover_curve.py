@@ -197,6 +197,7 @@ def _draw_curve(axes: Axes, found: Pushover) -> None:
 
 def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
     """Numbers every first yield as in the table of events, with its parts in the legend."""
+    from pounding.pictures.panels import note
     from pounding.pictures.style import BLUE, FORCE_UNITS, MM, engineering, largest
 
     size = engineering(largest([found.base_shear]), FORCE_UNITS)[0]
@@ -223,11 +224,11 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
         )
         # On the side away from the curve.
         up = 1 if y >= 0 else -1
-        axes.annotate(
+        note(
+            axes,
             several,
             (x, y),
             (4 * up, -3 * up),
-            textcoords="offset points",
             ha="left" if y >= 0 else "right",
             va="top" if y >= 0 else "bottom",
             fontsize=7.5,

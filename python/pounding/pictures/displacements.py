@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -69,37 +70,18 @@ def draw_displacements(
     moved = _displacements(run, view)
     sides = {name: MM * (view.offsets[name] + moved[name]) for name in view.places}
     axis = _axis_words(view.direction)
+    draw = partial(plot_time, axes, run, run.time)
     for structure in view.drawn:
-        name, place, top, colour = (
-            structure.name,
-            view.places[structure.name],
-            len(structure.floors),
-            view.colours[structure.name],
-        )
+        name, top = structure.name, len(structure.floors)
+        place, colour = view.places[name], view.colours[name]
         if name in view.apart:
-            plot_time(
-                axes,
-                run,
-                run.time,
-                sides[name],
-                color=colour,
-                label=f"{_label(structure, place)}{NO_LINK} {axis})",
-                **APART,
-            )
+            draw(sides[name], color=colour, label=f"{_label(structure, place)}{NO_LINK} {axis})", **APART)
             continue
         axes.axhline(MM * view.offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
-        plot_time(axes, run, run.time, sides[name], color=colour, label=_label(structure, place))
+        draw(sides[name], color=colour, label=_label(structure, place))
         if place != top and top and name not in chosen:
-            plot_time(
-                axes,
-                run,
-                run.time,
-                MM * (view.offsets[name] + _of_floor(run, name, top, view.direction)),
-                color=colour,
-                linewidth=0.5,
-                alpha=0.7,
-                label=f"{name}, top",
-            )
+            roof = MM * (view.offsets[name] + _of_floor(run, name, top, view.direction))
+            draw(roof, color=colour, linewidth=0.5, alpha=0.7, label=f"{name}, top")
     sizes = ", ".join(f"{MM * link.gap:.4g}" for link in view.facing)
     for i, link in enumerate(view.facing):
         left, right = (sides[name] for name in _ordered(link, view.direction))
@@ -128,11 +110,8 @@ def drawn_displacements(
     Links give the motion between floors in the run; in the other run it is interpolated over the height."""
     view = _view(run, chosen or {}, _direction(run) if direction is None else direction)
     return [
-        (
-            MM * (view.offsets[structure.name] + _at_place(run, other, structure.name, view)),
-            view.colours[structure.name],
-        )
-        for structure in view.drawn
+        (MM * (view.offsets[name] + _at_place(run, other, name, view)), view.colours[name])
+        for name in (structure.name for structure in view.drawn)
     ]
 
 
@@ -184,15 +163,8 @@ def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
     numbers = {name: number for number, name in enumerate(run.structures)}
     few = len(run.structures) <= MAX_STRUCTURES
     colours = {name: structure_colour(numbers[name] if few else i) for i, name in enumerate(names)}
-    return _View(
-        direction,
-        drawn,
-        colours,
-        places,
-        facing,
-        _offsets(along, names, direction),
-        set(names) - linked if linked else set(),
-    )
+    offsets, apart = _offsets(along, names, direction), set(names) - linked if linked else set()
+    return _View(direction, drawn, colours, places, facing, offsets, apart)
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from pounding.pictures.comparison import require_comparison
 from pounding.pictures.drawing import are_many
 from pounding.pictures.geometry import outline, storey_heights
+from pounding.pictures.panels import note
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, BadRequest, engineering, picture
 from pounding.results import RunData, Structure
@@ -125,13 +126,8 @@ def contacts(run: RunData) -> list[Contact]:
         places = np.array([np.asarray(link.position)[:2] + 0.5 * link.gap * link.direction[:2] for link in links])
         across = np.array([-links[0].direction[1], links[0].direction[0]])
         order = np.argsort(places @ across, kind="stable")
-        found.append(
-            Contact(
-                places[order[[0, -1]]],
-                max(hardest.get(name, 0.0) for name in names),
-                sum(counts.get(name, 0) for name in names),
-            )
-        )
+        strongest = max(hardest.get(name, 0.0) for name in names)
+        found.append(Contact(places[order[[0, -1]]], strongest, sum(counts.get(name, 0) for name in names)))
     return found
 
 
@@ -157,30 +153,10 @@ def _draw_structure(
     name_size = min(LARGEST, 0.9 * room[0] / (LETTER * len(name)), 0.38 * room[1])
     named = name_size >= SMALLEST
     middle = (x0 + x1) / 2, (y0 + y1) / 2
-    axes.annotate(
-        value,
-        middle,
-        (0, -0.6 * size if named else 0),
-        textcoords="offset points",
-        ha="center",
-        va="center",
-        fontsize=size,
-        color=ink,
-        zorder=5,
-    )
+    style: dict[str, Any] = {"ha": "center", "va": "center", "color": ink, "zorder": 5}
+    note(axes, value, middle, (0, -0.6 * size if named else 0), fontsize=size, **style)
     if named:
-        axes.annotate(
-            name,
-            middle,
-            (0, 0.65 * name_size),
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            fontsize=name_size,
-            color=ink,
-            fontweight="bold",
-            zorder=5,
-        )
+        note(axes, name, middle, (0, 0.65 * name_size), fontsize=name_size, fontweight="bold", **style)
 
 
 def _decimals(norm: Normalize) -> int:
