@@ -15,7 +15,7 @@ import numpy.typing as npt
 from pounding import arguments, printing
 from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
-from pounding.errors import InputError, excerpt
+from pounding.errors import InputError
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
 Quantity = float | str
@@ -293,7 +293,7 @@ class Kinds(Mapping[str, Kind]):
         if not isinstance(name, str):
             raise arguments.refuse(place, f"the name of a {self.noun}", name)
         if arguments.text(place, name) not in self._kinds:
-            raise InputError(f"unknown {self.noun} {excerpt(name)}.{self._hint(name)}")
+            raise InputError(self._unknown(name))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:
@@ -311,7 +311,7 @@ class Kinds(Mapping[str, Kind]):
     def __reduce__(self) -> str:
         return self.variable
 
-    def _hint(self, name: str) -> str:
+    def _unknown(self, name: str) -> str:
         raise NotImplementedError
 
 
@@ -323,8 +323,8 @@ class Laws(Kinds[LawKind]):
     def __init__(self) -> None:
         super().__init__(map(_kind, core.catalogue()))
 
-    def _hint(self, name: str) -> str:
-        return core.law_hint(name)
+    def _unknown(self, name: str) -> str:
+        return core.unknown_law(name)
 
 
 @takes(

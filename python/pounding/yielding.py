@@ -20,7 +20,7 @@ import numpy.typing as npt
 from pounding import arguments
 from pounding._native import core
 from pounding.contact import Kinds, Parameter, Quantity, Values, described, number_in
-from pounding.errors import InputError
+from pounding.errors import InputError, excerpt
 
 
 class YieldingParameter(Parameter):
@@ -121,9 +121,10 @@ class _Kinds(Kinds[YieldingKind]):
     def __init__(self) -> None:
         super().__init__(map(_kind, core.yielding_catalogue()))
 
-    def _hint(self, name: str) -> str:
+    def _unknown(self, name: str) -> str:
         near = difflib.get_close_matches(name[:100], self._kinds, 1)
-        return f' Did you mean "{near[0]}"?' if near else f" Allowed: {', '.join(self._kinds)}."
+        hint = f'Did you mean "{near[0]}"?' if near else f"Allowed: {', '.join(self._kinds)}."
+        return f"unknown law of yielding {excerpt(name)}. {hint}"
 
 
 def _kind(entry: dict[str, Any]) -> YieldingKind:

@@ -41,14 +41,14 @@ constexpr keys::Key quantities[] = {
     {.key = "mass", .takes = keys::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
     {.key = "start", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
     {.key = "end", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
-const keys::Section test_section{.name = "test", .location = "", .meaning = "", .keys = quantities};
+const keys::Section test_section{.name = "test", .place = "", .meaning = "", .keys = quantities};
 
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
 // That table, read by one word after the other.
 Input model(const std::string& text, std::span<const keys::Key> table) {
   static std::vector<std::unique_ptr<keys::Section>> sections;
   sections.push_back(
-      std::make_unique<keys::Section>(keys::Section{.name = "test", .location = "", .meaning = "", .keys = table}));
+      std::make_unique<keys::Section>(keys::Section{.name = "test", .place = "", .meaning = "", .keys = table}));
   return model(text).in(*sections.back());
 }
 

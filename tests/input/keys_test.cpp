@@ -48,7 +48,7 @@ std::string refusal(const std::string& text) {
 /// Calls this for every word of every section.
 void for_each_key(const std::function<void(const Section&, const Key&)>& act) {
   for (const Section* s : keys::sections())
-    for (const Key& spec : s->words) act(*s, spec);
+    for (const Key& spec : s->keys) act(*s, spec);
 }
 
 class Words : public testing::Test {
@@ -67,7 +67,7 @@ TEST_F(Words, EachExampleIsRead) {
 TEST_F(Words, EachWordIsUsed) {
   for_each_key([](const Section& s, const Key& spec) {
     const std::string text = with_key(s, spec, "[[[{}]]]");
-    EXPECT_NE(refusal(text), "") << s.location << "." << spec.key << " is taken and never read:\n" << text;
+    EXPECT_NE(refusal(text), "") << s.place << "." << spec.key << " is taken and never read:\n" << text;
   });
 }
 
@@ -84,12 +84,12 @@ TEST_F(Words, EachKeyThatIsReadHasAWord) {
         const Keys keys = keys_around(*s, s->find(key) ? *s->find(key) : requested, value);
         std::string message;
         // Another error than InputError is one of the program.
-        ASSERT_NO_THROW(message = refusal(with_keys(*s, keys))) << s->location << "." << key;
+        ASSERT_NO_THROW(message = refusal(with_keys(*s, keys))) << s->place << "." << key;
         if (s->find(key) || s == &keys::link || s == &keys::wall) continue;
         EXPECT_TRUE(message.find("unknown key") != message.npos ||
                     message.find("unknown displacement") != message.npos ||
                     message.find("belongs to a record") != message.npos)
-            << s->location << "." << key << ": " << message;
+            << s->place << "." << key << ": " << message;
       }
     }
 }
@@ -113,7 +113,7 @@ TEST_F(Words, SayEverythingThatAPageShows) {
     EXPECT_TRUE(names.insert(s->name).second) << s->name;
     EXPECT_FALSE(s->meaning.empty()) << s->name;
     std::set<std::string_view> keys;
-    for (const Key& spec : s->words) {
+    for (const Key& spec : s->keys) {
       SCOPED_TRACE(fmt::format("{}.{}", s->name, spec.key));
       EXPECT_TRUE(keys.insert(spec.key).second);
       EXPECT_FALSE(spec.meaning.empty());
