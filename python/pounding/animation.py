@@ -194,7 +194,7 @@ def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], N
     """Writes .gif, .mp4, or one .png per frame: NAME_0001.png and so on. Calls `progress(done, all)` after each
     frame.
 
-        Raises InputError for another suffix, for .mp4 without ffmpeg, and for an existing file that is not a picture;
+    Raises InputError for another suffix, for .mp4 without ffmpeg, and for an existing file that is not a picture;
     OSError if the file cannot be written."""
     path = Path(path)
     check_output(path)

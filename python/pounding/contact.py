@@ -110,10 +110,10 @@ class LawKind:
     ) -> Law:
         """The law with these parameters.
 
-                Damping follows from `restitution` (0, 1] by `formula` ("exact"), or from one of the parameters that
-        replace a restitution; parameters marked "together" replace all others. stereomechanical and kelvin_voigt also
-        accept a restitution of 0. `impact_velocity` is a fixed design velocity [m/s]; by default each impact has its
-        own. `reduced_mass` is m1 m2/(m1+m2) [kg] of the bodies, if the damping depends on it. Raises InputError."""
+        Damping follows from `restitution` (0, 1] by `formula` ("exact"), or from one of the parameters that replace a
+        restitution; parameters marked "together" replace all others. stereomechanical and kelvin_voigt also accept a
+        restitution of 0. `impact_velocity` is a fixed design velocity [m/s]; by default each impact has its own.
+        `reduced_mass` is m1 m2/(m1+m2) [kg] of the bodies, if the damping depends on it. Raises InputError."""
         return Law(self, restitution, formula, impact_velocity, reduced_mass, parameters)
 
     def __str__(self) -> str:
@@ -170,9 +170,9 @@ class Law:
     ) -> Values:
         """Contact force [N] at penetrations [m] and rates [m/s], arrays that broadcast together.
 
-                `approach_velocity` is the closing speed of the impact [m/s], if the damping depends on it. Each state
-        is the first of its impact; with `in_order` each row is one impact, for laws with memory. NaN gives NaN.
-        Raises InputError."""
+        `approach_velocity` is the closing speed of the impact [m/s], if the damping depends on it. Each state is the
+        first of its impact; with `in_order` each row is one impact, for laws with memory. NaN gives NaN. Raises
+        InputError."""
         return self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=False)[()]
 
     def respond(
@@ -351,10 +351,9 @@ def calibrate(
     """Damping of a law for a restitution by every formula, and the restitution obtained in a free impact of bodies of
     masses `m1` and `m2` [kg] at closing speed `velocity` [m/s].
 
-        Returns the object that `pounding calibrate --json` prints. Missing parameters have typical values and are
-    listed in "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s],
-    peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused". Raises
-    InputError."""
+    Returns the object that `pounding calibrate --json` prints. Missing parameters have typical values and are listed in
+    "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s], peak_penetration
+    [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused". Raises InputError."""
     others = [(name, _word(value)) for name, value in parameters.items()]
     given = _word(restitution), _word(m1), _word(m2), _word(stiffness), _word(velocity), _word(exponent)
     return core.calibrate(law, *given, others)

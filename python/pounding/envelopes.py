@@ -95,7 +95,7 @@ class StructureEnvelope:
         """Minimum and maximum of the end forces of a member, by component: `member("column 1.0")["start My"]` [N], [N
         m].
 
-                The axial force has opposite signs at both ends; see `section`. Raises KeyError."""
+        The axial force has opposite signs at both ends; see `section`. Raises KeyError."""
         return self._of_member(name, self.member_force)
 
     def section(self, name: str) -> dict[str, tuple[float, float]]:

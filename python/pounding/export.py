@@ -38,7 +38,7 @@ BLOCK = 200
 def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> Path:
     """Writes `path` for the run read from the file `results`, and its data file, whose name is returned.
 
-        Raises InputError if the suffix is not .xdmf, if the run has no output times, or if an existing file is not an
+    Raises InputError if the suffix is not .xdmf, if the run has no output times, or if an existing file is not an
     export; OSError if a file cannot be written."""
     path = Path(path)
     if path.suffix != ".xdmf":

@@ -235,8 +235,8 @@ class RunData(printing.ReportLines, lines=printing.run):
     def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
         """The results in the file `path`, after a check of the checksum.
 
-                `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on
-        a damaged one. Raises OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
+        `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on a damaged
+        one. Raises OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
         if checked:
             require_whole(path)
         elif not Path(path).is_file():

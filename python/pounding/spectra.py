@@ -63,9 +63,9 @@ def record_spectrum(
 ) -> Spectrum:
     """Spectrum of the unscaled record in a file.
 
-        `periods` [s] are by default 200 from 0.02 s to 4 s; `units` and `channel` are for files that do not state
-    them. Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is not a record
-    and for values out of range."""
+    `periods` [s] are by default 200 from 0.02 s to 4 s; `units` and `channel` are for files that do not state them.
+    Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is not a record and for
+    values out of range."""
     from pounding._native import core
 
     chosen = _chosen(periods)
@@ -82,9 +82,9 @@ def floor_spectrum(
     """Spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, linear between output
     times.
 
-        `periods` [s] are by default 200 from 0.02 s, or ten output steps if that is longer, to 4 s. Raises
-    InputError, with the output_step to use, if the output times miss more than 5 % of the tracked peak, and for an
-    unknown floor or direction."""
+    `periods` [s] are by default 200 from 0.02 s, or ten output steps if that is longer, to 4 s. Raises InputError, with
+    the output_step to use, if the output times miss more than 5 % of the tracked peak, and for an unknown floor or
+    direction."""
     from pounding._native import core
 
     name, _, place = floor.rpartition(".")

@@ -104,8 +104,8 @@ class YieldingLaw:
     def follow(self, path: npt.ArrayLike) -> Loop:
         """Response along deformations [m] from an undeformed start, linear between points.
 
-                Each row of a multidimensional array is a path. Response is exact: extra points between turning points
-        do not change it. Raises InputError for values that are not finite numbers."""
+        Each row of a multidimensional array is a path. Response is exact: extra points between turning points do not
+        change it. Raises InputError for values that are not finite numbers."""
         deformation = arguments.numbers("path", path)
         if not np.isfinite(deformation).all():
             raise InputError("path: a deformation is not finite")

@@ -85,8 +85,8 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
     def impacts(self) -> np.ndarray:
         """One row per impact, until now or until the model was wiped, with the columns of IMPACT.
 
-                t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link
-        received states that are not finite."""
+        t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link received
+        states that are not finite."""
         answer = self._tell()
         if answer["error"]:
             raise SolverError(f"element {self.tag}: {answer['error']}")
@@ -156,16 +156,16 @@ def link(
 ) -> Link:
     """Adds a gap link between two nodes of the OpenSees model, as its element `tag` of type genericClient.
 
-        node_i is on the body with the smaller coordinate, node_j on the other; the gap closes if node_i moves towards
+    node_i is on the body with the smaller coordinate, node_j on the other; the gap closes if node_i moves towards
     node_j along `dof` (1: x). A fixed node is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters`
-    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The
-    reduced mass [kg] is by default that of the masses at the two nodes.
+    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The reduced
+    mass [kg] is by default that of the masses at the two nodes.
 
-        For implicit transient integrators: the element returns its stiffness dF/dd and its damping dF/dd', so that
-    Newton's method has the exact slopes. Contact and separation are detected at the ends of steps; impact speeds are
-    located within them. OpenSees reports that the element cannot revert when a step fails; the analysis may continue
-    with another step. Its `force` in a recorder lacks the damping part, so use the impacts of the Link. The link ends
-    with the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
+    For implicit transient integrators: the element returns its stiffness dF/dd and its damping dF/dd', so that Newton's
+    method has the exact slopes. Contact and separation are detected at the ends of steps; impact speeds are located
+    within them. OpenSees reports that the element cannot revert when a step fails; the analysis may continue with
+    another step. Its `force` in a recorder lacks the damping part, so use the impacts of the Link. The link ends with
+    the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
     ops = openseespy()
     if isinstance(law, str):
         given: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}

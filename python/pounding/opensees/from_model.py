@@ -36,27 +36,27 @@ def from_opensees(
     """The OpenSeesPy model of this process as a Model. Each connected part becomes a structure of kind `frame`, and
     links of `pounding.opensees.link` become its links.
 
-        Supported: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear,
-    releases, joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. Yielding parts: a rotational
-    zeroLength whose nodes are tied by equalDOF is a hinge at the end of its member; forceBeamColumn with HingeRadau
-    and bilinear end sections is a member with hinges; truss, twoNodeLink and other zeroLength elements are devices.
-    Their materials are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and
-    beta), Elastic, Viscous and ViscousDamper. A zeroLength of HyperbolicGapMaterial along x is a wall with backfill.
-    A member has equal hinges at both ends, or a hinge at one end.
+    Supported: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear, releases,
+    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. Yielding parts: a rotational zeroLength
+    whose nodes are tied by equalDOF is a hinge at the end of its member; forceBeamColumn with HingeRadau and bilinear
+    end sections is a member with hinges; truss, twoNodeLink and other zeroLength elements are devices. Their materials
+    are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic,
+    Viscous and ViscousDamper. A zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has equal
+    hinges at both ends, or a hinge at one end.
 
-        The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from
-    their tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest
-    x, unless `names` is given.
+    The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from their
+    tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest x, unless
+    `names` is given.
 
-        OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK,
-    betaKinit, betaKcomm), or `damping` with input keys; the default is no damping. It does not return the motion of a
+    OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK, betaKinit,
+    betaKcomm), or `damping` with input keys; the default is no damping. It does not return the motion of a
     UniformExcitation: pass `ground_motion`, and `analysis`, as for Model. `without` are tags of elements to omit;
     `without_loads` omits load patterns. Mass per length, joint offsets, BoucWen, Hysteretic and HyperbolicGapMaterial
-    have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part
-    of Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes
-    of the outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
+    have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part of
+    Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes of the
+    outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
 
-        Raises InputError with the unsupported part; ImportError without openseespy."""
+    Raises InputError with the unsupported part; ImportError without openseespy."""
     ops = openseespy()
     printed = Printed(ops)
     frames = Frames(ops, printed, set(without))

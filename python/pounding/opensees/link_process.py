@@ -121,9 +121,9 @@ def time_to_close(opening: float, rate: float, acceleration: float) -> float:
 class Link:
     """Force at trial states, and history at committed states.
 
-        An impact begins at the first committed state with overlap, so that one formula of the force applies to a
-    whole step: if the force jumps at contact, as for kelvin_voigt, a step could otherwise have no solution. The
-    closing speed is that at contact within the step, from the acceleration at its beginning."""
+    An impact begins at the first committed state with overlap, so that one formula of the force applies to a whole
+    step: if the force jumps at contact, as for kelvin_voigt, a step could otherwise have no solution. The closing speed
+    is that at contact within the step, from the acceleration at its beginning."""
 
     def __init__(self, law: Law, gap: float) -> None:
         self.law, self.gap = law, gap

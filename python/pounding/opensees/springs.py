@@ -124,9 +124,8 @@ def take_hinges(
 ) -> tuple[int, int, list[End]]:
     """The node at the end of a member, the node at the other end of the spring, and its hinges.
 
-        The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes with
-    other constraints or loads, `local` the local y and z of members in space. Raises InputError if it is not a
-    hinge."""
+    The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes with other
+    constraints or loads, `local` the local y and z of members in space. Raises InputError if it is not a hinge."""
     turns = f"element {spring.tag} turns between nodes {spring.nodes[0]} and {spring.nodes[1]}"
     free = set(spring.materials)
     wanted = tuple(dof for dof in range(1, (3 if dimension == 2 else 6) + 1) if dof not in free)
@@ -188,7 +187,7 @@ def plastic(moment: Law, plastic_length: float, length: float) -> dict[str, Any]
     """Input keys of the rigid-plastic hinge for a section with a bilinear moment [N m] over `plastic_length` [m] at
     the end of a member of this length [m] that is elastic throughout.
 
-        After yielding it rotates by plastic_length (1-b)/(b E I) per N m; the `hardening` a of a hinge is 6 E I/L
+    After yielding it rotates by plastic_length (1-b)/(b E I) per N m; the `hardening` a of a hinge is 6 E I/L
     a/(1-a)."""
     b = float(moment.values["hardening"])
     x = b / (1 - b) * length / (6 * plastic_length)

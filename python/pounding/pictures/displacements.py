@@ -58,13 +58,13 @@ def draw_displacements(
     """Displacements of up to six structures at their highest links, each offset by the gap to its left neighbour, so
     that two lines meet when the structures touch.
 
-        A roof above the links is drawn thin. `chosen` maps names of structures to indices of floors, from 0, to draw
+    A roof above the links is drawn thin. `chosen` maps names of structures to indices of floors, from 0, to draw
     instead; structures with a chosen floor come first. The gap between two lines is shaded if a link joins the floors
     drawn. The end of a link between floors follows from the floor at its other end and the opening of the link.
 
-        `direction` is one of directions_of(), by default that of the first link. Links along other directions are not
-    part of the panel; structures joined by such links only are drawn thin, about zero. In space, displacements are
-    those of the centres of floors; the corners of rotating floors may touch before the lines meet."""
+    `direction` is one of directions_of(), by default that of the first link. Links along other directions are not part
+    of the panel; structures joined by such links only are drawn thin, about zero. In space, displacements are those of
+    the centres of floors; the corners of rotating floors may touch before the lines meet."""
     chosen = chosen or {}
     view = _view(run, chosen, _direction(run) if direction is None else direction)
     moved = _displacements(run, view)

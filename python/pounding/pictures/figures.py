@@ -51,10 +51,10 @@ def figure(
 ) -> Figure:
     """One picture of a run.
 
-        `title` replaces that of the run, `size` is width and height [in], and `floors` {structure: label} are those
-    of the picture "run". `compare` also draws the run without links; None draws it in profiles and plan if it exists.
-    Loops are those of yielding parts and devices, or of contacts if the run has no such parts. Raises BadRequest for
-    an unknown picture and for an impossible comparison."""
+    `title` replaces that of the run, `size` is width and height [in], and `floors` {structure: label} are those of the
+    picture "run". `compare` also draws the run without links; None draws it in profiles and plan if it exists. Loops
+    are those of yielding parts and devices, or of contacts if the run has no such parts. Raises BadRequest for an
+    unknown picture and for an impossible comparison."""
     if picture == "springs":
         warnings.warn('the picture "springs" is now called "loops"', DeprecationWarning, stacklevel=5)
         picture = "loops"

@@ -76,9 +76,9 @@ class Mark:
 def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
     """The structures of a run at rest with all parts that can yield.
 
-        Circles are hinges, coloured by plastic rotation, or by its ratio to the ultimate rotation if all hinges have
-    one. Thick lines are storeys, coloured by ductility, as are all parts of a run with storeys. Their size grows with
-    the lost energy; elastic parts are small and white. Stars are links with impacts, larger for larger forces. One
+    Circles are hinges, coloured by plastic rotation, or by its ratio to the ultimate rotation if all hinges have one.
+    Thick lines are storeys, coloured by ductility, as are all parts of a run with storeys. Their size grows with the
+    lost energy; elastic parts are small and white. Stars are links with impacts, larger for larger forces. One
     elevation; for a model in space a view and an elevation, in a narrow figure the view only. `size` [in]. Raises
     BadRequest for a run without parts that can yield."""
     scene = spread_scene(run, APART)

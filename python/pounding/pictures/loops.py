@@ -62,8 +62,8 @@ def draw_loops(axes: Axes, run: RunData) -> None:
 def draw_restitution(axes: Axes, run: RunData) -> None:
     """Restitution of each impact over its closing speed, and dashed the design restitutions of the links.
 
-        The motion of storeys accelerates or brakes slow impacts. Values above HIGHEST are drawn at the upper edge,
-    with a note of their maximum."""
+    The motion of storeys accelerates or brakes slow impacts. Values above HIGHEST are drawn at the upper edge, with a
+    note of their maximum."""
     axes.set_title("Restitution of each impact")
     axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
     moving = run.impacts[np.isfinite(run.impacts["restitution"])]

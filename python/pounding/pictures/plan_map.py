@@ -44,10 +44,10 @@ def plan_figure(
     """Plan of the structures of a run, coloured and labelled by the peak drift ratio of all storeys along x and y
     [%].
 
-        Lines between neighbours are coloured by the peak force of the hardest impact at any height; thin and grey
-    without impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare`
-    is False. `size` [in]. Raises BadRequest for a run without frames in space, and if `compare` is True without a run
-    to compare."""
+    Lines between neighbours are coloured by the peak force of the hardest impact at any height; thin and grey without
+    impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare` is False.
+    `size` [in]. Raises BadRequest for a run without frames in space, and if `compare` is True without a run to
+    compare."""
     scene = Scene(run)
     drawn = [
         name

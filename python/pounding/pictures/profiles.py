@@ -31,10 +31,10 @@ def profiles_figure(
     """Minima and maxima of displacement and acceleration of floors and of drift and shear of storeys over the height,
     tracked in every step.
 
-        One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements
-    of rigid floors in space. The run without links, if available, is dashed unless `compare` is False. Raises
-    BadRequest if no structure has floors, for a file of version 0.1, which has no extremes, and if `compare` is True
-    without a run to compare."""
+    One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements of
+    rigid floors in space. The run without links, if available, is dashed unless `compare` is False. Raises BadRequest
+    if no structure has floors, for a file of version 0.1, which has no extremes, and if `compare` is True without a run
+    to compare."""
     structures = [structure for structure in run.structures.values() if structure.floors]
     if not structures:
         raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors")

@@ -53,11 +53,11 @@ def standard_figure(
     """Ground motion, displacements, openings, contact forces, energies and the error of the energy balance over time;
     below them the loop of the strongest impact and all restitutions.
 
-        In space there is a panel of displacements for each direction, and one of the rotations of rigid floors.
-    Panels without data are omitted: a still ground, links, impacts. In figures below about 8 inches, panels are
-    omitted in the order of MIN_WANTED. An unfinished run is marked below the title. `floors` maps names of
-    structures to labels of floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that
-    of the figure [in]. `compare` also draws the run without links, dashed."""
+    In space there is a panel of displacements for each direction, and one of the rotations of rigid floors. Panels
+    without data are omitted: a still ground, links, impacts. In figures below about 8 inches, panels are omitted in the
+    order of MIN_WANTED. An unfinished run is marked below the title. `floors` maps names of structures to labels of
+    floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that of the figure [in].
+    `compare` also draws the run without links, dashed."""
     chosen = chosen_floors(run, floors or {})
     places: dict[str, dict[str, Any]] = {
         f"displacements {i}": {"chosen": chosen, "direction": direction}

@@ -50,9 +50,9 @@ def loops_figure(
 ) -> Figure:
     """Force over deformation at the output times of `parts`, pairs of a structure and a name ("left", "storey 1").
 
-        The default is the six parts and devices with the largest energy losses, in descending order, or as many as
-    fit into `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest
-    for a run without such parts and for unknown parts."""
+    The default is the six parts and devices with the largest energy losses, in descending order, or as many as fit into
+    `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest for a run
+    without such parts and for unknown parts."""
     chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
         raise BadRequest(

@@ -35,8 +35,8 @@ def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[s
 def cut_records(template: Template, points: Points, last_arrival: float, files: Mapping[str, bytes]) -> list[str]:
     """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row.
 
-        Empty if there are none, or if the model accepts the warning. A motion reaches the last support at
-    `last_arrival` [s]; `files` contains the contents of the records. Raises InputError for an unreadable motion."""
+    Empty if there are none, or if the model accepts the warning. A motion reaches the last support at `last_arrival`
+    [s]; `files` contains the contents of the records. Raises InputError for an unreadable motion."""
     columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
     values = side_by_side([columns[factor.name] for factor in points.factors], 1)
     durations = _durations(template, values)

@@ -27,8 +27,8 @@ class Engine(Protocol):
     def run(self, batch: Batch) -> Done:
         """Computes the columns of the rows.
 
-                A wrong or failed row gets a status and a reason, never an exception. Rows that the engine cannot run
-        are returned with the reason and run with the next engine. Raises MemoryError."""
+        A wrong or failed row gets a status and a reason, never an exception. Rows that the engine cannot run are
+        returned with the reason and run with the next engine. Raises MemoryError."""
 
 
 class SolverEngine:

@@ -76,9 +76,9 @@ def run_rows(
 ) -> None:
     """Runs rows and adds them to the table, then repeats a sample of the kernel's rows with the solver.
 
-        `workers` is the number of processes; 0 runs in this process. By default, rows of the kernel run on threads,
-    and other rows in one process per core. `chunk` is the number of rows per chunk, by default half a second of run
-    time. Raises OSError if a chunk cannot be written, SolverError if too many rows fail."""
+    `workers` is the number of processes; 0 runs in this process. By default, rows of the kernel run on threads, and
+    other rows in one process per core. `chunk` is the number of rows per chunk, by default half a second of run time.
+    Raises OSError if a chunk cannot be written, SolverError if too many rows fail."""
     count = workers or available_cores()
     begun = 0
     if (

@@ -47,8 +47,8 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
 def to_csv(study: Rows, path: str | PathLike[str]) -> None:
     """Writes one line per row, with all digits of numbers.
 
-        Texts that a spreadsheet would evaluate as formulas begin with an apostrophe. Raises InputError for an
-    existing file of another kind, OSError."""
+    Texts that a spreadsheet would evaluate as formulas begin with an apostrophe. Raises InputError for an existing file
+    of another kind, OSError."""
     columns = readable(study)
     with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

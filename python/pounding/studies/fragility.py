@@ -123,7 +123,7 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
     """Newton's method with the observed information on P = Phi(a + b z), whose likelihood is concave; the covariance
     is from the expected information.
 
-        Bootstrap fits a thousand times; scipy.stats would spend five times the time of the functions on checks of
+    Bootstrap fits a thousand times; scipy.stats would spend five times the time of the functions on checks of
     arguments."""
     log_cdf = special().log_ndtr
     shift, spread = z.mean(), z.std() or 1.0

@@ -167,9 +167,9 @@ class Rows:
     ) -> fragility.Fragility:
         """Lognormal curve of the probability that `column` exceeds `limit` (SI, or "5 MN"), over the intensity.
 
-                The band is from bootstrap over events, since rows of one event are not independent. The column
-        "collapsed" has no limit: its curve is that of collapse. `values` select values of factors. Rows with an
-        undefined column are excluded and counted. See `pounding.studies.fragility.fit`."""
+        The band is from bootstrap over events, since rows of one event are not independent. The column "collapsed" has
+        no limit: its curve is that of collapse. `values` select values of factors. Rows with an undefined column are
+        excluded and counted. See `pounding.studies.fragility.fit`."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             self._require_collapse()
             limit = 0.5 if limit is None else limit

@@ -82,8 +82,8 @@ def separation(
 ) -> dict[str, Any]:
     """Required gap of every record, gaps by rules, and gaps by codes from the mean over the records [m].
 
-        A gap is None, without a mean, if structures collapse without links, when no gap is sufficient. Raises
-    InputError, and SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
+    A gap is None, without a mean, if structures collapse without links, when no gap is sufficient. Raises InputError,
+    and SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
     plan = read_separation(model, records)
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)

@@ -20,8 +20,8 @@ def summary(study: Rows, column: str | None = None, limit: float | str | None = 
     """Counts of rows by status; minimum, mean, maximum, percentiles (order statistics) and the fraction of rows above
     zero of every kept column, in SI; and the fragility curve of a column above a limit, or of collapse.
 
-        Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises
-    InputError for an unknown column."""
+    Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises InputError
+    for an unknown column."""
     status = study["status"]
     kept: Sequence[str] = study.description["kept"]["columns"]
     found: dict[str, Any] = {

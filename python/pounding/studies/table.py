@@ -38,8 +38,8 @@ class Table:
         """An empty table, or the rows of an earlier run of this plan at `path`. The path is locked until `write` or
         `close`.
 
-                Raises InputError if the path cannot be written, is locked by another study or contains another plan,
-        and if the rows do not fit into memory."""
+        Raises InputError if the path cannot be written, is locked by another study or contains another plan, and if the
+        rows do not fit into memory."""
         require_room(plan)
         self.plan = plan
         self.path = None if path is None else Path(path)
