@@ -78,7 +78,7 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
         refuse(path, "it is not a regular file")
     for each in inputs:
         if _is_file(each, found):
-            refuse(path, f"it is {each}, which is read here")
+            refuse(path, f"it is {each}, an input of this command")
     if not os.access(place, os.W_OK):
         refuse(path, "it is write-protected")
     try:
@@ -150,7 +150,7 @@ def _bring_to_disk(path: Path) -> None:
             os.close(descriptor)
 
 
-# One byte that no file reaches, as `pounding run` locks the file that it writes. HDF5 and other readers lock whole
+# The lock is on one byte beyond the end of any file, as in `pounding run`, since HDF5 and other readers lock whole
 # files.
 _FLOCK = struct.Struct("@hhqqi4x")
 

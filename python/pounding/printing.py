@@ -29,7 +29,7 @@ class ReportLines:
 
 
 def run(results: Any) -> list[str]:
-    """Title and state; structures; links, and what pressed them."""
+    """Title and state; structures; links and their impacts."""
     span = f"{results.time[0]:.4g} to {results.time[-1]:.4g} s" if results.time.size else "no time"
     structures = (
         f"{one.name} ({counted(len(one.floors), 'floor') if one.floors else 'wall'})"
@@ -47,7 +47,7 @@ def structure(one: Any) -> list[str]:
     place = {1: "along x", 2: "in the plane x z", 3: "in space"}[one.dimension]
     heights = one.elevations[np.isfinite(one.elevations)]
     height = f", {heights.max():.4g} m high" if heights.size else ""
-    beside = [
+    others = [
         counted(len(part.names), word)
         for part, word in ((one.nodes, "node"), (one.members, "member"))
         if part is not None
@@ -56,7 +56,7 @@ def structure(one: Any) -> list[str]:
     return [
         f"{one.name}: {one.kind or 'structure'} {place}, {counted(len(one.floors), 'floor')}{height}",
         "moves with the ground" if one.is_wall else f"largest at the output times: {moved}",
-        f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in beside)}, directions {', '.join(one.along)}",
+        f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in others)}, directions {', '.join(one.along)}",
     ]
 
 
@@ -199,9 +199,9 @@ def free_impact(one: Any) -> list[str]:
 
 
 def film(one: Any) -> list[str]:
-    """Frames; length; how to keep it."""
+    """Frames; duration; how to save it."""
     return [
-        f"{counted(one.frames, 'frame')}, {one.speed:.3g} a second",
+        f"{counted(one.frames, 'frame')}, {one.speed:.3g} per second",
         f"{one.frames / one.speed:.3g} s long",
         'pounding.animation.save(film, "NAME.gif") writes it',
     ]

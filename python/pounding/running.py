@@ -123,7 +123,7 @@ def _results(ran: core.RunOutcome, output: str) -> Run:
         raise raised
     if text and output:
         text += f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nPartial results are in {output}"
-    # An interactive session has no other access to the results.
+    # In an interactive session this is the only access to the results.
     elif text and hasattr(sys, "ps1"):
         text += "\nPartial results are sys.last_value.results"
     if raised is not None:

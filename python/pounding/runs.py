@@ -75,11 +75,11 @@ class Run(RunData):
         `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
         "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map of drifts
         and impacts of frames in space), "hinges" (a map of yielded parts), "loops" (force over deformation of the six
-        parts and devices that lose most energy, or contact loops if there are none) or "contact_loops" (force over
+        parts and devices with the largest energy losses, or contact loops if there are none) or "contact_loops" (force over
         penetration).
 
         `title` replaces that of the run; "" omits all titles, for a picture with a caption. `size` is width and height
-        [in]: (3.3, 2.4) fits a column of a paper, with 8-point type. `compare` also draws the run without links,
+        [in]: (3.3, 2.4) is for one column of a paper, with 8-point type. `compare` also draws the run without links,
         dashed; None draws it in profiles and plan if the run has it (`compare: no_pounding`). Raises InputError for
         another name, ImportError without matplotlib."""
         return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)

@@ -67,8 +67,8 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
             "gap": gap,
             "values": {name: value for name, value in values.items() if value is not None},
         }
-        # In a separate session, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
-        # ever. By its file, because by its name it would load this package first.
+        # In a separate session, since OpenSees would wait forever for a link that Ctrl-C has ended. Started as a file,
+        # since -m would import this package first.
         self._process = subprocess.Popen(
             [sys.executable, str(LINK_PROCESS)],
             stdin=subprocess.PIPE,
@@ -99,8 +99,7 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
                 answer = self._ask("")
                 if not answer.get("connected"):
                     return answer
-                # This answer follows everything that the element had sent, so the next request finds it
-                # read.
+                # The element answers after everything it had sent, so the next request includes all of it.
                 ops.eleResponse(self.tag, "force")
                 return self._ask("")
             self._last = self._rest()
@@ -173,7 +172,7 @@ def link(
     elif not isinstance(law, Law):
         raise refuse("law", "the name of a law or a law", law)
     elif parameters:
-        raise InputError(f"a law was given, which has its parameters; leave out {', '.join(parameters)}")
+        raise InputError(f"law has its own parameters; remove {', '.join(parameters)}")
     if law.kind.instantaneous:
         raise InputError(
             f"{law.kind.name} is a jump of the velocity, which OpenSees elements cannot represent; use another law"
@@ -188,7 +187,7 @@ def link(
         if not 1 <= dof <= ops.getNDF(node)[0]:
             raise InputError(f"element {tag}: node {node} has no degree of freedom {dof}")
     if tag in ops.getEleTags():
-        raise InputError(f"element {tag} is there already; take another tag")
+        raise InputError(f"element {tag} exists already; choose another tag")
     _require_order(ops, tag, node_i, node_j, dof)
     mass = law.reduced_mass
     if law.kind.takes_reduced_mass and mass is None:
@@ -208,7 +207,7 @@ def _require_order(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> No
     at_i, at_j = ops.nodeCoord(node_i), ops.nodeCoord(node_j)
     if dof <= len(at_i) and at_i[dof - 1] > at_j[dof - 1]:
         raise InputError(
-            f"element {tag}: node {node_i} at {at_i[dof - 1]:g} stands beyond node {node_j} at {at_j[dof - 1]:g} "
+            f"element {tag}: node {node_i} at {at_i[dof - 1]:g} lies beyond node {node_j} at {at_j[dof - 1]:g} "
             f"along degree of freedom {dof}; type link({tag}, {node_j}, {node_i}, ...)"
         )
 

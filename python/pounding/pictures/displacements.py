@@ -17,7 +17,7 @@ from pounding.results import Link, RunData, Structure
 
 #: Maximum number of displacements in one panel.
 MAX_STRUCTURES = len(STRUCTURE_COLOURS)
-#: Line of a structure that no link along the panel's direction joins to another: its distance from them has no meaning.
+#: Line of a structure that no link along the panel's direction joins to another: its distance to others is meaningless.
 APART: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.8}
 #: Place on a structure: the number of a floor, from 1, or the end of a link such as "node b" and "10.5 m up".
 Place = int | str
@@ -284,7 +284,7 @@ def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarra
 
 
 def _sign(link: Link, direction: np.ndarray) -> int:
-    """1 if a link is parallel to a direction, -1 if antiparallel, else 0."""
+    """Sign of a link along a direction: 1 if parallel, -1 if antiparallel, else 0."""
     share = float(link.direction[:2] @ direction[:2])
     return int(np.sign(share)) if abs(share) > (1 - 1e-6) * np.hypot(*link.direction[:2]) > 0 else 0
 

@@ -49,7 +49,7 @@ class Drawing:
         self.scene, self.view = scene, view
         self.lines: dict[str, LineCollection] = {}
         self.boxes: dict[str, PolyCollection] = {}
-        #: White under the lines of each structure, where those behind it should not be seen.
+        #: White areas under the lines of each structure, which hide the structures behind it.
         self.bodies: dict[str, PolyCollection] = {}
         hides = view == "oblique" and are_many(scene)
         nearer = _from_behind(scene) if hides else {}
@@ -76,7 +76,7 @@ class Drawing:
         self.marks = axes.scatter(
             points[:, 0], points[:, 1], s=size, linewidth=width, visible=marks and not hides, **style
         )
-        #: One flash a link, invisible while it is open.
+        #: One flash per link, invisible while the link is open.
         style = {"marker": MarkerStyle(star()), "facecolor": YELLOW, "edgecolor": "black", "zorder": 7}
         self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, linewidth=0.6, **style)
 

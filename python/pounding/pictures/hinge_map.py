@@ -86,7 +86,7 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
     marks = list(_marks(scene, measure))
     if not marks:
         raise BadRequest(
-            "there is nothing to map: every structure of this run stays elastic. Give frames hinges, or storeys a yield_force"
+            "nothing to map: all structures of this run stay elastic. Give frames hinges, or storeys a yield_force"
         )
     narrow = size is not None and size[0] < NARROW
     views = ["elevation"] if not scene.is_spatial else ["oblique"] if narrow else ["oblique", "elevation"]

@@ -77,13 +77,13 @@ def key(label: str, marker: Any, size: float, face: Any, edge: str = "black", **
     return Line2D([], [], linestyle="none", marker=marker, markersize=size, label=label, **style)
 
 
-def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
-    """Legend under all panels, in as many columns as fit the width of the figure, up to `most`."""
+def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], limit: int) -> None:
+    """Legend under all panels, in as many columns as fit into the width of the figure, at most `limit`."""
     if not handles:
         return
     canvas: Any = FigureCanvasAgg(figure)
     renderer = canvas.get_renderer()
-    for columns in range(min(most, len(handles)), 0, -1):
+    for columns in range(min(limit, len(handles)), 0, -1):
         legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
         if columns == 1 or legend.get_window_extent(renderer).width <= 0.94 * figure.bbox.width:
             return

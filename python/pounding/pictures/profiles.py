@@ -37,7 +37,7 @@ def profiles_figure(
     to compare."""
     structures = [structure for structure in run.structures.values() if structure.floors]
     if not structures:
-        raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors")
+        raise BadRequest("no profiles to draw: no structure of this run has floors")
     if not run.envelopes:
         raise BadRequest(
             "this file was written before version 0.2, which tracks extremes in every step; run the model again"

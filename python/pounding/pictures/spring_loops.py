@@ -56,7 +56,7 @@ def loops_figure(
     chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
         raise BadRequest(
-            "no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
+            "no loops to draw: all structures of this run stay elastic, and it has no devices. Give storeys a yield_force"
         )
     width = size[0] if size else 7.5
     columns = min(len(chosen), 3 if width >= 6 else 2 if width >= MIN_OF_TWO else 1)

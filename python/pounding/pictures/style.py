@@ -20,7 +20,7 @@ from matplotlib.figure import Figure
 from pounding.errors import InputError
 from pounding.outputs import PICTURE, replaced, tell
 
-# Legends outside the axes came with it.
+# The first version with legends outside the axes.
 if matplotlib.__version_info__ < (3, 7):
     raise ImportError(
         f"pictures need matplotlib 3.7 or newer, and {sys.executable} has {matplotlib.__version__}: type python3 -m pip install "

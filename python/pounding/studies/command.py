@@ -151,7 +151,7 @@ def _run(words: list[str]) -> int:
     if options.shard == (1, 1) or not output.is_file():
         destination(output, STUDY)
     if options.executor:
-        # PETSc must not start here: it would wait for the workers.
+        # PETSc must not start here, where it would wait for the workers.
         core.run_alone()
     plan = read_plan(options.study, records_folder(output))
     _warn(plan)
@@ -177,7 +177,7 @@ def _run(words: list[str]) -> int:
         if executor is not None:
             executor.shutdown()
     if not options.quiet:
-        print(_told(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
+        print(_report(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
     return 0
 
 
@@ -257,7 +257,7 @@ def _show(words: list[str]) -> int:
         print(json.dumps(summary(done, options.column, options.limit)))
         return 0
     if options.row is None:
-        print(_told(done))
+        print(_report(done))
         return 0
     if not 0 <= options.row < len(done):
         raise InputError(f"no row {options.row}; rows count from 0 to {len(done) - 1}")
@@ -289,7 +289,7 @@ def _merge(words: list[str]) -> int:
         table.close()
     left = len(table.missing())
     print(
-        _told(Study.of(table))
+        _report(Study.of(table))
         + (
             f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them"
             if left
@@ -396,7 +396,7 @@ def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
     print(f"warning: {message}", file=sys.stderr)
 
 
-def _told(done: Study) -> str:
+def _report(done: Study) -> str:
     status = done["status"]
     lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
     if collapsed := done.collapsed:
@@ -438,5 +438,5 @@ def _collapsed_without_links(done: Study) -> list[int]:
 
 if __name__ == "__main__":
     code = exit_code(main)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is said and done
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study has ended
     sys.exit(code)

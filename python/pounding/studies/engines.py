@@ -97,6 +97,6 @@ def run_batch(batch: Batch) -> Done:
     for row in batch.rows[left].tolist():
         done.status[batch.rows == row] = REFUSED
         done.reasons[row] = (
-            f"engine: {batch.engine} cannot run this row: {done.reasons.get(row, 'the study is none for it')}; remove engine, and the solver runs it"
+            f"engine: {batch.engine} cannot run this row: {done.reasons.get(row, 'it does not support the study')}; remove engine to use the solver"
         )
     return done

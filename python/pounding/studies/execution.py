@@ -177,7 +177,7 @@ class _Work:
         if ENOUGH_ROWS <= self.done < self.count and self.failed > self.plan.stop_after * self.done:
             reason = next((why for row, why in self.table.reasons.items() if self.table.status[row] != COLLAPSED), "")
             raise SolverError(
-                f"{self.failed} of {self.done} rows failed, more than stop_after ({100 * self.plan.stop_after:g} %); the first because: "
+                f"{self.failed} of {self.done} rows failed, more than stop_after ({100 * self.plan.stop_after:g} %); first reason: "
                 f"{reason}\nCorrect the study, or resume with stop_after: 100 %"
             )
 
@@ -240,17 +240,16 @@ class _LocalPool:
             self._pool.shutdown(cancel_futures=True)
             raise InputError(
                 'the worker processes of the study do not start. In a script put the call under `if __name__ == "__main__":`, since every worker '
-                "reads the script, too; or run in this process with workers=0"
+                "imports the script; or run in this process with workers=0"
             ) from None
         except BaseException:
-            # A worker that is still starting would miss the files that this process removes at its end.
+            # A worker that is still starting needs files that this process removes at its end.
             self._pool.shutdown(cancel_futures=True)
             raise
         return self
 
     def __exit__(self, *failure: object) -> None:
-        # At the end of all rows this takes no time worth a Ctrl-C. After a failure nobody reads the rows under way,
-        # which may take minutes.
+        # After the last row this is fast. After a failure the rows in progress, which may take minutes, are not needed.
         with _interrupt_held() if failure[0] is None else nullcontext():
             if failure[0] is not None:
                 for process in list((getattr(self._pool, "_processes", None) or {}).values()):
@@ -292,7 +291,7 @@ def _interrupt_held() -> Iterator[None]:
     came: list[int] = []
     handler = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
     if handler is not None:
-        # Blocked signals reach threads of libraries, and Python interrupts its main thread all the same.
+        # Threads of libraries receive blocked signals, and Python then interrupts its main thread.
         signal.signal(signal.SIGINT, lambda number, _: came.append(number))
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # workers inherit it
     try:

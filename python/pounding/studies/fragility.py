@@ -83,7 +83,7 @@ def fit(
     return Fragility(float(np.exp(-a / b)), float(1 / b), float(errors[0]), float(errors[1]), x, n, k)
 
 
-_FALLING = "exceedances do not grow with the intensity, so no lognormal curve describes them: look at the measure"
+_FALLING = "exceedances do not grow with the intensity, so no lognormal curve fits: check the intensity measure"
 
 
 def _without_fit(

@@ -29,7 +29,7 @@ def study_figure(
     if picture not in PICTURES:
         raise InputError(f'unknown picture "{picture}"; known: {", ".join(PICTURES)}')
     if column is None and picture != "gap":
-        raise InputError(f"say of which column; there is {', '.join(study.columns)}")
+        raise InputError(f"specify a column; known: {', '.join(study.columns)}")
     from pounding.pictures import style
 
     ways: dict[str, Callable[..., None]] = {

@@ -163,7 +163,7 @@ def table_of(found: Mapping[str, Any]) -> str:
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
     if found["collapsed"]:
         lines.append(
-            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({shortened(found['collapsed'])}): no gap is "
+            f"Without links {len(found['collapsed'])} of {len(found['records'])} records cause a collapse ({shortened(found['collapsed'])}): no gap is "
             "enough for them, and the rules have no mean."
         )
     return "\n".join(

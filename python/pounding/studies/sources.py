@@ -311,7 +311,7 @@ def _files(
             f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]"
         )
     if not motions:
-        raise InputError("study.records.skip: leaves no record")
+        raise InputError("study.records.skip: no record is left")
     return motions
 
 

@@ -183,7 +183,7 @@ def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
     before = by_content({"files": {}, **kept["plan"]})
     different = [name for name in {**now, **before} if now.get(name) != before.get(name)]
     raise InputError(
-        f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
+        f"{path} contains rows of another plan: {', '.join(different) or 'something'} differs. Name another output with -o, or remove "
         f"{path} and {path.name}.parts to begin again"
     )
 
