@@ -92,7 +92,7 @@ def plot_modes(structures: Sequence[DrawnStructure], title: str = "Mode shapes")
     Raises BadRequest without modes, or if shapes do not match the nodes."""
     drawn = [structure for structure in structures if structure.modes]
     if not drawn:
-        raise BadRequest("no mode to draw: no structure of this model moves against the ground")
+        raise BadRequest("no mode to draw: no structure of this model moves relative to the ground")
     columns = max(2, max(min(MOST, len(structure.modes)) for structure in drawn))
     heights = [_height(structure.nodes) for structure in drawn]
     colours = {structure.name: structure_colour(number) for number, structure in enumerate(structures)}

@@ -327,8 +327,8 @@ class Frames:
                 )
         if len(set(consistent.values())) > 1:
             raise InputError(
-                f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; a "
-                "frame has one kind"
+                f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; use "
+                "one kind per frame"
             )
         return any(consistent.values())
 

@@ -21,7 +21,7 @@ def require_comparison(run: RunData, picture: str) -> RunData:
     """The run without links. Raises BadRequest if the file has none, and for a picture that cannot show it."""
     if picture not in COMPARABLE:
         raise BadRequest(
-            f"a run without links has nothing to show in the picture {picture}; compare one of {', '.join(COMPARABLE)}"
+            f"the picture {picture} cannot show a run without links; compare one of {', '.join(COMPARABLE)}"
         )
     if run.no_pounding is None:
         raise BadRequest("this file has no run without links; add compare: no_pounding to the model and run it again")

@@ -76,7 +76,7 @@ def loops_figure(
 
 
 def most_energy(run: RunData) -> list[Loop]:
-    """The SHOWN parts and devices with the largest energy losses; equal ones in input order."""
+    """The SHOWN parts and devices with the largest energy losses; ties in input order."""
     lost: list[tuple[float, Loop]] = [
         (springs.largest["hysteretic"][part], _loop(number, structure, part))
         for number, structure in enumerate(run.structures.values())

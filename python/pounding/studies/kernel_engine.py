@@ -24,8 +24,8 @@ from pounding.studies.template import Template
 
 #: Keys of `analysis:` that the kernel supports; the others control the solver.
 ANALYSIS = ("duration", "tolerance", "output_step")
-#: Modes times the largest omega h of a model (1 at least), beyond which the solver takes less time: 35 modes of shear
-#: buildings with 93 take the kernel a fifth of the solver's time, 70 modes of two frames with 1150 twice as much.
+#: Maximum of modes times max(1, omega h) for the kernel; the solver is faster above. 35 modes of shear buildings (93)
+#: take a fifth of the solver's time, 70 modes of two frames (1150) twice that time.
 MAX_WORK = 400
 #: Number of cached models in modal coordinates; consecutive rows share one at all levels.
 KEPT_MODELS = 256

@@ -81,7 +81,7 @@ class Intensity:
     measure: str = "pga"
     period: tuple[float, float] = (0.0, 0.0)  #: [s]; both the same for sa
     damping: float = 0.05
-    levels: tuple[float, ...] = ()  #: [m/s^2]; none for motions as they are
+    levels: tuple[float, ...] = ()  #: [m/s^2]; empty for unscaled motions
 
     def of(self, motion: Motion, files: Files) -> float:
         """The intensity of an unscaled motion [m/s^2], the geometric mean of its horizontal components. Raises
