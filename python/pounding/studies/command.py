@@ -92,10 +92,8 @@ def main(arguments: list[str] | None = None) -> int:
     except SolverError as error:
         code, said = 3, str(error)
     except MemoryError:
-        code, said = (
-            3,
-            f"out of memory. Finished rows are kept; type the same command again to resume, with fewer processes: -j 1",
-        )
+        again = "type the same command again to resume, with fewer processes: -j 1"
+        code, said = 3, f"out of memory. Finished rows are kept; {again}"
     except OSError as error:
         writes = name == "study" and not (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
         on_disk = error.errno in _DISK and writes

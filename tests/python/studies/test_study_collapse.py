@@ -264,7 +264,7 @@ class Collapse(unittest.TestCase):
         self.assertEqual(curve.exceedance("10 km"), fallen.mean())
         self.assertTrue(math.isinf(curve.percentile(100)[0]))
         study.plot("gap").savefig(self.folder / "gap.svg")
-        told = command._told(study)
+        told = command._report(study)
         assert_mentions(told, "gap")
 
     def test_a_separation_says_for_which_records_no_gap_is_enough(self):
