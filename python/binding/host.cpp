@@ -104,7 +104,7 @@ void end_petsc(bool failed) {
     // If the others have failed as well or are done, all processes end together.
     if (others_wait || (failed && !(session && session->leaving.together(petsc::CollectiveExit::patience))))
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
-    // Only the owner of MPI has to wait here for the others.
+    // Only the process that started MPI waits here for the others.
     if (!failed && session && session->owns_mpi) session->leaving.together(std::numeric_limits<double>::infinity());
   }
   session.reset();
@@ -114,7 +114,7 @@ void run_alone() {
   if (alone) return;
   if (session && has_others()) throw std::logic_error("PETSc runs already for all processes together");
   alone = true;
-  // Before its start PETSc takes another communicator than that of all processes.
+  // The communicator of PETSc can only be set before PETSc starts.
   if (!session && mpi_runs()) PETSC_COMM_WORLD = MPI_COMM_SELF;
 }
 

@@ -19,7 +19,7 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-/// In a struct, because pybind11 would turn the variant itself into one of its members.
+/// A struct, since pybind11 converts a std::variant to its active alternative.
 struct YieldingLaw {
   hysteresis::AnyLaw any;
 };

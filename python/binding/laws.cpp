@@ -23,14 +23,14 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-/// In a struct, because pybind11 would turn the variant itself into one of its members.
+/// A struct, since pybind11 converts a std::variant to its active alternative.
 struct Law {
   laws::AnyLaw any;
 };
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Values of an array in their order, or one value repeated.
+/// Values of an array in order, or one value repeated.
 struct Column {
   explicit Column(const Array& array) : first(array.data()), stride(array.ndim() == 0 ? 0 : 1) {}
   double operator[](py::ssize_t i) const { return first[i * stride]; }
@@ -43,7 +43,7 @@ struct States {
   py::ssize_t count;
 };
 
-/// Common shape of the arrays that are not single numbers; numpy has broadcast them before.
+/// Common shape of the arrays that are not single numbers; the caller has broadcast them.
 std::vector<py::ssize_t> common_shape(std::initializer_list<const Array*> arrays) {
   std::vector<py::ssize_t> shape;
   for (const Array* array : arrays) {
@@ -61,8 +61,8 @@ laws::Response answer(const auto& law, double penetration, double rate, const la
   return std::isnan(penetration) || std::isnan(rate) ? laws::Response{NAN, NAN, NAN} : r;
 }
 
-/// States from `first` to `end` of impacts with the same beginning. Law and impact are copies that nothing else can
-/// write to, so that the compiler computes once all that depends on them alone.
+/// States from `first` to `end` of impacts with the same beginning. Law and impact are unaliased copies, so that the
+/// compiler hoists everything that depends only on them.
 template <class L, class Take>
 void press(const L law, const laws::Impact impact, const States& s, py::ssize_t first, py::ssize_t end, Take&& take) {
   for (py::ssize_t i = first; i < end; ++i) take(i, answer(law, s.penetration[i], s.rate[i], impact));

@@ -14,7 +14,7 @@ void raise(const char* name, const std::exception& error) {
   py::set_error(py::module_::import("pounding.errors").attr(name), error.what());
 }
 
-// As the program: a value that a law refuses is wrong input.
+// As in the program, a value that a law rejects is wrong input.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

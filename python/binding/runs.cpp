@@ -137,7 +137,7 @@ void require_one_run(const petsc::Ranks& ranks, const Model& model, const std::v
     throw InputError(fmt::format("{}: the processes run different models or options; give all of them the same", name));
 }
 
-/// Throws InputError with this text on every process if there are several.
+/// Throws InputError with this text on all processes if there are several.
 void refuse(const std::string& text) {
   if (petsc::launch().value_or(petsc::Launch{}).size > 1)
     with_petsc([&] { petsc::Ranks(PETSC_COMM_WORLD).on_each([&] { throw InputError(text); }); });
@@ -186,7 +186,7 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
           .stop = [&] { return listener.stops(); }};
 }
 
-/// Runs the model from `read_input`, which also activates the PETSc options in `words`.
+/// Runs the model from `read_input`, which also activates the PETSc options of the run.
 RunOutcome run_read(
     const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
     const std::string& resumed, const py::object& progress,

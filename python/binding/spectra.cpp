@@ -23,7 +23,7 @@ std::vector<double> displacements(const GroundMotion& motion, const std::vector<
   return peaks;
 }
 
-/// A record in a file, or in `content` where the file was read before.
+/// A record in a file, or in `content` if the file was read before.
 Record record_in(const std::string& file, const RecordOptions& options, const std::optional<std::string>& content) {
   return content ? read_record_text(*content, file, options) : read_record(find_record(file, {}), options);
 }

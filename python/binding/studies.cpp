@@ -131,7 +131,7 @@ py::dict study_pairs(const py::dict& pairs, const std::string& law, const std::s
   for (const py::dict& dict : {pairs, parameters})
     for (const auto& [name, values] : dict)
       rows = std::max(rows, static_cast<std::size_t>(py::cast<Array>(values).size()));
-  std::vector<Array> alive;  // the arrays that the columns point to
+  std::vector<Array> alive;  // arrays referenced by the columns
   const auto columns_of = [&](const py::dict& dict) {
     std::map<std::string, Column, std::less<>> columns;
     for (const auto& [name, values] : dict) {

@@ -39,8 +39,8 @@ namespace {
 struct RowMotion {
   GroundSection ground;
 
-  /// Largest fraction of the Arias intensity of a record that comes after a time [s], and the time at which 95 % of all
-  /// have arrived [s]. Motions in closed form have none.
+  /// Maximum over the records of the fraction of the Arias intensity after a time [s], and of the time by which 95 %
+  /// has arrived [s]. Zero for motions in closed form.
   std::pair<double, double> arias_after(double time) const {
     double fraction = 0, t95 = 0;
     for (const GroundMotion& component : ground.components)
@@ -52,7 +52,7 @@ struct RowMotion {
   }
 
   const GroundMotion& along_x() const { return ground.components[0]; }
-  /// Whether the kernel takes it: evenly spaced from 0 on.
+  /// True if the kernel supports the motion: evenly spaced from time 0.
   bool is_even() const {
     return along_x().samples() && along_x().sample_step() > 0 && along_x().samples()->times.front() == 0;
   }
@@ -88,7 +88,7 @@ RowMotion read_row_motion(const std::string& text, const std::string& name, cons
       Input::read_text(text, name, std::make_shared<const Files>(files)).in(keys::model).at("ground_motion"))};
 }
 
-/// A structure as the kernel numbers its outputs.
+/// A structure, in the order of the outputs of the kernel.
 struct OutputsOfStructure {
   std::string name;
   int floors = 0;
@@ -172,7 +172,7 @@ py::dict numbers_of(const Summary& summary) {
                                  "structures"_a = numbers_of(summary.without_pounding), "separations"_a = separations));
 }
 
-/// A model and the places of its text that change from row to row.
+/// A model and the locations of the values in its text that vary between rows.
 class RowModel {
  public:
   RowModel(const std::string& text, const std::string& name, const std::vector<std::vector<std::string>>& places,
@@ -243,7 +243,7 @@ class RowModel {
     return read_model(root_, modes, 1, motion ? &motion->ground : nullptr);
   }
 
-  // The model of the row as if it had just been read. Rows that differ in the motion of the ground alone share one.
+  // The model of the row as if it had just been read. Rows that differ only in the ground motion share one.
   const Model& made_ready(const RowMotion* motion) {
     if (!motion || motion->ground.wave || !cached_ || !cached_->model.can_move_otherwise()) {
       cached_.reset();

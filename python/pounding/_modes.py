@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -31,34 +31,22 @@ class Mode(printing.ReportLines, lines=printing.mode):
     shape: np.ndarray  #: [floor], of a frame [floor, direction]; 1 at the top, of a frame at its largest translation
 
 
-class _Drawn(NamedTuple):
-    """Geometry and node shapes of one structure for pictures."""
-
-    name: str
-    elevations: list[float | None]  #: [floor] [m]
-    nodes: np.ndarray  #: [node, 3] at rest [m]; none without geometry
-    members: np.ndarray  #: [member, 2] indices of nodes
-    node_shapes: list[np.ndarray]  #: [mode] displacements of the nodes, to the scale of the mode
-
-
 class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes):
     """Modes of every structure, longest period first: `modes["left"][0].period`."""
 
     def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:
         self._title = title
-        self._drawn = [
-            _Drawn(
-                structure.name,
-                list(structure.elevations),
-                np.reshape(structure.nodes, (-1, 3)),
-                np.reshape(np.array(structure.members, int), (-1, 2)),
-                [np.array(shape) for shape in structure.node_shapes],
-            )
-            for structure in found
-        ]
-        self._modes = {
-            structure.name: [_mode(one, structure.is_frame) for one in structure.modes] for structure in found
+        #: fields of mode_shapes.DrawnStructure
+        self._drawn: dict[str, dict[str, Any]] = {
+            one.name: {
+                "elevations": list(one.elevations),
+                "nodes": np.reshape(one.nodes, (-1, 3)),
+                "members": np.reshape(np.array(one.members, int), (-1, 2)),
+                "node_shapes": [np.array(shape) for shape in one.node_shapes],
+            }
+            for one in found
         }
+        self._modes = {one.name: [_mode(mode, one.is_frame) for mode in one.modes] for one in found}
 
     def __getitem__(self, structure: str) -> list[Mode]:
         return self._modes[structure]
@@ -83,15 +71,8 @@ class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes
         from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
         structures = [
-            DrawnStructure(
-                one.name,
-                [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]],
-                one.elevations,
-                one.nodes,
-                one.members,
-                one.node_shapes,
-            )
-            for one in self._drawn
+            DrawnStructure(name, [DrawnMode(one.period, one.damping_ratio, one.shape) for one in self[name]], **drawn)
+            for name, drawn in self._drawn.items()
         ]
         return plot_modes(structures, title or self._title or "Mode shapes")
 

@@ -30,15 +30,14 @@ def pushover(
     """Pushover analysis of a structure of a model or an input file, by horizontal floor forces until the roof
     displacement is `to`.
 
-        `to` is "250 mm", "2 % roof" of the height, or a number [m]. Parts of the structure must yield. `structure` is
+    `to` is "250 mm", "2 % roof" of the height, or a number [m]. Parts of the structure must yield. `structure` is
     optional if only one structure of the model yields. Displacements in `cyclic` are reached first, in their order.
 
-        `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the
-    largest effective mass), the name of a file with one force per floor, or these forces from the ground up, to any
-    scale. `direction` is x, or y in space. `output` is a results file to write.
+    `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest
+    effective mass), the name of a file with one force per floor, or these forces from the ground up, to any scale.
+    `direction` is x, or y in space. `output` is a results file to write.
 
-        Raises InputError for a structure that cannot be pushed, and SolverError, with partial results, for a
-    collapse."""
+    Raises InputError for a structure that cannot be pushed, and SolverError, with partial results, for a collapse."""
     model = as_model(model)
     steps = (
         arguments.text("cyclic", cyclic)

@@ -39,7 +39,7 @@ from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, he
 from pounding.results import RunData
 
 DPI = 110
-SLOWEST, FASTEST = 5, 25  #: frames a second
+SLOWEST, FASTEST = 5, 25  #: frames per second
 SUFFIXES = (".gif", ".mp4", ".png")
 
 
@@ -109,9 +109,9 @@ class Film(printing.ReportLines, lines=printing.film):
 
     figure: Figure
     draw: Callable[[int], None]  #: updates the figure to a frame, from 0
-    moving: list[Artist]  #: changed by `draw`, lowest first, above all that stays
+    moving: list[Artist]  #: changed by `draw`, lowest first, above the others
     frames: int
-    speed: float  #: frames a second
+    speed: float  #: frames per second
 
     def pictures(self) -> Iterator[Image.Image]:
         """Yields the frames in RGB. Only moving parts are redrawn, since axes and legends would take most of the
@@ -181,7 +181,7 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
         clock.set_text(words)
         clock.set_color(VERMILION if strengths[frame].any() else "black")
 
-    # The frame around the picture stays where the first drawing puts it.
+    # The layout is fixed after the first drawing.
     draw(0)
     with rc_context(STYLE):
         figure.canvas.draw()
@@ -194,7 +194,7 @@ def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], N
     """Writes .gif, .mp4, or one .png per frame: NAME_0001.png and so on. Calls `progress(done, all)` after each
     frame.
 
-        Raises InputError for another suffix, for .mp4 without ffmpeg, and for an existing file that is not a picture;
+    Raises InputError for another suffix, for .mp4 without ffmpeg, and for an existing file that is not a picture;
     OSError if the file cannot be written."""
     path = Path(path)
     check_output(path)
@@ -313,10 +313,10 @@ def main(arguments: list[str] | None = None) -> int:
         "--output",
         help="file to write: .gif, .mp4, or .png for one file per frame (default: RESULTS.gif in the current folder)",
     )
-    parser.add_argument("--scale", type=float, help="how many times as large displacements are drawn")
-    parser.add_argument("--frames", type=int, help="how many")
-    parser.add_argument("--from", type=float, dest="start", help="time of the first one [s]")
-    parser.add_argument("--to", type=float, dest="end", help="time of the last one [s]")
+    parser.add_argument("--scale", type=float, help="scale factor of displacements")
+    parser.add_argument("--frames", type=int, help="number of frames")
+    parser.add_argument("--from", type=float, dest="start", help="time of the first frame [s]")
+    parser.add_argument("--to", type=float, dest="end", help="time of the last frame [s]")
     parser.add_argument("--title", help="title instead of that of the run")
     parser.add_argument("--progress-to", type=int, help="number of an open file for a progress line")
     options = parser.parse_args(arguments)

@@ -115,18 +115,12 @@ def number(least: float = -math.inf, most: float = math.inf, *, open: bool = Fal
 def whole(least: int, most: int | None = None) -> Kind:
     """A whole number within these bounds."""
 
+    bounds = f"of at least {least}" if most is None else f"from {least} to {most}"
+
     def check(name: str, value: Any) -> int:
-        if (
-            not isinstance(value, (int, np.integer))
-            or isinstance(value, bool)
-            or value < least
-            or (most is not None and value > most)
-        ):
-            raise refuse(
-                name,
-                f"a whole number of at least {least}" if most is None else f"a whole number from {least} to {most}",
-                value,
-            )
+        is_whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+        if not is_whole or value < least or (most is not None and value > most):
+            raise refuse(name, f"a whole number {bounds}", value)
         return int(value)
 
     return check
@@ -178,11 +172,7 @@ def listed(kind: Kind, expected: str = "a list") -> Kind:
     """A sequence whose items are all of a kind."""
 
     def check(name: str, value: Any) -> list[Any]:
-        if (
-            isinstance(value, (str, bytes, Mapping))
-            or not isinstance(value, (Sequence, np.ndarray))
-            or (isinstance(value, np.ndarray) and value.ndim == 0)
-        ):
+        if not _has_items(value, (Sequence, np.ndarray)):
             raise refuse(name, expected, value)
         return [kind(f"{name}[{i}]", one) for i, one in enumerate(value)]
 
@@ -192,11 +182,7 @@ def listed(kind: Kind, expected: str = "a list") -> Kind:
 def files(name: str, value: Any) -> list[Any]:
     """Names of files, from any iterable."""
     expected = "a list of names of files"
-    if (
-        isinstance(value, (str, bytes, Mapping))
-        or not isinstance(value, Iterable)
-        or (isinstance(value, np.ndarray) and value.ndim == 0)
-    ):
+    if not _has_items(value, (Iterable,)):
         raise refuse(name, expected, value)
     return listed(file, expected)(name, list(value))
 
@@ -233,6 +219,12 @@ def size(name: str, value: Any) -> tuple[float, float]:
     if found.shape != (2,) or not np.all(np.isfinite(found) & (found > 0) & (found <= 200)):
         raise refuse(name, "width and height [in], each above 0 and at most 200", value)
     return float(found[0]), float(found[1])
+
+
+def _has_items(value: Any, kinds: tuple[type, ...]) -> bool:
+    """True for an object of these kinds with items, neither a text, a map nor a single number."""
+    single = isinstance(value, (str, bytes, Mapping)) or isinstance(value, np.ndarray) and value.ndim == 0
+    return isinstance(value, kinds) and not single
 
 
 def _real(value: Any) -> float | None:

@@ -69,7 +69,7 @@ def require_whole_study(path: Path) -> None:
             )
         if start != _block_before(file, FIRST_LINE_OF_STUDY):
             raise NotResults(
-                f"{path}: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it and run the "
+                f"{path}: the table is damaged, or another program has changed it. Use an intact copy, or remove it and run the "
                 "study again"
             )
 
@@ -111,12 +111,10 @@ def _require_whole(file: BinaryIO, name: str) -> None:
         return
     digits = start[len(FIRST_LINE) + len("size ") :][:20]
     what = (
-        f"it has {size} of its {int(digits)} bytes"
-        if digits.isdigit() and size < int(digits)
-        else "its checksum is another one"
+        f"it has {size} of its {int(digits)} bytes" if digits.isdigit() and size < int(digits) else "checksum mismatch"
     )
     raise NotResults(
-        f"{name}: the file is damaged or was changed by another program: {what}. Take a copy that is whole, or run the model "
+        f"{name}: the file is damaged or was changed by another program: {what}. Use an intact copy, or run the model "
         "again"
     )
 
@@ -127,7 +125,7 @@ def _foreign(name: str, start: bytes) -> str:
         return f"{name}: the file is empty; run the model again"
     if start.startswith(_HDF5):
         return (
-            f"{name}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program wrote it. "
+            f"{name}: has no checksum, so damage cannot be detected: an earlier version of pounding or another program wrote it. "
             f'Run the model again, or skip the check: pounding.read("{name}", checked=False)'
         )
     if Path(name).suffix.lower() in (".yaml", ".yml"):

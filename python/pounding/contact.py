@@ -5,9 +5,9 @@ Penetration > 0 [m] is overlap, rate > 0 [m/s] closes, force > 0 [N] pushes apar
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -34,6 +34,13 @@ class Parameter:
     meaning: str
     typical: float  #: SI
     need: str  #: required, optional, instead of restitution, or together, instead of all others
+
+
+def described(name: str, summary: str, shape: str, source: str, parameters: Iterable[Parameter]) -> list[str]:
+    """Description of a law, one line per parameter."""
+    return [f"{name}: {summary}", f"  {shape}", f"  {source}"] + [
+        f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in parameters
+    ]
 
 
 @dataclass(frozen=True)
@@ -67,6 +74,14 @@ class FreeImpact(printing.ReportLines, lines=printing.free_impact):
     closed_form: tuple[str, ...]  #: names of the quantities with a closed form; the others are integrated to 1e-10
 
 
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+Kind = TypeVar("Kind", bound=_Named)
+
+
 @dataclass(frozen=True)
 class LawKind:
     """A contact law with its tables. Call it with parameters to get a `Law`."""
@@ -95,17 +110,14 @@ class LawKind:
     ) -> Law:
         """The law with these parameters.
 
-                Damping follows from `restitution` (0, 1] by `formula` ("exact"), or from one of the parameters that
-        replace a restitution; parameters marked "together" replace all others. stereomechanical and kelvin_voigt also
-        accept a restitution of 0. `impact_velocity` is a fixed design velocity [m/s]; by default each impact has its
-        own. `reduced_mass` is m1 m2/(m1+m2) [kg] of the bodies, if the damping depends on it. Raises InputError."""
+        Damping follows from `restitution` (0, 1] by `formula` ("exact"), or from one of the parameters that replace a
+        restitution; parameters marked "together" replace all others. stereomechanical and kelvin_voigt also accept a
+        restitution of 0. `impact_velocity` is a fixed design velocity [m/s]; by default each impact has its own.
+        `reduced_mass` is m1 m2/(m1+m2) [kg] of the bodies, if the damping depends on it. Raises InputError."""
         return Law(self, restitution, formula, impact_velocity, reduced_mass, parameters)
 
     def __str__(self) -> str:
-        lines = [f"{self.name}: {self.summary}", f"  {self.shape}", f"  {self.source}"]
-        lines += [
-            f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters
-        ]
+        lines = described(self.name, self.summary, self.shape, self.source, self.parameters)
         lines += [f"  formula {f.name}: {f.source}; {f.note}" for f in self.formulas]
         return "\n".join(lines)
 
@@ -125,15 +137,15 @@ class Law:
         given = {name: value for name, value in parameters.items() if value is not None}
         exponent = next((p.typical for p in kind.parameters if p.name == "exponent"), 1.0)
         if "exponent" in given:
-            exponent = _number("exponent", given["exponent"], "")
+            exponent = number_in("exponent", given["exponent"], "")
         units = {p.name: p.unit for p in kind.parameters}
         self.kind = kind
         self.formula = optional(text)("formula", formula)
-        self.restitution = None if restitution is None else _number("restitution", restitution, "")
-        self.impact_velocity = None if impact_velocity is None else _number("impact_velocity", impact_velocity, "m/s")
-        self.reduced_mass = None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
+        self.restitution = None if restitution is None else number_in("restitution", restitution, "")
+        self.impact_velocity = None if impact_velocity is None else number_in("impact_velocity", impact_velocity, "m/s")
+        self.reduced_mass = None if reduced_mass is None else number_in("reduced_mass", reduced_mass, "kg")
         #: in SI
-        self.parameters = {name: _number(name, value, units.get(name, ""), exponent) for name, value in given.items()}
+        self.parameters = {name: number_in(name, value, units.get(name, ""), exponent) for name, value in given.items()}
         # Without reduced_mass the parameters are checked with another mass; functions that need the mass require it.
         self._made: core.Law | None = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
         if self.reduced_mass is None and kind.takes_reduced_mass:
@@ -144,14 +156,8 @@ class Law:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Copies and pickles rebuild the compiled law from the parameters, bitwise identical.
-        return Law, (
-            self.kind,
-            self.restitution,
-            self.formula,
-            self.impact_velocity,
-            self.reduced_mass,
-            self.parameters,
-        )
+        velocity, mass = self.impact_velocity, self.reduced_mass
+        return Law, (self.kind, self.restitution, self.formula, velocity, mass, self.parameters)
 
     def force(
         self,
@@ -164,9 +170,9 @@ class Law:
     ) -> Values:
         """Contact force [N] at penetrations [m] and rates [m/s], arrays that broadcast together.
 
-                `approach_velocity` is the closing speed of the impact [m/s], if the damping depends on it. Each state
-        is the first of its impact; with `in_order` each row is one impact, for laws with memory. NaN gives NaN.
-        Raises InputError."""
+        `approach_velocity` is the closing speed of the impact [m/s], if the damping depends on it. Each state is the
+        first of its impact; with `in_order` each row is one impact, for laws with memory. NaN gives NaN. Raises
+        InputError."""
         return self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=False)[()]
 
     def respond(
@@ -187,7 +193,7 @@ class Law:
     def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
         """Free impacts of two bodies with this reduced mass [kg], by default that of the law, at these closing speeds
         [m/s]. Raises InputError unless both are finite and positive."""
-        mass = self.reduced_mass if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
+        mass = self.reduced_mass if reduced_mass is None else number_in("reduced_mass", reduced_mass, "kg")
         if mass is None:
             raise InputError("free_impact needs reduced_mass [kg]: m1 m2/(m1+m2) of the two bodies")
         law = self._with_mass(None if self.reduced_mass is not None else mass)
@@ -210,15 +216,13 @@ class Law:
         return "\n".join(printing.law(self))
 
     def __repr__(self) -> str:
-        given = {
-            "restitution": self.restitution,
-            "formula": self.formula,
-            "impact_velocity": self.impact_velocity,
-            "reduced_mass": self.reduced_mass,
-            **self.parameters,
-        }
-        words = ", ".join(f"{name}={value!r}" for name, value in given.items() if value is not None)
-        return f'laws["{self.kind.name}"]({words})'
+        return f'laws["{self.kind.name}"]({", ".join(f"{name}={value!r}" for name, value in self.given().items())})'
+
+    def given(self) -> dict[str, Any]:
+        """The parameters that are given, in SI, by their keys in the input."""
+        names = ("restitution", "formula", "impact_velocity", "reduced_mass")
+        found = {name: getattr(self, name) for name in names} | self.parameters
+        return {name: value for name, value in found.items() if value is not None}
 
     def _asked(
         self,
@@ -232,7 +236,7 @@ class Law:
         name, in_order = self.kind.name, flag("in_order", in_order)
         if self.kind.instantaneous:
             raise InputError(f"{name} has no force history")
-        law = self._with_mass(None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg"))
+        law = self._with_mass(None if reduced_mass is None else number_in("reduced_mass", reduced_mass, "kg"))
         if approach_velocity is None:
             if law.needs_approach_velocity:
                 raise InputError(
@@ -275,17 +279,21 @@ class Law:
         )
 
 
-class Laws(Mapping[str, LawKind]):
-    """The contact laws by name: `laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)`."""
+class Kinds(Mapping[str, Kind]):
+    """Laws by name. `variable` is the name of the object in its module, `noun` that of its items in messages."""
 
-    def __init__(self) -> None:
-        self._kinds = {entry["name"]: _kind(entry) for entry in core.catalogue()}
+    variable: str
+    noun: str
 
-    def __getitem__(self, name: str) -> LawKind:
+    def __init__(self, kinds: Iterable[Kind]) -> None:
+        self._kinds = {kind.name: kind for kind in kinds}
+
+    def __getitem__(self, name: str) -> Kind:
+        place = f"{self.variable}[...]"
         if not isinstance(name, str):
-            raise arguments.refuse("laws[...]", "the name of a law", name)
-        if arguments.text("laws[...]", name) not in self._kinds:
-            raise InputError(core.unknown_law(name))
+            raise arguments.refuse(place, f"the name of a {self.noun}", name)
+        if arguments.text(place, name) not in self._kinds:
+            raise InputError(self._unknown(name))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:
@@ -298,10 +306,25 @@ class Laws(Mapping[str, LawKind]):
         return len(self._kinds)
 
     def __repr__(self) -> str:
-        return f"<pounding.laws: {', '.join(self._kinds)}>"
+        return f"<pounding.{self.variable}: {', '.join(self._kinds)}>"
 
     def __reduce__(self) -> str:
-        return "laws"
+        return self.variable
+
+    def _unknown(self, name: str) -> str:
+        raise NotImplementedError
+
+
+class Laws(Kinds[LawKind]):
+    """The contact laws by name: `laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)`."""
+
+    variable, noun = "laws", "law"
+
+    def __init__(self) -> None:
+        super().__init__(map(_kind, core.catalogue()))
+
+    def _unknown(self, name: str) -> str:
+        return core.unknown_law(name)
 
 
 @takes(
@@ -328,33 +351,22 @@ def calibrate(
     """Damping of a law for a restitution by every formula, and the restitution obtained in a free impact of bodies of
     masses `m1` and `m2` [kg] at closing speed `velocity` [m/s].
 
-        Returns the object that `pounding calibrate --json` prints. Missing parameters have typical values and are
-    listed in "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s],
-    peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused". Raises
-    InputError."""
-    return core.calibrate(
-        law,
-        _word(restitution),
-        _word(m1),
-        _word(m2),
-        _word(stiffness),
-        _word(velocity),
-        _word(exponent),
-        [(name, _word(value)) for name, value in parameters.items()],
-    )
+    Returns the object that `pounding calibrate --json` prints. Missing parameters have typical values and are listed in
+    "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s], peak_penetration
+    [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused". Raises InputError."""
+    others = [(name, _word(value)) for name, value in parameters.items()]
+    given = _word(restitution), _word(m1), _word(m2), _word(stiffness), _word(velocity), _word(exponent)
+    return core.calibrate(law, *given, others)
 
 
 def _kind(entry: dict[str, Any]) -> LawKind:
-    return LawKind(
-        **{
-            **entry,
-            "parameters": tuple(Parameter(*p) for p in entry["parameters"]),
-            "formulas": tuple(Formula(*f) for f in entry["formulas"]),
-        }
-    )
+    parameters = tuple(Parameter(*values) for values in entry["parameters"])
+    formulas = tuple(Formula(*values) for values in entry["formulas"])
+    return LawKind(**entry | {"parameters": parameters, "formulas": formulas})
 
 
-def _number(name: str, value: Quantity, unit: str, exponent: float = 1.0) -> float:
+def number_in(name: str, value: Quantity, unit: str, exponent: float = 1.0) -> float:
+    """The number in SI of a parameter with this unit. Raises InputError with its name."""
     value = quantity(name, value)
     if not isinstance(value, str):
         return float(value)

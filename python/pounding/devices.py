@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import h5py
 import numpy as np
 
 from pounding import printing
-from pounding.texts import text
+from pounding.texts import read_fields
 
 
 @dataclass(frozen=True, repr=False)
@@ -33,18 +32,7 @@ class Device(printing.ReportLines, lines=printing.device):
 
 def read_devices(file: h5py.Group) -> dict[str, Device]:
     """The devices of a results file in the order of the input; empty if there are none."""
-    return {name: _device(name, group) for name, group in file["devices"].items()} if "devices" in file else {}
-
-
-def _device(name: str, group: h5py.Group) -> Device:
-    ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
-    numbers: dict[str, Any] = {key: float(group.attrs[key]) for key in ("stiffness", "coefficient", "exponent")}
-    return Device(
-        name=name,
-        **ends,
-        **numbers,
-        direction=np.asarray(group.attrs["direction"], dtype=float),
-        elongation=group["elongation"][:],
-        force=group["force"][:],
-        largest={key: data[:] for key, data in group["envelope"].items()},
-    )
+    return {
+        name: read_fields(Device, group, name=name, largest={key: data[:] for key, data in group["envelope"].items()})
+        for name, group in file.get("devices", {}).items()
+    }

@@ -4,13 +4,13 @@ They are tracked in every step and within the steps, so they do not depend on th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 import h5py
 import numpy as np
 
-from pounding.texts import text, texts
+from pounding.texts import read_fields, text, texts
 
 #: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan
 #: along y, then along y.
@@ -95,7 +95,7 @@ class StructureEnvelope:
         """Minimum and maximum of the end forces of a member, by component: `member("column 1.0")["start My"]` [N], [N
         m].
 
-                The axial force has opposite signs at both ends; see `section`. Raises KeyError."""
+        The axial force has opposite signs at both ends; see `section`. Raises KeyError."""
         return self._of_member(name, self.member_force)
 
     def section(self, name: str) -> dict[str, tuple[float, float]]:
@@ -120,26 +120,17 @@ def read_envelopes(file: h5py.Group) -> dict[str, StructureEnvelope]:
 
 
 def _envelope(name: str, group: h5py.Group) -> StructureEnvelope:
-    quantities = (
-        "displacement",
-        "edge_displacement",
-        "acceleration",
-        "drift",
-        "storey_shear",
-        "base_shear",
-        "member_force",
-        "reaction",
-    )
     found: dict[str, Any] = {
-        key: Extremes(group[key][:], group[f"{key}_time"][:]) for key in quantities if key in group
+        one.name: Extremes(group[one.name][:], group[f"{one.name}_time"][:])
+        for one in fields(StructureEnvelope)
+        if one.type == "Extremes | None" and one.name in group
     }
-    return StructureEnvelope(
+    return read_fields(
+        StructureEnvelope,
+        group,
         name=name,
-        floors=texts(group.attrs["floors"]),
         directions=_attribute(group, "displacement", "directions"),
-        members=texts(group["members"][:]) if "members" in group else [],
         components=_attribute(group, "member_force", "components"),
-        supports=texts(group["supports"][:]) if "supports" in group else [],
         support_directions=_attribute(group, "reaction", "directions"),
         **included(group.get("member_force", group.get("reaction"))),
         **found,

@@ -38,16 +38,16 @@ BLOCK = 200
 def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> Path:
     """Writes `path` for the run read from the file `results`, and its data file, whose name is returned.
 
-        Raises InputError if the suffix is not .xdmf, if the run has no output times, or if an existing file is not an
+    Raises InputError if the suffix is not .xdmf, if the run has no output times, or if an existing file is not an
     export; OSError if a file cannot be written."""
     path = Path(path)
     if path.suffix != ".xdmf":
         raise BadRequest(f'cannot write {path}: "{path.suffix}" is not .xdmf')
     if not run.time.size:
-        raise BadRequest("there is nothing to export: the results hold no times")
+        raise BadRequest("nothing to export: the results have no output times")
     companion = path.with_name(f"{path.stem}.data.h5")
     if companion.resolve() == Path(results).resolve():
-        raise BadRequest(f"cannot write {companion} beside {path}: it is the results file. Type another name after -o")
+        raise BadRequest(f"cannot write {companion} for {path}: it is the results file. Type another name after -o")
     with replaced(path, XDMF) as text_file, replaced(companion, DATA) as data_file:
         with h5py.File(data_file, "w") as data:
             data.attrs["program"] = MARK
@@ -121,7 +121,7 @@ class _Grid:
         self.has_points = len(model.nodes) > 0
         if not self.has_points:
             return
-        # A grid needs cells to be seen: a body is a line of no length.
+        # Only cells are visible, so a body is a line of length zero.
         lines = model.members if len(model.members) else np.repeat(np.arange(len(model.nodes))[:, None], 2, axis=1)
         own = f"/structures/{name}"
         self.points = self._store("points", scene.at_rest(name))

@@ -24,7 +24,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
@@ -33,7 +32,7 @@ from matplotlib.ticker import MaxNLocator
 from pounding.ended import exit_code
 from pounding.outputs import cannot_read
 from pounding.pictures.drawing import project
-from pounding.pictures.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
+from pounding.pictures.style import QUIET, BadRequest, picture, structure_colour, write_picture
 
 #: Maximum number of modes of one structure in a picture.
 MOST = 5
@@ -70,16 +69,13 @@ def read_modes(values: dict[str, Any]) -> list[DrawnStructure]:
     structures = []
     for name, found in whole["modes"].items():
         geometry = whole.get("geometry", {}).get(name) or {}
+        periods = [math.inf if one.get("period") is None else one["period"] for one in found]
         structures.append(
             DrawnStructure(
                 name,
                 [
-                    DrawnMode(
-                        math.inf if one.get("period") is None else one["period"],
-                        one["damping_ratio"],
-                        np.array(one["shape"]),
-                    )
-                    for one in found
+                    DrawnMode(period, one["damping_ratio"], np.array(one["shape"]))
+                    for period, one in zip(periods, found)
                 ],
                 whole.get("elevations", {}).get(name),
                 np.array(geometry.get("nodes", []), float).reshape(-1, 3),
@@ -96,16 +92,14 @@ def plot_modes(structures: Sequence[DrawnStructure], title: str = "Mode shapes")
     Raises BadRequest without modes, or if shapes do not match the nodes."""
     drawn = [structure for structure in structures if structure.modes]
     if not drawn:
-        raise BadRequest("no mode to draw: no structure of this model moves against the ground")
+        raise BadRequest("no mode to draw: no structure of this model moves relative to the ground")
     columns = max(2, max(min(MOST, len(structure.modes)) for structure in drawn))
     heights = [_height(structure.nodes) for structure in drawn]
     colours = {structure.name: structure_colour(number) for number, structure in enumerate(structures)}
-    with rc_context(STYLE):
-        figure = Picture(figsize=(max(3.8, PANEL * columns + 0.4), 0.4 + sum(heights)), layout="constrained")
+    with picture((max(3.8, PANEL * columns + 0.4), 0.4 + sum(heights)), title) as figure:
         grid = figure.subplots(len(drawn), columns, squeeze=False, height_ratios=heights)
         for structure, row in zip(drawn, grid):
             _draw_structure(row, structure, colours[structure.name])
-        head(figure, title)
         return figure
 
 

@@ -22,7 +22,7 @@ PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis",
 
 
 class Model(printing.ReportLines, lines=printing.model):
-    """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with
+    """A model with the keys of an input file (README, "Input"): nested dicts and lists whose quantities are texts with
     units ("20 mm") or numbers in SI.
 
         Model(structures={"left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},

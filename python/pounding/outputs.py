@@ -56,8 +56,8 @@ def refuse(path: File, reason: str, advice: str = "Name another file") -> NoRetu
 def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     """The file that writing `path` creates or replaces, after resolving symbolic links.
 
-        Raises InputError if the path is empty, a directory or special file, write-protected, in a missing directory,
-    one of `inputs` under any name, being written by a run, or of another kind."""
+    Raises InputError if the path is empty, a directory or special file, write-protected, in a missing directory, one of
+    `inputs` under any name, being written by a run, or of another kind."""
     name = os.fsdecode(path)
     if not name:
         refuse(path, "the name of the file is empty", "Name a file")
@@ -78,7 +78,7 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
         refuse(path, "it is not a regular file")
     for each in inputs:
         if _is_file(each, found):
-            refuse(path, f"it is {each}, which is read here")
+            refuse(path, f"it is {each}, an input of this command")
     if not os.access(place, os.W_OK):
         refuse(path, "it is write-protected")
     try:
@@ -107,8 +107,8 @@ def _is_file(path: File, found: os.stat_result) -> bool:
 def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Path]:
     """Yields a temporary file with the suffix of `path`, which replaces `path` atomically at the end.
 
-        A kill or an error keeps the existing file. Its mode is preserved, and its owner if possible. Raises
-    InputError as `destination`, and OSError."""
+    A kill or an error keeps the existing file. Its mode is preserved, and its owner if possible. Raises InputError as
+    `destination`, and OSError."""
     inputs = tuple(inputs)
     place = destination(path, kind, inputs)
     suffix = ".tmp" + Path(os.fsdecode(path)).suffix
@@ -150,7 +150,7 @@ def _bring_to_disk(path: Path) -> None:
             os.close(descriptor)
 
 
-# One byte that no file reaches, as `pounding run` locks the file that it writes. HDF5 and other readers lock whole
+# The lock is on one byte beyond the end of any file, as in `pounding run`, since HDF5 and other readers lock whole
 # files.
 _FLOCK = struct.Struct("@hhqqi4x")
 

@@ -37,8 +37,7 @@ class Extent(NamedTuple):
 def extent(structures: Mapping[str, Any]) -> Extent:
     """Bounding rectangle of frames in the format of a model: {name: {"frame": {...}, "damping": ...}}.
 
-        A plane frame has no depth. Raises InputError for a structure that is not a frame, or has neither grid nor
-    nodes."""
+    A plane frame has no depth. Raises InputError for a structure that is not a frame, or has neither grid nor nodes."""
     if not arguments.mapping("structures", structures):
         raise InputError("structures: there is none; give at least one frame")
     every = [_extent(name, words) for name, words in structures.items()]
@@ -55,8 +54,8 @@ def row(
 ) -> dict[str, Any]:
     """Places frames one after the other along x or y, and returns them as structures of a model.
 
-        `gap` is the gap between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each
-    frame except the last. It is measured between faces, which are `face` outside the axes of a frame; "auto" is not
+    `gap` is the gap between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame
+    except the last. It is measured between faces, which are `face` outside the axes of a frame; "auto" is not
     supported. `start` is the x, y position of the beginning. `align` selects the sides on the line through `start`:
     those with the smallest (low) or largest (high) other coordinate. Arguments are not modified; an existing `origin`
     is replaced. Raises InputError as `extent`, and for negative or missing gaps."""

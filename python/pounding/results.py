@@ -20,7 +20,7 @@ from pounding.envelopes import StructureEnvelope, included, read_envelopes, sect
 from pounding.errors import InputError, excerpt
 from pounding.outputs import replaced
 from pounding.springs import Springs, read_springs
-from pounding.texts import text, texts
+from pounding.texts import read_fields, text, texts
 
 Data = TypeVar("Data", bound="RunData")
 
@@ -235,8 +235,8 @@ class RunData(printing.ReportLines, lines=printing.run):
     def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
         """The results in the file `path`, after a check of the checksum.
 
-                `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on
-        a damaged one. Raises OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
+        `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on a damaged
+        one. Raises OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
         if checked:
             require_whole(path)
         elif not Path(path).is_file():
@@ -313,8 +313,8 @@ def _contents(file: h5py.Group) -> dict[str, Any]:
             name: {key: data[()] for key, data in group.items()}
             for name, group in file.get("solver/reduction", {}).items()
         },
-        "model_yaml": _text(file, "input/model.yaml"),
-        "resolved_yaml": _text(file, "input/resolved.yaml"),
+        "model_yaml": text(file["input/model.yaml"][()]) if "input/model.yaml" in file else "",
+        "resolved_yaml": text(file["input/resolved.yaml"][()]) if "input/resolved.yaml" in file else "",
         "envelopes": read_envelopes(file),
         "devices": read_devices(file),
     }
@@ -333,29 +333,23 @@ def _with_text(rows: np.ndarray) -> np.ndarray:
     return table
 
 
-def _text(file: h5py.File, place: str) -> str:
-    return text(file[place][()]) if place in file else ""
-
-
 def _structure(name: str, group: h5py.Group) -> Structure:
     floors = texts(group.attrs["floors"])
     directions = texts(group.attrs.get("directions", ["x"]))
-    return Structure(
+    elevations = group.attrs["elevations"] if floors and "elevations" in group.attrs else np.full(len(floors), np.nan)
+    parts = {
+        key: read(group[key])
+        for key, read in (("geometry", _geometry), ("nodes", _nodes), ("members", _members), ("reactions", _reactions))
+        if key in group
+    }
+    return read_fields(
+        Structure,
+        group,
         name=name,
-        floors=floors,
         along={direction: _floor_motion(group, i) for i, direction in enumerate(directions)},
-        kind=text(group.attrs.get("kind", "")),
-        dimension=int(group.attrs.get("dimension", 1)),
-        elevations=np.asarray(
-            group.attrs["elevations"] if floors and "elevations" in group.attrs else np.full(len(floors), np.nan),
-            dtype=float,
-        ),
-        geometry=_geometry(group["geometry"]) if "geometry" in group else None,
-        nodes=_nodes(group["nodes"]) if "nodes" in group else None,
-        members=_members(group["members"]) if "members" in group else None,
-        reactions=_reactions(group["reactions"]) if "reactions" in group else None,
+        elevations=np.asarray(elevations, dtype=float),
         springs=read_springs(group),
-        plan=group["plan"][:] if "plan" in group else None,
+        **parts,
     )
 
 
@@ -372,56 +366,31 @@ def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
 
 
 def _geometry(group: h5py.Group) -> Geometry:
-    return Geometry(
-        nodes=group["nodes"][:],
-        members=group["members"][:].astype(int).reshape(-1, 2),
-        floor_of_node=group["floor_of_node"][:].astype(int),
-        node_names=texts(group["node_names"][:]),
-        member_names=texts(group["member_names"][:]),
-    )
+    members = group["members"][:].astype(int).reshape(-1, 2)
+    return read_fields(Geometry, group, members=members, floor_of_node=group["floor_of_node"][:].astype(int))
 
 
 def _nodes(group: h5py.Group) -> NodeMotion:
-    return NodeMotion(
-        names=texts(group["names"][:]),
-        directions=texts(group["displacement"].attrs["directions"]),
-        **{key: group[key][:] for key in ("displacement", "velocity", "acceleration")},
-    )
+    return read_fields(NodeMotion, group, directions=texts(group["displacement"].attrs["directions"]))
 
 
 def _members(group: h5py.Group) -> MemberForces:
-    return MemberForces(
-        names=texts(group["names"][:]),
-        components=texts(group["end_forces"].attrs["components"]),
-        end_forces=group["end_forces"][:],
-        **included(group["end_forces"]),
-    )
+    forces = group["end_forces"]
+    return read_fields(MemberForces, group, components=texts(forces.attrs["components"]), **included(forces))
 
 
 def _reactions(group: h5py.Group) -> Reactions:
-    return Reactions(
-        names=texts(group["names"][:]),
-        directions=texts(group["force"].attrs["directions"]),
-        force=group["force"][:],
-        **included(group["force"]),
-    )
+    force = group["force"]
+    return read_fields(Reactions, group, directions=texts(force.attrs["directions"]), **included(force))
 
 
 def _link(name: str, group: h5py.Group) -> Link:
-    series: dict[str, Any] = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
-    ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "right")}
-    floors: dict[str, Any] = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
-    more: dict[str, Any] = {}
-    for side, floor in floors.items():
-        word = side.replace("floor", "end")
-        more[word] = text(group.attrs.get(word, f"floor {floor}" if floor else ""))
+    ends = {}
+    for side in ("left", "right"):
+        if f"{side}_end" not in group.attrs:
+            floor = int(group.attrs[f"{side}_floor"])
+            ends[f"{side}_end"] = f"floor {floor}" if floor else ""
     # NaN: the structures have no position.
     position = np.asarray(group.attrs.get("position", np.full(3, np.nan)), dtype=float)
-    more["position"] = position if np.isfinite(position).all() else None
-    if "direction" in group.attrs:
-        more["direction"] = np.asarray(group.attrs["direction"], dtype=float)
-    if "friction" in group:
-        more["friction"] = group["friction"][:]
-    return Link(
-        name=name, law=text(group.attrs["law"]), gap=float(group.attrs["gap"]), **ends, **floors, **series, **more
-    )
+    known = position if np.isfinite(position).all() else None
+    return read_fields(Link, group, name=name, position=known, **ends)

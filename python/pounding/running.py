@@ -33,16 +33,16 @@ def run(
 ) -> Run:
     """Time integration of a model or an input file. Returns its results.
 
-        Histories become arrays on first access, and no file is used unless `output` names a results file, which is
-    updated during the run. `tolerance` [-] overrides that of the model. `options` are those of PETSc without the
-    prefix -pounding_: {"ts_max_steps": 100}; True is an option without a value. Terminals and notebooks show progress
-    unless `progress` is False; a function is called with time [s], duration [s] and number of impacts. The GIL is
-    released; models run one after another.
+    Histories become arrays on first access, and no file is used unless `output` names a results file, which is updated
+    during the run. `tolerance` [-] overrides that of the model. `options` are those of PETSc without the prefix
+    -pounding_: {"ts_max_steps": 100}; True is an option without a value. Terminals and notebooks show progress unless
+    `progress` is False; a function is called with time [s], duration [s] and number of impacts. The GIL is released;
+    models run one after another.
 
-        Raises InputError for a wrong model, SolverError for a failed run and Interrupted for Ctrl-C; the last two
-    contain partial results, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and of
-    implausible values (ImplausibleWarning). Under mpirun, all processes call this function with the same arguments,
-    and an error of one is raised in all."""
+    Raises InputError for a wrong model, SolverError for a failed run and Interrupted for Ctrl-C; the last two contain
+    partial results, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and of
+    implausible values (ImplausibleWarning). Under mpirun, all processes call this function with the same arguments, and
+    an error of one is raised in all."""
     with _refused_by_all():
         model = as_model(model)
         tolerance = optional(arguments.number(0, open=True))("tolerance", tolerance)
@@ -69,8 +69,7 @@ def resume(
     """Resumes a killed, interrupted or shortened run from its results file, bitwise identical to an uninterrupted
     run.
 
-        `output` is another file to write; `options` are added to the original ones. Raises the same errors as
-    `run`."""
+    `output` is another file to write; `options` are added to the original ones. Raises the same errors as `run`."""
     with _refused_by_all():
         place, words, other = fspath(arguments.file("results", results)), _words(options), _place(output)
     with _Shown(progress) as shown:
@@ -124,7 +123,7 @@ def _results(ran: core.RunOutcome, output: str) -> Run:
         raise raised
     if text and output:
         text += f'\nTo resume: pounding.resume("{output}")' if ran.resumable else f"\nPartial results are in {output}"
-    # An interactive session has no other access to the results.
+    # In an interactive session this is the only access to the results.
     elif text and hasattr(sys, "ps1"):
         text += "\nPartial results are sys.last_value.results"
     if raised is not None:

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 class Run(RunData):
     """Results of a run: the contents of its file, with pictures and tables.
 
-        After `pounding.run` they are in memory: `summary` is available immediately, and histories become arrays on
-    first access."""
+    After `pounding.run` they are in memory: `summary` is available immediately, and histories become arrays on first
+    access."""
 
     @classmethod
     def _of_outcome(cls, ran: core.RunOutcome) -> Run:
@@ -72,16 +72,16 @@ class Run(RunData):
     ) -> Figure:
         """A picture of the run, as a figure of matplotlib. A notebook displays it; `.savefig("NAME.pdf")` saves it.
 
-                `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space),
-        "gap", "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map
-        of drifts and impacts of frames in space), "hinges" (a map of yielded parts), "loops" (force over deformation
-        of the six parts and devices that lose most energy, or contact loops if there are none) or "contact_loops"
-        (force over penetration).
+        `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
+        "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map of drifts
+        and impacts of frames in space), "hinges" (a map of yielded parts), "loops" (force over deformation of the six
+        parts and devices with the largest energy losses, or contact loops if there are none) or "contact_loops" (force over
+        penetration).
 
-                `title` replaces that of the run; "" omits all titles, for a picture with a caption. `size` is width
-        and height [in]: (3.3, 2.4) fits a column of a paper, with 8-point type. `compare` also draws the run without
-        links, dashed; None draws it in profiles and plan if the run has it (`compare: no_pounding`). Raises
-        InputError for another name, ImportError without matplotlib."""
+        `title` replaces that of the run; "" omits all titles, for a picture with a caption. `size` is width and height
+        [in]: (3.3, 2.4) is for one column of a paper, with 8-point type. `compare` also draws the run without links,
+        dashed; None draws it in profiles and plan if the run has it (`compare: no_pounding`). Raises InputError for
+        another name, ImportError without matplotlib."""
         return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)
 
     def spectrum(
@@ -89,9 +89,9 @@ class Run(RunData):
     ) -> Spectrum:
         """Response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground.
 
-                `damping` is a ratio [-]; `periods` [s] are by default 200 from 0.02 s to 4 s. With `compare:
-        no_pounding`, `results.no_pounding.spectrum(...)` is that without links. Uses the accelerations at the output
-        times. Raises InputError if these are too far apart, with the output_step to use, and for an unknown floor."""
+        `damping` is a ratio [-]; `periods` [s] are by default 200 from 0.02 s to 4 s. With `compare: no_pounding`,
+        `results.no_pounding.spectrum(...)` is that without links. Uses the accelerations at the output times. Raises
+        InputError if these are too far apart, with the output_step to use, and for an unknown floor."""
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 
     @takes(
@@ -114,8 +114,8 @@ class Run(RunData):
     ) -> Film:
         """An animation of the run from `start` to `end` [s], with displacements drawn `scale` times as large.
 
-                Written to `path` if given: .gif, .mp4, or .png for one file per frame. A notebook plays it. Raises
-        InputError for times outside the run, ImportError without matplotlib."""
+        Written to `path` if given: .gif, .mp4, or .png for one file per frame. A notebook plays it. Raises InputError
+        for times outside the run, ImportError without matplotlib."""
         animation = _needing("matplotlib", "pounding.animation")
         if path is not None:
             animation.check_output(path)
@@ -127,12 +127,11 @@ class Run(RunData):
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A DataFrame for each group of the file, in SI, with its time [s] as index.
 
-                Keys are "impacts", "energy", "ground", "links/NAME", "devices/NAME", and "structures/NAME" with
-        columns (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If
-        the input requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member,
-        component) "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N
-        positive in tension. The `attrs` of the last two state whether gravity is included. Raises ImportError without
-        pandas."""
+        Keys are "impacts", "energy", "ground", "links/NAME", "devices/NAME", and "structures/NAME" with columns
+        (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If the input
+        requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
+        "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N positive in
+        tension. The `attrs` of the last two state whether gravity is included. Raises ImportError without pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:
@@ -151,8 +150,8 @@ _FIELDS = frozenset(each.name for each in fields(Run))
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
     """The run in the results file `path`, after a check of the checksum.
 
-        `checked=False` skips the check, for files from an earlier version or with additions. Raises OSError if the
-    file cannot be opened, NotResults if it is of another kind or damaged."""
+    `checked=False` skips the check, for files from an earlier version or with additions. Raises OSError if the file
+    cannot be opened, NotResults if it is of another kind or damaged."""
     return Run.read(path, checked=checked)
 
 

@@ -63,9 +63,9 @@ def record_spectrum(
 ) -> Spectrum:
     """Spectrum of the unscaled record in a file.
 
-        `periods` [s] are by default 200 from 0.02 s to 4 s; `units` and `channel` are for files that do not state
-    them. Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is not a record
-    and for values out of range."""
+    `periods` [s] are by default 200 from 0.02 s to 4 s; `units` and `channel` are for files that do not state them.
+    Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is not a record and for
+    values out of range."""
     from pounding._native import core
 
     chosen = _chosen(periods)
@@ -82,9 +82,9 @@ def floor_spectrum(
     """Spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, linear between output
     times.
 
-        `periods` [s] are by default 200 from 0.02 s, or ten output steps if that is longer, to 4 s. Raises
-    InputError, with the output_step to use, if the output times miss more than 5 % of the tracked peak, and for an
-    unknown floor or direction."""
+    `periods` [s] are by default 200 from 0.02 s, or ten output steps if that is longer, to 4 s. Raises InputError, with
+    the output_step to use, if the output times miss more than 5 % of the tracked peak, and for an unknown floor or
+    direction."""
     from pounding._native import core
 
     name, _, place = floor.rpartition(".")
@@ -126,17 +126,14 @@ def floor_spectrum(
 def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[float, float] | None = None) -> Figure:
     """Pseudo-acceleration and displacement over the period; the second spectrum is dashed. `size` is width and height
     [in]. Raises InputError without spectra."""
-    from matplotlib import rc_context
-
-    from pounding.pictures.style import STRUCTURE_COLOURS, STYLE, Picture, head
+    from pounding.pictures.style import STRUCTURE_COLOURS, picture
 
     spectra = arguments.listed(_spectrum, "a list of spectra")("spectra", spectra)
     if not spectra:
         raise InputError("no spectrum to draw")
     size = size or (6.5, 3.0)
     narrow = size[0] < 4.5
-    with rc_context(STYLE):
-        figure = Picture(figsize=size, layout="constrained")
+    with picture(size, title) as figure:
         panels = figure.subplots(2, 1, sharex=True) if narrow else figure.subplots(1, 2)
         drawn = (
             ("Pseudo-acceleration [g]", [spectrum.psa / GRAVITY for spectrum in spectra]),
@@ -157,7 +154,6 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
                 axes.set_xlabel("Period [s]")
         if len(spectra) > 1:
             panels[0].legend()
-        head(figure, title)
         return figure
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Any
 
 import h5py
 import numpy as np
 
 from pounding import printing
-from pounding.texts import texts
+from pounding.texts import read_fields, texts
 
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
@@ -65,15 +66,12 @@ def read_springs(structure: h5py.Group) -> Springs | None:
     if "springs" not in structure:
         return None
     group = structure["springs"]
-    summary = group["summary"]
-    ultimate = group["ultimate_rotation"][:] if "ultimate_rotation" in group else np.full(len(group["names"]), np.nan)
-    negative = group["negative_yield_deformation" if "negative_yield_deformation" in group else "yield_deformation"][:]
-    return Springs(
-        negative_yield_deformation=negative,
-        names=texts(group["names"][:]),
-        laws=texts(group["laws"][:]),
-        states=texts(summary["state"][:]),
-        ultimate_rotation=ultimate,
-        largest={key: data[:] for key, data in summary.items() if key != "state"},
-        **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")},
-    )
+    given: dict[str, Any] = {
+        "states": texts(group["summary/state"][:]),
+        "largest": {key: data[:] for key, data in group["summary"].items() if key != "state"},
+    }
+    if "ultimate_rotation" not in group:
+        given["ultimate_rotation"] = np.full(len(group["names"]), np.nan)
+    if "negative_yield_deformation" not in group:
+        given["negative_yield_deformation"] = group["yield_deformation"][:]
+    return read_fields(Springs, group, **given)

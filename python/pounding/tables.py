@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from pounding.envelopes import EDGES
-from pounding.results import FloorMotion, MemberForces, NodeMotion, RunData, Structure
+from pounding.results import FloorMotion, MemberForces, RunData, Structure
 
 if TYPE_CHECKING:
     import pandas
@@ -17,80 +17,55 @@ if TYPE_CHECKING:
 UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
 #: Units of the histories of a node; along rx, ry, rz in rad instead of m.
 NODE_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
-#: Signs of forces of members.
-SIGNS = {
-    "members": "forces on the ends, in local axes",
-    "sections": "internal forces on the face towards the end, N positive in tension",
-}
 #: Units of the histories of a link.
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
 #: Units of the histories of a device.
 DEVICE_UNITS = {"elongation": "m", "force": "N"}
 #: Units of the histories of yielding parts; of hinges in rad instead of m and N m instead of N.
 SPRING_UNITS = {"deformation": "m", "force": "N", "hysteretic": "J"}
+#: Tables of the forces of members, and their signs.
+MEMBER_TABLES = {
+    "members": ("end_forces", "forces on the ends, in local axes"),
+    "sections": ("section_forces", "internal forces on the face towards the end, N positive in tension"),
+}
+
+
+class Group(NamedTuple):
+    """Histories in one group of the results file."""
+
+    time: np.ndarray
+    #: quantity -> dimensions after the time, values [time, ...], attributes
+    variables: dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]]
+    coordinates: dict[str, list[str]]  #: dimension -> names
 
 
 def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
     """See `pounding.Run.to_pandas`."""
     import pandas
 
-    impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names or ()})
-    tables = {
-        "impacts": impacts,
-        "ground": pandas.DataFrame(_ground(run), _index(run.time)),
-        "energy": pandas.DataFrame({k: v for k, v in run.energy.items() if k != "time"}, _index(run.energy["time"])),
-    }
-    for name, link in run.links.items():
-        tables[f"links/{name}"] = pandas.DataFrame({key: getattr(link, key) for key in LINK_UNITS}, _index(link.time))
-    for name, device in run.devices.items():
-        tables[f"devices/{name}"] = pandas.DataFrame(
-            {key: getattr(device, key) for key in DEVICE_UNITS}, _index(run.time)
-        )
-    for name, structure in run.structures.items():
-        columns: dict[tuple[str, ...], np.ndarray] = {
-            (key, floor, direction): getattr(motion, key)[:, i]
-            for direction, motion in structure.along.items()
-            for key in UNITS
-            for i, floor in enumerate(structure.floors)
-            if i < getattr(motion, key).shape[1]
+    tables = {"impacts": pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names or ()})}
+    for group, (time, variables, coordinates) in _groups(run).items():
+        index = pandas.Index(time, name="time")
+        columns = {
+            (quantity, *(coordinates[dimension][i] for dimension, i in zip(dimensions, place))): values[
+                (slice(None), *place)
+            ]
+            for quantity, (dimensions, values, _) in variables.items()
+            for place in np.ndindex(values.shape[1:])
         }
-        edges = structure.edge_displacement
-        if edges is not None:
-            columns |= {
-                ("edge_displacement", floor, edge): edges[:, i, j]
-                for i, floor in enumerate(structure.floors)
-                for j, edge in enumerate(EDGES)
-            }
-        tables[f"structures/{name}"] = _table(run.time, columns, ["quantity", "floor", "direction"])
-        if structure.nodes is not None:
-            moved = structure.nodes
-            columns = {
-                (key, node, direction): getattr(moved, key)[:, i, j]
-                for key in NODE_UNITS
-                for i, node in enumerate(moved.names)
-                for j, direction in enumerate(moved.directions)
-            }
-            tables[f"structures/{name}/nodes"] = _table(run.time, columns, ["quantity", "node", "direction"])
-        if structure.members is not None:
-            forces = structure.members
-            for table, values in (("members", forces.end_forces), ("sections", forces.section_forces)):
-                columns = {
-                    (member, component): values[:, i, j]
-                    for i, member in enumerate(forces.names)
-                    for j, component in enumerate(forces.components)
-                }
-                made = tables[f"structures/{name}/{table}"] = _table(run.time, columns, ["member", "component"])
-                made.attrs = {
-                    "gravity_included": forces.gravity_included,
-                    "included": forces.included,
-                    "sign": SIGNS[table],
-                }
-        if structure.springs is not None:
-            springs = structure.springs
-            columns = {
-                (key, part): getattr(springs, key)[:, i] for key in SPRING_UNITS for i, part in enumerate(springs.names)
-            }
-            tables[f"structures/{name}/springs"] = _table(run.time, columns, ["quantity", "part"])
+        names = ["quantity", *coordinates][:3]
+        if not coordinates:
+            tables[group] = pandas.DataFrame({quantity: values for (quantity,), values in columns.items()}, index)
+        elif "component" in coordinates:
+            for table, (quantity, _) in MEMBER_TABLES.items():
+                own = {key[1:]: values for key, values in columns.items() if key[0] == quantity}
+                made = _table(index, own, names[1:])
+                made.attrs = {key: value for key, value in variables[quantity][2].items() if key != "units"}
+                tables[group.removesuffix("members") + table] = made
+        elif "floor" in coordinates:
+            tables[group] = _table(index, _by_direction(run.structures[group.partition("/")[2]], columns), names)
+        else:
+            tables[group] = _table(index, columns, names)
     return tables
 
 
@@ -98,99 +73,89 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
     """See `pounding.Run.to_xarray`."""
     import xarray
 
-    def dataset(time: np.ndarray, variables: dict[str, Any], **coordinates: Any) -> xarray.Dataset:
-        times = ("time", time, {"units": "s"})
-        return xarray.Dataset(variables, {"time": times, **coordinates})
-
-    sets = {
-        "ground": dataset(
-            run.time, {key: ("time", values, {"units": "m/s^2"}) for key, values in _ground(run).items()}
-        ),
-        "energy": dataset(
-            run.energy["time"],
-            {key: ("time", values, {"units": "J"}) for key, values in run.energy.items() if key != "time"},
-        ),
-        "impacts": xarray.Dataset({name: ("impact", run.impacts[name]) for name in run.impacts.dtype.names or ()}),
-    }
-    for name, link in run.links.items():
-        sets[f"links/{name}"] = dataset(
-            link.time, {key: ("time", getattr(link, key), {"units": unit}) for key, unit in LINK_UNITS.items()}
+    sets = {"impacts": xarray.Dataset({name: ("impact", run.impacts[name]) for name in run.impacts.dtype.names or ()})}
+    for group, (time, variables, coordinates) in _groups(run).items():
+        sets[group] = xarray.Dataset(
+            {
+                quantity: (("time", *dimensions), values, _plain(attributes))
+                for quantity, (dimensions, values, attributes) in variables.items()
+            },
+            {"time": ("time", time, {"units": "s"}), **coordinates},
         )
-    for name, device in run.devices.items():
-        sets[f"devices/{name}"] = dataset(
-            run.time, {key: ("time", getattr(device, key), {"units": unit}) for key, unit in DEVICE_UNITS.items()}
-        )
-    for name, structure in run.structures.items():
-        edges = structure.edge_displacement
-        sets[f"structures/{name}"] = dataset(
-            run.time,
-            _motion(structure),
-            floor=structure.floors,
-            direction=structure.directions,
-            **({} if edges is None else {"edge": list(EDGES)}),
-        )
-        if structure.nodes is not None:
-            sets[f"structures/{name}/nodes"] = dataset(
-                run.time,
-                _node_motion(structure.nodes),
-                node=structure.nodes.names,
-                direction=structure.nodes.directions,
-            )
-        if structure.members is not None:
-            sets[f"structures/{name}/members"] = dataset(
-                run.time,
-                _member_forces(structure.members),
-                member=structure.members.names,
-                component=structure.members.components,
-            )
-        if structure.springs is not None:
-            springs = structure.springs
-            sets[f"structures/{name}/springs"] = dataset(
-                run.time,
-                {key: (("time", "part"), getattr(springs, key), {"units": unit}) for key, unit in SPRING_UNITS.items()},
-                part=springs.names,
-            )
     return sets
 
 
-def _motion(structure: Structure) -> dict[str, Any]:
-    """Arrays [time, floor, direction]; NaN for directions without drift."""
-    found: dict[str, Any] = {
-        key: (
-            ("time", "floor", "direction"),
-            np.stack([_padded(motion, key, len(structure.floors)) for motion in structure.along.values()], axis=-1),
-            {"units": unit},
-        )
-        for key, unit in UNITS.items()
+def _groups(run: RunData) -> dict[str, Group]:
+    """The histories of a run, by group of the results file."""
+    ground = {f"acceleration_{axis}": values for axis, values in run.ground_across.items()}
+    energy = {key: values for key, values in run.energy.items() if key != "time"}
+    found = {
+        "ground": _plain_group(run.time, {"acceleration": run.ground_acceleration, **ground}, "m/s^2"),
+        "energy": _plain_group(run.energy["time"], energy, "J"),
     }
-    if structure.edge_displacement is not None:
-        found["edge_displacement"] = (("time", "floor", "edge"), structure.edge_displacement, {"units": "m"})
+    found |= {f"links/{name}": _group(link.time, link, LINK_UNITS) for name, link in run.links.items()}
+    found |= {f"devices/{name}": _group(run.time, device, DEVICE_UNITS) for name, device in run.devices.items()}
+    for name, structure in run.structures.items():
+        place = f"structures/{name}"
+        found[place] = _floors(run.time, structure)
+        if (nodes := structure.nodes) is not None:
+            found[f"{place}/nodes"] = _group(run.time, nodes, NODE_UNITS, node=nodes.names, direction=nodes.directions)
+        if structure.members is not None:
+            found[f"{place}/members"] = _members(run.time, structure.members)
+        if (springs := structure.springs) is not None:
+            found[f"{place}/springs"] = _group(run.time, springs, SPRING_UNITS, part=springs.names)
     return found
 
 
-def _node_motion(nodes: NodeMotion) -> dict[str, Any]:
+def _plain_group(time: np.ndarray, values: dict[str, np.ndarray], unit: str) -> Group:
+    return Group(time, {key: ((), each, {"units": unit}) for key, each in values.items()}, {})
+
+
+def _group(time: np.ndarray, of: Any, units: dict[str, str], **coordinates: list[str]) -> Group:
+    dimensions = tuple(coordinates)
+    return Group(
+        time, {key: (dimensions, getattr(of, key), {"units": unit}) for key, unit in units.items()}, coordinates
+    )
+
+
+def _floors(time: np.ndarray, structure: Structure) -> Group:
+    """Arrays [time, floor, direction]; NaN for directions without drift."""
+    motions, floors = structure.along.values(), len(structure.floors)
+    found = _group(time, None, {}, floor=structure.floors, direction=structure.directions)
+    for key, unit in UNITS.items():
+        values = np.stack([_padded(motion, key, floors) for motion in motions], axis=-1)
+        found.variables[key] = (("floor", "direction"), values, {"units": unit})
+    if structure.edge_displacement is not None:
+        found.variables["edge_displacement"] = (("floor", "edge"), structure.edge_displacement, {"units": "m"})
+        found.coordinates["edge"] = list(EDGES)
+    return found
+
+
+def _by_direction(
+    structure: Structure, columns: dict[tuple[str, ...], np.ndarray]
+) -> dict[tuple[str, ...], np.ndarray]:
+    """The columns of floors direction by direction, without drifts and shears of directions without them."""
+    order = {axis: i for i, axis in enumerate(structure.along)}
+    chosen = [
+        (quantity, floor, axis)
+        for quantity, floor, axis in columns
+        if axis not in order or getattr(structure.along[axis], quantity).shape[1]
+    ]
+    return {key: columns[key] for key in sorted(chosen, key=lambda key: order.get(key[2], len(order)))}
+
+
+def _members(time: np.ndarray, members: MemberForces) -> Group:
+    about = {"units": "N, N m", "included": members.included, "gravity_included": members.gravity_included}
+    found = _group(time, None, {}, member=members.names, component=members.components)
+    for quantity, sign in MEMBER_TABLES.values():
+        found.variables[quantity] = (("member", "component"), getattr(members, quantity), {**about, "sign": sign})
+    return found
+
+
+def _plain(attributes: dict[str, Any]) -> dict[str, Any]:
+    """Attributes that files can store."""
     return {
-        key: (("time", "node", "direction"), getattr(nodes, key), {"units": unit}) for key, unit in NODE_UNITS.items()
-    }
-
-
-def _member_forces(members: MemberForces) -> dict[str, Any]:
-    about: dict[str, Any] = {"units": "N, N m", "included": members.included}
-    if members.gravity_included is not None:
-        about["gravity_included"] = int(members.gravity_included)
-    return {
-        key: (("time", "member", "component"), values, {**about, "sign": SIGNS[table]})
-        for key, table, values in (
-            ("end_forces", "members", members.end_forces),
-            ("section_forces", "sections", members.section_forces),
-        )
-    }
-
-
-def _ground(run: RunData) -> dict[str, np.ndarray]:
-    return {
-        "acceleration": run.ground_acceleration,
-        **{f"acceleration_{axis}": values for axis, values in run.ground_across.items()},
+        key: int(value) if isinstance(value, bool) else value for key, value in attributes.items() if value is not None
     }
 
 
@@ -199,7 +164,7 @@ def _padded(motion: FloorMotion, key: str, floors: int) -> np.ndarray:
     return values if values.shape[1] == floors else np.full((len(values), floors), np.nan)
 
 
-def _table(time: np.ndarray, columns: dict[tuple[str, ...], np.ndarray], names: list[str]) -> pandas.DataFrame:
+def _table(index: pandas.Index, columns: dict[tuple[str, ...], np.ndarray], names: list[str]) -> pandas.DataFrame:
     import pandas
 
     heads = (
@@ -207,11 +172,5 @@ def _table(time: np.ndarray, columns: dict[tuple[str, ...], np.ndarray], names: 
         if columns
         else pandas.MultiIndex.from_arrays([[] for _ in names], names=names)
     )
-    values = np.column_stack(list(columns.values())) if columns else np.empty((len(time), 0))
-    return pandas.DataFrame(values, _index(time), heads)
-
-
-def _index(time: np.ndarray) -> pandas.Index:
-    import pandas
-
-    return pandas.Index(time, name="time")
+    values = np.column_stack(list(columns.values())) if columns else np.empty((len(index), 0))
+    return pandas.DataFrame(values, index, heads)

@@ -10,7 +10,7 @@ A deformation is in m and a force in N; at a hinge rad and N m.
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -19,23 +19,12 @@ import numpy.typing as npt
 
 from pounding import arguments
 from pounding._native import core
+from pounding.contact import Kinds, Parameter, Quantity, Values, described, number_in
 from pounding.errors import InputError, excerpt
 
-#: A number in SI, or a text with its unit: "150 kN".
-Quantity = float | str
-#: An array of the shape of the path.
-Values = npt.NDArray[np.float64]
 
-
-@dataclass(frozen=True)
-class YieldingParameter:
-    """One parameter of a law."""
-
-    name: str
-    unit: str
-    meaning: str
-    typical: float  #: SI
-    need: str  #: required, optional, or others instead, may be left out
+class YieldingParameter(Parameter):
+    """One parameter of a law of yielding."""
 
 
 @dataclass(frozen=True)
@@ -79,10 +68,7 @@ class YieldingKind:
         return YieldingLaw(self, parameters)
 
     def __str__(self) -> str:
-        lines = [f"{self.name}: {self.summary}", f"  {self.shape}", f"  {self.source}"]
-        lines += [
-            f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters
-        ]
+        lines = described(self.name, self.summary, self.shape, self.source, self.parameters)
         lines += [f"  {c.name}: {' or '.join(c.words)}  {c.meaning}" for c in self.choices]
         return "\n".join(lines)
 
@@ -98,7 +84,7 @@ class YieldingLaw:
         self.choices = {name: arguments.text(name, value) for name, value in given.items() if name in chosen}
         #: in SI
         self.parameters = {
-            name: _number(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen
+            name: number_in(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen
         }
         self._made = core.YieldingLaw(kind.name, self.parameters, self.choices)
 
@@ -118,8 +104,8 @@ class YieldingLaw:
     def follow(self, path: npt.ArrayLike) -> Loop:
         """Response along deformations [m] from an undeformed start, linear between points.
 
-                Each row of a multidimensional array is a path. Response is exact: extra points between turning points
-        do not change it. Raises InputError for values that are not finite numbers."""
+        Each row of a multidimensional array is a path. Response is exact: extra points between turning points do not
+        change it. Raises InputError for values that are not finite numbers."""
         deformation = arguments.numbers("path", path)
         if not np.isfinite(deformation).all():
             raise InputError("path: a deformation is not finite")
@@ -127,48 +113,24 @@ class YieldingLaw:
         return Loop(deformation, *(values.reshape(deformation.shape) for values in self._made.follow(rows)))
 
 
-class _Kinds(Mapping[str, YieldingKind]):
+class _Kinds(Kinds[YieldingKind]):
     """Laws of yielding by name."""
 
-    def __init__(self) -> None:
-        self._kinds = {entry["name"]: _kind(entry) for entry in core.yielding_catalogue()}
+    variable, noun = "hysteresis", "law of yielding"
 
-    def __getitem__(self, name: str) -> YieldingKind:
-        if not isinstance(name, str):
-            raise arguments.refuse("hysteresis[...]", "the name of a law of yielding", name)
-        if name in self._kinds:
-            return self._kinds[name]
+    def __init__(self) -> None:
+        super().__init__(map(_kind, core.yielding_catalogue()))
+
+    def _unknown(self, name: str) -> str:
         near = difflib.get_close_matches(name[:100], self._kinds, 1)
         hint = f'Did you mean "{near[0]}"?' if near else f"Allowed: {', '.join(self._kinds)}."
-        raise InputError(f"unknown law of yielding {excerpt(name)}. {hint}")
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._kinds)
-
-    def __len__(self) -> int:
-        return len(self._kinds)
-
-    def __contains__(self, name: object) -> bool:
-        return isinstance(name, str) and name in self._kinds
-
-    def __repr__(self) -> str:
-        return f"<laws of yielding: {', '.join(self._kinds)}>"
+        return f"unknown law of yielding {excerpt(name)}. {hint}"
 
 
 def _kind(entry: dict[str, Any]) -> YieldingKind:
     parameters = tuple(YieldingParameter(*values) for values in entry["parameters"])
     choices = tuple(YieldingChoice(name, meaning, tuple(words)) for name, meaning, words in entry["choices"])
     return YieldingKind(**entry | {"parameters": parameters, "choices": choices})
-
-
-def _number(name: str, value: Quantity, unit: str) -> float:
-    value = arguments.quantity(name, value)
-    if not isinstance(value, str):
-        return float(value)
-    try:
-        return core.quantity(value, unit, 1.0)
-    except InputError as error:
-        raise InputError(f"{name}: {error}") from None
 
 
 hysteresis: Mapping[str, YieldingKind] = _Kinds()

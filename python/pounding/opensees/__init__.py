@@ -19,6 +19,7 @@ import json
 import math
 import subprocess
 import sys
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -29,29 +30,13 @@ from pounding._native import core
 from pounding.arguments import quantity, refuse, takes, whole
 from pounding.contact import Law, Quantity, laws
 from pounding.errors import InputError, SolverError
+from pounding.opensees.link_process import Impact
 
 #: The program that serves one link.
 LINK_PROCESS = Path(__file__).parent / "link_process.py"
 #: Columns of Link.impacts, with the meaning and the units of those of Run.impacts; peaks are the largest at the ends of
 #: steps.
-IMPACT = np.dtype(
-    [
-        (name, float)
-        for name in (
-            "t_start",
-            "t_end",
-            "v_approach",
-            "v_separation",
-            "restitution",
-            "peak_force",
-            "t_peak",
-            "peak_penetration",
-            "impulse",
-            "energy_lost",
-            "energy_stored",
-        )
-    ]
-)
+IMPACT = np.dtype([(column.name, float) for column in fields(Impact)])
 
 
 def openseespy() -> Any:
@@ -75,20 +60,15 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
         self.tag, self.nodes, self.dof, self.gap, self.law = tag, nodes, dof, gap, law
         self.reduced_mass = reduced_mass  #: [kg]; None if the law needs none
         self._last: dict[str, Any] | None = None
-        values = {
-            "restitution": law.restitution,
-            "impact_velocity": law.impact_velocity,
-            "reduced_mass": reduced_mass,
-            **law.parameters,
-        }
+        values = {**law.given(), "reduced_mass": reduced_mass}
         asked = {
             "law": law.kind.name,
-            "formula": law.formula or "",
+            "formula": values.pop("formula", ""),
             "gap": gap,
             "values": {name: value for name, value in values.items() if value is not None},
         }
-        # In a separate session, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for
-        # ever. By its file, because by its name it would load this package first.
+        # In a separate session, since OpenSees would wait forever for a link that Ctrl-C has ended. Started as a file,
+        # since -m would import this package first.
         self._process = subprocess.Popen(
             [sys.executable, str(LINK_PROCESS)],
             stdin=subprocess.PIPE,
@@ -105,8 +85,8 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
     def impacts(self) -> np.ndarray:
         """One row per impact, until now or until the model was wiped, with the columns of IMPACT.
 
-                t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link
-        received states that are not finite."""
+        t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link received
+        states that are not finite."""
         answer = self._tell()
         if answer["error"]:
             raise SolverError(f"element {self.tag}: {answer['error']}")
@@ -119,8 +99,7 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
                 answer = self._ask("")
                 if not answer.get("connected"):
                     return answer
-                # This answer follows everything that the element had sent, so the next request finds it
-                # read.
+                # The element answers after everything it had sent, so the next request includes all of it.
                 ops.eleResponse(self.tag, "force")
                 return self._ask("")
             self._last = self._rest()
@@ -148,6 +127,8 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
         return json.loads(lines[-1]) if lines else {"error": "", "impacts": []}
 
 
+#: Tags of OpenSees.
+_INT = whole(-(2**31), 2**31 - 1)
 #: All links of this process: a link serves its element even if no variable refers to it.
 _made: list[Link] = []
 
@@ -160,13 +141,7 @@ def links() -> list[Link]:
     return [each for each in _made if of_tag.get(each.tag) is each]
 
 
-@takes(
-    tag=whole(-(2**31), 2**31 - 1),
-    node_i=whole(-(2**31), 2**31 - 1),
-    node_j=whole(-(2**31), 2**31 - 1),
-    gap=quantity,
-    dof=whole(1),
-)
+@takes(tag=_INT, node_i=_INT, node_j=_INT, gap=quantity, dof=whole(1))
 def link(
     tag: int,
     node_i: int,
@@ -180,24 +155,24 @@ def link(
 ) -> Link:
     """Adds a gap link between two nodes of the OpenSees model, as its element `tag` of type genericClient.
 
-        node_i is on the body with the smaller coordinate, node_j on the other; the gap closes if node_i moves towards
+    node_i is on the body with the smaller coordinate, node_j on the other; the gap closes if node_i moves towards
     node_j along `dof` (1: x). A fixed node is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters`
-    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The
-    reduced mass [kg] is by default that of the masses at the two nodes.
+    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The reduced
+    mass [kg] is by default that of the masses at the two nodes.
 
-        For implicit transient integrators: the element returns its stiffness dF/dd and its damping dF/dd', so that
-    Newton's method has the exact slopes. Contact and separation are detected at the ends of steps; impact speeds are
-    located within them. OpenSees reports that the element cannot revert when a step fails; the analysis may continue
-    with another step. Its `force` in a recorder lacks the damping part, so use the impacts of the Link. The link ends
-    with the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
+    For implicit transient integrators: the element returns its stiffness dF/dd and its damping dF/dd', so that Newton's
+    method has the exact slopes. Contact and separation are detected at the ends of steps; impact speeds are located
+    within them. OpenSees reports that the element cannot revert when a step fails; the analysis may continue with
+    another step. Its `force` in a recorder lacks the damping part, so use the impacts of the Link. The link ends with
+    the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
     ops = openseespy()
     if isinstance(law, str):
-        words: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
-        law = laws[law](**words)
+        given: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
+        law = laws[law](**given)
     elif not isinstance(law, Law):
         raise refuse("law", "the name of a law or a law", law)
     elif parameters:
-        raise InputError(f"a law was given, which has its parameters; leave out {', '.join(parameters)}")
+        raise InputError(f"law has its own parameters; remove {', '.join(parameters)}")
     if law.kind.instantaneous:
         raise InputError(
             f"{law.kind.name} is a jump of the velocity, which OpenSees elements cannot represent; use another law"
@@ -212,28 +187,14 @@ def link(
         if not 1 <= dof <= ops.getNDF(node)[0]:
             raise InputError(f"element {tag}: node {node} has no degree of freedom {dof}")
     if tag in ops.getEleTags():
-        raise InputError(f"element {tag} is there already; take another tag")
+        raise InputError(f"element {tag} exists already; choose another tag")
     _require_order(ops, tag, node_i, node_j, dof)
     mass = law.reduced_mass
     if law.kind.takes_reduced_mass and mass is None:
         mass = _reduced_mass(ops, tag, node_i, node_j, dof)
     made = Link(tag, (node_i, node_j), dof, opening, law, mass if law.kind.takes_reduced_mass else None)
-    ops.element(
-        "genericClient",
-        tag,
-        "-node",
-        node_i,
-        node_j,
-        "-dof",
-        dof,
-        "-dof",
-        dof,
-        "-server",
-        made.port,
-        "-dataSize",
-        8,
-        "-noRayleigh",
-    )
+    words = ["-node", node_i, node_j, "-dof", dof, "-dof", dof, "-server", made.port, "-dataSize", 8, "-noRayleigh"]
+    ops.element("genericClient", tag, *words)
     _made.append(made)
     return made
 
@@ -246,7 +207,7 @@ def _require_order(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> No
     at_i, at_j = ops.nodeCoord(node_i), ops.nodeCoord(node_j)
     if dof <= len(at_i) and at_i[dof - 1] > at_j[dof - 1]:
         raise InputError(
-            f"element {tag}: node {node_i} at {at_i[dof - 1]:g} stands beyond node {node_j} at {at_j[dof - 1]:g} "
+            f"element {tag}: node {node_i} at {at_i[dof - 1]:g} lies beyond node {node_j} at {at_j[dof - 1]:g} "
             f"along degree of freedom {dof}; type link({tag}, {node_j}, {node_i}, ...)"
         )
 

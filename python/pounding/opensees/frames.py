@@ -16,21 +16,13 @@ from pounding.opensees.hinge_members import HINGE_MEMBER, read_hinge_member
 from pounding.opensees.printed import PRINTED, Printed
 from pounding.opensees.springs import SPRINGS, End, Spring, hinge_words, read_spring, rotates_only, take_hinges
 
+_BEAM3 = {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"}
 #: Supported members, their properties, and the parameters for their exact values in OpenSees.
 MEMBERS = {
     "ElasticBeam2d": {"E": "E", "A": "A", "Iz": "I"},
     "ElasticTimoshenkoBeam2d": {"E": "E", "G": "G", "A": "A", "Iz": "Iz", "Avy": "Avy"},
-    "ElasticBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"},
-    "ElasticTimoshenkoBeam3d": {
-        "E": "E",
-        "G": "G",
-        "A": "A",
-        "Jx": "J",
-        "Iy": "Iy",
-        "Iz": "Iz",
-        "Avy": "Avy",
-        "Avz": "Avz",
-    },
+    "ElasticBeam3d": _BEAM3,
+    "ElasticTimoshenkoBeam3d": {**_BEAM3, "Avy": "Avy", "Avz": "Avz"},
 }
 #: Commands that create these members.
 COMMANDS = {
@@ -75,7 +67,7 @@ class Frames:
         ops = self.ops
         self.dimension = ops.getNDM()[0]
         if self.dimension not in DOFS:
-            raise InputError(f"the model has {self.dimension} dimension; frames in 2 and 3 are carried over")
+            raise InputError(f"the model has the dimension {self.dimension}; frames in 2 and 3 are supported")
         self.dofs = DOFS[self.dimension]
         self.nodes = {node: tuple(ops.nodeCoord(node)) for node in ops.getNodeTags()}
         for node in self.nodes:
@@ -91,7 +83,7 @@ class Frames:
             if element["name"] in self.without | ours:
                 continue
             if element["type"] in SPRINGS:
-                self.springs.append(read_spring(self.printed, element, self.nodes, self._told))
+                self.springs.append(read_spring(self.printed, element, self.nodes, self._exact))
             else:
                 self.members.append(self._member(element, transformations))
         # Elements without printed output are missing in the list of the model.
@@ -138,7 +130,7 @@ class Frames:
             neighbours[b].add(a)
         for node in self.nodes:
             if node not in neighbours and any(self.ops.nodeMass(node)):
-                raise InputError(f"node {node} has a mass, and no member meets it")
+                raise InputError(f"node {node} has a mass, and no member is connected to it")
         parts, seen = [], set()
         for first in neighbours:
             if first in seen:
@@ -234,18 +226,18 @@ class Frames:
             )
             raise InputError(
                 f"element {tag}: its transformation {transformation['name']} is {transformation['type']}, and only "
-                f"Linear is carried over{'; ' + reason if reason else ''}"
+                f"Linear is supported{'; ' + reason if reason else ''}"
             )
         if kind == HINGE_MEMBER:
-            values, hinges = read_hinge_member(self.printed, element, self.nodes, self._told)
+            values, hinges = read_hinge_member(self.printed, element, self.nodes, self._exact)
             self.hinges += hinges
         else:
-            values = {name: self._told(tag, (word,), element[name]) for name, word in MEMBERS[kind].items()}
+            values = {name: self._exact(tag, (word,), element[name]) for name, word in MEMBERS[kind].items()}
         return Member(
             tag, kind, tuple(element["nodes"]), values, dict(element), transformation, element["massperlength"]
         )
 
-    def _told(self, tag: int, words: Sequence[str | int], printed: float) -> float:
+    def _exact(self, tag: int, words: Sequence[str | int], printed: float) -> float:
         """Exact value of a property, from a parameter that is created and removed."""
         ops = self.ops
         free = max(ops.getParamTags() or [0]) + 1
@@ -253,7 +245,7 @@ class Frames:
         value = ops.getParamValue(free)
         ops.remove("parameter", free)
         if not abs(value - printed) <= PRINTED * abs(printed):
-            raise InputError(f"element {tag}: OpenSees tells {value!r} and prints {printed!r} for its {words[-1]}")
+            raise InputError(f"element {tag}: OpenSees returns {value!r} and prints {printed!r} for its {words[-1]}")
         return value
 
     @staticmethod
@@ -261,7 +253,7 @@ class Frames:
         return (
             f"element {tag} is of the type {kind}, which is not supported; only elasticBeamColumn, ElasticTimoshenkoBeam, "
             "forceBeamColumn with HingeRadau in the plane, zeroLength, twoNodeLink, truss and links of pounding.opensees are. "
-            f"without=[{tag}] leaves it out"
+            f"without=[{tag}] omits it"
         )
 
     def _member_words(self, members: Sequence[Member]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
@@ -331,20 +323,18 @@ class Frames:
             if consistent[member.tag] and member.kind != "ElasticBeam2d":
                 raise InputError(
                     f"element {member.tag}: the consistent mass of a {COMMANDS[member.kind]} in {self.dimension}D has "
-                    "terms that ours has not; build it without -cMass"
+                    "terms that are not supported; build it without -cMass"
                 )
         if len(set(consistent.values())) > 1:
             raise InputError(
-                f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; a "
-                "frame has one kind"
+                f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; use "
+                "one kind per frame"
             )
         return any(consistent.values())
 
     def _require_loose(self, master: int) -> None:
         if set(self.held.get(master, ())) != {3, 4, 5}:
-            raise InputError(
-                f"node {master} holds a rigid floor and nothing else; fix its degrees of freedom 3, 4 and 5 and no others"
-            )
+            raise InputError(f"node {master} only retains a rigid floor; fix exactly its degrees of freedom 3, 4 and 5")
 
     def _floors(self, nodes: Sequence[int], rigid: Mapping[int, Sequence[int]], used: set[int]) -> list[dict[str, Any]]:
         """Rigid floors, and levels with nodal masses, from the ground up."""
@@ -352,7 +342,7 @@ class Frames:
         for master, members in rigid.items():
             z = self.nodes[master][-1]
             if z in levels:
-                raise InputError(f"there are two rigid floors at {z:g}; a frame has one at a level")
+                raise InputError(f"there are two rigid floors at {z:g}; a frame has at most one per level")
             held = [master, *members] if master in used else list(members)
             levels[z] = {"nodes": [f"n{node}" for node in held], "elevation": z, "rigid": True}
         for node in nodes:

@@ -33,30 +33,30 @@ def from_opensees(
     title: str | None = None,
     face: Any = None,
 ) -> Model:
-    """The OpenSeesPy model of this process as a Model. Each connected part becomes a structure of kind `frame`, and
+    """The OpenSeesPy model of this process as a Model. Each connected part is converted to a structure of kind `frame`, and
     links of `pounding.opensees.link` become its links.
 
-        Supported: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear,
-    releases, joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. Yielding parts: a rotational
-    zeroLength whose nodes are tied by equalDOF is a hinge at the end of its member; forceBeamColumn with HingeRadau
-    and bilinear end sections is a member with hinges; truss, twoNodeLink and other zeroLength elements are devices.
-    Their materials are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and
-    beta), Elastic, Viscous and ViscousDamper. A zeroLength of HyperbolicGapMaterial along x is a wall with backfill.
-    A member has equal hinges at both ends, or a hinge at one end.
+    Supported: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear, releases,
+    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. Yielding parts: a rotational zeroLength
+    whose nodes are tied by equalDOF is a hinge at the end of its member; forceBeamColumn with HingeRadau and bilinear
+    end sections is a member with hinges; truss, twoNodeLink and other zeroLength elements are devices. Their materials
+    are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic,
+    Viscous and ViscousDamper. A zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has equal
+    hinges at both ends, or a hinge at one end.
 
-        The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from
-    their tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest
-    x, unless `names` is given.
+    The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from their
+    tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest x, unless
+    `names` is given.
 
-        OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK,
-    betaKinit, betaKcomm), or `damping` with input keys; the default is no damping. It does not return the motion of a
+    OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK, betaKinit,
+    betaKcomm), or `damping` with input keys; the default is undamped. It does not return the motion of a
     UniformExcitation: pass `ground_motion`, and `analysis`, as for Model. `without` are tags of elements to omit;
     `without_loads` omits load patterns. Mass per length, joint offsets, BoucWen, Hysteretic and HyperbolicGapMaterial
-    have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part
-    of Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes
-    of the outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
+    have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part of
+    Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes of the
+    outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
 
-        Raises InputError with the unsupported part; ImportError without openseespy."""
+    Raises InputError with the unsupported part; ImportError without openseespy."""
     ops = openseespy()
     printed = Printed(ops)
     frames = Frames(ops, printed, set(without))
@@ -64,7 +64,7 @@ def from_opensees(
     printed.require_nothing_else(ground_motion is not None, without_loads)
     if rayleigh is not None:
         if damping is not None:
-            raise InputError("rayleigh and damping both say the damping; keep one of them")
+            raise InputError("rayleigh and damping both define the damping; pass one of them")
         damping = rayleigh_words(rayleigh)
     elif damping is None and printed.alpha_m != 0:
         raise InputError(
@@ -111,10 +111,10 @@ def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], li
                     walls[f"wall{spring.tag}"] = {"wall": {}}
             gaps.append(words)
         elif None not in ends and ends[0] != ends[1]:
-            if not spring.stands:
+            if not spring.has_length:
                 raise InputError(
-                    f"element {spring.tag} joins {ends[0]} and {ends[1]} by a zeroLength; make it a twoNodeLink between nodes "
-                    "that are apart"
+                    f"element {spring.tag} joins {ends[0]} and {ends[1]} by a zeroLength; replace it by a twoNodeLink between nodes "
+                    "with different coordinates"
                 )
             spring.direction(frames.dimension)
             devices[f"d{spring.tag}"] = {
@@ -133,7 +133,7 @@ def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
         raise InputError(f"rayleigh is {tuple(factors)}, but takes factors that are not negative")
     if by_mass == by_stiffness == 0:
         return None
-    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is
+    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; if one factor is zero, the other frequency is
     # far enough away to be lost in round-off.
     if by_stiffness == 0:
         low, high = max(1.0, 10 * by_mass), 1e15
@@ -162,16 +162,10 @@ def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:
             f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are supported"
         )
     law = link.law
-    given = {
-        "formula": law.formula,
-        "restitution": law.restitution,
-        "impact_velocity": law.impact_velocity,
-        "reduced_mass": link.reduced_mass,
-        **law.parameters,
-    }
+    given = dict.fromkeys(("formula", "restitution", "impact_velocity", "reduced_mass")) | law.given()
     return {
         "between": [{"structure": home[node], "node": f"n{node}"} for node in link.nodes],
         "gap": link.gap,
         "law": law.kind.name,
-        **{name: value for name, value in given.items() if value is not None},
+        **{name: value for name, value in {**given, "reduced_mass": link.reduced_mass}.items() if value is not None},
     }

@@ -26,16 +26,7 @@ from typing import Any, NamedTuple
 LIBRARY = Path(__file__).parents[1] / "libpounding_c.so.1"
 
 # First number of a message from the element. An answer is a vector of the same size.
-SET_TRIAL, COMMIT, GET_FORCE, GET_INITIAL_STIFFNESS, GET_STIFFNESS, GET_DAMPING, GET_MASS, END = (
-    3,
-    5,
-    10,
-    12,
-    13,
-    14,
-    15,
-    99,
-)
+SET_TRIAL, COMMIT, GET_FORCE, GET_STIFFNESS, GET_DAMPING, END = 3, 5, 10, 13, 14, 99
 
 
 class _Contact(ctypes.Structure):
@@ -67,11 +58,8 @@ class Law:
         self._library.pnd_error_text.restype = ctypes.c_char_p
         self._law = ctypes.c_void_p()
         pairs = (_Value * len(values))(*(_Value(name.encode(), value) for name, value in values.items()))
-        self._check(
-            self._library.pnd_create(
-                name.encode(), formula.encode(), pairs, ctypes.c_size_t(len(values)), ctypes.byref(self._law)
-            )
-        )
+        count, law = ctypes.c_size_t(len(values)), ctypes.byref(self._law)
+        self._check(self._library.pnd_create(name.encode(), formula.encode(), pairs, count, law))
 
     def touch(self, contact: _Contact, closing_speed: float) -> None:
         """Marks the start of contact at this closing speed [m/s]."""
@@ -79,25 +67,14 @@ class Law:
 
     def respond(self, contact: _Contact, penetration: float, rate: float) -> Answer:
         """Force [N] and both slopes at a penetration [m] and its rate [m/s]. Pure."""
-        answer = Answer()
-        self._check(
-            self._library.pnd_respond(
-                self._law,
-                ctypes.byref(contact),
-                ctypes.c_double(penetration),
-                ctypes.c_double(rate),
-                ctypes.byref(answer),
-            )
-        )
+        answer, state = Answer(), (ctypes.c_double(penetration), ctypes.c_double(rate))
+        self._check(self._library.pnd_respond(self._law, ctypes.byref(contact), *state, ctypes.byref(answer)))
         return answer
 
     def accept(self, contact: _Contact, penetration: float, rate: float) -> None:
         """Accepts the state at the end of a committed step."""
-        self._check(
-            self._library.pnd_accept(
-                self._law, ctypes.c_double(penetration), ctypes.c_double(rate), ctypes.byref(contact)
-            )
-        )
+        state = ctypes.c_double(penetration), ctypes.c_double(rate)
+        self._check(self._library.pnd_accept(self._law, *state, ctypes.byref(contact)))
 
     def _check(self, status: int) -> None:
         if status != 0:
@@ -144,9 +121,9 @@ def time_to_close(opening: float, rate: float, acceleration: float) -> float:
 class Link:
     """Force at trial states, and history at committed states.
 
-        An impact begins at the first committed state with overlap, so that one formula of the force applies to a
-    whole step: if the force jumps at contact, as for kelvin_voigt, a step could otherwise have no solution. The
-    closing speed is that at contact within the step, from the acceleration at its beginning."""
+    An impact begins at the first committed state with overlap, so that one formula of the force applies to a whole
+    step: if the force jumps at contact, as for kelvin_voigt, a step could otherwise have no solution. The closing speed
+    is that at contact within the step, from the acceleration at its beginning."""
 
     def __init__(self, law: Law, gap: float) -> None:
         self.law, self.gap = law, gap
@@ -170,7 +147,7 @@ class Link:
         before, now = self.kept or self.now, self.now
         indentation, was_touching = self.contact.indentation, bool(self.contact.touching)
         if not was_touching and now.penetration > indentation:
-            wait = self._closing_time(before)
+            wait = time_to_close(max(0.0, indentation - before.penetration), before.rate, before.acceleration)
             start = min(before.time + wait, now.time)
             speed = max(0.0, before.rate + before.acceleration * (start - before.time))
             self.law.touch(self.contact, speed)
@@ -191,9 +168,6 @@ class Link:
         deep, parts = self.kept.penetration, [(i + 0.5) / 200 for i in range(200)]
         stored = sum(2 * t * self.law.respond(self.contact, deep * t * t, 0.0).force for t in parts) * deep / 200
         return [*over, replace(last, energy_stored=stored, energy_lost=last.energy_lost - stored)]
-
-    def _closing_time(self, state: State) -> float:
-        return time_to_close(max(0.0, self.contact.indentation - state.penetration), state.rate, state.acceleration)
 
     def _add(self, before: State, now: State, indentation: float) -> None:
         row, force, step = self.impacts[-1], self.answer.force, now.time - before.time

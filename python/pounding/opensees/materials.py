@@ -65,7 +65,7 @@ class Material:
         """Raises InputError if a value differs from the one that the law assumes."""
         for name, value in wanted.items():
             if self.values[name] != value:
-                raise self.refuse(f"{name} is {self.values[name]:g}, and only {value:g} is carried over")
+                raise self.refuse(f"{name} is {self.values[name]:g}, and only {value:g} is supported")
 
     def law(self) -> Law:
         """The equivalent law of yielding. Raises InputError for other materials."""
@@ -93,19 +93,10 @@ def _steel01(of: Material) -> Law:
 
 
 def _steel02(of: Material) -> Law:
-    of.require(a1=0, a3=0, sigini=0)
-    return Law(
-        "menegotto_pinto",
-        {
-            "stiffness": of.values["E"],
-            "yield_force": of.values["fy"],
-            "hardening": of.values["b"],
-            "R0": of.values["R0"],
-            "cR1": of.values["cR1"],
-            "cR2": of.values["cR2"],
-            "memory": "last",
-        },
-    )
+    bilinear = _steel01(of).values
+    of.require(sigini=0)
+    curve = {name: of.values[name] for name in ("R0", "cR1", "cR2")}
+    return Law("menegotto_pinto", {**bilinear, **curve, "memory": "last"})
 
 
 def _elastic_plastic(of: Material) -> Law:
@@ -137,7 +128,7 @@ def _hysteretic(of: Material) -> Law:
     values = of.values
     of.require(pinchX=1, pinchY=1, damfc1=0, damfc2=0)
     if values["beta"] != 0:
-        raise of.refuse(f"beta is {values['beta']:g}, and only without it small cycles are those of peak_oriented")
+        raise of.refuse(f"beta is {values['beta']:g}, and small cycles follow peak_oriented only for beta = 0")
     for name in ("s1", "e1", "s2", "e2", "s3", "e3"):
         if abs(values[name + "p"] + values[name + "n"]) > PRINTED * abs(values[name + "p"]):
             raise of.refuse("its two sides differ")
@@ -145,7 +136,7 @@ def _hysteretic(of: Material) -> Law:
     # OpenSees splits the second of two lines at its middle.
     if abs(slopes[2] - slopes[1]) > PRINTED * slopes[0]:
         raise of.refuse(
-            "its backbone has three lines, between which it unloads otherwise than peak_oriented; two are supported"
+            "its backbone has three lines, between which it unloads differently from peak_oriented; two are supported"
         )
     stiffness = values["s1p"] / values["e1p"]
     hardening = (values["s3p"] - values["s1p"]) / (values["e3p"] - values["e1p"]) / stiffness

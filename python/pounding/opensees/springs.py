@@ -37,7 +37,7 @@ class Spring:
     materials: Mapping[int, Material]  #: by degrees of freedom from 1; of a truss and of a twoNodeLink 1 is along it
     area: float  #: of a truss [m^2], else 1
     length: float  #: of a truss [m], else 1
-    stands: bool  #: True if its nodes have different coordinates
+    has_length: bool  #: True if its nodes have different coordinates
 
     def words(self) -> dict[str, Any]:
         """Input keys of the device. Raises InputError for several materials and for directions other than x, y and
@@ -50,16 +50,14 @@ class Spring:
     def direction(self, dimension: int) -> dict[str, str]:
         """Input key of its axis; empty along the line between its nodes."""
         [dof] = self.materials
-        if self.stands:
+        if self.has_length:
             if dof != 1:
-                raise InputError(
-                    f"element {self.tag} acts across the line between its nodes; only -dir 1 is carried over"
-                )
+                raise InputError(f"element {self.tag} acts across the line between its nodes; only -dir 1 is supported")
             return {}
         axes = AXES[dimension]
         if dof > len(axes):
             raise InputError(
-                f"element {self.tag} turns, but joins no end of a member; only displacements are carried over"
+                f"element {self.tag} rotates, but is not at the end of a member; only displacements are supported"
             )
         return {"axis": axes[dof - 1]}
 
@@ -111,7 +109,7 @@ class JoinedMember(Protocol):
 
 def rotates_only(spring: Spring, dimension: int) -> bool:
     """True if all its materials act on rotations."""
-    return spring.kind == "ZeroLength" and not spring.stands and min(spring.materials) > dimension
+    return spring.kind == "ZeroLength" and not spring.has_length and min(spring.materials) > dimension
 
 
 def take_hinges(
@@ -124,10 +122,9 @@ def take_hinges(
 ) -> tuple[int, int, list[End]]:
     """The node at the end of a member, the node at the other end of the spring, and its hinges.
 
-        The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes with
-    other constraints or loads, `local` the local y and z of members in space. Raises InputError if it is not a
-    hinge."""
-    turns = f"element {spring.tag} turns between nodes {spring.nodes[0]} and {spring.nodes[1]}"
+    The displacements, and the rotations without a material, must be tied by one equalDOF. `busy` are nodes with other
+    constraints or loads, `local` the local y and z of members in space. Raises InputError if it is not a hinge."""
+    turns = f"element {spring.tag} rotates between nodes {spring.nodes[0]} and {spring.nodes[1]}"
     free = set(spring.materials)
     wanted = tuple(dof for dof in range(1, (3 if dimension == 2 else 6) + 1) if dof not in free)
     tie = next(
@@ -142,7 +139,7 @@ def take_hinges(
     at = {node: [member for member in members if node in member.nodes] for node in spring.nodes}
     end = next((node for node in (tie.node, tie.retained) if len(at[node]) == 1 and node not in busy), None)
     if end is None:
-        raise InputError(f"{turns}, and none of them is the end of one member alone, without mass, support and link")
+        raise InputError(f"{turns}, and neither is the end of exactly one member, without mass, support and link")
     [member] = at[end]
     where = "start" if member.nodes[0] == end else "end"
     [kept] = set(spring.nodes) - {end}
@@ -174,7 +171,7 @@ def hinge_words(hinges: Sequence[End]) -> dict[str, dict[str, Any]]:
         ends, axes = {hinge.end for hinge in of}, {hinge.axis for hinge in of}
         if any(hinge.law != of[0].law for hinge in of) or len(of) != len(ends) * len(axes):
             raise InputError(
-                f"element {tag}: its hinges differ; a member has the same ones at both ends and about both axes"
+                f"element {tag}: its hinges differ; a member has equal hinges at both ends and about both axes"
             )
         words[f"e{tag}"] = {
             "at": ends.pop() if len(ends) == 1 else "both",
@@ -188,7 +185,7 @@ def plastic(moment: Law, plastic_length: float, length: float) -> dict[str, Any]
     """Input keys of the rigid-plastic hinge for a section with a bilinear moment [N m] over `plastic_length` [m] at
     the end of a member of this length [m] that is elastic throughout.
 
-        After yielding it rotates by plastic_length (1-b)/(b E I) per N m; the `hardening` a of a hinge is 6 E I/L
+    After yielding it rotates by plastic_length (1-b)/(b E I) per N m; the `hardening` a of a hinge is 6 E I/L
     a/(1-a)."""
     b = float(moment.values["hardening"])
     x = b / (1 - b) * length / (6 * plastic_length)

@@ -1,4 +1,4 @@
-"""Mathematics between dollar signs as pictures that any browser shows without a network, and the texts around it."""
+"""Texts with mathematics between dollar signs as HTML with embedded pictures."""
 
 import base64
 import functools
@@ -36,11 +36,11 @@ def svg_of(figure: Figure) -> str:
 
 @functools.lru_cache(maxsize=None)
 def formula(tex: str, size: float = SIZE) -> str:
-    """The HTML of one formula; `tex` with its dollar signs. Its base line is that of the text around it.
-    Raises ValueError when matplotlib cannot read it."""
+    """The HTML of one formula; `tex` with its dollar signs. Its base line is that of the surrounding text.
+    Raises ValueError if matplotlib cannot parse it."""
     with rc_context(_STYLE):
         width, height, depth, _, _ = MathTextParser("path").parse(tex, 72, FontProperties(size=size))
-        # Glyphs may reach a little over the box that TeX gives them.
+        # Glyphs may extend slightly beyond their TeX boxes.
         width, height, depth = width + 1, height + 1, depth + 0.5
         figure = Figure(figsize=(width / 72, height / 72))
         figure.text(0.5 / width, depth / height, tex, fontsize=size)

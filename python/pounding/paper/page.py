@@ -184,7 +184,7 @@ def table(described: dict[str, Any]) -> str:
     return f"<h3>{rich(described['title'])}</h3>{whole_table}"
 
 
-#: Every page begins so.
+#: Start of every page.
 BEGIN = f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{TITLE}</title>'
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -18,7 +21,7 @@ def require_comparison(run: RunData, picture: str) -> RunData:
     """The run without links. Raises BadRequest if the file has none, and for a picture that cannot show it."""
     if picture not in COMPARABLE:
         raise BadRequest(
-            f"a run without links has nothing to show in the picture {picture}; compare one of {', '.join(COMPARABLE)}"
+            f"the picture {picture} cannot show a run without links; compare one of {', '.join(COMPARABLE)}"
         )
     if run.no_pounding is None:
         raise BadRequest("this file has no run without links; add compare: no_pounding to the model and run it again")
@@ -30,55 +33,50 @@ def draw_displacements_without_links(
 ) -> None:
     """Adds the displacements of the same floors in the run without links to a panel of draw_displacements."""
     without = require_comparison(run, "displacement")
-    for number, (displacement, colour) in enumerate(drawn_displacements(run, without, chosen, direction)):
-        plot_time(
-            axes,
-            run,
-            without.time,
-            displacement,
-            color=colour,
-            label="without links" if number == 0 else None,
-            **DASHED,
-        )
-    legend_beside(axes)
+    _draw(axes, run, without, drawn_displacements(run, without, chosen, direction))
 
 
 def draw_rotations_without_links(axes: Axes, run: RunData) -> None:
     """Adds the rotations of floors in the run without links to a panel of draw_rotations."""
     without = require_comparison(run, "rotation")
-    for number, (rotation, colour, _) in enumerate(drawn_rotations(run, without)):
-        plot_time(
-            axes, run, without.time, rotation, color=colour, label="without links" if number == 0 else None, **DASHED
-        )
-    legend_beside(axes)
+    _draw(axes, run, without, ((rotation, colour) for rotation, colour, _ in drawn_rotations(run, without)))
 
 
 def draw_openings_without_links(axes: Axes, run: RunData) -> None:
     """Adds the openings between the floors of links in the run without links."""
     without = require_comparison(run, "gap")
-    label: str | None = "without links"
-    for link, style in link_styles(run):
-        opening = _opening(link, without)
-        if opening is not None:
-            plot_time(axes, run, without.time, MM * opening, **{**style, "label": label, **DASHED})
-            label = None
-    legend_beside(axes)
+    openings = ((_opening(link, without), style) for link, style in link_styles(run))
+    _draw(axes, run, without, ((MM * opening, style) for opening, style in openings if opening is not None))
 
 
 def draw_input_without_links(axes: Axes, run: RunData) -> None:
     """Adds the input energy of the run without links."""
     without = require_comparison(run, "energy")
     size, _ = engineering(largest([run.energy["input"]]), ENERGY_UNITS)
-    plot_time(
-        axes,
-        run,
-        without.energy["time"],
-        without.energy["input"] / size,
-        color="black",
-        label="input without links",
-        **DASHED,
-    )
+    style = {**DASHED, "color": "black", "label": "input without links"}
+    plot_time(axes, run, without.energy["time"], without.energy["input"] / size, **style)
     legend_beside(axes, reverse=True)
+
+
+#: Panels that can also show the run without links.
+WITHOUT_LINKS: dict[str, Callable[..., None]] = {
+    "displacement": draw_displacements_without_links,
+    "rotation": draw_rotations_without_links,
+    "gap": draw_openings_without_links,
+    "energy": draw_input_without_links,
+}
+
+
+def _draw(
+    axes: Axes, run: RunData, without: RunData, curves: Iterable[tuple[np.ndarray, str | dict[str, Any]]]
+) -> None:
+    """Dashed curves with a colour or style each, and one entry of the legend."""
+    label: str | None = "without links"
+    for values, style in curves:
+        own = {"color": style} if isinstance(style, str) else style
+        plot_time(axes, run, without.time, values, **{**own, "label": label, **DASHED})
+        label = None
+    legend_beside(axes)
 
 
 def _opening(link: Link, run: RunData) -> np.ndarray | None:

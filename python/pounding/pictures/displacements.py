@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from pounding.results import Link, RunData, Structure
 
 #: Maximum number of displacements in one panel.
 MAX_STRUCTURES = len(STRUCTURE_COLOURS)
-#: Line of a structure that no link along the panel's direction joins to another: its distance from them has no meaning.
+#: Line of a structure that no link along the panel's direction joins to another: its distance to others is meaningless.
 APART: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.8}
 #: Place on a structure: the number of a floor, from 1, or the end of a link such as "node b" and "10.5 m up".
 Place = int | str
@@ -57,49 +58,30 @@ def draw_displacements(
     """Displacements of up to six structures at their highest links, each offset by the gap to its left neighbour, so
     that two lines meet when the structures touch.
 
-        A roof above the links is drawn thin. `chosen` maps names of structures to indices of floors, from 0, to draw
+    A roof above the links is drawn thin. `chosen` maps names of structures to indices of floors, from 0, to draw
     instead; structures with a chosen floor come first. The gap between two lines is shaded if a link joins the floors
     drawn. The end of a link between floors follows from the floor at its other end and the opening of the link.
 
-        `direction` is one of directions_of(), by default that of the first link. Links along other directions are not
-    part of the panel; structures joined by such links only are drawn thin, about zero. In space, displacements are
-    those of the centres of floors; the corners of rotating floors may touch before the lines meet."""
+    `direction` is one of directions_of(), by default that of the first link. Links along other directions are not part
+    of the panel; structures joined by such links only are drawn thin, about zero. In space, displacements are those of
+    the centres of floors; the corners of rotating floors may touch before the lines meet."""
     chosen = chosen or {}
     view = _view(run, chosen, _direction(run) if direction is None else direction)
     moved = _displacements(run, view)
     sides = {name: MM * (view.offsets[name] + moved[name]) for name in view.places}
     axis = _axis_words(view.direction)
+    draw = partial(plot_time, axes, run, run.time)
     for structure in view.drawn:
-        name, place, top, colour = (
-            structure.name,
-            view.places[structure.name],
-            len(structure.floors),
-            view.colours[structure.name],
-        )
+        name, top = structure.name, len(structure.floors)
+        place, colour = view.places[name], view.colours[name]
         if name in view.apart:
-            plot_time(
-                axes,
-                run,
-                run.time,
-                sides[name],
-                color=colour,
-                label=f"{_label(structure, place)}{NO_LINK} {axis})",
-                **APART,
-            )
+            draw(sides[name], color=colour, label=f"{_label(structure, place)}{NO_LINK} {axis})", **APART)
             continue
         axes.axhline(MM * view.offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
-        plot_time(axes, run, run.time, sides[name], color=colour, label=_label(structure, place))
+        draw(sides[name], color=colour, label=_label(structure, place))
         if place != top and top and name not in chosen:
-            plot_time(
-                axes,
-                run,
-                run.time,
-                MM * (view.offsets[name] + _of_floor(run, name, top, view.direction)),
-                color=colour,
-                linewidth=0.5,
-                alpha=0.7,
-                label=f"{name}, top",
-            )
+            roof = MM * (view.offsets[name] + _of_floor(run, name, top, view.direction))
+            draw(roof, color=colour, linewidth=0.5, alpha=0.7, label=f"{name}, top")
     sizes = ", ".join(f"{MM * link.gap:.4g}" for link in view.facing)
     for i, link in enumerate(view.facing):
         left, right = (sides[name] for name in _ordered(link, view.direction))
@@ -128,11 +110,8 @@ def drawn_displacements(
     Links give the motion between floors in the run; in the other run it is interpolated over the height."""
     view = _view(run, chosen or {}, _direction(run) if direction is None else direction)
     return [
-        (
-            MM * (view.offsets[structure.name] + _at_place(run, other, structure.name, view)),
-            view.colours[structure.name],
-        )
-        for structure in view.drawn
+        (MM * (view.offsets[name] + _at_place(run, other, name, view)), view.colours[name])
+        for name in (structure.name for structure in view.drawn)
     ]
 
 
@@ -184,15 +163,8 @@ def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
     numbers = {name: number for number, name in enumerate(run.structures)}
     few = len(run.structures) <= MAX_STRUCTURES
     colours = {name: structure_colour(numbers[name] if few else i) for i, name in enumerate(names)}
-    return _View(
-        direction,
-        drawn,
-        colours,
-        places,
-        facing,
-        _offsets(along, names, direction),
-        set(names) - linked if linked else set(),
-    )
+    offsets, apart = _offsets(along, names, direction), set(names) - linked if linked else set()
+    return _View(direction, drawn, colours, places, facing, offsets, apart)
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
@@ -312,7 +284,7 @@ def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarra
 
 
 def _sign(link: Link, direction: np.ndarray) -> int:
-    """1 if a link is parallel to a direction, -1 if antiparallel, else 0."""
+    """Sign of a link along a direction: 1 if parallel, -1 if antiparallel, else 0."""
     share = float(link.direction[:2] @ direction[:2])
     return int(np.sign(share)) if abs(share) > (1 - 1e-6) * np.hypot(*link.direction[:2]) > 0 else 0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -49,7 +49,7 @@ class Drawing:
         self.scene, self.view = scene, view
         self.lines: dict[str, LineCollection] = {}
         self.boxes: dict[str, PolyCollection] = {}
-        #: White under the lines of each structure, where those behind it should not be seen.
+        #: White areas under the lines of each structure, which hide the structures behind it.
         self.bodies: dict[str, PolyCollection] = {}
         hides = view == "oblique" and are_many(scene)
         nearer = _from_behind(scene) if hides else {}
@@ -71,28 +71,14 @@ class Drawing:
             self._set(name, scene.at_rest(name))
         points = np.array([project(face, view) for face in scene.faces.values()]).reshape(-1, 2)
         small = are_many(scene)
+        size, width = (3, 0.4) if small else (22, 0.8)
+        style: dict[str, Any] = {"marker": "D", "facecolor": "white", "edgecolor": "black", "zorder": 6}
         self.marks = axes.scatter(
-            points[:, 0],
-            points[:, 1],
-            s=3 if small else 22,
-            marker="D",
-            facecolor="white",
-            edgecolor="black",
-            linewidth=0.4 if small else 0.8,
-            zorder=6,
-            visible=marks and not hides,
+            points[:, 0], points[:, 1], s=size, linewidth=width, visible=marks and not hides, **style
         )
-        #: One flash a link, invisible while it is open.
-        self.flashes = axes.scatter(
-            points[:, 0],
-            points[:, 1],
-            s=0,
-            marker=MarkerStyle(star()),
-            facecolor=YELLOW,
-            edgecolor="black",
-            linewidth=0.6,
-            zorder=7,
-        )
+        #: One flash per link, invisible while the link is open.
+        style = {"marker": MarkerStyle(star()), "facecolor": YELLOW, "edgecolor": "black", "zorder": 7}
+        self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, linewidth=0.6, **style)
 
     def artists(self) -> list[Artist]:
         """Artists changed by `move` and `flash`, lowest first."""

@@ -6,16 +6,9 @@ import warnings
 from collections.abc import Callable
 from typing import Any
 
-from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from pounding.pictures.comparison import (
-    draw_displacements_without_links,
-    draw_input_without_links,
-    draw_openings_without_links,
-    draw_rotations_without_links,
-    require_comparison,
-)
+from pounding.pictures.comparison import WITHOUT_LINKS, require_comparison
 from pounding.pictures.displacements import directions_of, draw_displacements, draw_rotations, turning
 from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
@@ -26,7 +19,8 @@ from pounding.pictures.plan_map import plan_figure
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.spring_loops import loops_figure, most_energy
-from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
+from pounding.pictures import style
+from pounding.pictures.style import NARROW, BadRequest
 from pounding.results import RunData
 
 WHOLE: dict[str, Callable[..., Figure]] = {
@@ -45,13 +39,6 @@ OVER_TIME: dict[str, Callable[..., None]] = {
     "energy": draw_energies,
 }
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "contact_loops": draw_loops}
-#: Panels that can also show the run without links.
-COMPARED: dict[str, Callable[..., None]] = {
-    "displacement": draw_displacements_without_links,
-    "rotation": draw_rotations_without_links,
-    "gap": draw_openings_without_links,
-    "energy": draw_input_without_links,
-}
 
 
 def figure(
@@ -64,10 +51,10 @@ def figure(
 ) -> Figure:
     """One picture of a run.
 
-        `title` replaces that of the run, `size` is width and height [in], and `floors` {structure: label} are those
-    of the picture "run". `compare` also draws the run without links; None draws it in profiles and plan if it exists.
-    Loops are those of yielding parts and devices, or of contacts if the run has no such parts. Raises BadRequest for
-    an unknown picture and for an impossible comparison."""
+    `title` replaces that of the run, `size` is width and height [in], and `floors` {structure: label} are those of the
+    picture "run". `compare` also draws the run without links; None draws it in profiles and plan if it exists. Loops
+    are those of yielding parts and devices, or of contacts if the run has no such parts. Raises BadRequest for an
+    unknown picture and for an impossible comparison."""
     if picture == "springs":
         warnings.warn('the picture "springs" is now called "loops"', DeprecationWarning, stacklevel=5)
         picture = "loops"
@@ -89,14 +76,13 @@ def figure(
     directions: list[dict[str, Any]] = (
         [{"direction": each} for each in directions_of(run)] if picture == "displacement" else [{}]
     )
-    with rc_context(STYLE):
-        size = size or ((6.5, 0.8 + 2.4 * len(directions)) if picture in OVER_TIME else (5.5, 4.0))
-        made = Picture(figsize=size, layout="constrained")
+    size = size or ((6.5, 0.8 + 2.4 * len(directions)) if picture in OVER_TIME else (5.5, 4.0))
+    with style.picture(size, run.title if title is None else title) as made:
         panels: Any = made.subplots(len(directions), 1, squeeze=False, sharex=True)[:, 0]
         for axes, options in zip(panels, directions):
             PANELS[picture](axes, run, **options)
             if compare:
-                COMPARED[picture](axes, run, **options)
+                WITHOUT_LINKS[picture](axes, run, **options)
         if picture in OVER_TIME:
             label_time(panels[-1], run)
         if size[0] < NARROW:
@@ -106,5 +92,4 @@ def figure(
                     axes.set_ylabel("[mm]")
         if title == "" and len(panels) == 1:
             panels[0].set_title("")
-        head(made, run.title if title is None else title)
         return made

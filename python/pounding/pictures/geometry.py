@@ -104,8 +104,8 @@ def outline(points: np.ndarray) -> np.ndarray:
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
     """[time, node, 3] displacements of the nodes of the line model relative to the ground [m].
 
-        Reported nodes have their own histories. Other nodes of a floor follow it as a plate that is rigid in its
-    plane and rotates about its reference point; nodes between two floors are interpolated over the height."""
+    Reported nodes have their own histories. Other nodes of a floor follow it as a plate that is rigid in its plane and
+    rotates about its reference point; nodes between two floors are interpolated over the height."""
     moved = _by_floors(structure, model)
     reported = structure.nodes
     if reported is None or structure.geometry is None:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from matplotlib import colormaps, rc_context
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -16,19 +17,9 @@ from matplotlib.markers import MarkerStyle
 
 from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes, project, star
 from pounding.pictures.model_picture import TITLES, label_floors, name_structures, spread_scene
-from pounding.pictures.panels import legend_below
+from pounding.pictures.panels import key, legend_below, note
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import (
-    ENERGY_UNITS,
-    FORCE_UNITS,
-    NARROW,
-    STYLE,
-    YELLOW,
-    BadRequest,
-    Picture,
-    engineering,
-    head,
-)
+from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, NARROW, YELLOW, BadRequest, engineering, picture
 from pounding.results import RunData, Structure
 from pounding.springs import Springs
 
@@ -85,9 +76,9 @@ class Mark:
 def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
     """The structures of a run at rest with all parts that can yield.
 
-        Circles are hinges, coloured by plastic rotation, or by its ratio to the ultimate rotation if all hinges have
-    one. Thick lines are storeys, coloured by ductility, as are all parts of a run with storeys. Their size grows with
-    the lost energy; elastic parts are small and white. Stars are links with impacts, larger for larger forces. One
+    Circles are hinges, coloured by plastic rotation, or by its ratio to the ultimate rotation if all hinges have one.
+    Thick lines are storeys, coloured by ductility, as are all parts of a run with storeys. Their size grows with the
+    lost energy; elastic parts are small and white. Stars are links with impacts, larger for larger forces. One
     elevation; for a model in space a view and an elevation, in a narrow figure the view only. `size` [in]. Raises
     BadRequest for a run without parts that can yield."""
     scene = spread_scene(run, APART)
@@ -95,29 +86,20 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
     marks = list(_marks(scene, measure))
     if not marks:
         raise BadRequest(
-            "there is nothing to map: every structure of this run stays elastic. Give frames hinges, or storeys a yield_force"
+            "nothing to map: all structures of this run stay elastic. Give frames hinges, or storeys a yield_force"
         )
     narrow = size is not None and size[0] < NARROW
     views = ["elevation"] if not scene.is_spatial else ["oblique"] if narrow else ["oblique", "elevation"]
-    with rc_context(STYLE):
-        figure = Picture(figsize=size or _size(scene, len(views)), layout="constrained")
+    with picture(size or _size(scene, len(views)), run.title if title is None else title) as figure:
         panels = figure.subplots(1, len(views), squeeze=False)[0]
         norm = Normalize(measure.lowest, max([measure.least_top, *(mark.value for mark in marks)]))
         for letter, panel, view in zip("ab", panels, views):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(views) > 1 else "")
             draw_hinges(panel, scene, view, marks, norm, min(1.0, figure.get_figwidth() / (5.5 * len(views))))
-        figure.colorbar(
-            ScalarMappable(norm, COLOURS),
-            ax=list(panels),
-            fraction=0.04,
-            pad=0.02,
-            shrink=0.8,
-            panchor=False,
-            label=measure.label,
-        )
+        where: dict[str, Any] = {"ax": list(panels), "fraction": 0.04, "pad": 0.02, "shrink": 0.8, "panchor": False}
+        figure.colorbar(ScalarMappable(norm, COLOURS), label=measure.label, **where)
         handles = list(_legend(run, marks))
         legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 2 if narrow else 4)
-        head(figure, run.title if title is None else title)
         return figure
 
 
@@ -166,14 +148,8 @@ def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
             points = _points(scene, structure, part)
             if points is None:
                 continue
-            yield Mark(
-                name,
-                part,
-                points,
-                float(measure.of(springs, i)),
-                float(springs.largest["hysteretic"][i]),
-                springs.states[i],
-            )
+            value, energy = float(measure.of(springs, i)), float(springs.largest["hysteretic"][i])
+            yield Mark(name, part, points, value, energy, springs.states[i])
 
 
 def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
@@ -255,17 +231,9 @@ def _number_largest(axes: Axes, marks: list[Mark], view: str) -> None:
         own = [mark for mark in marks if mark.structure == name and mark.state != "elastic"]
         shown = own if own and own[0].is_storey and len(own) <= 16 else sorted(own, key=lambda one: -one.value)[:1]
         for mark in shown:
-            x, y = project(mark.points, view).mean(axis=0)
-            axes.annotate(
-                f"{mark.value:.3g}",
-                (x, y),
-                (3 + WIDTHS[1] / 2, 0) if mark.is_storey else (6, 7),
-                textcoords="offset points",
-                ha="left",
-                va="center",
-                fontsize=6.5,
-                zorder=8,
-            )
+            offset = (3 + WIDTHS[1] / 2, 0) if mark.is_storey else (6, 7)
+            at = project(mark.points, view).mean(axis=0)
+            note(axes, f"{mark.value:.3g}", at, offset, ha="left", va="center", fontsize=6.5, zorder=8)
 
 
 def _legend(run: RunData, marks: list[Mark]) -> Iterator[Line2D]:
@@ -276,56 +244,17 @@ def _legend(run: RunData, marks: list[Mark]) -> Iterator[Line2D]:
     middle = COLOURS(0.55)
     if most.energy > 0:
         words = f"{yielded} of {len(marks)} yielded, the largest lost {most.energy / size:.3g} {unit}"
-        yield (
-            Line2D(
-                [],
-                [],
-                linestyle="none",
-                marker="o",
-                color=middle,
-                markeredgecolor="black",
-                markeredgewidth=0.5,
-                markersize=8,
-                label=words,
-            )
-            if circles
-            else Line2D([], [], color=middle, linewidth=6, label=words)
-        )
+        yield key(words, "o", 8, middle) if circles else Line2D([], [], color=middle, linewidth=6, label=words)
     if any(mark.state == "elastic" for mark in marks):
-        yield (
-            Line2D(
-                [],
-                [],
-                linestyle="none",
-                marker="o",
-                markerfacecolor="white",
-                markeredgecolor="0.45",
-                markeredgewidth=0.5,
-                markersize=3,
-                label="stayed elastic",
-            )
-            if circles
-            else Line2D([], [], color="0.45", linewidth=2, label="stayed elastic")
-        )
+        words = "stayed elastic"
+        yield key(words, "o", 3, "white", "0.45") if circles else Line2D([], [], color="0.45", linewidth=2, label=words)
     if any(mark.state == "beyond ultimate" for mark in marks):
-        yield Line2D(
-            [], [], linestyle="none", marker="x", color="black", markersize=6, label="beyond its ultimate rotation"
-        )
+        yield key("beyond its ultimate rotation", "x", 6, "black", markeredgewidth=1.0)
     if run.impacts.size:
         force = float(np.nanmax(run.impacts["peak_force"], initial=0.0))
         size, unit = engineering(force, FORCE_UNITS)
         words = f"impacts, at most {force / size:.3g} {unit}" if force > 0 else "impacts"
-        yield Line2D(
-            [],
-            [],
-            linestyle="none",
-            marker=MarkerStyle(star()),
-            markerfacecolor=YELLOW,
-            markeredgecolor="black",
-            markeredgewidth=0.5,
-            markersize=9,
-            label=words,
-        )
+        yield key(words, MarkerStyle(star()), 9, YELLOW)
 
 
 def _size(scene: Scene, views: int) -> tuple[float, float]:

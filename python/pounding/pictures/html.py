@@ -24,52 +24,23 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 
 def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
     """Largest values of links and structures, and where the energy went, from the object of `pounding run --json`."""
+    units = {"peak_force": 1e3, "peak_penetration": 1e-3, "impulse": 1e3, "energy_lost": 1e3}
     links = [
         [
             one["name"],
             one["impacts"],
-            _number(one["peak_force"], 1e3),
-            _number(one["peak_penetration"], 1e-3),
-            _number(one["impulse"], 1e3),
-            _number(one["energy_lost"], 1e3),
+            *(_number(one[key], size) for key, size in units.items()),
             f"{_number(one['energy_stored'], 1e3)} kJ stored" if one.get("presses") else "no",
         ]
         for one in summary.get("links", [])
     ]
-    structures = [
-        [
-            name,
-            *(
-                _number(max(one[key], default=None), size)
-                for key, size in (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0))
-            ),
-        ]
-        for name, one in summary.get("structures", {}).items()
-        if one.get("peak_displacement")
-    ]
-    torsion = [
-        [
-            name,
-            *(
-                _number(max((value for value in one[key] if value is not None), default=None), 1e-3)
-                for key in ("peak_rotation", "peak_edge_displacement")
-            ),
-        ]
-        for name, one in summary.get("structures", {}).items()
-        if one.get("peak_rotation")
-    ]
-    words = [
-        "link",
-        "impacts",
-        "peak force [kN]",
-        "penetration [mm]",
-        "impulse [kN s]",
-        "energy lost [kJ]",
-        "still pressed",
-    ]
+    motion = {"peak_displacement": 1e-3, "peak_drift": 1e-3, "peak_acceleration": 1.0}
+    structures = _largest(summary, motion)
+    torsion = _largest(summary, {"peak_rotation": 1e-3, "peak_edge_displacement": 1e-3})
+    words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]"]
     parts = [f"<b>{html.escape(title)}</b>" + ("" if status == "done" else f": {html.escape(status)}")]
     if links:
-        parts.append(table(words, links))
+        parts.append(table([*words, "still pressed"], links))
     if structures:
         parts.append(table(["structure", "displacement [mm]", "drift [mm]", "acceleration [m/s²]"], structures))
     if torsion:
@@ -86,6 +57,18 @@ def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
             f"largest imbalance {energy['error']:.1e} of the input"
         )
     return "".join(f"<div>{part}</div>" for part in parts)
+
+
+def _largest(summary: Mapping[str, Any], units: Mapping[str, float]) -> list[list[str]]:
+    """Names of the structures with the first of these quantities, and the maximum of each over the floors."""
+    return [
+        [
+            name,
+            *(_number(max((v for v in one[key] if v is not None), default=None), size) for key, size in units.items()),
+        ]
+        for name, one in summary.get("structures", {}).items()
+        if one.get(next(iter(units)))
+    ]
 
 
 def _number(value: float | None, size: float) -> str:

@@ -62,8 +62,8 @@ def draw_loops(axes: Axes, run: RunData) -> None:
 def draw_restitution(axes: Axes, run: RunData) -> None:
     """Restitution of each impact over its closing speed, and dashed the design restitutions of the links.
 
-        The motion of storeys accelerates or brakes slow impacts. Values above HIGHEST are drawn at the upper edge,
-    with a note of their maximum."""
+    The motion of storeys accelerates or brakes slow impacts. Values above HIGHEST are drawn at the upper edge, with a
+    note of their maximum."""
     axes.set_title("Restitution of each impact")
     axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
     moving = run.impacts[np.isfinite(run.impacts["restitution"])]
@@ -86,9 +86,9 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
                 clip_on=False,
             )
             marks.set_in_layout(False)
-    for value in asked_restitutions(run):
+    for value in target_restitutions(run):
         axes.axhline(value, color="0.25", linewidth=0.8, linestyle=(0, (5, 3)), zorder=1.5)
-        _note(axes, f"asked {value:.4g}", (1, value), axes.get_yaxis_transform(), "bottom")
+        _note(axes, f"target {value:.4g}", (1, value), axes.get_yaxis_transform(), "bottom")
     highest = moving["restitution"].max()
     if highest > HIGHEST:
         above = int((moving["restitution"] > HIGHEST).sum())
@@ -113,8 +113,8 @@ def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Trans
     note.set_in_layout(False)
 
 
-def asked_restitutions(run: RunData) -> list[float]:
-    """The distinct restitutions of links in the input."""
+def target_restitutions(run: RunData) -> list[float]:
+    """The distinct target restitutions of links in the input."""
     links = re.search(r"(?ms)^links:\n(.*?)(?=^\S|\Z)", run.resolved_yaml)
     return sorted(
         {float(value) for value in re.findall(r"(?m)^\s+restitution: ([-+.\deE]+)", links.group(1) if links else "")}

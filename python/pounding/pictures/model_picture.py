@@ -6,16 +6,15 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, label_axes, project
 from pounding.pictures.geometry import floor_heights
-from pounding.pictures.panels import legend_below
+from pounding.pictures.panels import key, legend_below, note
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import MM, NARROW, STYLE, Picture, head, structure_colour
+from pounding.pictures.style import MM, NARROW, picture, structure_colour
 from pounding.results import RunData
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
@@ -30,15 +29,13 @@ def model_figure(run: RunData, title: str | None = None, size: tuple[float, floa
     views: list[Any] = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
     if scene.is_spatial and size is not None and size[0] < NARROW:
         views = [["oblique"]]
-    with rc_context(STYLE):
-        figure = Picture(figsize=size or _size(scene), layout="constrained")
+    with picture(size or _size(scene), run.title if title is None else title) as figure:
         axes = figure.subplot_mosaic(views)
         for letter, (view, panel) in zip("abcd", axes.items()):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
             draw_model(panel, scene, view)
         handles = list(_legend(run))
         legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 4)
-        head(figure, run.title if title is None else title)
         return figure
 
 
@@ -80,18 +77,8 @@ def name_structures(axes: Axes, scene: Scene, view: str) -> None:
     for number, name in enumerate(scene.line_models):
         points = project(scene.at_rest(name), view)
         x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.line_models[name].half_height
-        wall = scene.run.structures[name].is_wall
-        axes.annotate(
-            name,
-            (x, y),
-            (0, 4),
-            textcoords="offset points",
-            ha="center",
-            va="bottom",
-            fontweight="bold",
-            color="0.25" if wall else structure_colour(number),
-            zorder=8,
-        )
+        colour = "0.25" if scene.run.structures[name].is_wall else structure_colour(number)
+        note(axes, name, (x, y), (0, 4), ha="center", va="bottom", fontweight="bold", color=colour, zorder=8)
 
 
 def label_floors(axes: Axes, scene: Scene) -> None:
@@ -106,17 +93,9 @@ def label_floors(axes: Axes, scene: Scene) -> None:
         x = scene.bounds()[0, 1 if side > 0 else 0]
         heights, _ = floor_heights(structure)
         every = -(-len(heights) // 16)
+        style = {"va": "center", "ha": "left" if side > 0 else "right", "fontsize": 7, "color": "0.35"}
         for i in range(len(heights) - 1, -1, -every):
-            axes.annotate(
-                structure.floors[i],
-                (x, heights[i] + scene.shifts[name][2]),
-                (5 * side, 0),
-                textcoords="offset points",
-                va="center",
-                ha="left" if side > 0 else "right",
-                fontsize=7,
-                color="0.35",
-            )
+            note(axes, structure.floors[i], (x, heights[i] + scene.shifts[name][2]), (5 * side, 0), **style)
 
 
 def _legend(run: RunData) -> Iterator[Line2D]:
@@ -126,16 +105,7 @@ def _legend(run: RunData) -> Iterator[Line2D]:
         gaps.setdefault(f"{MM * link.gap:.4g} mm", []).append(link.name)
     for gap, names in gaps.items():
         words = names[0] if len(names) == 1 else f"{len(names)} links"
-        yield Line2D(
-            [],
-            [],
-            linestyle="none",
-            marker="D",
-            markerfacecolor="white",
-            markeredgecolor="black",
-            markersize=4.5,
-            label=f"{words}, gap {gap}",
-        )
+        yield key(f"{words}, gap {gap}", "D", 4.5, "white", markeredgewidth=1.0)
 
 
 def _size(scene: Scene) -> tuple[float, float]:

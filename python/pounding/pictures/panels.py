@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from pounding.pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
 from pounding.results import Link, RunData
@@ -52,6 +53,11 @@ def link_styles(run: RunData) -> Iterator[tuple[Link, dict[str, Any]]]:
         yield run.links[name], {"color": colour, "label": name, "zorder": 2 + 0.1 * rank}
 
 
+def note(axes: Axes, words: str, at: Any, offset: tuple[float, float], **style: Any) -> None:
+    """Text at an offset [points] from a point."""
+    axes.annotate(words, at, offset, textcoords="offset points", **style)
+
+
 def say(axes: Axes, words: str) -> None:
     """Text at the centre of an empty panel."""
     axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center", color="0.35", fontsize=9)
@@ -65,13 +71,19 @@ def legend_beside(axes: Axes, reverse: bool = False) -> None:
         axes.legend(handles, labels, loc="upper left", bbox_to_anchor=(1.01, 1), reverse=reverse)
 
 
-def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
-    """Legend under all panels, in as many columns as fit the width of the figure, up to `most`."""
+def key(label: str, marker: Any, size: float, face: Any, edge: str = "black", **style: Any) -> Line2D:
+    """A marker for a legend."""
+    style = {"markeredgewidth": 0.5, "markerfacecolor": face, "markeredgecolor": edge, **style}
+    return Line2D([], [], linestyle="none", marker=marker, markersize=size, label=label, **style)
+
+
+def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], limit: int) -> None:
+    """Legend under all panels, in as many columns as fit into the width of the figure, at most `limit`."""
     if not handles:
         return
     canvas: Any = FigureCanvasAgg(figure)
     renderer = canvas.get_renderer()
-    for columns in range(min(most, len(handles)), 0, -1):
+    for columns in range(min(limit, len(handles)), 0, -1):
         legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
         if columns == 1 or legend.get_window_extent(renderer).width <= 0.94 * figure.bbox.width:
             return

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from matplotlib import colormaps, rc_context
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -16,8 +16,9 @@ from matplotlib.figure import Figure
 from pounding.pictures.comparison import require_comparison
 from pounding.pictures.drawing import are_many
 from pounding.pictures.geometry import outline, storey_heights
+from pounding.pictures.panels import note
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, STYLE, BadRequest, Picture, engineering, head
+from pounding.pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, BadRequest, engineering, picture
 from pounding.results import RunData, Structure
 
 #: From little to much: drifts of structures, and forces between them.
@@ -43,10 +44,10 @@ def plan_figure(
     """Plan of the structures of a run, coloured and labelled by the peak drift ratio of all storeys along x and y
     [%].
 
-        Lines between neighbours are coloured by the peak force of the hardest impact at any height; thin and grey
-    without impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare`
-    is False. `size` [in]. Raises BadRequest for a run without frames in space, and if `compare` is True without a run
-    to compare."""
+    Lines between neighbours are coloured by the peak force of the hardest impact at any height; thin and grey without
+    impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare` is False.
+    `size` [in]. Raises BadRequest for a run without frames in space, and if `compare` is True without a run to
+    compare."""
     scene = Scene(run)
     drawn = [
         name
@@ -63,11 +64,11 @@ def plan_figure(
     drifts = [{name: largest_drift(each, each.structures[name]) for name in drawn} for each in runs]
     found = contacts(run)
     rigid = _is_rigid(run)
-    with rc_context(STYLE):
-        width, depth = np.ptp(scene.bounds()[:2], axis=1)
-        stacked = len(runs) > 1 and (width > 1.6 * depth or size is not None and size[0] < NARROW)
-        rows, columns = (len(runs), 1) if stacked else (1, len(runs))
-        figure = Picture(figsize=size or _size(width, depth, rows, columns), layout="constrained")
+    width, depth = np.ptp(scene.bounds()[:2], axis=1)
+    narrow = size is not None and size[0] < NARROW
+    stacked = len(runs) > 1 and (width > 1.6 * depth or narrow)
+    rows, columns = (len(runs), 1) if stacked else (1, len(runs))
+    with picture(size or _size(width, depth, rows, columns), run.title if title is None else title) as figure:
         panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True).ravel()
         norm = Normalize(0, max(max(values.values()) for values in drifts) or 1.0)
         hardest = max((contact.strength for contact in found), default=0.0)
@@ -86,7 +87,7 @@ def plan_figure(
             _frame(axes, scene, first_column=columns == 1 or number == 0, last_row=rows == 1 or number == len(runs) - 1)
         horizontal: dict[str, Any] = (
             {"location": "bottom", "shrink": 0.6, "aspect": 30, "pad": 0.02}
-            if size is not None and size[0] < NARROW
+            if narrow
             else {"location": "right", "shrink": 0.75, "aspect": 24, "pad": 0.02}
         )
         figure.colorbar(
@@ -95,7 +96,6 @@ def plan_figure(
         if hardest > 0:
             label = f"{'Impulse' if rigid else 'Peak force'} between neighbours [{name_of_unit}]"
             figure.colorbar(ScalarMappable(force_norm, FORCES), ax=list(panels), label=label, **horizontal)
-        head(figure, run.title if title is None else title)
         return figure
 
 
@@ -126,13 +126,8 @@ def contacts(run: RunData) -> list[Contact]:
         places = np.array([np.asarray(link.position)[:2] + 0.5 * link.gap * link.direction[:2] for link in links])
         across = np.array([-links[0].direction[1], links[0].direction[0]])
         order = np.argsort(places @ across, kind="stable")
-        found.append(
-            Contact(
-                places[order[[0, -1]]],
-                max(hardest.get(name, 0.0) for name in names),
-                sum(counts.get(name, 0) for name in names),
-            )
-        )
+        strongest = max(hardest.get(name, 0.0) for name in names)
+        found.append(Contact(places[order[[0, -1]]], strongest, sum(counts.get(name, 0) for name in names)))
     return found
 
 
@@ -158,30 +153,10 @@ def _draw_structure(
     name_size = min(LARGEST, 0.9 * room[0] / (LETTER * len(name)), 0.38 * room[1])
     named = name_size >= SMALLEST
     middle = (x0 + x1) / 2, (y0 + y1) / 2
-    axes.annotate(
-        value,
-        middle,
-        (0, -0.6 * size if named else 0),
-        textcoords="offset points",
-        ha="center",
-        va="center",
-        fontsize=size,
-        color=ink,
-        zorder=5,
-    )
+    style: dict[str, Any] = {"ha": "center", "va": "center", "color": ink, "zorder": 5}
+    note(axes, value, middle, (0, -0.6 * size if named else 0), fontsize=size, **style)
     if named:
-        axes.annotate(
-            name,
-            middle,
-            (0, 0.65 * name_size),
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            fontsize=name_size,
-            color=ink,
-            fontweight="bold",
-            zorder=5,
-        )
+        note(axes, name, middle, (0, 0.65 * name_size), fontsize=name_size, fontweight="bold", **style)
 
 
 def _decimals(norm: Normalize) -> int:

@@ -7,7 +7,6 @@ from string import ascii_lowercase
 from typing import Any
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -16,17 +15,7 @@ from matplotlib.ticker import MaxNLocator
 from pounding.envelopes import EDGES
 from pounding.pictures.comparison import require_comparison
 from pounding.pictures.geometry import floor_heights
-from pounding.pictures.style import (
-    FORCE_UNITS,
-    MM,
-    STYLE,
-    BadRequest,
-    Picture,
-    engineering,
-    head,
-    largest,
-    structure_colour,
-)
+from pounding.pictures.style import FORCE_UNITS, MM, BadRequest, engineering, largest, picture, structure_colour
 from pounding.results import RunData, Structure
 
 #: Lines of the run and of the run without links.
@@ -42,13 +31,13 @@ def profiles_figure(
     """Minima and maxima of displacement and acceleration of floors and of drift and shear of storeys over the height,
     tracked in every step.
 
-        One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements
-    of rigid floors in space. The run without links, if available, is dashed unless `compare` is False. Raises
-    BadRequest if no structure has floors, for a file of version 0.1, which has no extremes, and if `compare` is True
-    without a run to compare."""
+    One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements of
+    rigid floors in space. The run without links, if available, is dashed unless `compare` is False. Raises BadRequest
+    if no structure has floors, for a file of version 0.1, which has no extremes, and if `compare` is True without a run
+    to compare."""
     structures = [structure for structure in run.structures.values() if structure.floors]
     if not structures:
-        raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors")
+        raise BadRequest("no profiles to draw: no structure of this run has floors")
     if not run.envelopes:
         raise BadRequest(
             "this file was written before version 0.2, which tracks extremes in every step; run the model again"
@@ -68,8 +57,7 @@ def profiles_figure(
         drawn += [("rz", draw_rotation), *((axis, draw_edges) for axis in rows)]
     lines = -(-len(drawn) // columns)
     width, height = size or (7.5, 0.9 + 3.4 * lines)
-    with rc_context(STYLE):
-        figure = Picture(figsize=(width, height), layout="constrained")
+    with picture((width, height), run.title if title is None else title) as figure:
         grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
         for axes in grid.flat[len(drawn) :]:
             axes.set_visible(False)
@@ -83,7 +71,6 @@ def profiles_figure(
                 MaxNLocator(integer=True, nbins=int(np.clip(4 * (height - 0.9) / lines, 2, 12)))
             )
         figure.legend(handles=_legend(run, len(runs) > 1), loc="outside lower center", ncols=max(1, int(width / 1.25)))
-        head(figure, run.title if title is None else title)
         return figure
 
 

@@ -12,13 +12,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pounding.pictures.comparison import (
-    draw_displacements_without_links,
-    draw_input_without_links,
-    draw_openings_without_links,
-    draw_rotations_without_links,
-    require_comparison,
-)
+from pounding.pictures.comparison import WITHOUT_LINKS, require_comparison
 from pounding.pictures.displacements import chosen_floors, directions_of, draw_displacements, draw_rotations, turning
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_restitution, draw_strongest_loop
@@ -59,22 +53,19 @@ def standard_figure(
     """Ground motion, displacements, openings, contact forces, energies and the error of the energy balance over time;
     below them the loop of the strongest impact and all restitutions.
 
-        In space there is a panel of displacements for each direction, and one of the rotations of rigid floors.
-    Panels without data are omitted: a still ground, links, impacts. In figures below about 8 inches, panels are
-    omitted in the order of MIN_WANTED. An unfinished run is marked below the title. `floors` maps names of
-    structures to labels of floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that
-    of the figure [in]. `compare` also draws the run without links, dashed."""
+    In space there is a panel of displacements for each direction, and one of the rotations of rigid floors. Panels
+    without data are omitted: a still ground, links, impacts. In figures below about 8 inches, panels are omitted in the
+    order of MIN_WANTED. An unfinished run is marked below the title. `floors` maps names of structures to labels of
+    floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that of the figure [in].
+    `compare` also draws the run without links, dashed."""
     chosen = chosen_floors(run, floors or {})
-    displacements: dict[str, Panel] = {}
-    displacements_without: dict[str, Panel] = {}
-    for i, direction in enumerate(directions_of(run)):
-        displacements[f"displacements {i}"] = partial(draw_displacements, chosen=chosen, direction=direction)
-        displacements_without[f"displacements {i}"] = partial(
-            draw_displacements_without_links, chosen=chosen, direction=direction
-        )
+    places: dict[str, dict[str, Any]] = {
+        f"displacements {i}": {"chosen": chosen, "direction": direction}
+        for i, direction in enumerate(directions_of(run))
+    }
     draw: dict[str, Panel] = {
         "ground": draw_ground,
-        **displacements,
+        **{name: partial(draw_displacements, **place) for name, place in places.items()},
         "rotations": draw_rotations,
         "openings": draw_openings,
         "forces": draw_forces,
@@ -84,11 +75,9 @@ def standard_figure(
     without: dict[str, Panel] = {}
     if compare:
         require_comparison(run, "run")
-        without = {
-            **displacements_without,
-            "rotations": draw_rotations_without_links,
-            "openings": draw_openings_without_links,
-            "energy": draw_input_without_links,
+        without = {name: partial(WITHOUT_LINKS["displacement"], **place) for name, place in places.items()} | {
+            name: WITHOUT_LINKS[panel]
+            for name, panel in (("rotations", "rotation"), ("openings", "gap"), ("energy", "energy"))
         }
     missing = {
         "ground": largest([run.ground_acceleration, *run.ground_across.values()]) == 0,
@@ -101,7 +90,7 @@ def standard_figure(
     heights: dict[str, float] = {}
     for name, height in HEIGHTS.items():
         if name == "displacements":
-            heights |= dict.fromkeys(displacements, height if len(displacements) == 1 else OF_SEVERAL)
+            heights |= dict.fromkeys(places, height if len(places) == 1 else OF_SEVERAL)
         elif not missing.get(name):
             heights[name] = height
     for name in MIN_WANTED:
@@ -125,9 +114,9 @@ def standard_figure(
             residuals = [figure.add_subplot(rows[len(histories)])]
             draw_residuals(residuals[0], run)
         if "impacts" in heights:
-            places = rows[-1].subgridspec(1, 2, wspace=0.08)
-            draw_strongest_loop(figure.add_subplot(places[0]), run)
-            draw_restitution(figure.add_subplot(places[1]), run)
+            cells = rows[-1].subgridspec(1, 2, wspace=0.08)
+            draw_strongest_loop(figure.add_subplot(cells[0]), run)
+            draw_restitution(figure.add_subplot(cells[1]), run)
         if size is not None and size[0] < NARROW:
             gather_legends(figure, histories + residuals)
         for letter, axes in zip(ascii_lowercase, figure.axes):

@@ -22,8 +22,8 @@ from pounding.results import Link, RunData
 class Scene:
     """All structures of a run next to each other, with displacements and gaps enlarged `scale` times.
 
-        line_models: name -> LineModel; shifts: name -> [3], added to its nodes [m]; faces: link name -> [3], position
-    of the link on the left structure, in the scene at rest [m]."""
+    line_models: name -> LineModel; shifts: name -> [3], added to its nodes [m]; faces: link name -> [3], position of
+    the link on the left structure, in the scene at rest [m]."""
 
     def __init__(self, run: RunData, scale: float = 1.0) -> None:
         self.run, self.scale = run, scale

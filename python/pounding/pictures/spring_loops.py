@@ -8,7 +8,6 @@ from collections.abc import Callable
 from functools import partial
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -20,12 +19,10 @@ from pounding.pictures.style import (
     ENERGY_UNITS,
     FORCE_UNITS,
     MM,
-    STYLE,
     BadRequest,
-    Picture,
     engineering,
-    head,
     largest,
+    picture,
     structure_colour,
 )
 from pounding.results import RunData, Structure
@@ -53,13 +50,13 @@ def loops_figure(
 ) -> Figure:
     """Force over deformation at the output times of `parts`, pairs of a structure and a name ("left", "storey 1").
 
-        The default is the six parts and devices with the largest energy losses, in descending order, or as many as
-    fit into `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest
-    for a run without such parts and for unknown parts."""
+    The default is the six parts and devices with the largest energy losses, in descending order, or as many as fit into
+    `size` [in]. A dot marks the end of the run; dashed lines are the yield deformations. Raises BadRequest for a run
+    without such parts and for unknown parts."""
     chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
         raise BadRequest(
-            "no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force"
+            "no loops to draw: all structures of this run stay elastic, and it has no devices. Give storeys a yield_force"
         )
     width = size[0] if size else 7.5
     columns = min(len(chosen), 3 if width >= 6 else 2 if width >= MIN_OF_TWO else 1)
@@ -67,8 +64,7 @@ def loops_figure(
     if size is not None and parts is None:
         rows = min(rows, max(1, int((size[1] - 0.7) / MIN_HEIGHT)))
         chosen = chosen[: rows * columns]
-    with rc_context(STYLE):
-        figure = Picture(figsize=size or (7.5, 0.7 + 2.2 * rows), layout="constrained")
+    with picture(size or (7.5, 0.7 + 2.2 * rows), run.title if title is None else title) as figure:
         grid = figure.subplots(rows, columns, squeeze=False)
         for axes in grid.flat[len(chosen) :]:
             axes.set_axis_off()
@@ -76,12 +72,11 @@ def loops_figure(
             draw(axes)
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
         figure.legend(handles=_legend(), loc="outside lower center", ncols=2)
-        head(figure, run.title if title is None else title)
         return figure
 
 
 def most_energy(run: RunData) -> list[Loop]:
-    """The SHOWN parts and devices with the largest energy losses; equal ones in input order."""
+    """The SHOWN parts and devices with the largest energy losses; ties in input order."""
     lost: list[tuple[float, Loop]] = [
         (springs.largest["hysteretic"][part], _loop(number, structure, part))
         for number, structure in enumerate(run.structures.values())

@@ -6,7 +6,8 @@ import io
 import os
 import sys
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from matplotlib.figure import Figure
 from pounding.errors import InputError
 from pounding.outputs import PICTURE, replaced, tell
 
-# Legends outside the axes came with it.
+# The first version with legends outside the axes.
 if matplotlib.__version_info__ < (3, 7):
     raise ImportError(
         f"pictures need matplotlib 3.7 or newer, and {sys.executable} has {matplotlib.__version__}: type python3 -m pip install "
@@ -118,6 +119,15 @@ class Picture(DrawnOnce):
         image = io.BytesIO()
         self.savefig(image, format="png", dpi=110)
         return image.getvalue()
+
+
+@contextmanager
+def picture(size: tuple[float, float], title: str = "") -> Iterator[Picture]:
+    """Yields a figure of this size [in] to draw in the style of this package; the title is added at the end."""
+    with rc_context(STYLE):
+        figure = Picture(figsize=size, layout="constrained")
+        yield figure
+        head(figure, title)
 
 
 def head(figure: Figure, title: str) -> None:

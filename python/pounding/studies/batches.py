@@ -16,6 +16,11 @@ COMPLETE = (DONE, EXCEEDED, COLLAPSED)
 STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died", "collapsed")
 
 
+def side_by_side(columns: Sequence[np.ndarray], rows: int) -> np.ndarray:
+    """[row, column] of columns with this number of rows; also without columns."""
+    return np.column_stack(columns) if columns else np.empty((rows, 0))
+
+
 @dataclass(frozen=True)
 class Batch:
     """Rows for one worker."""
@@ -31,13 +36,8 @@ class Batch:
 
     def part(self, chosen: Sequence[int] | np.ndarray) -> Batch:
         """A subset of the rows."""
-        return replace(
-            self,
-            rows=self.rows[chosen],
-            values=self.values[chosen],
-            record=self.record[chosen],
-            scale=self.scale[chosen],
-        )
+        own = {name: getattr(self, name)[chosen] for name in ("rows", "values", "record", "scale")}
+        return replace(self, **own)
 
 
 @dataclass
@@ -53,27 +53,17 @@ class Done:
 
     def part(self, chosen: np.ndarray) -> Done:
         """A subset of the rows."""
-        rows = self.rows[chosen]
-        kept = set(rows.tolist())
-        return Done(
-            rows,
-            self.values[chosen],
-            self.status[chosen],
-            self.engine[chosen],
-            self.seconds[chosen],
-            {row: why for row, why in self.reasons.items() if row in kept},
-        )
+        own = {name: getattr(self, name)[chosen] for name in ("rows", "values", "status", "engine", "seconds")}
+        kept = set(own["rows"].tolist())
+        return Done(**own, reasons={row: why for row, why in self.reasons.items() if row in kept})
 
     def take(self, chosen: np.ndarray, other: Done, engine: int) -> None:
         """Copies the results of the chosen rows from an engine. Rows that it did not run keep their values and take
         its reason."""
         ran = other.status != NOT_RUN
         places = chosen[ran]
-        self.values[places], self.status[places], self.seconds[places] = (
-            other.values[ran],
-            other.status[ran],
-            other.seconds[ran],
-        )
+        for mine, theirs in ((self.values, other.values), (self.status, other.status), (self.seconds, other.seconds)):
+            mine[places] = theirs[ran]
         self.engine[places] = engine
         for row in self.rows[places].tolist():
             self.reasons.pop(row, None)

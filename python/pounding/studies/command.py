@@ -19,12 +19,14 @@ from typing import Any
 import numpy as np
 
 from pounding._native import core
+from pounding.arguments import is_encodable
 from pounding.checked_file import STUDY
 from pounding.ended import exit_code
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.outputs import destination
 from pounding.studies import cross_check
-from pounding.studies.engines import ENGINES, KERNEL, STATUSES, Batch, Done, run_batch
+from pounding.studies.batches import STATUSES, Batch, Done, side_by_side
+from pounding.studies.engines import ENGINES, KERNEL, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
@@ -77,7 +79,7 @@ def main(arguments: list[str] | None = None) -> int:
         # The program blocks it during imports.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
         for word in rest:
-            if not _is_text(word):
+            if not is_encodable(word):
                 raise InputError(f'"{word}" is not valid UTF-8; rename the file, or run in its folder')
         with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
@@ -86,53 +88,29 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         raise
     except (InputError, ImportError) as error:
-        print(f"pounding: {error}", file=sys.stderr)
-        return 2
+        code, said = 2, str(error)
     except SolverError as error:
-        print(f"pounding: {error}", file=sys.stderr)
-        return 3
+        code, said = 3, str(error)
     except MemoryError:
-        print(
-            "pounding: out of memory. Finished rows are kept; type the same command again to resume, with fewer processes: -j 1",
-            file=sys.stderr,
-        )
-        return 3
+        again = "type the same command again to resume, with fewer processes: -j 1"
+        code, said = 3, f"out of memory. Finished rows are kept; {again}"
     except OSError as error:
-        if (
-            error.errno not in _DISK
-            or name != "study"
-            or (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
-        ):
-            print(f"pounding: {error}", file=sys.stderr)
-            return 2
-        print(
-            f"pounding: {error}. Finished rows are kept; make room and type the same command again to resume",
-            file=sys.stderr,
-        )
-        return 3
+        writes = name == "study" and not (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
+        on_disk = error.errno in _DISK and writes
+        code, said = 3 if on_disk else 2, str(error)
+        if on_disk:
+            said += ". Finished rows are kept; make room and type the same command again to resume"
     except _Terminated:
-        print(
-            "pounding: stopped by a signal; finished rows are kept. Type the same command again to resume",
-            file=sys.stderr,
-        )
-        return 3
+        code, said = 3, "stopped by a signal; finished rows are kept. Type the same command again to resume"
     except KeyboardInterrupt:
-        print("pounding: stopped; finished rows are kept. Type the same command again to resume", file=sys.stderr)
-        return 3
-
-
-def _is_text(word: str) -> bool:
-    try:
-        word.encode()
-    except UnicodeEncodeError:
-        return False
-    return True
+        code, said = 3, "stopped; finished rows are kept. Type the same command again to resume"
+    print(f"pounding: {said}", file=sys.stderr)
+    return code
 
 
 def _study(words: list[str]) -> int:
     verb, rest = (words[0], words[1:]) if words and words[0] in VERBS else ("run", words)
-    verbs = {"run": _run, "check": _check, "show": _show, "merge": _merge, "plot": _plot, "export": _export}
-    return verbs[verb](rest)
+    return {"run": _run, "check": _check, "show": _show, "merge": _merge, "plot": _plot, "export": _export}[verb](rest)
 
 
 def _parser(verb: str, meaning: str) -> argparse.ArgumentParser:
@@ -171,7 +149,7 @@ def _run(words: list[str]) -> int:
     if options.shard == (1, 1) or not output.is_file():
         destination(output, STUDY)
     if options.executor:
-        # PETSc must not start here: it would wait for the workers.
+        # PETSc must not start here, where it would wait for the workers.
         core.run_alone()
     plan = read_plan(options.study, records_folder(output))
     _warn(plan)
@@ -197,7 +175,7 @@ def _run(words: list[str]) -> int:
         if executor is not None:
             executor.shutdown()
     if not options.quiet:
-        print(_told(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
+        print(_report(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
     return 0
 
 
@@ -277,7 +255,7 @@ def _show(words: list[str]) -> int:
         print(json.dumps(summary(done, options.column, options.limit)))
         return 0
     if options.row is None:
-        print(_told(done))
+        print(_report(done))
         return 0
     if not 0 <= options.row < len(done):
         raise InputError(f"no row {options.row}; rows count from 0 to {len(done) - 1}")
@@ -309,7 +287,7 @@ def _merge(words: list[str]) -> int:
         table.close()
     left = len(table.missing())
     print(
-        _told(Study.of(table))
+        _report(Study.of(table))
         + (
             f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them"
             if left
@@ -416,7 +394,7 @@ def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
     print(f"warning: {message}", file=sys.stderr)
 
 
-def _told(done: Study) -> str:
+def _report(done: Study) -> str:
     status = done["status"]
     lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
     if collapsed := done.collapsed:
@@ -439,11 +417,8 @@ def _told(done: Study) -> str:
             if (count := int((done["engine"] == i).sum()))
         )
     columns = done.description["kept"]["columns"]
-    lines += cross_check.report_lines(
-        done.check,
-        np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)),
-        columns,
-    )
+    values = side_by_side([done[column] for column in columns], len(done))
+    lines += cross_check.report_lines(done.check, values, columns)
     if options := done.description.get("options"):
         lines.append(f"options of PETSc for rows of the solver: {' '.join(options)}")
     lines += [f"warning: {doubt}" for doubt in done.warnings]
@@ -461,5 +436,5 @@ def _collapsed_without_links(done: Study) -> list[int]:
 
 if __name__ == "__main__":
     code = exit_code(main)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is said and done
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study has ended
     sys.exit(code)

@@ -39,7 +39,7 @@ def report_lines(check: Mapping[int, np.ndarray], values: np.ndarray, columns: S
     far = [f"{rows[i]} ({columns[where[i]]} by {worst[i]:.1e})" for i in np.flatnonzero(worst > LARGE)]
     if far:
         lines.append(
-            f"  beyond {LARGE:g}: rows {', '.join(far[:5])}{f' and {len(far) - 5} more' if len(far) > 5 else ''}; an impact that just happens or just "
-            "does not makes such rows, and so does a mistake: run them with a tenth of the tolerance"
+            f"  beyond {LARGE:g}: rows {', '.join(far[:5])}{f' and {len(far) - 5} more' if len(far) > 5 else ''}; grazing impacts cause such "
+            "differences, and so do errors: run these rows with a tenth of the tolerance"
         )
     return lines

@@ -9,6 +9,7 @@ import numpy as np
 
 from pounding import yaml_text
 from pounding._native import core
+from pounding.studies.batches import side_by_side
 from pounding.studies.places import Places
 from pounding.studies.reading import quantity
 from pounding.studies.sampling import Points
@@ -34,12 +35,10 @@ def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[s
 def cut_records(template: Template, points: Points, last_arrival: float, files: Mapping[str, bytes]) -> list[str]:
     """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in any row.
 
-        Empty if there are none, or if the model accepts the warning. A motion reaches the last support at
-    `last_arrival` [s]; `files` contains the contents of the records. Raises InputError for an unreadable motion."""
+    Empty if there are none, or if the model accepts the warning. A motion reaches the last support at `last_arrival`
+    [s]; `files` contains the contents of the records. Raises InputError for an unreadable motion."""
     columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
-    values = (
-        np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
-    )
+    values = side_by_side([columns[factor.name] for factor in points.factors], 1)
     durations = _durations(template, values)
     duration = float(durations.min())
     if not duration or "duration" in (template.model.get("accept") or []):

@@ -8,45 +8,11 @@ from typing import Protocol
 import numpy as np
 
 from pounding.errors import InputError, shortened
-from pounding.studies.batches import (
-    COLLAPSED,
-    COMPLETE,
-    DIED,
-    DONE,
-    EXCEEDED,
-    FAILED,
-    NOT_RUN,
-    REFUSED,
-    STATUSES,
-    Batch,
-    Done,
-    nothing_of,
-)
+from pounding.studies.batches import COLLAPSED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, Batch, Done, nothing_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.prepared import prepared
 from pounding.studies.quantities import collapse_of
 from pounding.studies.template import Template
-
-__all__ = [
-    "COLLAPSED",
-    "COMPLETE",
-    "DIED",
-    "DONE",
-    "ENGINES",
-    "EXCEEDED",
-    "FAILED",
-    "KERNEL",
-    "NOT_RUN",
-    "REFUSED",
-    "STATUSES",
-    "Batch",
-    "Done",
-    "Engine",
-    "SolverEngine",
-    "nothing_of",
-    "run_batch",
-    "run_kernel",
-]
 
 
 class Engine(Protocol):
@@ -61,8 +27,8 @@ class Engine(Protocol):
     def run(self, batch: Batch) -> Done:
         """Computes the columns of the rows.
 
-                A wrong or failed row gets a status and a reason, never an exception. Rows that the engine cannot run
-        are returned with the reason and run with the next engine. Raises MemoryError."""
+        A wrong or failed row gets a status and a reason, never an exception. Rows that the engine cannot run are
+        returned with the reason and run with the next engine. Raises MemoryError."""
 
 
 class SolverEngine:
@@ -131,6 +97,6 @@ def run_batch(batch: Batch) -> Done:
     for row in batch.rows[left].tolist():
         done.status[batch.rows == row] = REFUSED
         done.reasons[row] = (
-            f"engine: {batch.engine} cannot run this row: {done.reasons.get(row, 'the study is none for it')}; remove engine, and the solver runs it"
+            f"engine: {batch.engine} cannot run this row: {done.reasons.get(row, 'it does not support the study')}; remove engine to use the solver"
         )
     return done

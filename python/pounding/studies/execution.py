@@ -21,28 +21,27 @@ from concurrent.futures import (
     wait,
 )
 from contextlib import ExitStack, contextmanager, nullcontext
+from dataclasses import dataclass
 from statistics import median
 
 import numpy as np
 
 from pounding.errors import InputError, SolverError, excerpt
-from pounding.studies.cross_check import rows_to_check
-from pounding.studies.engines import (
+from pounding.studies.batches import (
     COLLAPSED,
     DIED,
     DONE,
-    ENGINES,
     EXCEEDED,
     FAILED,
-    KERNEL,
     NOT_RUN,
     REFUSED,
     Batch,
     Done,
     nothing_of,
-    run_batch,
-    run_kernel,
+    side_by_side,
 )
+from pounding.studies.cross_check import rows_to_check
+from pounding.studies.engines import ENGINES, KERNEL, run_batch, run_kernel
 from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
@@ -61,20 +60,9 @@ Progress = Callable[[int, int, int], None]
 def batch_of(plan: Plan, rows: np.ndarray, engine: str = "") -> Batch:
     """The batch of some rows; `engine` overrides that of the plan."""
     columns = plan.columns(rows)
-    values = (
-        np.column_stack([columns[factor.name] for factor in plan.points.factors])
-        if plan.points.factors
-        else np.empty((len(rows), 0))
-    )
-    return Batch(
-        plan.template,
-        rows,
-        values,
-        columns["record"],
-        columns["scale"],
-        engine or plan.template.engine,
-        plan.files_of(columns["record"]),
-    )
+    values = side_by_side([columns[factor.name] for factor in plan.points.factors], len(rows))
+    record, files = columns["record"], plan.files_of(columns["record"])
+    return Batch(plan.template, rows, values, record, columns["scale"], engine or plan.template.engine, files)
 
 
 def run_rows(
@@ -88,9 +76,9 @@ def run_rows(
 ) -> None:
     """Runs rows and adds them to the table, then repeats a sample of the kernel's rows with the solver.
 
-        `workers` is the number of processes; 0 runs in this process. By default, rows of the kernel run on threads,
-    and other rows in one process per core. `chunk` is the number of rows per chunk, by default half a second of run
-    time. Raises OSError if a chunk cannot be written, SolverError if too many rows fail."""
+    `workers` is the number of processes; 0 runs in this process. By default, rows of the kernel run on threads, and
+    other rows in one process per core. `chunk` is the number of rows per chunk, by default half a second of run time.
+    Raises OSError if a chunk cannot be written, SolverError if too many rows fail."""
     count = workers or available_cores()
     begun = 0
     if (
@@ -100,19 +88,22 @@ def run_rows(
         and ENGINES[KERNEL].takes(plan.template)
     ):
         kernel = _KernelWork(plan, table, rows, chunk, progress, count)
-        with _Threads(count) as threads:
-            _run_on(threads, kernel, count)
+        # Threads start quickly and need no guard in scripts; the kernel releases the GIL.
+        threads = ThreadPoolExecutor(count)
+        try:
+            _run_on(_Given(threads, run_kernel), kernel, count)
+        finally:
+            threads.shutdown(cancel_futures=True)
         begun, rows = len(rows) - len(kernel.left), np.array(sorted(kernel.left), dtype=np.int64)
     with ExitStack() as stack:
         pool: _Given | _LocalPool | None = None
         if executor is not None:
-            pool, count = _Given(executor), getattr(executor, "_max_workers", None) or os.cpu_count() or 1
+            pool, count = _Given(executor, run_alone), getattr(executor, "_max_workers", None) or os.cpu_count() or 1
         elif workers != 0 and len(rows):
             count = min(count, len(rows))
             pool = stack.enter_context(_LocalPool(count))
         _run(_Work(plan, table, rows, chunk, progress, count, begun), pool, count)
-        checked = _to_check(plan, table)
-        _run(_Check(plan, table, checked, count), pool, count)
+        _run(_Check(plan, table, _to_check(plan, table), 1, None, count), pool, count)
 
 
 def require_count(name: str, value: int | None, least: int) -> None:
@@ -143,63 +134,50 @@ def available_cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+@dataclass
 class _Work:
     """Pending rows and their measured run times."""
 
-    def __init__(
-        self,
-        plan: Plan,
-        table: Table,
-        rows: np.ndarray,
-        chunk: int | None,
-        progress: Progress | None,
-        workers: int,
-        before: int = 0,
-    ) -> None:
-        self._plan, self._table, self._rows, self._chunk, self._progress, self._workers = (
-            plan,
-            table,
-            rows,
-            chunk,
-            progress,
-            workers,
-        )
+    plan: Plan
+    table: Table
+    rows: np.ndarray
+    chunk: int | None
+    progress: Progress | None
+    workers: int
+    done: int = 0  #: including rows that ran before
+
+    def __post_init__(self) -> None:
+        self.count = len(self.rows) + self.done
+        self.failed = 0
         self._seconds: list[float] = []
-        self._done = self._before = before
-        self._failed = 0
 
     def batches(self) -> Iterator[Batch]:
         """Yields batches of consecutive rows, sized by the measured run times."""
         begin = 0
-        while begin < len(self._rows):
-            size = self._chunk or self._size(len(self._rows) - begin)
-            end = min(begin + size, len(self._rows))
-            yield batch_of(self._plan, self._rows[begin:end])
-            begin = end
+        while begin < len(self.rows):
+            size = self.chunk or self._size(len(self.rows) - begin)
+            yield batch_of(self.plan, self.rows[begin : begin + size])
+            begin += size
 
     def _size(self, left: int) -> int:
         if not self._seconds:
             return 1
         by_time = int(np.clip(CHUNK_SECONDS / max(median(self._seconds[-50:]), 1e-7), 1, LARGEST_CHUNK))
         # Smaller chunks at the end keep all workers busy.
-        return max(1, min(by_time, -(-left // (2 * self._workers))))
+        return max(1, min(by_time, -(-left // (2 * self.workers))))
 
     def finish(self, done: Done) -> None:
         """Adds finished rows."""
-        self._table.add(done)
+        self.table.add(done)
         self._seconds.append(float(done.seconds.mean()))
-        self._done += len(done.rows)
-        self._failed += int(np.isin(done.status, (REFUSED, FAILED, DIED)).sum())
-        if self._progress is not None:
-            self._progress(self._done, self._failed, len(self._rows) + self._before)
-        if (
-            self._done >= ENOUGH_ROWS
-            and self._failed > self._plan.stop_after * self._done
-            and self._done < len(self._rows) + self._before
-        ):
-            reason = next((why for row, why in self._table.reasons.items() if self._table.status[row] != COLLAPSED), "")
+        self.done += len(done.rows)
+        self.failed += int(np.isin(done.status, (REFUSED, FAILED, DIED)).sum())
+        if self.progress is not None:
+            self.progress(self.done, self.failed, self.count)
+        if ENOUGH_ROWS <= self.done < self.count and self.failed > self.plan.stop_after * self.done:
+            reason = next((why for row, why in self.table.reasons.items() if self.table.status[row] != COLLAPSED), "")
             raise SolverError(
-                f"{self._failed} of {self._done} rows failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
+                f"{self.failed} of {self.done} rows failed, more than stop_after ({100 * self.plan.stop_after:g} %); first reason: "
                 f"{reason}\nCorrect the study, or resume with stop_after: 100 %"
             )
 
@@ -207,10 +185,8 @@ class _Work:
 class _KernelWork(_Work):
     """Rows for the kernel only; rows that it cannot run stay pending."""
 
-    def __init__(
-        self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int
-    ) -> None:
-        super().__init__(plan, table, rows, chunk, progress, workers)
+    def __post_init__(self) -> None:
+        super().__post_init__()
         self.left: list[int] = []
 
     def finish(self, done: Done) -> None:
@@ -225,46 +201,24 @@ class _KernelWork(_Work):
 class _Check(_Work):
     """Rows of the kernel that run with the solver, one by one, for comparison only. Failures are ignored."""
 
-    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, workers: int) -> None:
-        super().__init__(plan, table, rows, 1, None, workers)
-
     def batches(self) -> Iterator[Batch]:
-        for row in self._rows:
-            yield batch_of(self._plan, np.array([row]), "solver")
+        for row in self.rows:
+            yield batch_of(self.plan, np.array([row]), "solver")
 
     def finish(self, done: Done) -> None:
         if done.status[0] in (DONE, EXCEEDED):
-            self._table.check[int(done.rows[0])] = done.values[0]
+            self.table.check[int(done.rows[0])] = done.values[0]
 
 
+@dataclass
 class _Given:
-    """An executor passed by the caller."""
+    """An executor passed by the caller, or threads of this process."""
 
-    def __init__(self, executor: Executor) -> None:
-        self._executor = executor
-
-    def submit(self, batch: Batch) -> Future[Done]:
-        return self._executor.submit(run_alone, batch)
-
-    def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
-        raise failure
-
-
-class _Threads:
-    """Threads of this process for the kernel, which releases the GIL. They start quickly and need no guard in
-    scripts."""
-
-    def __init__(self, workers: int) -> None:
-        self._pool = ThreadPoolExecutor(workers)
-
-    def __enter__(self) -> _Threads:
-        return self
-
-    def __exit__(self, *failure: object) -> None:
-        self._pool.shutdown(cancel_futures=True)
+    executor: Executor
+    run: Callable[[Batch], Done]
 
     def submit(self, batch: Batch) -> Future[Done]:
-        return self._pool.submit(run_kernel, batch)
+        return self.executor.submit(self.run, batch)
 
     def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
         raise failure
@@ -286,17 +240,16 @@ class _LocalPool:
             self._pool.shutdown(cancel_futures=True)
             raise InputError(
                 'the worker processes of the study do not start. In a script put the call under `if __name__ == "__main__":`, since every worker '
-                "reads the script, too; or run in this process with workers=0"
+                "imports the script; or run in this process with workers=0"
             ) from None
         except BaseException:
-            # A worker that is still starting would miss the files that this process removes at its end.
+            # A worker that is still starting needs files that this process removes at its end.
             self._pool.shutdown(cancel_futures=True)
             raise
         return self
 
     def __exit__(self, *failure: object) -> None:
-        # At the end of all rows this takes no time worth a Ctrl-C. After a failure nobody reads the rows under way,
-        # which may take minutes.
+        # After the last row this is fast. After a failure the rows in progress, which may take minutes, are not needed.
         with _interrupt_held() if failure[0] is None else nullcontext():
             if failure[0] is not None:
                 for process in list((getattr(self._pool, "_processes", None) or {}).values()):
@@ -338,7 +291,7 @@ def _interrupt_held() -> Iterator[None]:
     came: list[int] = []
     handler = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
     if handler is not None:
-        # Blocked signals reach threads of libraries, and Python interrupts its main thread all the same.
+        # Threads of libraries receive blocked signals, and Python then interrupts its main thread.
         signal.signal(signal.SIGINT, lambda number, _: came.append(number))
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # workers inherit it
     try:
@@ -364,7 +317,7 @@ def _died(batch: Batch, processes: list[multiprocessing.Process]) -> Done:
     return done
 
 
-def _run_on(pool: _Given | _LocalPool | _Threads, work: _Work, workers: int) -> None:
+def _run_on(pool: _Given | _LocalPool, work: _Work, workers: int) -> None:
     """Keeps two chunks per worker in progress."""
     waiting = work.batches()
     under_way: dict[Future[Done], Batch] = {}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +12,8 @@ import numpy as np
 
 from pounding._native import core
 from pounding.outputs import Kind, replaced
-from pounding.studies.engines import STATUSES
+from pounding.studies.batches import STATUSES
+from pounding.studies import files
 from pounding.studies.table import open_study
 from pounding.texts import text
 
@@ -47,8 +47,8 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
 def to_csv(study: Rows, path: str | PathLike[str]) -> None:
     """Writes one line per row, with all digits of numbers.
 
-        Texts that a spreadsheet would evaluate as formulas begin with an apostrophe. Raises InputError for an
-    existing file of another kind, OSError."""
+    Texts that a spreadsheet would evaluate as formulas begin with an apostrophe. Raises InputError for an existing file
+    of another kind, OSError."""
     columns = readable(study)
     with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
@@ -81,16 +81,7 @@ def _inputs(study: Rows) -> list[Path]:
         return []
     with open_study(study.path) as file:
         given = core.parse(core.Source(text(file["study/text"][()]), "study"))
-    return [study.path, *(folder / name for name in _texts(given) for folder in (study.path.parent, Path()))]
-
-
-def _texts(given: Any) -> Iterator[str]:
-    """All texts in the maps and lists of a file."""
-    if isinstance(given, str):
-        yield given
-    elif isinstance(given, (dict, list)):
-        for each in given.values() if isinstance(given, dict) else given:
-            yield from _texts(each)
+    return [study.path, *(folder / name for name in files.texts(given) for folder in (study.path.parent, Path()))]
 
 
 def to_parquet(study: Rows, path: str | PathLike[str]) -> None:

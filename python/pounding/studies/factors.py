@@ -23,7 +23,7 @@ class Factor:
     """A factor: its name, paths in the model, and values from a list, a distribution or a column of the table of
     samples.
 
-        With `times` the factor is a ratio: the model takes its value times the number at that path."""
+    With `times` the factor is a ratio: the model takes its value times the number at that path."""
 
     name: str
     of: tuple[str, ...]

@@ -7,7 +7,7 @@ finite fit; bounds are reported instead."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -83,7 +83,7 @@ def fit(
     return Fragility(float(np.exp(-a / b)), float(1 / b), float(errors[0]), float(errors[1]), x, n, k)
 
 
-_FALLING = "exceedances do not grow with the intensity, so no lognormal curve describes them: look at the measure"
+_FALLING = "exceedances do not grow with the intensity, so no lognormal curve fits: check the intensity measure"
 
 
 def _without_fit(
@@ -123,7 +123,7 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
     """Newton's method with the observed information on P = Phi(a + b z), whose likelihood is concave; the covariance
     is from the expected information.
 
-        Bootstrap fits a thousand times; scipy.stats would spend five times the time of the functions on checks of
+    Bootstrap fits a thousand times; scipy.stats would spend five times the time of the functions on checks of
     arguments."""
     log_cdf = special().log_ndtr
     shift, spread = z.mean(), z.std() or 1.0
@@ -182,20 +182,7 @@ def of_rows(
             # A bootstrap sample without a finite fit is a step between its bounds of theta.
             if one.is_finite:
                 boot.append((one.theta, one.beta))
-    return Fragility(
-        found.theta,
-        found.beta,
-        found.se_log_theta,
-        found.se_beta,
-        found.im,
-        found.count,
-        found.exceeded,
-        found.bounds,
-        found.problem,
-        np.array(boot).reshape(-1, 2),
-        failed,
-        undefined,
-    )
+    return replace(found, boot=np.array(boot).reshape(-1, 2), failed=failed, undefined=undefined)
 
 
 def _counted(im: np.ndarray, exceeded: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

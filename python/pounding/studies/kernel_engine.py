@@ -14,7 +14,7 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies.batches import DONE, EXCEEDED, Batch, Done, nothing_of
+from pounding.studies.batches import DONE, EXCEEDED, Batch, Done, nothing_of, side_by_side
 from pounding.studies.factors import at
 from pounding.studies.kernel_columns import OF_KERNEL, Found, column_of, separations, step_error
 from pounding.studies.pairs import Pairs
@@ -24,8 +24,8 @@ from pounding.studies.template import Template
 
 #: Keys of `analysis:` that the kernel supports; the others control the solver.
 ANALYSIS = ("duration", "tolerance", "output_step")
-#: Modes times the largest omega h of a model (1 at least), beyond which the solver takes less time: 35 modes of shear
-#: buildings with 93 take the kernel a fifth of the solver's time, 70 modes of two frames with 1150 twice as much.
+#: Maximum of modes times max(1, omega h) for the kernel; the solver is faster above. 35 modes of shear buildings (93)
+#: take a fifth of the solver's time, 70 modes of two frames (1150) twice that time.
 MAX_WORK = 400
 #: Number of cached models in modal coordinates; consecutive rows share one at all levels.
 KEPT_MODELS = 256
@@ -73,11 +73,7 @@ class KernelEngine:
     @staticmethod
     def _fill(done: Done, rows: np.ndarray, found: Found, kept: Kept) -> None:
         ran = np.array([i for i in range(len(rows)) if i not in found.reasons], dtype=np.int64)
-        values = (
-            np.column_stack([column_of(column, found) for column in kept.columns])
-            if kept.columns
-            else np.empty((len(rows), 0))
-        )
+        values = side_by_side([column_of(column, found) for column in kept.columns], len(rows))
         if kept.undefined_limits(values[ran]):
             # The solver reports these rows.
             found.reasons.update(

@@ -81,7 +81,7 @@ class Intensity:
     measure: str = "pga"
     period: tuple[float, float] = (0.0, 0.0)  #: [s]; both the same for sa
     damping: float = 0.05
-    levels: tuple[float, ...] = ()  #: [m/s^2]; none for motions as they are
+    levels: tuple[float, ...] = ()  #: [m/s^2]; empty for unscaled motions
 
     def of(self, motion: Motion, files: Files) -> float:
         """The intensity of an unscaled motion [m/s^2], the geometric mean of its horizontal components. Raises
@@ -249,6 +249,6 @@ def scaling_warnings(motions: Sequence[Motion], intensity: Intensity | None) -> 
         return []
     far = sum(scale > PLAUSIBLE_SCALE for scale in scales)
     return [
-        f"{far} of {len(motions)} records are scaled by more than {PLAUSIBLE_SCALE:g} at the highest level, at most by {max(scales):.3g}; such motions "
-        "are milder in their shape than strong ones recorded, and curves from them are biased"
+        f"{far} of {len(motions)} records are scaled by more than {PLAUSIBLE_SCALE:g} at the highest level, at most by {max(scales):.3g}; strong "
+        "recorded motions have other spectral shapes, so curves from scaled ones are biased"
     ]

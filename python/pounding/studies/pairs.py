@@ -88,13 +88,11 @@ class Pairs:
         pairs = {name: self._column(keys, numbers) for name, keys in self._pairs.items()}
         parameters = {name: self._column(keys, numbers) for name, keys in self._parameters.items()}
         duration = self._duration or motion.duration
-        record = motion.accelerations
         options: dict[str, Any] = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
         # At least one column has the length of the number of rows.
         pairs["gap"] = np.broadcast_to(pairs["gap"], count)
-        ran = core.study_pairs(
-            pairs, self.law, self.formula, parameters, record, motion.step, required_gap=False, **options
-        )
+        rest = self.law, self.formula, parameters, motion.accelerations, motion.step
+        ran = core.study_pairs(pairs, *rest, required_gap=False, **options)
         found = Found(
             dict(ran["reasons"]),
             [self.link],
@@ -102,16 +100,7 @@ class Pairs:
             {quantity: np.asarray(ran[key])[:, None] for quantity, key in OF_KERNEL.items()},
         )
         if alone:
-            apart = core.study_pairs(
-                {**pairs, "gap": np.full(count, FAR)},
-                self.law,
-                self.formula,
-                parameters,
-                record,
-                motion.step,
-                required_gap=True,
-                **options,
-            )
+            apart = core.study_pairs({**pairs, "gap": np.full(count, FAR)}, *rest, required_gap=True, **options)
             found.reasons.update(apart["reasons"])
             found.alone = self._by_structure(apart, accelerations)
             left, right = (np.asarray(apart["displacement"])[:, [k]] for k in (0, 1))

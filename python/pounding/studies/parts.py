@@ -95,7 +95,7 @@ class Parts:
             status=done.status,
             engine=done.engine,
             seconds=done.seconds,
-            text=np.array(text),
+            told=np.array(text),
         )
         content = written.getvalue()
         self._write(f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz", content)

@@ -29,10 +29,8 @@ def study_figure(
     if picture not in PICTURES:
         raise InputError(f'unknown picture "{picture}"; known: {", ".join(PICTURES)}')
     if column is None and picture != "gap":
-        raise InputError(f"say of which column; there is {', '.join(study.columns)}")
-    from matplotlib import rc_context
-
-    from pounding.pictures.style import STYLE, Picture
+        raise InputError(f"specify a column; known: {', '.join(study.columns)}")
+    from pounding.pictures import style
 
     ways: dict[str, Callable[..., None]] = {
         "fragility": _fragility,
@@ -43,8 +41,7 @@ def study_figure(
     }
     arguments.options_of(ways[picture], options, 3)
     size = arguments.size("size", size)
-    with rc_context(STYLE):
-        figure: Figure = Picture(figsize=size, layout="constrained")
+    with style.picture(size) as figure:
         ways[picture](figure.subplots(), study, column or "", **options)
         return figure
 

@@ -91,7 +91,7 @@ class Plan:
     def case(self, row: int) -> dict[str, Any]:
         """The model of one row."""
         if not 0 <= row < self.count:
-            raise InputError(f"row {row} is none of the {self.count} rows, which count from 0")
+            raise InputError(f"no row {row}; the {self.count} rows count from 0")
         one = self.columns(np.array([row]))
         values = [float(one[factor.name][0]) for factor in self.points.factors]
         return self.template.case(values, int(one["record"][0]), float(one["scale"][0]))
@@ -301,7 +301,7 @@ def _require_one_ground(parts: Mapping[str, Any]) -> None:
         for key, value in part.items() if isinstance(part, Mapping) else ():
             if key == "ground_motion":
                 raise InputError(
-                    f"{place}.ground_motion: is the same in every row, whatever records and levels the study has; remove it, or the records and "
+                    f"{place}.ground_motion: is the same in every row, regardless of records and levels; remove it, or the records and "
                     "the intensity of the study"
                 )
             find(value, f"{place}.{key}")
@@ -353,7 +353,7 @@ def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> N
             or min(levels) / motion.intensity == 0
         ):
             raise InputError(
-                f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which no factor brings to "
+                f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which cannot be scaled to "
                 f"{min(levels):g} to {max(levels):g} m/s^2; type other levels, another measure or period, or leave the motion out"
             )
 

@@ -182,7 +182,7 @@ def bare_limit_warning(place: str, value: Any, unit: str, column: str = "") -> s
         and not column.endswith(".ratio")
         and 0 < number <= LARGEST_DRIFT_RATIO
     ):
-        return f"{place}: a bare {number:g} is in m; the drift of a study is a length, and no ratio to the height of the storey. Type its unit, as in {1e3 * number:g} mm"
+        return f"{place}: a bare {number:g} is in m; the drift of a study is a length, not a ratio to the storey height. Type its unit, as in {1e3 * number:g} mm"
     lowest, highest, other = _DOUBTFUL.get(unit, (math.nan, math.nan, ""))
     if not lowest < number < highest:
         return ""

@@ -20,7 +20,7 @@ from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
 from pounding.studies.batches import COLLAPSED, COMPLETE, EXCEEDED, NOT_RUN, STATUSES
 from pounding.studies.quantities import COLLAPSED_COLUMN, bare_limit_warning
-from pounding.studies.table import open_study
+from pounding.studies.table import open_study, read_reasons
 from pounding.texts import text, texts
 
 Table = TypeVar("Table", bound="Rows")
@@ -73,23 +73,13 @@ class Rows:
             records = {
                 name: texts(data[:]) if data.dtype.kind in "OS" else data[:] for name, data in file["records"].items()
             }
-            reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
             description = json.loads(text(file["study/plan"][()]))["plan"]
             check = dict(zip(file["check/row"][:].tolist(), file["check/solver"][:])) if "check" in file else {}
             doubts = (
                 texts(file["study/warnings"][:]) if "study/warnings" in file else _of_version_0_2_0(path, description)
             )
-            return cls(
-                columns,
-                units,
-                records,
-                reasons,
-                description,
-                texts(file["study/engines"][:]),
-                Path(path),
-                check,
-                doubts,
-            )
+            reasons, engines = read_reasons(file), texts(file["study/engines"][:])
+            return cls(columns, units, records, reasons, description, engines, Path(path), check, doubts)
 
     def __len__(self) -> int:
         return len(self.columns["status"])
@@ -177,9 +167,9 @@ class Rows:
     ) -> fragility.Fragility:
         """Lognormal curve of the probability that `column` exceeds `limit` (SI, or "5 MN"), over the intensity.
 
-                The band is from bootstrap over events, since rows of one event are not independent. The column
-        "collapsed" has no limit: its curve is that of collapse. `values` select values of factors. Rows with an
-        undefined column are excluded and counted. See `pounding.studies.fragility.fit`."""
+        The band is from bootstrap over events, since rows of one event are not independent. The column "collapsed" has
+        no limit: its curve is that of collapse. `values` select values of factors. Rows with an undefined column are
+        excluded and counted. See `pounding.studies.fragility.fit`."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             self._require_collapse()
             limit = 0.5 if limit is None else limit

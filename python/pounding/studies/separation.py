@@ -82,8 +82,8 @@ def separation(
 ) -> dict[str, Any]:
     """Required gap of every record, gaps by rules, and gaps by codes from the mean over the records [m].
 
-        A gap is None, without a mean, if structures collapse without links, when no gap is sufficient. Raises
-    InputError, and SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
+    A gap is None, without a mean, if structures collapse without links, when no gap is sufficient. Raises InputError,
+    and SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
     plan = read_separation(model, records)
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
@@ -163,7 +163,7 @@ def table_of(found: Mapping[str, Any]) -> str:
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
     if found["collapsed"]:
         lines.append(
-            f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({shortened(found['collapsed'])}): no gap is "
+            f"Without links {len(found['collapsed'])} of {len(found['records'])} records cause a collapse ({shortened(found['collapsed'])}): no gap is "
             "enough for them, and the rules have no mean."
         )
     return "\n".join(

@@ -25,20 +25,8 @@ AXES = ("x", "y", "z")
 _OPTIONS = ("units", "channel", "step")
 #: Keys of a ground motion that belong to its source.
 _OF_SOURCE = (
-    "record",
-    "channel",
-    "units",
-    "step",
-    "scale",
-    "pga",
-    "initial_velocity",
-    "harmonic",
-    "sum",
-    "duration",
-    "pulse",
-    "synthetic",
-    "displacement",
-    "components",
+    *("record", "channel", "units", "step", "scale", "pga", "initial_velocity", "harmonic", "sum"),
+    *("duration", "pulse", "synthetic", "displacement", "components"),
 )
 
 
@@ -323,7 +311,7 @@ def _files(
             f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]"
         )
     if not motions:
-        raise InputError("study.records.skip: leaves no record")
+        raise InputError("study.records.skip: no record is left")
     return motions
 
 

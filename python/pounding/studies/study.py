@@ -18,7 +18,8 @@ from pounding.checked_file import STUDY
 from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.models import Model
 from pounding.outputs import destination
-from pounding.studies.engines import COMPLETE, run_batch
+from pounding.studies.batches import COMPLETE
+from pounding.studies.engines import run_batch
 from pounding.studies.execution import Progress, batch_of, require_count, run_rows
 from pounding.studies.factors import Factor
 from pounding.studies.files import located, relative
@@ -138,8 +139,8 @@ class Study(Rows):
     def evaluate(self, factors: Mapping[str, float]) -> dict[str, np.ndarray]:
         """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level].
 
-                A plain function for scipy.optimize, pymoo or Optuna. Columns of a collapsed row are infinite. Raises
-        InputError for a failed row."""
+        A plain function for scipy.optimize, pymoo or Optuna. Columns of a collapsed row are infinite. Raises InputError
+        for a failed row."""
         if self.plan is None:
             raise InputError("a table opened from a file cannot run models; create the study with pounding.study(...)")
         factors = {
@@ -208,14 +209,14 @@ def study(
 ) -> Study:
     """Runs a study: a study file, or a model with the keys of `study:` as arguments (guide, "Studies").
 
-        `output` is the HDF5 file of the table, from which a killed study resumes; without it the table is in memory.
-    By default, rows of the kernel run on threads and rows of the solver in one process per core. `workers` is the
-    number of processes for all rows; 0 runs them in this process. With processes, scripts need the guard `if __name__
-    == "__main__":`. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
+    `output` is the HDF5 file of the table, from which a killed study resumes; without it the table is in memory. By
+    default, rows of the kernel run on threads and rows of the solver in one process per core. `workers` is the number
+    of processes for all rows; 0 runs them in this process. With processes, scripts need the guard `if __name__ ==
+    "__main__":`. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
     Client.get_executor().
 
-        Raises InputError for a wrong plan before any row runs, OSError if the table cannot be written, and
-    SolverError if more than `stop_after` of the rows fail. Finished chunks are kept in the last two cases."""
+    Raises InputError for a wrong plan before any row runs, OSError if the table cannot be written, and SolverError if
+    more than `stop_after` of the rows fail. Finished chunks are kept in the last two cases."""
     words = {
         "factors": factors,
         "records": records,
@@ -260,8 +261,8 @@ def sweep(
 ) -> Study:
     """Runs all combinations of values, for every record: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`.
 
-        Runs in this process unless `workers` is given. Each column has the name of the last key of its path, with a
-    number if the name is taken."""
+    Runs in this process unless `workers` is given. Each column has the name of the last key of its path, with a number
+    if the name is taken."""
     if not isinstance(factors, Mapping):
         raise InputError(
             f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(factors)} was read'

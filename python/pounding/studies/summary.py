@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.studies.engines import STATUSES
+from pounding.studies.batches import STATUSES
 from pounding.studies.percentiles import finite, order_statistic
 from pounding.studies.quantities import COLLAPSED_COLUMN
 from pounding.studies.rows import Rows
@@ -20,8 +20,8 @@ def summary(study: Rows, column: str | None = None, limit: float | str | None = 
     """Counts of rows by status; minimum, mean, maximum, percentiles (order statistics) and the fraction of rows above
     zero of every kept column, in SI; and the fragility curve of a column above a limit, or of collapse.
 
-        Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises
-    InputError for an unknown column."""
+    Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises InputError
+    for an unknown column."""
     status = study["status"]
     kept: Sequence[str] = study.description["kept"]["columns"]
     found: dict[str, Any] = {

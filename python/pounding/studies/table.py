@@ -18,9 +18,9 @@ import numpy as np
 from pounding.checked_file import STUDY, NotResults, require_whole_study, write_study
 from pounding.errors import InputError
 from pounding.outputs import destination
-from pounding.studies.batches import COMPLETE
+from pounding.studies.batches import COMPLETE, DIED, NOT_RUN, STATUSES, Done, side_by_side
 from pounding.studies.cross_check import differences
-from pounding.studies.engines import DIED, ENGINES, NOT_RUN, STATUSES, Done
+from pounding.studies.engines import ENGINES
 from pounding.studies.files import by_content, relative
 from pounding.studies.parts import Parts
 from pounding.studies.plan import Plan
@@ -38,8 +38,8 @@ class Table:
         """An empty table, or the rows of an earlier run of this plan at `path`. The path is locked until `write` or
         `close`.
 
-                Raises InputError if the path cannot be written, is locked by another study or contains another plan,
-        and if the rows do not fit into memory."""
+        Raises InputError if the path cannot be written, is locked by another study or contains another plan, and if the
+        rows do not fit into memory."""
         require_room(plan)
         self.plan = plan
         self.path = None if path is None else Path(path)
@@ -123,22 +123,9 @@ class Table:
             status = file["rows/status"][:]
             rows = np.flatnonzero(status != NOT_RUN)
             columns = self.plan.template.kept.columns
-            values = (
-                np.column_stack([file[f"rows/{column}"][:] for column in columns])
-                if columns
-                else np.empty((len(status), 0))
-            )
-            reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
-            self._fill(
-                Done(
-                    rows,
-                    values[rows],
-                    status[rows],
-                    file["rows/engine"][:][rows],
-                    file["timing/seconds"][:][rows],
-                    reasons,
-                )
-            )
+            values = side_by_side([file[f"rows/{column}"][:] for column in columns], len(status))
+            engine, seconds = file["rows/engine"][:], file["timing/seconds"][:]
+            self._fill(Done(rows, values[rows], status[rows], engine[rows], seconds[rows], read_reasons(file)))
             self.check.update(zip(file["check/row"][:].tolist(), file["check/solver"][:]))
 
 
@@ -184,6 +171,11 @@ def open_study(path: Path) -> h5py.File:
     return file
 
 
+def read_reasons(file: h5py.File) -> dict[int, str]:
+    """Reasons of failures and collapses, by row."""
+    return {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
+
+
 def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
     if kept["digest"] == plan.digest():
         return
@@ -191,7 +183,7 @@ def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
     before = by_content({"files": {}, **kept["plan"]})
     different = [name for name in {**now, **before} if now.get(name) != before.get(name)]
     raise InputError(
-        f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
+        f"{path} contains rows of another plan: {', '.join(different) or 'something'} differs. Name another output with -o, or remove "
         f"{path} and {path.name}.parts to begin again"
     )
 

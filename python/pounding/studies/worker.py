@@ -9,7 +9,8 @@ import signal
 import threading
 
 from pounding._native import core
-from pounding.studies.engines import Batch, Done, run_batch
+from pounding.studies.batches import Batch, Done
+from pounding.studies.engines import run_batch
 
 
 def begin_worker() -> None:

@@ -16,7 +16,7 @@ import numpy as np
 import pounding
 from pounding.errors import InputError
 from pounding.studies import command
-from pounding.studies.engines import COLLAPSED, DONE, EXCEEDED, STATUSES
+from pounding.studies.batches import COLLAPSED, DONE, EXCEEDED, STATUSES
 from pounding.studies.plan import make_plan
 from pounding.studies.quantities import Kept
 from pounding.studies.study import run_plan
@@ -264,7 +264,7 @@ class Collapse(unittest.TestCase):
         self.assertEqual(curve.exceedance("10 km"), fallen.mean())
         self.assertTrue(math.isinf(curve.percentile(100)[0]))
         study.plot("gap").savefig(self.folder / "gap.svg")
-        told = command._told(study)
+        told = command._report(study)
         assert_mentions(told, "gap")
 
     def test_a_separation_says_for_which_records_no_gap_is_enough(self):

@@ -16,7 +16,8 @@ import pounding
 from pounding.errors import InputError
 from pounding.studies import kernel_engine
 from pounding.studies.cross_check import differences, rows_to_check
-from pounding.studies.engines import DONE, ENGINES, EXCEEDED, REFUSED, run_batch
+from pounding.studies.batches import DONE, EXCEEDED, REFUSED
+from pounding.studies.engines import ENGINES, run_batch
 from pounding.studies.execution import batch_of
 from pounding.studies.factors import at
 from pounding.studies.pairs import Pairs

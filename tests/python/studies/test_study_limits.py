@@ -10,7 +10,7 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.engines import DONE
+from pounding.studies.batches import DONE
 from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
 from study_samples import WORDS, pair

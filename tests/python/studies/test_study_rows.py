@@ -21,7 +21,7 @@ import pounding
 from pounding._native import core
 from pounding.checked_file import NotResults
 from pounding.errors import InputError, SolverError
-from pounding.studies.engines import DIED, DONE, EXCEEDED, FAILED
+from pounding.studies.batches import DIED, DONE, EXCEEDED, FAILED
 from pounding.studies.execution import run_rows
 from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
