@@ -26,29 +26,27 @@ std::string error_of(const std::function<void()>& action) {
 // Keys of these tests; a reader's own stand in the catalogue.
 constexpr std::string_view laws[] = {"hertz", "hertz_damped"};
 constexpr keys::Key quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed = bounds::any) {
-  return {.key = key, .takes = keys::Takes::quantity, .dimension = dimension, .bounds = allowed};
+  return {key, keys::quantity(dimension, allowed)};
 }
 constexpr keys::Key integer(std::string_view key, const Bounds& allowed = bounds::any) {
-  return {.key = key, .takes = keys::Takes::integer, .bounds = allowed};
+  return {key, keys::integer(allowed)};
 }
-constexpr keys::Key quantities[] = {
-    quantity("gap", dimension::length),
-    quantity("ratio", dimension::none),
-    quantity("stiffness", dimension::stiffness),
-    quantity("hertz", dimension::hertz_stiffness),
-    quantity("period", dimension::time),
-    quantity("v", dimension::velocity),
-    {.key = "mass", .takes = keys::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
-    {.key = "start", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
-    {.key = "end", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
-const keys::Section test_section{.name = "test", .location = "", .meaning = "", .keys = quantities};
+constexpr keys::Key quantities[] = {quantity("gap", dimension::length),
+                                    quantity("ratio", dimension::none),
+                                    quantity("stiffness", dimension::stiffness),
+                                    quantity("hertz", dimension::hertz_stiffness),
+                                    quantity("period", dimension::time),
+                                    quantity("v", dimension::velocity),
+                                    {"mass", keys::quantity(dimension::mass), keys::optional, "", "100 t"},
+                                    {"start", keys::quantity(dimension::time), keys::otherwise("7 ms")},
+                                    {"end", keys::quantity(dimension::time), keys::otherwise("never")}};
+const keys::Section test_section{"test", "", "", quantities};
 
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
 // That table, read by one word after the other.
 Input model(const std::string& text, std::span<const keys::Key> table) {
   static std::vector<std::unique_ptr<keys::Section>> sections;
-  sections.push_back(
-      std::make_unique<keys::Section>(keys::Section{.name = "test", .location = "", .meaning = "", .keys = table}));
+  sections.push_back(std::make_unique<keys::Section>(keys::Section{"test", "", "", table}));
   return model(text).in(*sections.back());
 }
 
@@ -159,13 +157,8 @@ TEST(Input, NothingIsReadBesideTheCatalogue) {
 }
 
 TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
-  constexpr keys::Key table[] = {
-      {.key = "pair", .takes = keys::Takes::quantity, .form = keys::Form::list, .dimension = dimension::length},
-      {.key = "masses",
-       .takes = keys::Takes::quantity,
-       .form = keys::Form::named,
-       .inside = &test_section,
-       .dimension = dimension::mass}};
+  constexpr keys::Key table[] = {{"pair", keys::quantity(dimension::length).list()},
+                                 {"masses", keys::quantity(dimension::mass).or_map(test_section).named()}};
   const Input input = model("{pair: [1 mm, 2 mm], masses: {gap: 3 t, b: {mass: 4 t}}}", table);
   EXPECT_DOUBLE_EQ(input.at("pair").items()[1].as_quantity(), 0.002);
   const auto masses = input.at("masses").entries();
@@ -251,8 +244,7 @@ TEST(Input, BooleansAreTrueOrFalse) {
 }
 
 TEST(Input, ChoiceOffersTheNearestName) {
-  constexpr keys::Key table[] = {{.key = "law", .takes = keys::Takes::choice, .choices = laws, .noun = "contact law"},
-                                 {.key = "other", .takes = keys::Takes::choice, .choices = laws}};
+  constexpr keys::Key table[] = {{"law", keys::choice(laws, "contact law")}, {"other", keys::choice(laws)}};
   const Input input = model("law: hertz_damp\nother: hertz_damp\n", table);
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("law").as_choice(); }),
                              {"model.yaml:1:6", "law", "hertz_damp", "hertz_damped"}));

@@ -67,7 +67,7 @@ TEST_F(Words, EachExampleIsRead) {
 TEST_F(Words, EachWordIsUsed) {
   for_each_key([](const Section& s, const Key& spec) {
     const std::string text = with_key(s, spec, "[[[{}]]]");
-    EXPECT_NE(refusal(text), "") << s.location << "." << spec.key << " is taken and never read:\n" << text;
+    EXPECT_NE(refusal(text), "") << s.place << "." << spec.key << " is taken and never read:\n" << text;
   });
 }
 
@@ -78,18 +78,18 @@ TEST_F(Words, EachKeyThatIsReadHasAWord) {
     for (const Key& spec : keys::parameters_of(law).keys) known.emplace(spec.key);
   for (const Section* s : keys::sections())
     for (const std::string& key : known) {
-      const Key requested{.key = key};
+      const Key requested(key, keys::text());
       const std::vector<const char*> values = s->find(key) ? std::vector{"1", "{a: 1}", "[1, 2]"} : std::vector{"1"};
       for (const char* value : values) {
         const Keys keys = keys_around(*s, s->find(key) ? *s->find(key) : requested, value);
         std::string message;
         // Another error than InputError is one of the program.
-        ASSERT_NO_THROW(message = refusal(with_keys(*s, keys))) << s->location << "." << key;
+        ASSERT_NO_THROW(message = refusal(with_keys(*s, keys))) << s->place << "." << key;
         if (s->find(key) || s == &keys::link || s == &keys::wall) continue;
         EXPECT_TRUE(message.find("unknown key") != message.npos ||
                     message.find("unknown displacement") != message.npos ||
                     message.find("belongs to a record") != message.npos)
-            << s->location << "." << key << ": " << message;
+            << s->place << "." << key << ": " << message;
       }
     }
 }

@@ -11,36 +11,22 @@
 namespace pounding::keys {
 namespace {
 
-constexpr Key rate_key{
-    .key = "rate",
-    .takes = Takes::quantity,
-    .dimension = {0, -1, 1},
-    .unit = "s/m",
-    .bounds = bounds::positive,
-    .otherwise = "none",
-    .since = "0.2.0",
-    .meaning = "How fast the friction comes from the slow coefficient to the fast one as the velocity grows.",
-    .example = "60 s/m"};
+constexpr Key rate_key{"rate",
+                       quantity({0, -1, 1}, bounds::positive).in("s/m"),
+                       otherwise("none"),
+                       "How fast the friction comes from the slow coefficient to the fast one as the velocity grows.",
+                       "60 s/m",
+                       "0.2.0"};
 
 /// The words of the laws of isolators: of all laws that yield both ways.
 struct OfIsolators : YieldingKeys {
   std::vector<Key> own{
-      {.key = "capacity",
-       .takes = Takes::quantity,
-       .dimension = dimension::length,
-       .bounds = bounds::positive,
-       .otherwise = "none",
-       .since = "0.2.0",
-       .meaning = "Deformation that it can bear. Nothing happens there, but a run that goes beyond says so.",
-       .example = "350 mm"},
-      {.key = "coupled",
-       .takes = Takes::boolean,
-       .otherwise = "true in space, where it is refused",
-       .since = "0.2.0",
-       .meaning = "false lets an isolator of a frame in space follow its law along x and along y, each by itself, "
-                  "which carries up to 1.41 times too "
-                  "much along a diagonal. Laws of both at once are not there yet.",
-       .example = "false"}};
+      {"capacity", quantity(dimension::length, bounds::positive), otherwise("none"),
+       "Deformation that it can bear. Nothing happens there, but a run that goes beyond says so.", "350 mm", "0.2.0"},
+      {"coupled", boolean(), otherwise("true in space, where it is refused"),
+       "false lets an isolator of a frame in space follow its law along x and along y, each by itself, which carries "
+       "up to 1.41 times too much along a diagonal. Laws of both at once are not there yet.",
+       "false", "0.2.0"}};
 
   template <hysteresis::Law L>
   void add(const L& made) {
@@ -53,17 +39,11 @@ struct OfIsolators : YieldingKeys {
     }
     if (L::name == "friction_pendulum") of_law.push_back(rate_key);
     add_choices(made, of_law);
-    const Section& section =
-        add_section({.name = kept(fmt::format("isolator_{}", L::name)),
-                     .place = kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
-                     .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
-                     .keys = of_law});
-    own.push_back({.key = L::name,
-                   .inside = &section,
-                   .need = Need::exactly_one,
-                   .since = "0.2.0",
-                   .meaning = kept(fmt::format("It follows this law: {}.", L::summary)),
-                   .example = kept(example.text())});
+    const Section& section = add_section({kept(fmt::format("isolator_{}", L::name)),
+                                          kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
+                                          kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), of_law});
+    own.push_back({L::name, map(section), exactly_one, kept(fmt::format("It follows this law: {}.", L::summary)),
+                   kept(example.text()), "0.2.0"});
   }
 
  private:
@@ -98,10 +78,8 @@ const OfIsolators& isolators() {
 }  // namespace
 
 const Section isolator{
-    .name = "isolator",
-    .place = "structures.NAME.frame.supports.NODE.isolator",
-    .meaning = "An isolator under a foot of a frame, or all isolators of a shear building together, by its law.",
-    .keys = isolators().own};
+    "isolator", "structures.NAME.frame.supports.NODE.isolator",
+    "An isolator under a foot of a frame, or all isolators of a shear building together, by its law.", isolators().own};
 
 std::vector<const Section*> laws_of_isolators() { return isolators().sections(); }
 

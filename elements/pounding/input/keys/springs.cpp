@@ -30,16 +30,11 @@ struct OfLaws : YieldingKeys {
     }
     add_choices(made, own);
     const Section& section =
-        add_section({.name = L::name,
-                     .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
-                     .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
-                     .keys = own});
-    by_name.push_back({.key = L::name,
-                       .inside = &section,
-                       .need = Need::exactly_one,
-                       .since = "0.2.0",
-                       .meaning = kept(fmt::format("The storeys follow this law: {}.", L::summary)),
-                       .example = kept(example.text())});
+        add_section({L::name, kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
+                     kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), own});
+    by_name.push_back({L::name, map(section), exactly_one,
+                       kept(fmt::format("The storeys follow this law: {}.", L::summary)), kept(example.text()),
+                       "0.2.0"});
   }
 };
 
@@ -59,11 +54,9 @@ const OfLaws& laws() {
 
 }  // namespace
 
-const Section storey_spring{
-    .name = "spring",
-    .place = "structures.NAME.shear_building.spring",
-    .meaning = "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
-    .keys = laws().by_name};
+const Section storey_spring{"spring", "structures.NAME.shear_building.spring",
+                            "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
+                            laws().by_name};
 
 std::vector<const Section*> laws_of_springs() { return laws().sections(); }
 

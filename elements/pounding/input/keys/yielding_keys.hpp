@@ -52,15 +52,12 @@ class YieldingKeys {
   Key key_of(const Parameter& parameter, const L& made) {
     const hysteresis::ParameterInfo& info = parameter.info;
     const bool is_required = info.need == hysteresis::Need::required;
-    Key spec{.key = info.name,
-             .takes = Takes::quantity,
-             .dimension = parse_unit_dimension(info.unit),
-             .unit = info.unit,
-             .bounds = bounds::any,
-             .need = is_required ? Need::required : Need::optional,
-             .since = "0.2.0",
-             .meaning = kept(fmt::format("{}.", capital(info.meaning))),
-             .example = kept(shown(info.typical, info.unit))};
+    Key spec{info.name,
+             quantity(parse_unit_dimension(info.unit)).in(info.unit),
+             is_required ? required : optional,
+             kept(fmt::format("{}.", capital(info.meaning))),
+             kept(shown(info.typical, info.unit)),
+             "0.2.0"};
     if (!is_required)
       spec.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
     return spec;
@@ -80,14 +77,9 @@ class YieldingKeys {
   template <class L>
   void add_choices(const L& made, std::vector<Key>& keys) {
     if constexpr (requires { L::choices; })
-      for (const auto& choice : L::choices)
-        keys.push_back({.key = choice.info.name,
-                        .takes = Takes::choice,
-                        .choices = choice.info.words,
-                        .otherwise = choice.info.words[choice.get(made)],
-                        .since = "0.2.0",
-                        .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))),
-                        .example = choice.info.words.back()});
+      for (const auto& each : L::choices)
+        keys.push_back({each.info.name, choice(each.info.words), otherwise(each.info.words[each.get(made)]),
+                        kept(fmt::format("{}.", capital(each.info.meaning))), each.info.words.back(), "0.2.0"});
   }
 
  private:
