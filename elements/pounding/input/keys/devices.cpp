@@ -20,42 +20,42 @@ constexpr Key between_key{
     "between",
     text().or_map(link_end).list(2),
     required,
-    "The two structures, the left one first, with their ends as links name them: A.3 is floor 3 of A. Two nodes of "
-    "frames are joined along the line between them; all other ends along the horizontal axis of a link.",
+    "The two ends, the left structure first, in the notation of links: A.3 is floor 3 of A. Two frame nodes are "
+    "connected along the line between them, all other ends along the horizontal axis of a link.",
     "[left, right]",
     "0.2.0"};
 constexpr Key own_between_key{"between",
                               text().list(2),
                               exactly_one,
-                              "Its two ends: nodes of a frame, floors of a shear building by their numbers, or ground. "
-                              "It gets longer where the second moves away from the first along the axis.",
+                              "The two ends: nodes of a frame, floor numbers of a shear building, or ground. "
+                              "Elongation is positive if the second end moves away from the first along the axis.",
                               "[ground, 1]",
                               "0.2.0"};
 constexpr Key storey_key{"storey",    integer(1, 1000),
-                         exactly_one, "The storey of a shear building in which it stands, from 1 at the lowest.",
+                         exactly_one, "Storey of a shear building that contains the device; 1 is the lowest.",
                          "1",         "0.2.0"};
 constexpr Key axis_key{"axis",
                        choice(axes, "axis"),
-                       otherwise("along between two nodes, else x"),
-                       "Direction in which it acts: along the line between its two nodes, or x, y or z.",
+                       otherwise("along for two nodes, else x"),
+                       "Direction of the force: along the line between the two nodes, or x, y or z.",
                        "x",
                        "0.2.0"};
 constexpr Key bar_key{"bar",
                       map(bar),
                       at_least_one,
-                      "An elastic bar, which pulls and pushes: force = stiffness times elongation. Gravity and "
-                      "preloads leave it undeformed.",
+                      "Elastic bar in tension and compression: force = stiffness times elongation. It is undeformed "
+                      "under gravity and preloads.",
                       "{stiffness: 50 MN/m}",
                       "0.2.0"};
 constexpr Key damper_key{"damper",
                          map(damper),
                          at_least_one,
-                         "A viscous damper, beside the bar or the law where there is one: force = c |v|^a sign v, with "
-                         "the rate of elongation v.",
+                         "Viscous damper, in parallel with the bar or the hysteretic law if given: force = c |v|^a "
+                         "sign v, with the rate of elongation v.",
                          "{coefficient: 200 kN s/m}",
                          "0.2.0"};
 
-/// The words of devices and of their laws of yielding.
+/// Keys of devices and of their hysteretic laws.
 struct OfDevices : YieldingKeys {
   std::vector<Key> between{between_key, bar_key}, within{own_between_key, storey_key, axis_key, bar_key};
 
@@ -76,7 +76,7 @@ struct OfDevices : YieldingKeys {
         L::name,
         map(section),
         at_least_one,
-        kept(fmt::format("It yields by this law, instead of a bar: {}. Gravity and preloads leave it undeformed.",
+        kept(fmt::format("Hysteretic law instead of a bar: {}. The device is undeformed under gravity and preloads.",
                          L::summary)),
         kept(example.text()),
         "0.2.0"};
@@ -105,38 +105,37 @@ constexpr Key bar_keys[] = {
     {"stiffness", quantity(dimension::stiffness, bounds::positive), exactly_one, "Stiffness of the bar.", "50 MN/m",
      "0.2.0"},
     {"E", quantity(dimension::stress, bounds::positive), exactly_one,
-     "Young's modulus: the stiffness is E area/length, with the length that is drawn between two frames.", "210 GPa",
-     "0.2.0"},
-    {"area", quantity(dimension::area, bounds::positive), optional, "Area of the section, beside E.", "20 cm^2",
+     "Young's modulus. The stiffness is E area/length, with the distance between the two frame nodes as the length.",
+     "210 GPa", "0.2.0"},
+    {"area", quantity(dimension::area, bounds::positive), optional, "Cross-sectional area; requires E.", "20 cm^2",
      "0.2.0"},
 };
 
 constexpr Key damper_keys[] = {
     {"coefficient", quantity(dimension::damping, bounds::positive).in("N (s/m)^a"), required,
-     "Coefficient c: the force at 1 m/s. With another exponent than 1 its unit follows: 200 kN (s/m)^0.35.",
-     "200 kN s/m", "0.2.0"},
+     "Coefficient c: force at 1 m/s. Its unit depends on the exponent: 200 kN (s/m)^0.35.", "200 kN s/m", "0.2.0"},
     {"exponent", number(Damper::min_exponent, Damper::largest_exponent), otherwise("1"),
      "Exponent a of the velocity; 1 is linear.", "1", "0.2.0"},
-    {"rounding_velocity", quantity(dimension::velocity, bounds::positive), otherwise("1 mm/s; none beside a stiffness"),
-     "Velocity v0 that rounds the force near v = 0 where the exponent is not 1: c v (v^2 + v0^2)^((a-1)/2).", "1 mm/s",
+    {"rounding_velocity", quantity(dimension::velocity, bounds::positive), otherwise("1 mm/s; none with a stiffness"),
+     "Velocity v0 that smooths the force near v = 0 if the exponent is not 1: c v (v^2 + v0^2)^((a-1)/2).", "1 mm/s",
      "0.2.0"},
     {"stiffness", quantity(dimension::stiffness, bounds::positive), otherwise("rigid"),
-     "Stiffness k of what the damper stands in series with, its brace and its fluid (a Maxwell element): df/dt = k (v "
-     "- (|f|/c)^(1/a) sign f). The exponent is at most 1.",
+     "Stiffness k in series with the damper, of its brace and fluid (Maxwell element): df/dt = k (v - (|f|/c)^(1/a) "
+     "sign f). The exponent is at most 1.",
      "40 MN/m", "0.2.0"},
 };
 
 }  // namespace
 
 const Section device{"devices", "devices.NAME",
-                     "A bar or what yields by a law, a damper, or both beside each other between two structures.",
+                     "Device between two structures: a bar or a hysteretic law, a damper, or both in parallel.",
                      devices().between};
 const Section own_device{"devices_within", "structures.NAME.shear_building.devices.NAME",
-                         "The same inside one structure: an oscillator, a shear building or a frame. Damping ratios "
-                         "are those of the structure without its devices.",
+                         "Device inside one structure: an oscillator, a shear building or a frame. Damping ratios "
+                         "refer to the structure without devices.",
                          devices().within};
-constinit const Section bar{"bar", "devices.NAME.bar", "An elastic bar.", bar_keys};
-constinit const Section damper{"damper", "devices.NAME.damper", "A viscous damper.", damper_keys};
+constinit const Section bar{"bar", "devices.NAME.bar", "Elastic bar.", bar_keys};
+constinit const Section damper{"damper", "devices.NAME.damper", "Viscous damper.", damper_keys};
 
 std::vector<const Section*> laws_of_devices() { return devices().sections(); }
 

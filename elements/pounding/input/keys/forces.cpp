@@ -8,58 +8,61 @@ namespace {
 
 constexpr std::string_view since = "0.2.0";
 
-constexpr Key force_amplitude_key{
-    "amplitude", quantity(dimension::force).or_rotation(dimension::energy),
-    required,    "Largest force, of a rotation a moment. Positive begins along the axis, towards +x, the right.",
-    "20 kN",     since};
+constexpr Key force_amplitude_key{"amplitude",
+                                  quantity(dimension::force).or_rotation(dimension::energy),
+                                  required,
+                                  "Amplitude of the force, or of the moment on a rotation. A positive value starts in "
+                                  "the positive direction of the axis; +x is to the right.",
+                                  "20 kN",
+                                  since};
 constexpr Key force_period_key{
     "period", quantity(dimension::time, bounds::positive), exactly_one, "Period T of the force.", "0.5 s", since};
 constexpr Key frequency_key{"frequency", quantity(dimension::frequency, bounds::positive).in("Hz"),
-                            exactly_one, "Turns in a second, 1/T. Not in rad/s: divide by 2 pi.",
+                            exactly_one, "Frequency 1/T in Hz, not in rad/s.",
                             "2 Hz",      since};
 constexpr Key force_duration_key{
-    "duration", quantity(dimension::time, bounds::positive), required, "How long the force acts.", "10 s", since};
+    "duration", quantity(dimension::time, bounds::positive), required, "Duration of the force.", "10 s", since};
 constexpr Key start_key{"start",          quantity(dimension::time, bounds::non_negative),
-                        otherwise("0 s"), "Time at which the force begins.",
+                        otherwise("0 s"), "Start time of the force.",
                         "0.2 s",          since};
 constexpr Key force_phase_key{
     "phase",        number(-2 * std::numbers::pi, 2 * std::numbers::pi).in("rad").called("an angle"),
-    otherwise("0"), "Angle of the sine at the start, at most a full turn; a bare number is in rad.",
+    otherwise("0"), "Phase angle of the sine at the start, at most one full cycle. A number without a unit is in rad.",
     "90 deg",       since};
 
 constexpr Key force_keys[] = {
     {"floor", integer({.low = 1}), otherwise("the only floor, or the body"),
-     "Floor on which the force acts, from 1 at the lowest. A rigid floor is pushed at its centre of mass, another one "
-     "of a frame in the plane at its first node.",
+     "Floor on which the force acts; 1 is the lowest. The force acts at the centre of mass of a rigid floor, and at "
+     "the first node of any other floor of a plane frame.",
      "1", since},
     {"node", text(), optional, "Node of a frame on which the force acts, instead of a floor.", "b", since},
     {"dof", choice(displacements, "displacement"), otherwise("ux"),
-     "Displacement on which the force works: of a floor ux, in space also uy and rz; of a node any. On a rotation it "
-     "is a moment. The displacement needs a mass.",
+     "Degree of freedom on which the force acts: ux of a floor, in space also uy and rz; any of a node. On a rotation "
+     "the force is a moment. The degree of freedom must have mass.",
      "ux", since},
-    {"harmonic", map(force_harmonic), exactly_one, "F = A sin(2 pi (t - start)/T + phase) while it lasts.",
+    {"harmonic", map(force_harmonic), exactly_one, "F = A sin(2 pi (t - start)/T + phase) during the duration.",
      "{amplitude: 20 kN, period: 0.5 s, duration: 10 s}", since},
     {"sum", map(force_sum_part).nonempty_list(), exactly_one,
-     "Harmonics that are added; their duration and start stand beside them.",
+     "Sum of harmonics; duration and start are given next to this list.",
      "[{amplitude: 20 kN, period: 0.5 s}, {amplitude: 5 kN, frequency: 8 Hz, phase: 90 deg}]", since},
-    {"pulse", map(force_pulse), exactly_one, "One pulse of force, however short.",
+    {"pulse", map(force_pulse), exactly_one, "Single pulse of any duration.",
      "{shape: half_sine, amplitude: 500 kN, duration: 20 ms}", since},
-    {"step_force", map(step_force), exactly_one, "A force that sets in, at once or within a rise, and stays.",
+    {"step_force", map(step_force), exactly_one, "Constant force that starts suddenly or with a linear rise.",
      "{amplitude: 50 kN, start: 1 s}", since},
     {"record", text(), exactly_one,
-     "File of forces in columns, as those of a ground motion; linear between its samples and zero after the last.",
+     "File of forces in columns, in the format of ground motions. Linear between samples and zero after the last.",
      "forces.csv", since},
     {"channel", text(), otherwise("the only channel of the file"),
-     "Channel of a record that holds several: its number from 1, or its name.", "2", since},
-    {"units", text(), otherwise("that of the file"),
-     "Unit of the forces in a record that states none: N, kN, MN; of moments N m, kN m.", "kN", since},
-    {"step", quantity(dimension::time, bounds::positive), otherwise("that of the file"),
-     "Time between two values of a record without times; the first is at the start.", "0.01 s", since},
-    {"scale", number(), otherwise("1"), "Factor on the forces of a record, not 0.", "1.5", since},
-    {"duration", quantity(dimension::time, bounds::positive), otherwise("none: a sum needs it"),
-     "How long a sum of harmonics acts.", "10 s", since},
-    {"start", quantity(dimension::time, bounds::non_negative), otherwise("0 s"),
-     "Time at which a sum or a record begins.", "0.2 s", since},
+     "Channel of a file with several channels: its number, from 1, or its name.", "2", since},
+    {"units", text(), otherwise("unit in the file"),
+     "Unit of the forces if the file does not state one: N, kN, MN; for moments N m, kN m.", "kN", since},
+    {"step", quantity(dimension::time, bounds::positive), otherwise("time step in the file"),
+     "Time step of a record without times; the first value is at the start.", "0.01 s", since},
+    {"scale", number(), otherwise("1"), "Scale factor of a record; not 0.", "1.5", since},
+    {"duration", quantity(dimension::time, bounds::positive), otherwise("none; required for a sum"),
+     "Duration of a sum of harmonics.", "10 s", since},
+    {"start", quantity(dimension::time, bounds::non_negative), otherwise("0 s"), "Start time of a sum or a record.",
+     "0.2 s", since},
 };
 
 constexpr Key force_harmonic_keys[] = {
@@ -82,20 +85,23 @@ constexpr Key step_keys[] = {
     force_amplitude_key,
     start_key,
     {"rise", quantity(dimension::time, bounds::non_negative), otherwise("0 s"),
-     "Time within which the force grows straight to its amplitude.", "0.5 s", since},
+     "Time of the linear rise from zero to the amplitude.", "0.5 s", since},
 };
 
 }  // namespace
 
 constinit const Section force{"forces", "structures.NAME.forces[]",
-                              "A force over time on a floor, a node or a body. Several on one place add.", force_keys};
+                              "Force over time on a floor, a node or a body. Several forces at one location add up.",
+                              force_keys};
 constinit const Section force_harmonic{"force_harmonic", "structures.NAME.forces[].harmonic",
-                                       "F = A sin(2 pi (t - start)/T + phase) while it lasts.", force_harmonic_keys};
+                                       "F = A sin(2 pi (t - start)/T + phase) during the duration.",
+                                       force_harmonic_keys};
 constinit const Section force_sum_part{"force_sum", "structures.NAME.forces[].sum[]",
-                                       "One harmonic of a sum of forces.", sum_keys};
-constinit const Section force_pulse{"force_pulse", "structures.NAME.forces[].pulse", "One pulse of force.",
+                                       "Harmonic component of a sum of forces.", sum_keys};
+constinit const Section force_pulse{"force_pulse", "structures.NAME.forces[].pulse", "Single pulse of force.",
                                     force_pulse_keys};
 constinit const Section step_force{"step_force", "structures.NAME.forces[].step_force",
-                                   "A force that sets in and stays; it needs the duration of the analysis.", step_keys};
+                                   "Force that starts and remains constant. Requires the duration of the analysis.",
+                                   step_keys};
 
 }  // namespace pounding::keys

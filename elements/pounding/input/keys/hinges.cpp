@@ -19,40 +19,40 @@ constexpr std::string_view hinge_axes[] = {"y", "z", "both"};
 constexpr Key at_key{"at",
                      choice(places, "end of a member"),
                      required,
-                     "Which ends of the member: feet are those at nodes that the ground holds. A member that is cut "
-                     "into parts has its two outer ends.",
+                     "Ends of the member with a hinge; feet are ends at supported nodes. A subdivided member has "
+                     "hinges at its two outer ends only.",
                      "both",
                      "0.2.0"};
-constexpr Key hinge_axis_key{
-    "axis",
-    choice(hinge_axes, "axis"),
-    otherwise("y in the plane; in space it must be given"),
-    "Local axis that the member bends about, see reference. both are two hinges that do not know of each other.",
-    "y",
-    "0.2.0"};
+constexpr Key hinge_axis_key{"axis",
+                             choice(hinge_axes, "axis"),
+                             otherwise("y in the plane; required in space"),
+                             "Local bending axis of the hinge, see reference. both gives two uncoupled hinges.",
+                             "y",
+                             "0.2.0"};
 constexpr Key moment_key{
     "yield_moment", quantity(dimension::energy).called("a moment").or_list(2),
-    optional,       "Moment at which the end yields: one, or two, [sagging, -hogging]. A beam sags with tension below.",
+    optional,       "Yield moment: one value, or two, [sagging, -hogging]. A sagging beam has tension at the bottom.",
     "210 kN m",     "0.2.0"};
 constexpr Key ultimate_key{"ultimate_rotation",
                            number(bounds::positive),
                            otherwise("none"),
-                           "Plastic rotation that the end can bear, for reports [rad].",
+                           "Ultimate plastic rotation, for reports only [rad].",
                            "0.04",
                            "0.2.0"};
 
-constexpr Key hinge_hardening_key{"hardening",
-                                  number(bounds::from_0_below_1),
-                                  otherwise("0"),
-                                  "Ratio of the member end: fraction of its stiffness that the member keeps when both "
-                                  "ends yield in double curvature. At a joint where all ends yield and keep nothing, "
-                                  "each keeps 1e-8, so that the joint does not turn without end.",
-                                  "3 %",
-                                  "0.2.0"};
+constexpr Key hinge_hardening_key{
+    "hardening",
+    number(bounds::from_0_below_1),
+    otherwise("0"),
+    "Hardening ratio of the member end: ratio of the stiffness of the member after yielding to its elastic stiffness, "
+    "with both ends in double curvature. If all ends at a joint yield without hardening, each gets a ratio of 1e-8 to "
+    "keep the system regular.",
+    "3 %",
+    "0.2.0"};
 constexpr std::string_view spring_hardening = "spring_hardening";
 
 Key rigid(Key spec) {
-  spec.otherwise = "that of the law, where there is one";
+  spec.otherwise = "from the hysteretic law, if given";
   return spec;
 }
 
@@ -61,7 +61,7 @@ Key hinge_of_series(Key spec) {
   return spec;
 }
 
-/// The words of the hinges and of the laws of springs in series.
+/// Keys of the hinges and of the laws of springs in series.
 struct OfHinges : YieldingKeys {
   std::vector<Key> own{at_key, hinge_axis_key, rigid(moment_key), hinge_hardening_key, ultimate_key};
 
@@ -70,13 +70,13 @@ struct OfHinges : YieldingKeys {
     std::vector<Key>& of_law = more_keys();
     of_law.push_back(moment_key);
     of_law.back().need = required;
-    of_law.push_back(
-        {"stiffness", quantity(dimension::energy, bounds::positive).called("a moment per radian"),
-         otherwise("10 x 6EI/L"),
-         "First stiffness of the spring between the member and its node [N m/rad]. Give it or stiffness_factor.",
-         "900 MN m", "0.2.0"});
+    of_law.push_back({"stiffness", quantity(dimension::energy, bounds::positive).called("a moment per radian"),
+                      otherwise("10 x 6EI/L"),
+                      "Initial stiffness of the spring between the member and its node [N m/rad]. Give stiffness or "
+                      "stiffness_factor, not both.",
+                      "900 MN m", "0.2.0"});
     of_law.push_back({"stiffness_factor", number(bounds::positive), otherwise("10"),
-                      "The same as a multiple of 6EI/L of the member.", "10", "0.2.0"});
+                      "Initial stiffness of the spring as a multiple of 6EI/L of the member.", "10", "0.2.0"});
     of_law.push_back(hinge_of_series(hinge_hardening_key));
     for (const auto& parameter : L::parameters)
       if (const std::string_view name = parameter.info.name; name != "stiffness" && !name.ends_with("yield_force"))
@@ -84,15 +84,16 @@ struct OfHinges : YieldingKeys {
     add_choices(made, of_law);
     const Section& section = add_section(
         {kept(fmt::format("hinge_{}", L::name)), kept(fmt::format("structures.NAME.frame.hinges.NAME.{}", L::name)),
-         kept(fmt::format("{}: {}. Forces are moments, deformations rotations.", L::shape, L::summary)), of_law});
+         kept(fmt::format("{}: {}. Forces are moments and deformations are rotations.", L::shape, L::summary)),
+         of_law});
     own.push_back(
         {L::name, map(section), otherwise("rigid-plastic"),
-         kept(fmt::format("A spring in series with the member, instead of a rigid-plastic hinge: {}.", L::summary)),
+         kept(fmt::format("Spring in series with the member instead of a rigid-plastic hinge: {}.", L::summary)),
          "{yield_moment: 210 kN m}", "0.2.0"});
   }
 
  private:
-  // Forces are moments here, deformations rotations.
+  // Forces are moments here, and deformations are rotations.
   static std::string_view turned(std::string_view unit) {
     if (unit == "N" || unit == "N/m") return "N m";
     return unit == "m" ? std::string_view() : unit;
@@ -116,10 +117,10 @@ struct OfHinges : YieldingKeys {
       spec.since = "0.3.0";
       spec.otherwise = "by hardening";
       spec.meaning =
-          "Ratio of the bare spring, instead of hardening: fraction of its first stiffness that it keeps after "
-          "yielding.";
+          "Hardening ratio of the spring alone, instead of hardening: ratio of its stiffness after yielding to its "
+          "initial stiffness.";
     } else if (spec.need == Need::optional)
-      spec.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("what the others say");
+      spec.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("from the other parameters");
     return spec;
   }
 };
@@ -128,7 +129,7 @@ const OfHinges& hinges() {
   static const OfHinges all = [] {
     OfHinges made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // A law without a yield force is no law of a moment.
+      // A law without a yield force has no yield moment.
       if (std::ranges::any_of(L::parameters,
                               [](const auto& parameter) { return parameter.info.name == "yield_force"; }))
         made.add(law);
@@ -141,8 +142,8 @@ const OfHinges& hinges() {
 }  // namespace
 
 const Section hinge{"hinges", "structures.NAME.frame.hinges.NAME",
-                    "Ends of members that yield in bending: of one member by its name, or of beams (all level members) "
-                    "or columns (all upright ones). What is said of one member counts before what is said of all.",
+                    "Plastic hinges at the ends of members: of one member by name, of beams (all horizontal members) "
+                    "or of columns (all vertical members). The entry of a single member takes precedence.",
                     hinges().own};
 
 std::vector<const Section*> laws_of_hinges() { return hinges().sections(); }

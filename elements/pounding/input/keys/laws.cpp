@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view estimated[] = {"auto"};
 
-/// The words of one law, with the texts that they point to.
+/// Keys of one law, with the texts that they refer to.
 struct OfLaw {
   std::deque<std::string> texts;
   std::vector<std::string_view> formulas;
@@ -58,7 +58,7 @@ struct OfLaw {
     return spec;
   }
 
-  // Whether there are parameters that are given together, instead of the others.
+  // True if the law has parameters that are given together, instead of the others.
   static bool may_be_together(const laws::Entry& law) {
     return std::ranges::find(law.parameters, laws::Need::together, &laws::ParameterInfo::need) != law.parameters.end();
   }

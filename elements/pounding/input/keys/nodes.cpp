@@ -9,14 +9,14 @@ namespace {
 
 constexpr Dimension turning_damping{1, 2, -1};  // [N m s]
 
-/// One word for each displacement of a node; rotations have another dimension than translations.
+/// One key per degree of freedom of a node; rotations and translations have different dimensions.
 constexpr std::array<Key, 6> by_displacement(const Dimension& of_translation, const Dimension& of_rotation,
                                              const Bounds& bounds, const std::array<std::string_view, 2>& examples) {
   constexpr std::array<std::string_view, 6> meanings{"Along x.",
                                                      "Along y, in space.",
                                                      "Along z, positive up.",
                                                      "About x, in space.",
-                                                     "About y; positive turns z into x.",
+                                                     "About y; positive from z to x.",
                                                      "About z, in space."};
   std::array<Key, 6> keys{};
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -40,59 +40,57 @@ constexpr auto dashpots =
 
 constexpr Key support_keys[] = {
     {"fix", choice(displacements, "support").or_list().or_one_of(supports),
-     otherwise("nothing; beside an isolator all but ux, and uy in space"),
-     "Displacements that are fixed: a list, or fixed, pinned or roller.", "[uz, ry]"},
+     otherwise("none; with an isolator all except ux, in space also except uy"),
+     "Restrained degrees of freedom: a list, or fixed, pinned or roller.", "[uz, ry]"},
     {"isolator", map(isolator), otherwise("none"),
-     "An isolator along ux, in space also along uy. It lets the foot neither lift nor turn unless fix says what is "
-     "held.",
+     "Isolator along ux, in space also along uy. The foot neither uplifts nor rotates unless fix specifies the "
+     "restraints.",
      "{friction_pendulum: {radius: 2 m, friction: 6 %, weight: 500 kN}}", "0.2.0"},
-    {"springs", map(support_springs), optional, "Springs to the ground, by their displacements.",
+    {"springs", map(support_springs), optional, "Springs to the ground, by degree of freedom.",
      "{ux: 20 MN/m, ry: 100 MN m}"},
-    {"dashpots", map(support_dashpots), optional, "Dashpots to the ground, by their displacements.",
-     "{ux: 100 kN s/m}"},
+    {"dashpots", map(support_dashpots), optional, "Dashpots to the ground, by degree of freedom.", "{ux: 100 kN s/m}"},
     {"delay", quantity(dimension::time, bounds::non_negative), otherwise("0 s"),
-     "Time by which the ground moves later under this support.", "0.05 s"},
-    {"ground_motion", map(ground_motion), otherwise("that of the structure"),
-     "Motion of the ground under this support alone; without a wave.",
+     "Time delay of the ground motion at this support.", "0.05 s"},
+    {"ground_motion", map(ground_motion), otherwise("ground motion of the structure"),
+     "Ground motion of this support only; without a wave.",
      "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
 };
 
 constexpr Key spring_keys[] = {
-    {"node", text(), exactly_one, "Node of a spring to the ground.", "b"},
-    {"between", text().list(2), exactly_one, "Two nodes of a spring between them.", "[b, c]"},
+    {"node", text(), exactly_one, "Node of a spring or dashpot to the ground.", "b"},
+    {"between", text().list(2), exactly_one, "The two nodes that a spring or dashpot connects.", "[b, c]"},
     {"dof", choice(displacements, "displacement"), required,
-     "Displacement that the spring resists; the length of a spring between two nodes does not matter.", "ux"},
+     "Degree of freedom on which the spring acts. A spring between two nodes has no length.", "ux"},
     {"stiffness", quantity(dimension::stiffness, bounds::non_negative).or_rotation(dimension::energy), at_least_one,
-     "Stiffness, of a rotation a moment per radian.", "1 MN/m"},
+     "Spring stiffness; on a rotation, moment per radian.", "1 MN/m"},
     {"damping", quantity(dimension::damping, bounds::non_negative).or_rotation(turning_damping).in("N s/m or N m s"),
-     at_least_one, "Force of the dashpot over its velocity.", "100 kN s/m"},
+     at_least_one, "Dashpot coefficient: force per velocity.", "100 kN s/m"},
 };
 
 constexpr Key tie_keys[] = {
-    {"master", text(), required, "Node that the others follow.", "a"},
-    {"nodes", text().nonempty_list(), required, "Nodes that follow.", "[b, c]"},
+    {"master", text(), required, "Master node.", "a"},
+    {"nodes", text().nonempty_list(), required, "Nodes that follow the master.", "[b, c]"},
     {"dofs", choice(displacements, "displacement").list(), exactly_one,
-     "Displacements that are equal to those of the master.", "[ux]"},
-    {"rigid", boolean(), exactly_one, "true joins the nodes to the master by rigid arms.", "true"},
+     "Degrees of freedom equal to those of the master.", "[ux]"},
+    {"rigid", boolean(), exactly_one, "true connects the nodes rigidly to the master.", "true"},
 };
 
 }  // namespace
 
-constinit const Section support{"supports", "structures.NAME.frame.supports.NODE", "One support of a frame.",
-                                support_keys};
+constinit const Section support{"supports", "structures.NAME.frame.supports.NODE", "Support of a frame.", support_keys};
 constinit const Section support_springs{"support_springs", "structures.NAME.frame.supports.NODE.springs",
                                         "Springs to the ground.", springs};
 constinit const Section support_dashpots{"support_dashpots", "structures.NAME.frame.supports.NODE.dashpots",
                                          "Dashpots to the ground.", dashpots};
-constinit const Section node_masses{"masses", "structures.NAME.frame.masses.NODE", "Masses of one node.", masses};
+constinit const Section node_masses{"masses", "structures.NAME.frame.masses.NODE", "Masses of a node.", masses};
 constinit const Section node_loads{"loads", "structures.NAME.frame.loads.NODE",
-                                   "Forces and moments on one node, in global axes.", loads};
+                                   "Forces and moments on a node, in global axes.", loads};
 constinit const Section node_displacements{
     "node_displacements", "structures.NAME.frame.initial_node_displacements.NODE",
-    "Displacements and rotations of one node at time 0, relative to its place at rest.", moved};
-constinit const Section spring{"springs", "structures.NAME.frame.springs[]",
-                               "A spring, a dashpot, or both side by side.", spring_keys};
-constinit const Section tie{"ties", "structures.NAME.frame.ties[]", "Nodes that move with a master, exactly.",
-                            tie_keys};
+    "Displacements and rotations of a node at time 0, relative to its position at rest.", moved};
+constinit const Section spring{"springs", "structures.NAME.frame.springs[]", "Spring, dashpot, or both in parallel.",
+                               spring_keys};
+constinit const Section tie{"ties", "structures.NAME.frame.ties[]",
+                            "Rigid constraint: nodes that follow a master node.", tie_keys};
 
 }  // namespace pounding::keys

@@ -12,7 +12,7 @@
 namespace pounding::keys {
 namespace {
 
-/// The words of the laws by which storeys yield. The stiffness is that of the storey.
+/// Keys of the hysteretic laws of storeys. The stiffness is that of the storey.
 struct OfLaws : YieldingKeys {
   std::vector<Key> by_name;
 
@@ -24,8 +24,8 @@ struct OfLaws : YieldingKeys {
       if (parameter.info.name == "stiffness") continue;
       Key& spec = own.emplace_back(key_of(parameter, made));
       spec.form = Form::one_or_each;
-      spec.meaning =
-          kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
+      spec.meaning = kept(
+          fmt::format("{}: one value for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
       if (spec.need == Need::required) example.add(spec);
     }
     add_choices(made, own);
@@ -33,7 +33,7 @@ struct OfLaws : YieldingKeys {
         add_section({L::name, kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
                      kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), own});
     by_name.push_back({L::name, map(section), exactly_one,
-                       kept(fmt::format("The storeys follow this law: {}.", L::summary)), kept(example.text()),
+                       kept(fmt::format("Hysteretic law of the storeys: {}.", L::summary)), kept(example.text()),
                        "0.2.0"});
   }
 };
@@ -42,7 +42,7 @@ const OfLaws& laws() {
   static const OfLaws all = [] {
     OfLaws made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // A storey has a stiffness and yields both ways.
+      // A storey has a stiffness and yields in both directions.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
       if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);
@@ -55,7 +55,7 @@ const OfLaws& laws() {
 }  // namespace
 
 const Section storey_spring{"spring", "structures.NAME.shear_building.spring",
-                            "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
+                            "Hysteretic law of the storeys, by name. Its stiffness is the storey stiffness.",
                             laws().by_name};
 
 std::vector<const Section*> laws_of_springs() { return laws().sections(); }

@@ -1,7 +1,7 @@
 #include <pounding/input/keys/studies.hpp>
 
 namespace pounding::keys {
-// Named, because a unity build puts tables with the same names of words into one file.
+// Named, since a unity build puts tables with equal names of keys into one file.
 namespace study_tables {
 
 constexpr Key file_keys[] = {
@@ -40,7 +40,7 @@ constexpr Key study_keys[] = {
     {"stop_after", number(bounds::from_0_to_1), otherwise("5 %"), "Fraction of failed rows that stops the study.",
      "5 %", since},
     {"engine", choice(engines, "engine"), otherwise("auto"),
-     "auto runs a row with the kernel of linear structures if it can, else with the solver.", "auto", since},
+     "auto uses the kernel for linear structures where possible, else the solver.", "auto", since},
 };
 
 constexpr std::string_view spacings[] = {"even", "log"};
@@ -120,8 +120,8 @@ constexpr Key sampling_keys[] = {
 };
 
 constinit const Section study{"study", "study", "A study: the model is run many times.", study_keys};
-constinit const Section factor{"factor", "study.factors.NAME", "One factor: where its values go, and what they are.",
-                               factor_keys};
+constinit const Section factor{"factor", "study.factors.NAME",
+                               "Factor: the input values that it replaces, and its distribution.", factor_keys};
 constinit const Section uniform{"uniform", "study.factors.NAME.uniform", "Uniform distribution.", uniform_keys};
 constinit const Section normal{"normal", "study.factors.NAME.normal", "Normal distribution.", normal_keys};
 constinit const Section lognormal{"lognormal", "study.factors.NAME.lognormal", "Lognormal distribution.",
