@@ -8,11 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/keys/devices.hpp>
-#include <pounding/input/keys/hinges.hpp>
-#include <pounding/input/keys/isolators.hpp>
 #include <pounding/input/keys/sections.hpp>
-#include <pounding/input/keys/springs.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding::test {

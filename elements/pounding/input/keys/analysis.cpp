@@ -1,4 +1,3 @@
-#include <pounding/input/keys/devices.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/shared.hpp>
 
@@ -83,7 +82,7 @@ constexpr Key reduction_keys[] = {
      "0.2.0"},
     {"check", boolean(), otherwise("false"),
      "true integrates the full system through the three strongest impacts after the run, from its states and with its "
-     "link forces, and reports the difference. Without other keys the reduction is that of auto.",
+     "link forces, and reports the difference. Without other keys the structure is reduced as with auto.",
      "true", "0.2.0"},
 };
 

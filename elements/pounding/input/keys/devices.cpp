@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/keys/devices.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 #include <pounding/structures/bar_and_damper.hpp>
@@ -89,7 +88,7 @@ const OfDevices& devices() {
   static const OfDevices all = [] {
     OfDevices made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // A device has a stiffness and yields both ways.
+      // Only symmetric laws with a stiffness apply to devices.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
       if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);

@@ -1,5 +1,3 @@
-#include <pounding/input/keys/devices.hpp>
-#include <pounding/input/keys/hinges.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/shared.hpp>
 
@@ -13,7 +11,7 @@ constexpr std::string_view no_supports[] = {"none"};
 
 constexpr Key frame_keys[] = {
     {"dimension", integer(2, 3), otherwise("from the bays or the nodes, else 2"),
-     "2 for a frame in the plane (x, z), 3 for one in space (x, y, z); z is up.", "2"},
+     "Number of dimensions: 2 in the plane (x, z), 3 in space (x, y, z); z is up.", "2"},
     {"origin", quantity(dimension::length).list(1, 3), otherwise("[0, 0]"),
      "Position of the frame: [x] or [x, z] in the plane, [x, y] or [x, y, z] in space. It is added to all coordinates "
      "and elevations.",
@@ -88,8 +86,7 @@ constexpr Key frame_keys[] = {
 
 constexpr Key grid_keys[] = {
     {"storeys", integer(1, 1000), required, "Number of storeys.", "5"},
-    {"bays", integer(1, 1000).or_list(2), required,
-     "Number of bays. A list of two numbers, along x and along y, makes a frame in space.", "3"},
+    {"bays", integer(1, 1000).or_list(2), required, "Number of bays. In space: two numbers, along x and along y.", "3"},
     {"storey_height", quantity(dimension::length, bounds::positive).or_each(), required,
      "Storey height: one value for all storeys, or a list from the ground up.", "3.2 m"},
     {"bay_width", quantity(dimension::length, bounds::positive).or_map(bay_width).or_each(), required,

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/keys/hinges.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 #include <pounding/structures/make_spring.hpp>
 

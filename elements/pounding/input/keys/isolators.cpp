@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/keys/isolators.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 
 namespace pounding::keys {

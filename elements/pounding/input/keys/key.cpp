@@ -7,11 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/input/keys/devices.hpp>
-#include <pounding/input/keys/hinges.hpp>
-#include <pounding/input/keys/isolators.hpp>
 #include <pounding/input/keys/sections.hpp>
-#include <pounding/input/keys/springs.hpp>
 
 namespace pounding {
 
@@ -26,7 +22,7 @@ std::string Bounds::text() const {
 namespace keys {
 namespace {
 
-// The laws of springs, isolators and hinges follow behind the sections of these names.
+// Sections without those of hysteretic laws, which follow the sections that contain them.
 constexpr const Section* without_laws[] = {&model,
                                            &ground_motion,
                                            &components,
@@ -93,7 +89,7 @@ std::optional<double> Key::default_quantity() const {
   try {
     return parse_quantity(otherwise, dimension);
   } catch (const InputError&) {
-    return std::nullopt;  // in words
+    return std::nullopt;  // described in prose
   }
 }
 

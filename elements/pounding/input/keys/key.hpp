@@ -1,6 +1,6 @@
 #pragma once
-/// The words of the input. The reader reads through these tables, and `pounding words`, the page of the site and the
-/// JSON schema are made from them: none of them can know a key that the others do not.
+/// Keys of the input. The reader uses these tables; `pounding words`, the reference page and the JSON schema are
+/// generated from them, so that all four contain the same keys.
 
 #include <optional>
 #include <span>
@@ -14,39 +14,38 @@ namespace pounding::keys {
 
 /// Kind of a single value.
 enum class Takes : unsigned char {
-  nothing,   ///< no single value: a map or a list
-  quantity,  ///< a number in SI or with its unit; a ratio has none, and "5 %" is 0.05
+  nothing,   ///< no single value, only a map or a list
+  quantity,  ///< a number in SI units or with a unit; a ratio has no unit, and "5 %" is 0.05
   integer,
   boolean,  ///< true or false
   choice,   ///< one of the choices
-  text,     ///< any text: a title, a name, a file
+  text,     ///< any text, such as a title, a name or a file
   value     ///< a number, a quantity of any dimension or a name
 };
 
 /// Arrangement of the values under a key.
 enum class Form : unsigned char {
   one,          ///< one value
-  one_or_each,  ///< one value for all, or a list with one value for each
+  one_or_each,  ///< one value for all, or a list with one value per item
   one_or_list,  ///< one value, or a list
   list,         ///< a list of values
-  named,        ///< a map from names of the user's choice to values
-  named_lists,  ///< a map from names of the user's choice to lists
-  by_storey  ///< one value, a list from the ground up, or a map from storeys ("4", "1-3"); in both each may be a list
-             ///< by line
+  named,        ///< a map from user-defined names to values
+  named_lists,  ///< a map from user-defined names to lists
+  by_storey  ///< one value, a list from the ground up, or a map from storeys ("4", "1-3"); items may be lists by line
 };
 
-/// Necessity of a key in its section.
+/// Whether a key is required in its section.
 enum class Need : unsigned char {
   optional,
   required,
-  exactly_one,  ///< exactly one of the keys of the section with this need is given
-  at_least_one  ///< at least one of them is given
+  exactly_one,  ///< exactly one of the keys with this value is given
+  at_least_one  ///< at least one of the keys with this value is given
 };
 
 struct Section;
 
-/// What a key takes. The functions below make single values and maps; the member functions combine and arrange them:
-/// `quantity(dimension::length).or_each()`, `text().or_map(material)`.
+/// Type of the value of a key. The functions below create single values and maps; the member functions combine and
+/// arrange them: `quantity(dimension::length).or_each()`, `text().or_map(material)`.
 struct Value {
   Takes takes = Takes::nothing;
   Form form = Form::one;
@@ -59,16 +58,16 @@ struct Value {
   std::span<const std::string_view> choices{};
   std::span<const std::string_view> instead{};  ///< texts that replace the whole value: `nodes: all`
   std::string_view
-      noun{};  ///< what the choices name if it is not the key; or a quantity that its dimension leaves open
+      noun{};  ///< noun for the choices if it is not the key, or for a quantity if its dimension is ambiguous
 
-  /// Alternatively a map with the keys of this section.
+  /// Also allows a map with the keys of this section.
   constexpr Value or_map(const Section& keys) const {
     return with([&](Value& v) { v.inside = &keys; });
   }
   constexpr Value or_one_of(std::span<const std::string_view> texts) const {
     return with([&](Value& v) { v.instead = texts; });
   }
-  /// The quantity of a rotation has this dimension.
+  /// Sets the dimension that applies to rotations.
   constexpr Value or_rotation(const Dimension& of_rotation) const {
     return with([&](Value& v) { v.turning = of_rotation; });
   }
@@ -111,7 +110,7 @@ constexpr Value number(double low, double high) { return number({.low = low, .hi
 constexpr Value integer(const Bounds& bounds = {}) { return {.takes = Takes::integer, .bounds = bounds}; }
 constexpr Value integer(double low, double high) { return integer({.low = low, .high = high}); }
 constexpr Value boolean() { return {.takes = Takes::boolean}; }
-/// `noun` is what the choices name if it is not the key.
+/// `noun` describes the choices if the key does not.
 constexpr Value choice(std::span<const std::string_view> choices, std::string_view noun = {}) {
   return {.takes = Takes::choice, .choices = choices, .noun = noun};
 }
@@ -122,23 +121,23 @@ constexpr Value map(const Section& keys) { return {.inside = &keys}; }
 
 using enum Need;
 
-/// Whether a key is needed, and its default.
+/// Whether a key is required, and its default.
 struct Presence {
   Need need;
   std::string_view otherwise{};
   constexpr Presence(Need necessity) : need(necessity) {}
   constexpr Presence(Need necessity, std::string_view value) : need(necessity), otherwise(value) {}
 };
-/// An optional key with this default.
+/// Optional, with this default.
 constexpr Presence otherwise(std::string_view value) { return {Need::optional, value}; }
 
-/// One key: what it takes and what it means.
+/// A key: type, meaning and default.
 struct Key : Value {
   std::string_view key{};
   Need need = Need::optional;
-  std::string_view otherwise{};  ///< default as it would be typed, or in words; empty if none
-  std::string_view meaning{};    ///< plain sentences, with signs and order
-  std::string_view example{};    ///< a value as it is typed
+  std::string_view otherwise{};  ///< default as typed, or a description of it; empty if none
+  std::string_view meaning{};    ///< complete sentences, with sign and order
+  std::string_view example{};    ///< value as typed
   std::string_view since = "0.1.0";
 
   constexpr Key() = default;
@@ -158,15 +157,14 @@ struct Key : Value {
   std::string unit_text() const;
 };
 
-/// The keys of one map of the input.
+/// Keys of a map in the input.
 struct Section {
-  std::string_view name;  ///< unique: "links", "grid"
-  std::string_view
-      place;  ///< "structures.NAME.frame.grid"; names in capitals are the user's, [] is each member of a list
+  std::string_view name;   ///< unique: "links", "grid"
+  std::string_view place;  ///< "structures.NAME.frame.grid"; capitals are user-defined names, [] is any item of a list
   std::string_view meaning;
   std::span<const Key> keys;
 
-  /// The word with this key, or null.
+  /// The key with this name; null if there is none.
   const Key* find(std::string_view key) const noexcept;
 };
 

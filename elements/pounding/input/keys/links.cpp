@@ -27,8 +27,9 @@ constexpr Key link_keys[] = {
      "1 m", "0.2.0"},
     {"floors", choice(choices_of_floors, "choice of floors"),
      otherwise("the pair of ends in between; all for neighbours"),
-     "Floors to link: all, which must be level with each other up to the lower roof; level, only those that are; or "
-     "any, where a floor without a counterpart hits the column at its elevation.",
+     "Floors to link. all: every floor up to the lower roof, each of which must face a floor of the other structure. "
+     "level: only floors at equal elevations. any: floors without a counterpart also hit the column at their "
+     "elevation.",
      "all"},
     {"level_within", quantity(dimension::length, bounds::non_negative),
      otherwise("depth of the deeper beam, at least 50 mm"),

@@ -1,6 +1,5 @@
 #include <array>
 
-#include <pounding/input/keys/isolators.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/shared.hpp>
 

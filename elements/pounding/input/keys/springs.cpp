@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/keys/springs.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 
 namespace pounding::keys {
 namespace {
 
-/// Keys of the hysteretic laws of storeys. The stiffness is that of the storey.
+/// Keys of the hysteretic laws of storeys.
 struct OfLaws : YieldingKeys {
   std::vector<Key> by_name;
 
@@ -42,7 +42,7 @@ const OfLaws& laws() {
   static const OfLaws all = [] {
     OfLaws made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // A storey has a stiffness and yields in both directions.
+      // Only symmetric laws with a stiffness apply to storeys.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
       if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);

@@ -1,8 +1,5 @@
-#include <pounding/input/keys/devices.hpp>
-#include <pounding/input/keys/isolators.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/shared.hpp>
-#include <pounding/input/keys/springs.hpp>
 
 namespace pounding::keys {
 namespace {

@@ -19,16 +19,17 @@ constexpr Key axis_key(std::string_view key, std::string_view example) {
 constexpr Key x_key = axis_key("x", "records/*-hor1.AT2"), y_key = axis_key("y", "records/*-hor2.AT2"),
               z_key = axis_key("z", "records/*-up.AT2");
 constexpr Key units_key{
-    "units", text(), otherwise("that of the file"), "Unit of the accelerations in files that state none.", "g", since};
+    "units", text(), otherwise("unit in the file"), "Unit of the accelerations if the file does not state one.",
+    "g",     since};
 constexpr Key channel_key{"channel",
                           text(),
                           otherwise("the only channel of the file"),
-                          "Channel of files with several: its number from 1, or its name.",
+                          "Channel of a file with several channels: its number, from 1, or its name.",
                           "2",
                           since};
 constexpr Key step_key{"step",
                        quantity(dimension::time, bounds::positive),
-                       otherwise("that of the file"),
+                       otherwise("time step in the file"),
                        "Time step of files without times.",
                        "0.01 s",
                        since};
