@@ -57,7 +57,7 @@ nlohmann::json law_json(const hysteresis::Entry& entry) {
   for (const hysteresis::ChoiceInfo& c : entry.choices)
     law["choices"].push_back({{"name", c.name},
                               {"meaning", c.meaning},
-                              {"words", std::vector<std::string>(c.arguments.begin(), c.arguments.end())}});
+                              {"words", std::vector<std::string>(c.words.begin(), c.words.end())}});
   for (const hysteresis::StateInfo& s : entry.state)
     law["state"].push_back({{"name", s.name}, {"unit", s.unit}, {"meaning", s.meaning}});
   return law;
@@ -73,8 +73,7 @@ void print_law(const hysteresis::Entry& entry) {
     fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning,
                need_text(p.need));
   for (const hysteresis::ChoiceInfo& c : entry.choices)
-    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.arguments.front(), c.meaning,
-               fmt::join(c.arguments, " or "));
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));
 }
 
 std::vector<double> read_path(const std::string& text) {

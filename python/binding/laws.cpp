@@ -248,7 +248,7 @@ void bind_laws(py::module_& module) {
   module.def("catalogue", &catalogue);
   module.def("quantity", &quantity, "text"_a, "unit"_a, "exponent"_a = 1.0);
   module.def(
-      "law_hint", [](const std::string& name) { return laws::law_suggestion(name, laws::catalogue()); }, "name"_a);
+      "unknown_law", [](const std::string& name) { return laws::unknown_law(name, laws::catalogue()); }, "name"_a);
   module.def("calibrate",
              [](const std::string& law, const std::string& restitution, const std::string& m1, const std::string& m2,
                 const std::string& stiffness, const std::string& velocity, const std::string& exponent,

@@ -33,16 +33,16 @@ bool is_null(const Input& node) { return !node.is_map() && !node.is_list() && !n
 // YAML 1.1 also has yes, no, on and off.
 bool read_flag(const Input& node) {
   const std::string text = node.is_scalar() ? node.as_text() : "";
-  for (const std::string_view word : {"yes", "Yes", "YES", "on", "On", "ON", "True", "TRUE"})
-    if (text == word) return true;
-  for (const std::string_view word : {"no", "No", "NO", "off", "Off", "OFF", "False", "FALSE"})
-    if (text == word) return false;
+  for (const std::string_view key : {"yes", "Yes", "YES", "on", "On", "ON", "True", "TRUE"})
+    if (text == key) return true;
+  for (const std::string_view key : {"no", "No", "NO", "off", "Off", "OFF", "False", "FALSE"})
+    if (text == key) return false;
   return node.as_bool();
 }
 
-py::object read_single(const Input& node, const keys::Key& word) {
-  if (word.inside && (node.is_map() || word.takes == Takes::nothing)) return read_section(node, *word.inside);
-  switch (word.takes) {
+py::object read_single(const Input& node, const keys::Key& key) {
+  if (key.inside && (node.is_map() || key.takes == Takes::nothing)) return read_section(node, *key.inside);
+  switch (key.takes) {
     case Takes::quantity: return py::float_(node.as_quantity());
     case Takes::integer: return py::int_(node.as_integer());
     case Takes::boolean: return py::bool_(read_flag(node));
@@ -51,33 +51,33 @@ py::object read_single(const Input& node, const keys::Key& word) {
   }
 }
 
-py::object read_value(const Input& node, const keys::Key& word) {
-  if (word.form == Form::named) {
+py::object read_value(const Input& node, const keys::Key& key) {
+  if (key.form == Form::named) {
     py::dict named;
-    for (const auto& [name, value] : node.entries()) named[py::str(name)] = read_single(value, word);
+    for (const auto& [name, value] : node.entries()) named[py::str(name)] = read_single(value, key);
     return named;
   }
-  if (word.form == Form::one || (word.form == Form::one_or_list && !node.is_list())) return read_single(node, word);
+  if (key.form == Form::one || (key.form == Form::one_or_list && !node.is_list())) return read_single(node, key);
   const std::vector<Input> items = node.items();
   const auto count = static_cast<int>(items.size());
-  if (count < word.minimum || (word.maximum > 0 && count > word.maximum))
-    node.fail(fmt::format("takes a list such as {}; a list of {} was read", word.example, count));
+  if (count < key.minimum || (key.maximum > 0 && count > key.maximum))
+    node.fail(fmt::format("takes a list such as {}; a list of {} was read", key.example, count));
   py::list values;
-  for (const Input& item : items) values.append(read_single(item, word));
+  for (const Input& item : items) values.append(read_single(item, key));
   return values;
 }
 
 /// The default of a key; null if it is only described.
-std::optional<py::object> default_of(const keys::Key& word) {
-  if (word.form != Form::one) return std::nullopt;
-  if (word.takes == Takes::boolean) return py::bool_(word.otherwise == "true");
-  if (word.takes == Takes::choice && std::ranges::find(word.choices, word.otherwise) != word.choices.end())
-    return py::str(word.otherwise);
-  if (const auto value = word.default_quantity()) return py::float_(*value);
+std::optional<py::object> default_of(const keys::Key& key) {
+  if (key.form != Form::one) return std::nullopt;
+  if (key.takes == Takes::boolean) return py::bool_(key.otherwise == "true");
+  if (key.takes == Takes::choice && std::ranges::find(key.choices, key.otherwise) != key.choices.end())
+    return py::str(key.otherwise);
+  if (const auto value = key.default_quantity()) return py::float_(*value);
   long long number = 0;
-  const char* const end = word.otherwise.data() + word.otherwise.size();
-  if (word.takes == Takes::integer && std::from_chars(word.otherwise.data(), end, number).ptr == end)
-    if (!word.otherwise.empty()) return py::int_(number);
+  const char* const end = key.otherwise.data() + key.otherwise.size();
+  if (key.takes == Takes::integer && std::from_chars(key.otherwise.data(), end, number).ptr == end)
+    if (!key.otherwise.empty()) return py::int_(number);
   return std::nullopt;
 }
 
@@ -86,14 +86,14 @@ py::object read_section(const Input& node, const keys::Section& section) {
   map.only_keys();
   py::dict values;
   std::vector<std::string_view> alternatives, given;
-  for (const keys::Key& word : section.words) {
-    if (word.need == Need::exactly_one) alternatives.push_back(word.key);
-    const auto value = word.need == Need::required ? map.at(word.key) : map.find(word.key);
+  for (const keys::Key& key : section.keys) {
+    if (key.need == Need::exactly_one) alternatives.push_back(key.key);
+    const auto value = key.need == Need::required ? map.at(key.key) : map.find(key.key);
     if (value && !is_null(*value)) {
-      if (word.need == Need::exactly_one) given.push_back(word.key);
-      values[py::str(word.key)] = read_value(*value, word);
-    } else if (const auto otherwise = default_of(word)) {
-      values[py::str(word.key)] = *otherwise;
+      if (key.need == Need::exactly_one) given.push_back(key.key);
+      values[py::str(key.key)] = read_value(*value, key);
+    } else if (const auto otherwise = default_of(key)) {
+      values[py::str(key.key)] = *otherwise;
     }
   }
   if (!alternatives.empty() && given.size() != 1)
@@ -114,9 +114,9 @@ py::object read_study(const std::string& text, const std::string& name) {
 py::dict examples() {
   py::dict found;
   for (const keys::Section* section : keys::sections_of_studies()) {
-    py::dict keys;
-    for (const keys::Key& word : section->words) keys[py::str(word.key)] = py::str(word.example);
-    found[py::str(section->name)] = keys;
+    py::dict typed;
+    for (const keys::Key& key : section->keys) typed[py::str(key.key)] = py::str(key.example);
+    found[py::str(section->name)] = typed;
   }
   return found;
 }

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from pounding import arguments, printing
 from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
-from pounding.errors import InputError, excerpt
+from pounding.errors import InputError
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
 Quantity = float | str
@@ -285,7 +285,7 @@ class Laws(Mapping[str, LawKind]):
         if not isinstance(name, str):
             raise arguments.refuse("laws[...]", "the name of a law", name)
         if arguments.text("laws[...]", name) not in self._kinds:
-            raise InputError(f"unknown law {excerpt(name)}." + core.law_hint(name))
+            raise InputError(core.unknown_law(name))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:

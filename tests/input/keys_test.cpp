@@ -48,7 +48,7 @@ std::string refusal(const std::string& text) {
 /// Calls this for every word of every section.
 void for_each_key(const std::function<void(const Section&, const Key&)>& act) {
   for (const Section* s : keys::sections())
-    for (const Key& spec : s->words) act(*s, spec);
+    for (const Key& spec : s->keys) act(*s, spec);
 }
 
 class Words : public testing::Test {
@@ -113,7 +113,7 @@ TEST_F(Words, SayEverythingThatAPageShows) {
     EXPECT_TRUE(names.insert(s->name).second) << s->name;
     EXPECT_FALSE(s->meaning.empty()) << s->name;
     std::set<std::string_view> keys;
-    for (const Key& spec : s->words) {
+    for (const Key& spec : s->keys) {
       SCOPED_TRACE(fmt::format("{}.{}", s->name, spec.key));
       EXPECT_TRUE(keys.insert(spec.key).second);
       EXPECT_FALSE(spec.meaning.empty());

@@ -303,20 +303,20 @@ inline const std::map<std::string, Keys> beside_key = {
 /// The keys of a minimal section with this word.
 inline Keys keys_around(const Section& s, const Key& spec, const std::string& value) {
   Keys keys;
-  for (const Key& each : s.words)
+  for (const Key& each : s.keys)
     if (each.need == Need::required) keys[std::string(each.key)] = each.example;
   if (const auto more = beside.find(&s); more != beside.end())
     for (const auto& [key, text] : more->second) keys[key] = text;
   if (spec.need == Need::exactly_one)
-    for (const Key& each : s.words)
+    for (const Key& each : s.keys)
       if (each.need == Need::exactly_one) keys.erase(std::string(each.key));
   keys[std::string(spec.key)] = value;
   for (const Need need : {Need::exactly_one, Need::at_least_one}) {
     const auto is_one = [need](const Key& each) { return each.need == need; };
-    const auto first = std::ranges::find_if(s.words, is_one);
+    const auto first = std::ranges::find_if(s.keys, is_one);
     const bool has = std::ranges::any_of(
-        s.words, [&](const Key& each) { return is_one(each) && keys.contains(std::string(each.key)); });
-    if (first != s.words.end() && !has) keys[std::string(first->key)] = first->example;
+        s.keys, [&](const Key& each) { return is_one(each) && keys.contains(std::string(each.key)); });
+    if (first != s.keys.end() && !has) keys[std::string(first->key)] = first->example;
   }
   if (const auto more = beside_key.find(fmt::format("{}.{}", s.name, spec.key)); more != beside_key.end())
     for (const auto& [key, text] : more->second) {

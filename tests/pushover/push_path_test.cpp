@@ -16,7 +16,7 @@
 #include <pounding/structures/oscillators.hpp>
 #include "support/book.hpp"
 #include "support/messages.hpp"
-#include "yielding_frames.hpp"
+#include "support/yielding_frames.hpp"
 
 namespace pounding {
 namespace push_path_test {
