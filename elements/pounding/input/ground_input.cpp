@@ -162,7 +162,7 @@ GroundMotion read_synthetic(const Input& node) {
   }
 }
 
-// Also allows the keys in `beside`, which do not describe the motion.
+// Also allows other keys, which do not describe the motion.
 GroundMotion read_motion(const Input& section, std::initializer_list<std::string_view> beside) {
   std::vector<std::string_view> allowed(motion_kinds.begin(), motion_kinds.end());
   allowed.insert(allowed.end(), beside);

@@ -237,7 +237,7 @@ std::vector<Input> Input::items() const {
 }
 
 std::string Input::as_text() const {
-  if (node_.IsNull()) fail("takes a text; nothing was read");
+  if (node_.IsNull()) fail("takes a text; an empty value was read");
   if (!is_scalar()) fail(fmt::format("takes a text; a {} was read", is_map() ? "map" : "list"));
   return node_.Scalar();
 }
@@ -253,7 +253,7 @@ double Input::as_quantity(const Dimension& dimension) const { return as_quantity
 
 double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) const {
   if (!is_scalar()) {
-    const std::string_view read = node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list";
+    const std::string_view read = node_.IsNull() ? "an empty value" : is_map() ? "a map" : "a list";
     fail(fmt::format("takes {}; {} was read", allowed_text(dimension, allowed), read));
   }
   double value = 0;
@@ -300,7 +300,7 @@ long long Input::as_integer(long long low, long long high) const {
   const std::string takes = fmt::format("takes an integer{}; ", range);
 
   if (!is_scalar())
-    fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list"));
+    fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "an empty value" : is_map() ? "a map" : "a list"));
   const std::string& text = node_.Scalar();
   long long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -351,7 +351,7 @@ void Input::fail_at(const Location& location, std::string_view message) const {
 
 void Input::expect_map() const {
   if (is_map()) return;
-  const std::string_view read = node_.IsNull() ? "nothing" : is_scalar() ? "a single value" : "a list";
+  const std::string_view read = node_.IsNull() ? "an empty value" : is_scalar() ? "a single value" : "a list";
   const bool shown = spec_ && part_ == Part::value && spec_->example.starts_with('{');
   fail(fmt::format("takes keys with values such as {}; {} was read", shown ? spec_->example : "{key: value}", read));
 }

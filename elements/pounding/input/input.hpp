@@ -27,8 +27,8 @@ namespace pounding {
 /// from 1).
 class Input {
  public:
-  /// Reads a file. Throws if the file is missing or empty, is not UTF-8 or valid YAML, contains a key twice or more
-  /// than one document, or exceeds the limits of yaml_limits.hpp.
+  /// Reads one file. Throws if it is missing, empty, not UTF-8 or not valid YAML, if it contains duplicate keys or
+  /// several documents, or if it exceeds the limits of yaml_limits.hpp.
   static Input read_file(const std::string& path);
   /// Reads a text in memory, with or without a byte order mark. `name` is the file name in messages; relative paths
   /// start at its folder. `files` contains files, such as records, by their names in the text; other files are read

@@ -33,7 +33,8 @@ void read_friction(const Input& friction, const std::optional<Input>& rate, Isol
 
 IsolatorOptions read_isolator_law(const Input& isolator) {
   if (!isolator.is_map())
-    isolator.fail("takes a law with its numbers; type isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}");
+    isolator.fail(
+        "takes one law with its parameters; type isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}");
   isolator.only_keys();
   const hysteresis::Entry* entry = law_among_keys(isolator, "an isolator");
   if (!entry) isolator.fail("the law is missing; type isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}");

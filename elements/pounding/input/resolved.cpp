@@ -28,7 +28,7 @@ struct Plain {
 };
 YAML::Emitter& operator<<(YAML::Emitter& out, const Plain& plain) { return out.WriteIntegralType(plain.text); }
 
-// Writes a key that needs no quotes, before its value.
+// Writes the key, which needs no quotes, before its value.
 YAML::Emitter& field(YAML::Emitter& out, std::string_view key) { return out << YAML::Key << Plain{key} << YAML::Value; }
 
 void emit(YAML::Emitter& out, std::string_view key, double value) { field(out, key) << Plain{exact(value)}; }

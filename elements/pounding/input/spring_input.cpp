@@ -23,7 +23,7 @@ const hysteresis::Entry& law_of(const Input& spring) {
       spring.fail(error.what());
     }
     if (!spring.knows(name))
-      spring.fail(fmt::format("{} is not available for storeys; pounding words spring lists the laws", name));
+      spring.fail(fmt::format("{} is not available for storeys; see `pounding words spring`", name));
     spring.fail(fmt::format("the parameters of the law are missing; type spring: {{{}: {{yield_force: 2 MN}}}}", name));
   }
   spring.only_keys();

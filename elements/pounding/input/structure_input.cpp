@@ -109,7 +109,7 @@ struct Kind {
   Structure (*read)(const Input& body);
 };
 
-// Kinds of structures. A new kind needs a line here, and a key and a section in keys/structures.cpp.
+// Kinds of structures. Each kind also has a key and a section in keys/structures.cpp.
 constexpr Kind structure_kinds[] = {{"body", read_body},
                                     {"oscillator", read_oscillator},
                                     {"shear_building", read_shear_building},

@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// Reads a structure with its kind and common keys, and adds it to the model. Throws InputError with the location.
+/// Reads one structure with its kind and common keys, and adds it to the model. Throws InputError with the location.
 void read_structure(const std::string& name, const Input& location, Model& model);
 
 }  // namespace pounding

@@ -16,12 +16,12 @@ struct FrameInput {
   std::vector<Input> node_locations, member_locations, hinge_locations, isolator_locations;
 };
 
-/// Reads a frame and makes all checks that need no matrices. Throws InputError with the location.
+/// Reads and checks everything that does not need matrices. Throws InputError with the location.
 /// Loads always act; `gravity` adds the weights. The origin is also added to the elevations of floors.
 FrameInput read_frame(const Input& body);
 
-/// Reads a frame and creates its structure. Throws InputError at the node, member, hinge or isolator of the error, else
-/// at the frame.
+/// Reads the frame and creates its structure. Throws InputError at the node, member, hinge or isolator of the error,
+/// else at the frame.
 Structure read_frame_structure(const Input& body);
 
 }  // namespace pounding

@@ -33,8 +33,8 @@ constexpr Key link_keys[] = {
      "all"},
     {"level_within", quantity(dimension::length, bounds::non_negative),
      otherwise("depth of the deeper beam, at least 50 mm"),
-     "Maximum difference in elevation of two floors that count as level: they form one pair, and neither hits a "
-     "column.",
+     "Maximum difference in elevation of two floors that count as level: they form one pair, and no column is hit "
+     "there.",
      "50 mm", "0.3.0"},
     {"gap", quantity(dimension::length).or_each(),
      otherwise("distance between the faces of frames; required for other structures"),
