@@ -15,44 +15,27 @@ namespace {
 
 constexpr std::string_view axes[] = {"along", "x", "y", "z"};
 
-constexpr Key between_key{
-    "between",
-    text().or_map(link_end).list(2),
-    required,
+constexpr Key between_key(
+    "between", text().or_map(link_end).list(2), required,
     "The two ends, the left structure first, in the notation of links: A.3 is floor 3 of A. Two frame nodes are "
     "connected along the line between them, all other ends along the horizontal axis of a link.",
-    "[left, right]",
-    "0.2.0"};
-constexpr Key own_between_key{"between",
-                              text().list(2),
-                              exactly_one,
+    "[left, right]", "0.2.0");
+constexpr Key own_between_key("between", text().list(2), exactly_one,
                               "The two ends: nodes of a frame, floor numbers of a shear building, or ground. "
                               "Elongation is positive if the second end moves away from the first along the axis.",
-                              "[ground, 1]",
-                              "0.2.0"};
-constexpr Key storey_key{"storey",    integer(1, 1000),
-                         exactly_one, "Storey of a shear building that contains the device; 1 is the lowest.",
-                         "1",         "0.2.0"};
-constexpr Key axis_key{"axis",
-                       choice(axes, "axis"),
-                       otherwise("along for two nodes, else x"),
-                       "Direction of the force: along the line between the two nodes, or x, y or z.",
-                       "x",
-                       "0.2.0"};
-constexpr Key bar_key{"bar",
-                      map(bar),
-                      at_least_one,
+                              "[ground, 1]", "0.2.0");
+constexpr Key storey_key("storey", integer(1, 1000), exactly_one,
+                         "Storey of a shear building that contains the device; 1 is the lowest.", "1", "0.2.0");
+constexpr Key axis_key("axis", choice(axes, "axis"), otherwise("along for two nodes, else x"),
+                       "Direction of the force: along the line between the two nodes, or x, y or z.", "x", "0.2.0");
+constexpr Key bar_key("bar", map(bar), at_least_one,
                       "Elastic bar in tension and compression: force = stiffness times elongation. It is undeformed "
                       "under gravity and preloads.",
-                      "{stiffness: 50 MN/m}",
-                      "0.2.0"};
-constexpr Key damper_key{"damper",
-                         map(damper),
-                         at_least_one,
+                      "{stiffness: 50 MN/m}", "0.2.0");
+constexpr Key damper_key("damper", map(damper), at_least_one,
                          "Viscous damper, in parallel with the bar or the hysteretic law if given: force = c |v|^a "
                          "sign v, with the rate of elongation v.",
-                         "{coefficient: 200 kN s/m}",
-                         "0.2.0"};
+                         "{coefficient: 200 kN s/m}", "0.2.0");
 
 /// Keys of devices and of their hysteretic laws.
 struct OfDevices : YieldingKeys {

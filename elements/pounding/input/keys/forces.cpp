@@ -8,27 +8,22 @@ namespace {
 
 constexpr std::string_view since = "0.2.0";
 
-constexpr Key force_amplitude_key{"amplitude",
-                                  quantity(dimension::force).or_rotation(dimension::energy),
-                                  required,
+constexpr Key force_amplitude_key("amplitude", quantity(dimension::force).or_rotation(dimension::energy), required,
                                   "Amplitude of the force, or of the moment on a rotation. A positive value starts in "
                                   "the positive direction of the axis; +x is to the right.",
-                                  "20 kN",
-                                  since};
-constexpr Key force_period_key{
-    "period", quantity(dimension::time, bounds::positive), exactly_one, "Period T of the force.", "0.5 s", since};
-constexpr Key frequency_key{"frequency", quantity(dimension::frequency, bounds::positive).in("Hz"),
-                            exactly_one, "Frequency 1/T in Hz, not in rad/s.",
-                            "2 Hz",      since};
-constexpr Key force_duration_key{
-    "duration", quantity(dimension::time, bounds::positive), required, "Duration of the force.", "10 s", since};
-constexpr Key start_key{"start",          quantity(dimension::time, bounds::non_negative),
-                        otherwise("0 s"), "Start time of the force.",
-                        "0.2 s",          since};
-constexpr Key force_phase_key{
-    "phase",        number(-2 * std::numbers::pi, 2 * std::numbers::pi).in("rad").called("an angle"),
-    otherwise("0"), "Phase angle of the sine at the start, at most one full cycle. A number without a unit is in rad.",
-    "90 deg",       since};
+                                  "20 kN", since);
+constexpr Key force_period_key("period", quantity(dimension::time, bounds::positive), exactly_one,
+                               "Period T of the force.", "0.5 s", since);
+constexpr Key frequency_key("frequency", quantity(dimension::frequency, bounds::positive).in("Hz"), exactly_one,
+                            "Frequency 1/T in Hz, not in rad/s.", "2 Hz", since);
+constexpr Key force_duration_key("duration", quantity(dimension::time, bounds::positive), required,
+                                 "Duration of the force.", "10 s", since);
+constexpr Key start_key("start", quantity(dimension::time, bounds::non_negative), otherwise("0 s"),
+                        "Start time of the force.", "0.2 s", since);
+constexpr Key force_phase_key(
+    "phase", number(-2 * std::numbers::pi, 2 * std::numbers::pi).in("rad").called("an angle"), otherwise("0"),
+    "Phase angle of the sine at the start, at most one full cycle. A number without a unit is in rad.", "90 deg",
+    since);
 
 constexpr Key force_keys[] = {
     {"floor", integer({.low = 1}), otherwise("the only floor, or the body"),

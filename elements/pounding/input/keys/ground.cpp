@@ -46,13 +46,13 @@ constexpr std::array motion_keys{
         "{harmonic: {amplitude: 20 mm, period: 0.5 s, duration: 10 s}}", "0.2.0"},
 };
 
-constexpr Key components_key{"components", map(components), exactly_one,
+constexpr Key components_key("components", map(components), exactly_one,
                              "Motions along x, y and z instead of along x only.",
-                             "{x: {record: EW.AT2}, z: {record: UP.AT2}}"};
-constexpr Key wave_key{
+                             "{x: {record: EW.AT2}, z: {record: UP.AT2}}");
+constexpr Key wave_key(
     "wave", map(wave), otherwise("all supports move simultaneously"),
     "Travelling wave: the motion reaches the supports one after another. Only in the ground_motion of the model.",
-    "{velocity: 500 m/s, direction: x}"};
+    "{velocity: 500 m/s, direction: x}");
 
 constexpr auto ground_motion_keys = [] {
   std::array<Key, motion_keys.size() + 2> all{};
@@ -76,23 +76,22 @@ constexpr Key wave_keys[] = {
      "Direction of wave propagation in plan: x, y, or a vector [x, y].", "[0.6, 0.8]"},
 };
 
-constexpr Key amplitude_key{"amplitude", quantity(dimension::acceleration), required,
-                            "Acceleration amplitude A. A positive value starts towards +x, to the right.", "0.35 g"};
-constexpr Key length_key{"amplitude", quantity(dimension::length),
-                         required,    "Displacement amplitude D. A positive value starts towards +x, to the right.",
-                         "20 mm",     "0.2.0"};
-constexpr Key period_key{"period", quantity(dimension::time, bounds::positive), required, "Period T of the motion.",
-                         "0.5 s"};
-constexpr Key duration_key{"duration", quantity(dimension::time, bounds::positive), required,
-                           "Duration of the motion, which starts at time 0.", "3 s"};
-constexpr Key phase_key{
-    "phase",        number(-2 * std::numbers::pi, 2 * std::numbers::pi).in("rad").called("an angle"),
-    otherwise("0"), "Phase angle of the sine at time 0, at most one full cycle. A number without a unit is in rad.",
-    "90 deg",       "0.2.0"};
-constexpr Key velocity_of_ground{
-    "initial_velocity", quantity(dimension::velocity),
-    otherwise("0 m/s"), "Ground velocity at time 0. The value -A T/(2 pi) cos(phase) prevents drift.",
-    "-0.3 m/s",         "0.2.0"};
+constexpr Key amplitude_key("amplitude", quantity(dimension::acceleration), required,
+                            "Acceleration amplitude A. A positive value starts towards +x, to the right.", "0.35 g");
+constexpr Key length_key("amplitude", quantity(dimension::length), required,
+                         "Displacement amplitude D. A positive value starts towards +x, to the right.", "20 mm",
+                         "0.2.0");
+constexpr Key period_key("period", quantity(dimension::time, bounds::positive), required, "Period T of the motion.",
+                         "0.5 s");
+constexpr Key duration_key("duration", quantity(dimension::time, bounds::positive), required,
+                           "Duration of the motion, which starts at time 0.", "3 s");
+constexpr Key phase_key("phase", number(-2 * std::numbers::pi, 2 * std::numbers::pi).in("rad").called("an angle"),
+                        otherwise("0"),
+                        "Phase angle of the sine at time 0, at most one full cycle. A number without a unit is in rad.",
+                        "90 deg", "0.2.0");
+constexpr Key velocity_of_ground("initial_velocity", quantity(dimension::velocity), otherwise("0 m/s"),
+                                 "Ground velocity at time 0. The value -A T/(2 pi) cos(phase) prevents drift.",
+                                 "-0.3 m/s", "0.2.0");
 
 constexpr Key harmonic_keys[] = {
     amplitude_key, period_key, duration_key, phase_key, velocity_of_ground,

@@ -16,39 +16,26 @@ namespace {
 constexpr std::string_view places[] = {"start", "end", "both", "feet"};
 constexpr std::string_view hinge_axes[] = {"y", "z", "both"};
 
-constexpr Key at_key{"at",
-                     choice(places, "end of a member"),
-                     required,
+constexpr Key at_key("at", choice(places, "end of a member"), required,
                      "Ends of the member with a hinge; feet are ends at supported nodes. A subdivided member has "
                      "hinges at its two outer ends only.",
-                     "both",
-                     "0.2.0"};
-constexpr Key hinge_axis_key{"axis",
-                             choice(hinge_axes, "axis"),
-                             otherwise("y in the plane; required in space"),
-                             "Local bending axis of the hinge, see reference. both gives two uncoupled hinges.",
-                             "y",
-                             "0.2.0"};
-constexpr Key moment_key{
-    "yield_moment", quantity(dimension::energy).called("a moment").or_list(2),
-    optional,       "Yield moment: one value, or two, [sagging, -hogging]. A sagging beam has tension at the bottom.",
-    "210 kN m",     "0.2.0"};
-constexpr Key ultimate_key{"ultimate_rotation",
-                           number(bounds::positive),
-                           otherwise("none"),
-                           "Ultimate plastic rotation, for reports only [rad].",
-                           "0.04",
-                           "0.2.0"};
+                     "both", "0.2.0");
+constexpr Key hinge_axis_key("axis", choice(hinge_axes, "axis"), otherwise("y in the plane; required in space"),
+                             "Local bending axis of the hinge, see reference. both gives two uncoupled hinges.", "y",
+                             "0.2.0");
+constexpr Key moment_key(
+    "yield_moment", quantity(dimension::energy).called("a moment").or_list(2), optional,
+    "Yield moment: one value, or two, [sagging, -hogging]. A sagging beam has tension at the bottom.", "210 kN m",
+    "0.2.0");
+constexpr Key ultimate_key("ultimate_rotation", number(bounds::positive), otherwise("none"),
+                           "Ultimate plastic rotation, for reports only [rad].", "0.04", "0.2.0");
 
-constexpr Key hinge_hardening_key{
-    "hardening",
-    number(bounds::from_0_below_1),
-    otherwise("0"),
+constexpr Key hinge_hardening_key(
+    "hardening", number(bounds::from_0_below_1), otherwise("0"),
     "Hardening ratio of the member end: ratio of the stiffness of the member after yielding to its elastic stiffness, "
     "with both ends in double curvature. If all ends at a joint yield without hardening, each gets a ratio of 1e-8 to "
     "keep the system regular.",
-    "3 %",
-    "0.2.0"};
+    "3 %", "0.2.0");
 constexpr std::string_view spring_hardening = "spring_hardening";
 
 Key rigid(Key spec) {

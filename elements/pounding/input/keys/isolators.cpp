@@ -11,13 +11,10 @@
 namespace pounding::keys {
 namespace {
 
-constexpr Key rate_key{
-    "rate",
-    quantity({0, -1, 1}, bounds::positive).in("s/m"),
-    otherwise("none"),
-    "Rate at which the friction coefficient changes from the slow to the fast value with the velocity.",
-    "60 s/m",
-    "0.2.0"};
+constexpr Key rate_key(
+    "rate", quantity({0, -1, 1}, bounds::positive).in("s/m"), otherwise("none"),
+    "Rate at which the friction coefficient changes from the slow to the fast value with the velocity.", "60 s/m",
+    "0.2.0");
 
 /// Keys of the laws of isolators: all symmetric hysteretic laws.
 struct OfIsolators : YieldingKeys {

@@ -4,31 +4,26 @@
 namespace pounding::keys {
 namespace {
 
-constexpr Key mass_key{"mass", quantity(dimension::mass, bounds::positive), required, "Mass.", "100 t"};
-constexpr Key yield_key{"yield_force", quantity(dimension::force, bounds::positive).or_each(),
+constexpr Key mass_key("mass", quantity(dimension::mass, bounds::positive), required, "Mass.", "100 t");
+constexpr Key yield_key("yield_force", quantity(dimension::force, bounds::positive).or_each(),
                         otherwise("elastic storeys"),
                         "Yield shear of a bilinear storey: one value for all storeys, or a list from the ground up. "
                         "The damping is that of the initial stiffness.",
-                        "2 MN"};
-constexpr Key hardening_key{"hardening", number(bounds::from_0_below_1).or_each(), otherwise("0"),
+                        "2 MN");
+constexpr Key hardening_key("hardening", number(bounds::from_0_below_1).or_each(), otherwise("0"),
                             "Hardening ratio of the post-yield to the initial stiffness: one value for all storeys, or "
                             "a list from the ground up. Requires yield_force.",
-                            "5 %"};
+                            "5 %");
 
-constexpr Key spring_key{"spring",
-                         map(storey_spring),
-                         otherwise("bilinear if yield_force is given, else elastic"),
+constexpr Key spring_key("spring", map(storey_spring), otherwise("bilinear if yield_force is given, else elastic"),
                          "Hysteretic law of the storeys, by name with its parameters, instead of yield_force and "
                          "hardening. The damping is that of the initial stiffness.",
-                         "{bouc_wen: {yield_force: 2 MN, hardening: 5 %}}",
-                         "0.2.0"};
+                         "{bouc_wen: {yield_force: 2 MN, hardening: 5 %}}", "0.2.0");
 
-constexpr Key devices_key{"devices",
-                          map(own_device).named(),
-                          optional,
+constexpr Key devices_key("devices", map(own_device).named(), optional,
                           "Braces and dampers inside the structure, by name.",
                           "{brace: {storey: 1, bilinear: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}}",
-                          "0.2.0"};
+                          "0.2.0");
 
 constexpr Key structure_keys[] = {
     damping_key,
@@ -113,7 +108,7 @@ constexpr Key damping_keys[] = {
     {"modal", map(modal), exactly_one, "Modal damping: one damping ratio for all modes.", "{ratio: 5 %}"},
 };
 
-constexpr Key ratio_key{"ratio", number(bounds::from_0_below_1), required, "Damping ratio.", "5 %"};
+constexpr Key ratio_key("ratio", number(bounds::from_0_below_1), required, "Damping ratio.", "5 %");
 
 constexpr Key rayleigh_keys[] = {
     ratio_key,

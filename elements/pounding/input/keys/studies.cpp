@@ -75,10 +75,10 @@ constexpr Key factor_keys[] = {
 };
 
 constexpr Key value_key(std::string_view key, std::string_view meaning, std::string_view example) {
-  return {key, any_value(), required, meaning, example, since};
+  return Key(key, any_value(), required, meaning, example, since);
 }
 constexpr Key ratio_key(std::string_view key, Bounds bounds, std::string_view meaning, std::string_view example) {
-  return {key, number(bounds), exactly_one, meaning, example, since};
+  return Key(key, number(bounds), exactly_one, meaning, example, since);
 }
 
 constexpr Key from_key = value_key("from", "Lower limit.", "10 mm"), to_key = value_key("to", "Upper limit.", "40 mm");
@@ -105,7 +105,7 @@ constexpr Key discrete_keys[] = {
 };
 
 constexpr Key samples_key(std::string_view key, std::string_view meaning) {
-  return {key, integer(1, 1e7), exactly_one, meaning, "128", since};
+  return Key(key, integer(1, 1e7), exactly_one, meaning, "128", since);
 }
 constexpr Key sampling_keys[] = {
     samples_key("sobol", "Number of points of a scrambled Sobol sequence, a power of two."),

@@ -9,33 +9,19 @@ namespace pounding::keys::study_tables {
 
 constexpr std::string_view sets[] = {"far_field", "near_field_pulse", "near_field_no_pulse"};
 constexpr Key axis_key(std::string_view key, std::string_view example) {
-  return {key,
-          text().or_map(files_of_axis).or_list(),
-          otherwise("no component"),
-          "Files of the component along this axis: a pattern, a folder or a list.",
-          example,
-          since};
+  return Key(key, text().or_map(files_of_axis).or_list(), otherwise("no component"),
+             "Files of the component along this axis: a pattern, a folder or a list.", example, since);
 }
 constexpr Key x_key = axis_key("x", "records/*-hor1.AT2"), y_key = axis_key("y", "records/*-hor2.AT2"),
               z_key = axis_key("z", "records/*-up.AT2");
-constexpr Key units_key{
-    "units", text(), otherwise("unit in the file"), "Unit of the accelerations if the file does not state one.",
-    "g",     since};
-constexpr Key channel_key{"channel",
-                          text(),
-                          otherwise("the only channel of the file"),
-                          "Channel of a file with several channels: its number, from 1, or its name.",
-                          "2",
-                          since};
-constexpr Key step_key{"step",
-                       quantity(dimension::time, bounds::positive),
-                       otherwise("time step in the file"),
-                       "Time step of files without times.",
-                       "0.01 s",
-                       since};
-constexpr Key skip_key{
-    "skip", text().or_list(), otherwise("none"), "Names of files to leave out, without their folder.", "[A.AT2]",
-    since};
+constexpr Key units_key("units", text(), otherwise("unit in the file"),
+                        "Unit of the accelerations if the file does not state one.", "g", since);
+constexpr Key channel_key("channel", text(), otherwise("the only channel of the file"),
+                          "Channel of a file with several channels: its number, from 1, or its name.", "2", since);
+constexpr Key step_key("step", quantity(dimension::time, bounds::positive), otherwise("time step in the file"),
+                       "Time step of files without times.", "0.01 s", since);
+constexpr Key skip_key("skip", text().or_list(), otherwise("none"),
+                       "Names of files to leave out, without their folder.", "[A.AT2]", since);
 constexpr Key records_keys[] = {
     {"files", text().or_map(files_by_axis).or_list(), optional,
      "Files of records: a pattern, a folder or a list. A map names them by axis.", "records/*.AT2", since},
