@@ -35,7 +35,7 @@ constexpr Key force_keys[] = {
      "Degree of freedom on which the force acts: ux of a floor, in space also uy and rz; any of a node. On a rotation "
      "the force is a moment. The degree of freedom must have mass.",
      "ux", since},
-    {"harmonic", map(force_harmonic), exactly_one, "F = A sin(2 pi (t - start)/T + phase) during the duration.",
+    {"harmonic", map(force_harmonic), exactly_one, "F = A sin(2 pi (t - start)/T + phase), zero after the duration.",
      "{amplitude: 20 kN, period: 0.5 s, duration: 10 s}", since},
     {"sum", map(force_sum_part).nonempty_list(), exactly_one,
      "Sum of harmonics; duration and start are given next to this list.",
@@ -89,7 +89,7 @@ constinit const Section force{"forces", "structures.NAME.forces[]",
                               "Force over time on a floor, a node or a body. Several forces at one location add up.",
                               force_keys};
 constinit const Section force_harmonic{"force_harmonic", "structures.NAME.forces[].harmonic",
-                                       "F = A sin(2 pi (t - start)/T + phase) during the duration.",
+                                       "F = A sin(2 pi (t - start)/T + phase), zero after the duration.",
                                        force_harmonic_keys};
 constinit const Section force_sum_part{"force_sum", "structures.NAME.forces[].sum[]",
                                        "Harmonic component of a sum of forces.", sum_keys};
