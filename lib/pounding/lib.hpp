@@ -1,12 +1,13 @@
 #pragma once
-/// Runs of models through time and their results: the target Pounding::lib. A host needs
+/// Time integration and results: the target Pounding::lib. The main interfaces are
 ///
-///     pounding::petsc::Environment   starts and ends PETSc, unless the host does
-///     pounding::run                  runs a model, alone or on a communicator of the host
-///     pounding::Results              the histories in memory; write_results() makes the HDF5 file
+///     pounding::petsc::Environment   initializes and finalizes PETSc, unless the host does
+///     pounding::run                  runs a model, on one process or on a communicator of the host
+///     pounding::Results              histories in memory; write_results() writes them to an HDF5 file
 ///
-/// A host with a time stepper of its own finds the links in pounding/links.hpp, and one that drives PETSc's TS itself
-/// finds the TS type `pounding` in pounding/stepping/ts_pounding.hpp.
+/// A host with its own time integrator finds the links in pounding/links.hpp. A host that drives PETSc's TS finds the
+/// TS type `pounding` in pounding/stepping/ts_pounding.hpp.
+///
 
 #include <pounding/elements.hpp>
 #include <pounding/linear/lowest_modes.hpp>

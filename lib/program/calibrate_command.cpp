@@ -26,7 +26,7 @@ CollisionInput collision_words(const CalibrateArguments& arguments) {
   collision.before_names = "--";
   for (const std::string& text : arguments.parameters) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", excerpt(text)));
+    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: type NAME=VALUE", excerpt(text)));
     collision.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
   return collision;
@@ -45,7 +45,7 @@ void print_head(const Collision& c) {
       fmt::print(", {} {:g}{}{}", p.name, set->second, p.unit.empty() ? "" : " ",
                  laws::resolved_unit(p.unit, c.exponent));
   fmt::print("\n");
-  if (!c.assumed.empty()) fmt::print("Typical values taken, not given: {}\n", fmt::join(c.assumed, ", "));
+  if (!c.assumed.empty()) fmt::print("Typical values used for: {}\n", fmt::join(c.assumed, ", "));
 }
 
 void print(const Collision& c, const std::vector<CalibratedRow>& rows) {
@@ -98,12 +98,12 @@ void print_json(const Collision& c, const std::vector<CalibratedRow>& rows) {
   fmt::print("{}\n", result.dump(2));
 }
 
-/// Result of the cyclic process for one formula.
+/// Result of the cyclic calibration for one formula.
 struct CyclicRow {
   std::string_view formula;
   laws::CyclicCalibration process;
-  double number = 0;    ///< damping number at the end
-  std::string refused;  ///< why the process does not end
+  double number = 0;    ///< final damping number
+  std::string refused;  ///< why the calibration does not converge
 };
 
 std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
@@ -133,7 +133,7 @@ std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
 
 void print(const Collision& c, const std::vector<CyclicRow>& rows) {
   print_head(c);
-  fmt::print("Kinetic energy loss wanted: {:.6g} J\n", rows.front().process.kinetic_loss);
+  fmt::print("Required kinetic energy loss: {:.6g} J\n", rows.front().process.kinetic_loss);
   const std::string number = quantity_header(c.law.number, c.exponent);
   fmt::print("\n{:<24}{:>25}{:>12}{:>17}{:>18}{:>{}}\n", "formula", "restitution to assume [-]", "analyses",
              "loop area [J]", "restitution [-]", number, number.size() + 2);
@@ -177,19 +177,18 @@ void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
 void add_calibrate(CLI::App& app) {
   const auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
+      "calibrate", "Damping of a law for a target restitution by every formula, and the obtained restitution");
   command->add_option("--law", arguments->collision.law, "Contact law (see pounding laws)")->required();
-  command->add_option("--restitution", arguments->collision.restitution, "Restitution to calibrate for, in (0, 1]");
+  command->add_option("--restitution", arguments->collision.restitution, "Target restitution, in (0, 1]");
   command->add_option("--m1", arguments->collision.m1, "Mass of the first body, such as 100 t or 1e5")->required();
   command->add_option("--m2", arguments->collision.m2, "Mass of the second body, or wall")->capture_default_str();
   command->add_option("--stiffness", arguments->collision.stiffness, "Contact stiffness, SI or with its unit");
   command->add_option("--velocity", arguments->collision.velocity, "Closing speed");
   command->add_option("--exponent", arguments->collision.exponent, "Exponent n of the law");
   command->add_option("--parameter", arguments->parameters, "Another parameter of the law, NAME=VALUE");
-  command->add_flag(
-      "--cyclic", arguments->cyclic,
-      "By the cyclic process of Naderpour et al. 2015: change what the formula is given until the area of the "
-      "hysteresis loop is the kinetic energy loss");
+  command->add_flag("--cyclic", arguments->cyclic,
+                    "Calibrate by the cyclic process of Naderpour et al. 2015: adjust the restitution passed to the "
+                    "formula until the area of the hysteresis loop equals the kinetic energy loss");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] {
     const Collision collision = read_collision(collision_words(*arguments));

@@ -1,6 +1,6 @@
 #pragma once
-/// The subcommands of the program. Each function adds one to the command line; its callback may throw InputError,
-/// SolverError or std::invalid_argument, which main() turns into a message and the exit code.
+/// The subcommands of the program. Each function adds one to the command line. Callbacks may throw InputError,
+/// SolverError or std::invalid_argument, which main() converts to a message and an exit code.
 
 #include <string>
 
@@ -26,41 +26,40 @@ void add_export(CLI::App& app);       ///< `export RESULTS.h5`
 void add_reproduce(CLI::App& app);    ///< `reproduce`
 void add_arguments(CLI::App& app);    ///< `words [NAME]`
 
-/// Refuses the empty name of an option that names a file, as in -o "": a variable of a script that holds nothing.
+/// Refuses an empty file name, as in -o "" from an unset variable of a script.
 inline CLI::Option* names_a_file(CLI::Option* option) {
   return option->check([](const std::string& name) { return name.empty() ? "the name of the file is empty" : ""; }, "");
 }
 
-/// Refuses values of an option that are no numbers above 0.
+/// Refuses option values that are not positive numbers.
 inline CLI::Option* is_positive(CLI::Option* option) {
   return option->check(
       [](const std::string& text) {
         double value = 0;
-        return parse_number(text, value) && value > 0 ? "" : "takes a number above 0, not \"" + excerpt(text) + "\"";
+        return parse_number(text, value) && value > 0 ? "" : "must be a positive number, not \"" + excerpt(text) + "\"";
       },
       "");
 }
 
-/// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
+/// Draws the standard picture of a results file; throws InputError if Python or its packages are missing.
 void draw(const std::string& results, const std::string& picture);
 
-/// Draws the extremes over the height, with and without links where both runs are there. Throws as `draw`.
+/// Draws the extremes over the height, with and without links if the file has both runs. Throws as `draw`.
 void draw_profiles(const std::string& results, const std::string& picture);
 
-/// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. Draws
-/// nothing and returns the reason if the output times miss the peak of the acceleration. Throws as `draw`, and
-/// InputError for a floor that is not there.
+/// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. If
+/// the output times miss the peak of the acceleration, draws nothing and returns the reason. Throws as `draw`, and
+/// InputError for an unknown floor.
 std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
                                 const std::string& picture);
 
-/// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
+/// Draws mode shapes; `modes` is the JSON object described in python/pounding/mode_shapes.py. Throws as `draw`.
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
 
-/// Draws the curve of a pushover; `pushover` is the JSON object that `pounding pushover --json` prints. Throws as
-/// `draw`.
+/// Draws a pushover curve; `pushover` is the JSON object printed by `pounding pushover --json`. Throws as `draw`.
 void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title = {});
 
-/// Draws response spectra; `spectra` is the JSON object that python/pounding/spectra.py describes. Throws as `draw`.
+/// Draws response spectra; `spectra` is the JSON object described in python/pounding/spectra.py. Throws as `draw`.
 void draw_spectra(const std::string& spectra, const std::string& picture);
 
 }  // namespace pounding::program

@@ -1,5 +1,5 @@
 #pragma once
-/// Exit codes of the program, and the message of a failure.
+/// Exit codes of the program, and the message printed on failure.
 
 #include <cstdio>
 #include <exception>

@@ -15,7 +15,7 @@ void add_export(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a results file for ParaView");
-  command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
+  command->add_option("results", options->results, "results file of `pounding run`")->required();
   names_a_file(
       command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS.xdmf in the current folder)"));
   command->callback([options] {

@@ -13,7 +13,7 @@
 namespace pounding::program {
 namespace {
 
-/// A point of a loop: deformation, force, work since the beginning, then the numbers of the state.
+/// A point of a loop: deformation, force, work since the beginning, followed by the state variables.
 using Point = std::vector<double>;
 
 template <hysteresis::Law L>
@@ -66,7 +66,7 @@ nlohmann::json law_json(const hysteresis::Entry& entry) {
 void print_law(const hysteresis::Entry& entry) {
   fmt::print("{}: {}\n\n  {}\n\n", entry.name, entry.summary, entry.shape);
   fmt::print(
-      "With {}; d [m] deformation, f [N] force; of a hinge [rad] and [N m].\nRange: {}.\nBeware: {}.\nSource: {}\n",
+      "With {}; d [m] deformation, f [N] force; for a hinge [rad] and [N m].\nRange: {}.\nBeware: {}.\nSource: {}\n",
       entry.symbols, entry.range, entry.beware, entry.source);
   fmt::print("\n  {:<22}{:<8}{:>10}\n", "parameter", "unit", "typical");
   for (const hysteresis::ParameterInfo& p : entry.parameters)
@@ -87,13 +87,13 @@ std::vector<double> read_path(const std::string& text) {
     double value = 0;
     const auto read = std::from_chars(argument.data(), argument.data() + argument.size(), value);
     if (read.ec != std::errc{} || read.ptr != argument.data() + argument.size() || !std::isfinite(value))
-      throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"; \"" +
-                                  excerpt(argument) + "\" is no number");
+      throw std::invalid_argument("--path: type turning points in yield deformations such as \"0, 3, -3, 1\"; \"" +
+                                  excerpt(argument) + "\" is not a number");
     path.push_back(value);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   if (path.empty())
-    throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"");
+    throw std::invalid_argument("--path: type turning points in yield deformations such as \"0, 3, -3, 1\"");
   return path;
 }
 

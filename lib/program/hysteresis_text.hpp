@@ -1,5 +1,5 @@
 #pragma once
-/// Laws of yielding as text and JSON, and their loops, for `pounding laws`.
+/// Text and JSON descriptions of hysteretic laws, and their loops, for `pounding laws`.
 
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace pounding::program {
 
 std::string_view need_text(laws::Need need);
 
-/// Texts and parameters of a contact law or a law of yielding.
+/// Texts and parameters of a contact law or a hysteretic law.
 template <class Entry>
 nlohmann::json table_json(const Entry& entry) {
   nlohmann::json law{{"name", entry.name},       {"force", entry.shape},
@@ -31,13 +31,12 @@ nlohmann::json table_json(const Entry& entry) {
 
 /// The law in JSON, as `pounding laws NAME --json` prints it.
 nlohmann::json law_json(const hysteresis::Entry& entry);
-/// The law in words.
+/// Prints the law as text.
 void print_law(const hysteresis::Entry& entry);
-/// Turning points in yield deformations, from "0, 3, -3, 1". Throws std::invalid_argument for what is no list of
-/// numbers.
+/// Turning points in yield deformations, from "0, 3, -3, 1". Throws std::invalid_argument for anything else.
 std::vector<double> read_path(const std::string& text);
-/// Deformation, force, work and state of the law with typical parameters at each turning point, and at `between` - 1
-/// points on the way.
+/// Prints deformation, force, work and state of the law with typical parameters at each turning point, and at `between`
+/// - 1 points on the path to it.
 void print_loop(const hysteresis::Entry& entry, const std::vector<double>& path, int between, bool json);
 
 }  // namespace pounding::program

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int tenths = 9;  // restitutions 0.1 ... 0.9
 
-/// Restitution that a formula really gives for an asked one, with typical values of the law; empty where the formula
+/// Restitution obtained with a formula for a target restitution and typical values of the law; nullopt if the formula
 /// has no value.
 std::optional<double> obtained(const laws::Entry& entry, std::string_view formula, double restitution) {
   laws::Settings settings = laws::typical_settings(entry);
@@ -61,10 +61,10 @@ nlohmann::json law_json_with_table(const laws::Entry& entry) {
 
 void print_all() {
   for (const laws::Entry& entry : laws::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
-  fmt::print("\nLaws of yielding, of storeys, hinges and isolators:\n\n");
+  fmt::print("\nHysteretic laws of storeys, hinges and isolators:\n\n");
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
   fmt::print(
-      "\npounding laws NAME shows one of them; of one that yields --path \"0, 3, -3, 1\" draws the loop in numbers.\n");
+      "\npounding laws NAME shows one law; for a hysteretic law, --path \"0, 3, -3, 1\" prints its loop as a table.\n");
 }
 
 void print_parameters(const laws::Entry& entry) {
@@ -80,14 +80,14 @@ void print_parameters(const laws::Entry& entry) {
          entry.sticks_at_zero ? "coefficient of restitution e, in [0, 1]" : "coefficient of restitution e, in (0, 1]",
          entry.direct_damping().empty() ? "required" : "or a direct damping value");
   if (entry.takes_impact_velocity)
-    line("impact_velocity", "m/s", "", "fixed design velocity; without it each impact takes its own", "optional");
+    line("impact_velocity", "m/s", "", "fixed design velocity; default: the closing speed of each impact", "optional");
   if (entry.takes_reduced_mass)
-    line("reduced_mass", "kg", "", "m1 m2/(m1+m2) of the linked floors", "found by the link");
+    line("reduced_mass", "kg", "", "m1 m2/(m1+m2) of the linked floors", "computed by the link");
 }
 
 void print_formulas(const laws::Entry& entry) {
-  fmt::print("\nRestitution really obtained (typical values, closing speed {:g} m/s)\n\n  {:<24}",
-             laws::typical_closing_speed, "asked");
+  fmt::print("\nObtained restitution (typical values, closing speed {:g} m/s)\n\n  {:<24}", laws::typical_closing_speed,
+             "asked");
   for (int i = 1; i <= tenths; ++i) fmt::print("{:>8.1f}", 0.1 * i);
   fmt::print("\n");
   for (const laws::Formula& f : entry.formulas) {
@@ -110,7 +110,7 @@ void print_law(const laws::Entry& entry) {
   if (!entry.formulas.empty()) print_formulas(entry);
 }
 
-/// Whether a name that is no law is near that of a law of yielding, and near no contact law.
+/// True if an unknown name is similar to that of a hysteretic law but to no contact law.
 bool is_meant_to_yield(std::string_view name) {
   return nearest_name(name, laws::names(laws::catalogue())).empty() &&
          !nearest_name(name, laws::names(hysteresis::catalogue())).empty();
@@ -126,19 +126,19 @@ void add_laws(CLI::App& app) {
   };
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "laws", "Contact laws and laws of yielding: their formulas, parameters, restitutions and loops");
+      "laws", "Contact laws and hysteretic laws: formulas, parameters, obtained restitutions and loops");
   command->add_option("NAME", arguments->name, "One law in detail");
   command->add_flag("--json", arguments->json, "Print JSON");
-  command->add_flag(
-      "--yielding", arguments->yielding,
-      "With --json and no NAME: the laws of yielding; with a NAME that a contact law has too: that of yielding");
-  command->add_option("--path", arguments->path,
-                      "Loop of a law of yielding with typical parameters: turning points in yield deformations");
-  command->add_option("--points", arguments->points, "Points on each way of the loop, 1 for the turning points alone")
+  command->add_flag("--yielding", arguments->yielding,
+                    "Hysteretic laws only: with --json and no NAME, or with a NAME that a contact law also has");
+  command->add_option(
+      "--path", arguments->path,
+      "Loop of a hysteretic law with typical parameters, through these turning points in yield deformations");
+  command->add_option("--points", arguments->points, "Points per segment of the loop; 1 for the turning points only")
       ->check(CLI::Range(1, 100000));
   command->callback([arguments] {
     if (!arguments->path.empty() && arguments->name.empty())
-      throw std::invalid_argument("--path: needs the NAME of a law of yielding");
+      throw std::invalid_argument("--path: type the NAME of a hysteretic law");
     if (arguments->name.empty() && !arguments->json) return print_all();
     if (arguments->name.empty()) {
       nlohmann::json list = nlohmann::json::array();
@@ -161,7 +161,7 @@ void add_laws(CLI::App& app) {
     const laws::Entry& entry = laws::find_law(arguments->name);
     if (!arguments->path.empty())
       throw std::invalid_argument("--path: " + arguments->name +
-                                  " is a contact law, which has no loop by deformations");
+                                  " is a contact law; type the NAME of a hysteretic law");
     if (arguments->json) return fmt::print("{}\n", law_json_with_table(entry).dump(2));
     print_law(entry);
   });

@@ -15,8 +15,8 @@ namespace {
 
 using pounding::program::report;
 
-// A results file must never become standard output, where the caller has closed that: what is printed would be in the
-// middle of it. Reading ends serve, since what is printed has to fail.
+// If the caller has closed standard output, a results file must not get its descriptor: output would be written into
+// the file. Opened read-only, so that printing fails.
 void hold_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDONLY);
@@ -26,9 +26,9 @@ void hold_standard_streams() {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
-  // A reader that closes its pipe, such as head, must not end a run: failed output is reported at the end.
+  // A reader that closes its pipe, such as head, must not end a run; failed output is reported at the end.
   std::signal(SIGPIPE, SIG_IGN);
-  // Beyond a limit on file sizes (ulimit -f) a write fails, and the message names the file.
+  // Above a limit on file sizes (ulimit -f) the write fails, and the message names the file.
   std::signal(SIGXFSZ, SIG_IGN);
   pounding::program::use_one_thread();
   try {

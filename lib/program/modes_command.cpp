@@ -21,7 +21,7 @@ void add_modes(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("modes", "Periods, damping ratios, participation and shapes of every structure");
   command->add_option("MODEL", arguments->model, "Input file (YAML)")->required();
-  is_positive(command->add_option("--count", arguments->count, "Modes of a frame; of other structures all are told"))
+  is_positive(command->add_option("--count", arguments->count, "Number of modes of a frame; other structures list all"))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->add_flag("--plot", arguments->plot, "Draw the shapes: MODEL_modes.png in the current folder");

@@ -1,12 +1,12 @@
 #pragma once
-/// Number of threads of BLAS and of the packages that factor.
+/// Number of threads of BLAS and of the factorization packages.
 
 namespace pounding::program {
 
-/// Keeps OpenBLAS to one thread unless the user has set OPENBLAS_NUM_THREADS or OMP_NUM_THREADS, and OpenMP unless
-/// OMP_NUM_THREADS is above one. The fronts of frames are small: more threads take longer for them and wait busily on
-/// cores that other processes need; two towers of 4,320 unknowns that yield took 1.5 times as long with the four
-/// threads of CHOLMOD on two cores. Another BLAS is left as it is.
+/// Limits OpenBLAS to one thread unless the user has set OPENBLAS_NUM_THREADS or OMP_NUM_THREADS, and OpenMP unless
+/// OMP_NUM_THREADS is greater than one. The fronts of frames are small: more threads are slower and spin on cores that
+/// other processes need. Two yielding towers with 4,320 degrees of freedom took 1.5 times as long with the four threads
+/// of CHOLMOD on two cores. Other BLAS libraries are unchanged.
 void use_one_thread();
 
 }  // namespace pounding::program

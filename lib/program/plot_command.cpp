@@ -18,22 +18,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A temporary file, removed with this object.
+/// A temporary file, removed by the destructor.
 class TemporaryFile {
  public:
-  /// Throws InputError when no temporary file can be made.
+  /// Throws InputError if no temporary file can be created.
   explicit TemporaryFile(const std::string& text) {
     std::error_code none;
     name_ = (fs::temp_directory_path(none) / "pounding-XXXXXX").string();
     const int file = mkstemp(name_.data());
-    if (file < 0) throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a directory that can");
+    if (file < 0) throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a writable directory");
     close(file);
     std::ofstream stream(name_);
     stream << text;
     stream.close();
     if (!stream) {
       fs::remove(name_, none);
-      throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a directory that has room");
+      throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a directory with free space");
     }
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -85,24 +85,22 @@ void add_plot(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plot", "Draw a results file");
-  command->add_option("results", options->results, "results file that `pounding run` or `pounding pushover` wrote")
-      ->required();
-  names_a_file(command->add_option(
-      "-o,--output", options->picture,
-      "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
-      "RESULTS-model.png ...)"));
-  command->add_option("--title", options->title, "title instead of that of the run");
+  command->add_option("results", options->results, "results file of `pounding run` or `pounding pushover`")->required();
+  names_a_file(command->add_option("-o,--output", options->picture,
+                                   "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; for other "
+                                   "pictures RESULTS-model.png ...)"));
+  command->add_option("--title", options->title, "title (default: that of the run)");
   command
       ->add_option("--picture", options->kind,
                    "run (histories and impacts), model (structures at rest), profiles (extremes over the height), plan "
                    "(a map of drifts and impacts of frames in space), loops (force over deformation of the six parts "
-                   "that lose most energy, or of contacts if there are none), hinges (a map of yielded parts and "
-                   "impacts), or one panel")
+                   "with the largest dissipation, or of contacts if there are none), hinges (a map of yielded parts "
+                   "and impacts), or one panel")
       ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges", "displacement", "rotation", "gap",
                              "force", "energy", "contact_loops"}));
-  command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
+  command->add_option("--floors", options->floors, "floors whose displacements `--picture run` shows, such as A.3,B.2");
   command->add_flag("--compare", options->compare,
-                    "also draw the run without links, dashed; profiles and plan do so whenever it is there");
+                    "also draw the run without links, dashed; profiles and plan always do if the file contains it");
   command->callback([options] {
     std::vector<std::string> arguments;
     if (!options->picture.empty()) arguments = {"-o", options->picture};

@@ -36,7 +36,7 @@ void push_over(const PushoverArguments& given) {
     if (!given.json) std::printf("results       %s\n", given.output.c_str());
   }
   if (given.plot || !given.picture.empty()) {
-    // Each structure of a model has a picture of its own.
+    // Each structure of a model has a separate picture.
     const std::string of = model.structures.size() > 1 ? '_' + found.structure : "";
     const std::string picture = given.picture.empty()
                                     ? std::filesystem::path(given.model).stem().string() + of + "_pushover.png"
@@ -45,7 +45,7 @@ void push_over(const PushoverArguments& given) {
     if (!given.json) std::printf("picture       %s\n", picture.c_str());
   }
   if (!found.path.collapse.empty())
-    throw SolverError(fmt::format("{}: {} collapses {}; the results end there. Push it less far", model.source_file,
+    throw SolverError(fmt::format("{}: {} collapses {}; the results end there. Type a smaller --to", model.source_file,
                                   found.structure, found.path.collapse));
 }
 
@@ -54,19 +54,19 @@ void push_over(const PushoverArguments& given) {
 void add_pushover(CLI::App& app) {
   const auto given = std::make_shared<PushoverArguments>();
   CLI::App* const command =
-      app.add_subcommand("pushover", "Pushes a structure whose parts yield: curve, order of hinges, mechanism");
+      app.add_subcommand("pushover", "Push a yielding structure: curve, order of hinges, mechanism");
   command->add_option("MODEL", given->model, "Input file (YAML)")->required();
   command->add_option("--structure", given->arguments.structure,
-                      "Its name; may be left out where one structure of the model yields");
+                      "Name of the structure; optional if only one structure of the model yields");
   command
       ->add_option("--load", given->arguments.load,
-                   "triangular, uniform or mode1, or a file with one force a floor, from the ground up")
+                   "triangular, uniform or mode1, or a file with one force per floor, from the ground up")
       ->capture_default_str();
-  command->add_option("--direction", given->arguments.direction, "x, or in space y")->capture_default_str();
+  command->add_option("--direction", given->arguments.direction, "x, or y in space")->capture_default_str();
   command->add_option("--to", given->arguments.to,
                       "Displacement of the roof: \"250 mm\", or \"2 % roof\" of its height");
   command->add_option("--cyclic", given->arguments.cyclic,
-                      "Displacements that are reached before, one after the other: \"1 %, -1 %, 2 %\"");
+                      "Displacements to reach first, in this order: \"1 %, -1 %, 2 %\"");
   command->add_flag("--json", given->json, "Print one JSON object");
   command->add_flag(
       "--plot", given->plot,

@@ -23,8 +23,8 @@ constexpr const char* what_to_install =
     "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
     "environment variable POUNDING_PYTHON to a Python that has them.";
 
-/// Folders of a list such as PATH or PYTHONPATH that are absolute. An empty or relative entry means the working folder
-/// or one inside it, which may hold the files of others.
+/// Absolute folders in a list such as PATH or PYTHONPATH. Empty and relative entries are skipped: they are relative to
+/// the working folder, which may contain files of other users.
 std::vector<std::string> absolute_folders(const char* list) {
   std::vector<std::string> folders;
   if (list == nullptr) return folders;
@@ -33,8 +33,7 @@ std::vector<std::string> absolute_folders(const char* list) {
   return folders;
 }
 
-/// The file of a program by its name, searched in the absolute folders of PATH; the name itself if it is in none of
-/// them.
+/// File of a program by its name, searched in the absolute folders of PATH; the name itself if not found.
 std::string on_path(const std::string& name) {
   if (name.find('/') != std::string::npos) return name;
   for (const std::string& folder : absolute_folders(std::getenv("PATH")))
@@ -44,14 +43,14 @@ std::string on_path(const std::string& name) {
   return name;
 }
 
-/// The Python to run: the user's choice, else the environment that `make` prepared, else the one on the path.
+/// Python to run: the user's choice, otherwise the environment prepared by `make`, otherwise the first on the path.
 std::string find_python() {
   if (const char* chosen = std::getenv("POUNDING_PYTHON"); chosen != nullptr && *chosen != '\0') return on_path(chosen);
   if (access(POUNDING_DEFAULT_PYTHON, X_OK) == 0) return POUNDING_DEFAULT_PYTHON;
   return on_path("python3");
 }
 
-/// Our Python directory: the one installed with this program, else that of the source directory.
+/// Our Python directory: the one installed with this program, otherwise that of the source directory.
 std::string module_path() {
   std::error_code unknown;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
@@ -60,7 +59,7 @@ std::string module_path() {
                                                            : POUNDING_PYTHON_PATH;
 }
 
-/// The Python directory with the compiled part of the package: beside the program in a build tree, else as
+/// The Python directory with the compiled part of the package: next to the program in a build tree, otherwise as in
 /// module_path().
 std::string whole_package_path() {
   std::error_code unknown;
@@ -68,8 +67,8 @@ std::string whole_package_path() {
   return std::filesystem::is_directory(built / "pounding", unknown) ? built.string() : module_path();
 }
 
-/// This process's environment with our Python directory first on the module path. Python and the processes that it
-/// starts import no module of the working folder: Python 3.11 and later read PYTHONSAFEPATH, which is `-P`.
+/// This process's environment with our Python directory first on the module path. Python and its child processes import
+/// no module from the working folder: Python 3.11 and later read PYTHONSAFEPATH, which is equivalent to `-P`.
 std::vector<std::string> environment_with(std::string path) {
   for (const std::string& folder : absolute_folders(std::getenv("PYTHONPATH"))) path.append(":").append(folder);
   std::vector<std::string> variables{"PYTHONPATH=" + path, "PYTHONSAFEPATH=1"};
@@ -87,19 +86,19 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// File descriptor under which the child process finds the terminal.
+/// File descriptor of the terminal in the child process.
 constexpr int terminal_in_child = 3;
 
 struct Outcome {
-  int spawn_error = 0;  ///< error number when the process could not start
-  int exit_code = 0;    ///< 128 + signal when it was killed
-  std::string output;   ///< what it printed and we did not, errors included
+  int spawn_error = 0;  ///< errno if the process could not start
+  int exit_code = 0;    ///< 128 + signal number if the process was killed
+  std::string output;   ///< captured output, including errors
 };
 
 Outcome run_process(std::vector<std::string> arguments, bool with_terminal, bool prints) {
   std::vector<std::string> environment = environment_with(module_path());
   Outcome outcome;
-  // A number above the descriptors that the child opens, so that none of them overwrites it.
+  // A number above the descriptors that the child opens, so that none of them replaces it.
   const int terminal = with_terminal ? fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10) : -1;
   if (with_terminal && terminal < 0) {
     outcome.spawn_error = errno;
@@ -112,13 +111,13 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal, bool
     return outcome;
   }
 
-  // Unless it is asked for, output of Python must not mix with ours: --json promises one object on standard output.
+  // Unless requested, output of Python must not mix with ours: --json promises a single object on standard output.
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   if (!prints) posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  // Last, because the pipe may have had this number before it was moved.
+  // Last, because the pipe may have had this descriptor number before it was duplicated.
   if (with_terminal) posix_spawn_file_actions_adddup2(&actions, terminal, terminal_in_child);
   pid_t process = 0;
   outcome.spawn_error = posix_spawnp(&process, arguments[0].c_str(), &actions, nullptr, pointers(arguments).data(),
@@ -144,7 +143,7 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal, bool
   return outcome;
 }
 
-/// The last line that is not empty, which in a Python traceback is the message; empty when there is none.
+/// The last nonempty line, which is the message of a Python traceback; empty if there is none.
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n");
   if (end == std::string::npos) return {};
@@ -196,8 +195,8 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
   if (message.find("No module named") != std::string::npos)
     throw InputError(failure + python + ": " + message + ". " + what_to_install);
   if (message.empty())
-    throw InputError(failure + python + " ended with code " + std::to_string(outcome.exit_code) +
-                     " and without a message");
+    throw InputError(failure + python + " exited with code " + std::to_string(outcome.exit_code) +
+                     " without a message");
   throw InputError(failure + message);
 }
 
@@ -206,7 +205,8 @@ void become_python(const std::string& module, const std::vector<std::string>& pa
   std::vector<std::string> arguments{python, "-m", "pounding." + module};
   arguments.insert(arguments.end(), passed.begin(), passed.end());
   std::vector<std::string> environment = environment_with(whole_package_path());
-  // Ctrl-C waits until the modules are there and can answer it: Python would print where in their import it was.
+  // Block Ctrl-C until the modules are imported and can handle it; otherwise Python would print a traceback of the
+  // import.
   sigset_t interrupt;
   sigemptyset(&interrupt);
   sigaddset(&interrupt, SIGINT);

@@ -35,7 +35,7 @@ double read_step(const std::string& text) {
     throw InputError(fmt::format("--step: {}", error.what()));
   }
   if (!(step > 0))
-    throw InputError(fmt::format("--step: takes a time > 0 such as \"0.01 s\"; \"{}\" is outside", excerpt(text)));
+    throw InputError(fmt::format("--step: must be a time > 0 such as \"0.01 s\", not \"{}\"", excerpt(text)));
   return step;
 }
 
@@ -105,7 +105,7 @@ void show_record_spectrum(const RecordArguments& arguments) {
 
 void add_record(CLI::App& app) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* const record = app.add_subcommand("record", "Look at an accelerogram");
+  CLI::App* const record = app.add_subcommand("record", "Information on an accelerogram, and its spectrum");
   record->require_subcommand(1);
 
   const auto add = [&](const char* name, const char* what) {
@@ -116,18 +116,18 @@ void add_record(CLI::App& app) {
             "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USC, GeoNet, BHRC, AFAD, UNAM, USGS SMC, or columns of numbers")
         ->required();
     command->add_option("--units", arguments->units,
-                        "Unit when the file states none: g, m/s^2, cm/s^2, gal; of displacements m, cm, mm, in");
+                        "Unit if the file states none: g, m/s^2, cm/s^2, gal; for displacements m, cm, mm, in");
     command->add_option("--channel", arguments->channel,
-                        "Number or component, as in the file, when it has several channels");
-    command->add_option("--step", arguments->step, "Time between two values of a file without times, such as 0.01 s");
-    command->add_flag("--displacement", arguments->displacement, "The file holds displacements");
+                        "Number or component, as in the file, if it has several channels");
+    command->add_option("--step", arguments->step, "Time step of a file without times, such as 0.01 s");
+    command->add_flag("--displacement", arguments->displacement, "The file contains displacements");
     return command;
   };
   CLI::App* const info = add("info", "Points, spacing, peaks, Arias intensity, significant duration");
   info->add_flag("--json", arguments->json, "One JSON object, in SI");
   info->callback([arguments] {
     const Record read_now = read(*arguments);
-    // Names of files are not always UTF-8, which JSON demands.
+    // File names are not always UTF-8, which JSON requires.
     constexpr auto on_bad_text = nlohmann::json::error_handler_t::replace;
     if (arguments->json)
       fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));

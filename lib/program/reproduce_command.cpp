@@ -1,4 +1,4 @@
-/// `reproduce`: computed here, drawn and set by Python.
+/// `reproduce`: computed here, drawn and typeset by Python.
 
 #include <unistd.h>
 
@@ -36,13 +36,13 @@ struct ReproduceArguments {
 
 std::vector<const ItemMaker*> chosen(const std::vector<std::string>& only) {
   std::vector<const ItemMaker*> result;
-  for (const std::string& name : only) reproduce::item_maker(name);  // refuses
+  for (const std::string& name : only) reproduce::item_maker(name);  // throws for an unknown name
   for (const ItemMaker& maker : reproduce::item_makers())
     if (only.empty() || std::ranges::find(only, maker.name) != only.end()) result.push_back(&maker);
   return result;
 }
 
-// The report of an earlier reproduction marks its folder.
+// The report of an earlier reproduction marks the folder.
 const FileKind report_files{"report of a reproduction", "-o FOLDER",
                             [](std::string_view start) { return start.starts_with("{\"items\":"); }};
 const FileKind figure_files{"figure", "-o FOLDER", [](std::string_view) { return true; }};
@@ -51,22 +51,23 @@ void write(const fs::path& file, const std::string& text, const FileKind& kind) 
   ReplacedFile(file.string(), kind).replace(std::as_bytes(std::span(text)));
 }
 
-/// Throws InputError for a folder that holds something and no earlier report: files there may be of other programs.
+/// Throws InputError for a nonempty folder without an earlier report: its files may belong to other programs.
 void require_own(const fs::path& directory, const fs::path& data) {
   ReplacedFile(data.string(), report_files).require_free();
   std::error_code error;
   if (!fs::is_empty(directory, error) && !error && !fs::exists(data))
-    throw InputError(fmt::format(
-        "-o {}: the folder holds files, and no report of a reproduction. Name a new folder, such as -o {}/reproduction",
-        directory.string(), directory.string()));
+    throw InputError(
+        fmt::format("-o {}: the folder contains files but no report of a reproduction. Type a new folder, such as -o "
+                    "{}/reproduction",
+                    directory.string(), directory.string()));
 }
 
-/// Shows a line on the terminal, which the next one overwrites.
+/// Writes one terminal line, which the next call overwrites.
 void show(const std::string& text) {
   if (isatty(STDERR_FILENO) != 0) std::fputs(("\r\033[K" + text).c_str(), stderr);
 }
 
-/// Clears the line at the end, also after an exception.
+/// Clears the line on destruction, also after an exception.
 struct ProgressLine {
   ~ProgressLine() { show(""); }
 };
@@ -122,7 +123,7 @@ void reproduce_paper(const ReproduceArguments& arguments) {
   std::error_code error;
   fs::create_directories(directory, error);
   if (error)
-    throw InputError(fmt::format("-o {}: the folder cannot be made: {}", arguments.directory, error.message()));
+    throw InputError(fmt::format("-o {}: the folder cannot be created: {}", arguments.directory, error.message()));
 
   const fs::path data = directory / "report.json", report = directory / "report.html";
   require_own(directory, data);
@@ -140,9 +141,9 @@ void add_reproduce(CLI::App& app) {
   std::string names;
   for (const ItemMaker& maker : reproduce::item_makers())
     names += (names.empty() ? "" : ", ") + std::string(maker.name);
-  command->add_option("--only", arguments->only, "A part of the paper, or several: " + names)->delimiter(',');
+  command->add_option("--only", arguments->only, "Parts of the paper, separated by commas: " + names)->delimiter(',');
   names_a_file(command->add_option("-o,--output", arguments->directory,
-                                   "Folder of report.html, report.json, and of the figures as PNG and CSV"))
+                                   "Folder for report.html, report.json and the figures as PNG and CSV"))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the verdicts as one JSON object");
   command->callback([arguments] { reproduce_paper(*arguments); });

@@ -45,7 +45,7 @@ void print_warnings(std::span<const std::string> warnings) {
   for (const std::string& text : warnings) std::fprintf(stderr, "pounding: warning: %s\n", text.c_str());
 }
 
-// One line on a terminal, written over and over: a bar, and how long the rest will take.
+// A progress line on the terminal: a bar and the estimated remaining time.
 class RunProgress {
  public:
   void show(double time, double duration, int impacts) {
@@ -60,12 +60,12 @@ class RunProgress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // The second of two runs begins at zero again, and a run that is resumed later.
+  // The second of two runs starts at zero again, and a resumed run starts later.
   void restart(double time) {
     begin_ = time;
     since_begin_ = Clock::now();
   }
-  // Nothing in the first second, which tells too little.
+  // Empty during the first second, in which an estimate is unreliable.
   std::string rest(double time, double duration) const {
     const double passed = std::chrono::duration<double>(Clock::now() - since_begin_).count();
     if (passed < 1 || !(time > begin_)) return "";
@@ -82,15 +82,15 @@ class RunProgress {
 
 void clear_progress() { std::fputs("\r\033[K", stderr); }
 
-// As nohup leaves it, read before PETSc begins, which does not give it back.
+// SIGHUP as set by nohup, read before PETSc, which does not restore it, is initialized.
 const bool hangup_is_ignored = [] {
   struct sigaction given = {};
   return sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler == SIG_IGN;
 }();
 
-// Ctrl-C (SIGINT), SIGTERM, a terminal that closes (SIGHUP) and a limit on processor time (SIGXCPU) end the run with
-// its results so far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every
-// second.
+// Ctrl-C (SIGINT), SIGTERM, a closing terminal (SIGHUP) and a limit on processor time (SIGXCPU) end the run; the
+// results up to that time are in the file. A second Ctrl-C or SIGTERM ends the program immediately; the kernel repeats
+// SIGXCPU every second.
 class StopOnSignal {
  public:
   StopOnSignal() {
@@ -107,7 +107,7 @@ class StopOnSignal {
 };
 volatile std::sig_atomic_t StopOnSignal::stop = 0;
 
-// Arguments that CLI11 does not know: MODEL, then PETSc's options, each with its value.
+// Arguments unknown to CLI11: MODEL, then PETSc options, each with its value.
 struct Rest {
   std::string model;
   std::vector<std::string> options;
@@ -123,25 +123,25 @@ Rest rest_of(const CLI::App& command) {
   bool value = false;
   for (const std::string& argument : rest.options) {
     const bool option = argument.rfind("-pounding_", 0) == 0 || argument == "-log_view";
-    // PETSc would read the name of another option as such, not as a value.
+    // PETSc would parse the name of another option as such, not as a value.
     if (!option && (!value || petsc::is_option_name(argument)))
       throw InputError(
-          fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
-                      "are listed by pounding run --help",
+          fmt::format("unknown option \"{}\"; PETSc options for the run start with -pounding_, all others are listed "
+                      "by pounding run --help",
                       excerpt(argument)));
     value = option;
   }
   return rest;
 }
 
-// Ends all processes: the others wait for this one.
+// Ends all processes, since the others wait for this one.
 void abort_all(const std::string& text, const std::exception& error) {
   print_failure(text.c_str());
   MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
 }
 
 // In addition to the standard picture: profiles, and for each structure the spectrum of the floor with the largest
-// acceleration, in space along x and y. Spectra that the outputs make wrong are not drawn.
+// acceleration, in space along x and y. Spectra whose output times are too coarse are not drawn.
 void draw_report(const Summary& summary, const std::string& results, std::vector<std::string>& pictures) {
   const std::string name = with_ending(results, "");
   pictures.push_back(name + "-profiles.png");
@@ -199,7 +199,7 @@ void run_task(const RunArguments& arguments, const Task& task) {
     if (ranks.is_root() && all.size() > warnings.size()) print_warnings(all.subspan(warnings.size()));
   };
 
-  const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
+  const StopOnSignal signals;  // after PETSc, which installs and restores its own signal handlers
   run_options.stop = [] { return StopOnSignal::stop != 0; };
   Outcome outcome;
   try {
@@ -213,8 +213,8 @@ void run_task(const RunArguments& arguments, const Task& task) {
     const long steps = failed.outcome().summary.solver.steps;
     const std::string more =
         steps >= model.analysis.max_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
-    throw SolverError(
-        fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
+    throw SolverError(fmt::format("{}\nTo resume, type {}pounding run --resume {}{}", failed.what(), launcher,
+                                  run_options.output, more));
   } catch (...) {
     if (terminal) clear_progress();
     throw;
@@ -222,8 +222,7 @@ void run_task(const RunArguments& arguments, const Task& task) {
   if (terminal) clear_progress();
   if (!ranks.is_root()) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
-    std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n",
-                 unread.front().c_str());
+    std::fprintf(stderr, "pounding: unused option %s; the results do not depend on it\n", unread.front().c_str());
   print_new_warnings(outcome);
   if (arguments.json)
     std::puts(to_json(outcome.summary).c_str());
@@ -258,26 +257,24 @@ void run_model(const RunArguments& arguments, const CLI::App& command) {
 
 void add_run(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
-  CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
-  names_a_file(run_command->add_option(
-      "--resume", arguments->resume,
-      "Results file of a run that was killed, stopped or cut: goes on in it with the model that it "
-      "holds; MODEL and the PETSc options of the beginning need not be named again"));
+  CLI::App* run_command = app.add_subcommand("run", "Time history analysis of MODEL, an input file (YAML)");
+  names_a_file(run_command->add_option("--resume", arguments->resume,
+                                       "Results file of an interrupted run: resumes it in the same file with the model "
+                                       "stored there; MODEL and the original PETSc options need not be typed again"));
   names_a_file(run_command->add_option(
       "-o,--output", arguments->output,
       "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
-  run_command->add_flag("--plot", arguments->plot,
-                        "Draw the standard picture beside the results file; -o OUT.h5 says where");
+  run_command->add_flag("--plot", arguments->plot, "Draw the standard picture next to the results file; see -o");
   run_command->add_flag(
       "--report", arguments->report,
-      "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
-      "links, and of each structure the spectrum of the floor that is shaken hardest");
+      "Draw all pictures next to the results file: the standard one, the extremes over the height with and without "
+      "links, and for each structure the spectrum of the floor with the largest acceleration");
   names_a_file(run_command->add_option("--picture", arguments->picture, "Name of the picture"));
   run_command->add_flag("--json", arguments->json, "Print the summary as one JSON object");
-  run_command->add_flag("-q,--quiet", arguments->quiet, "Print nothing but warnings and errors");
+  run_command->add_flag("-q,--quiet", arguments->quiet, "Print only warnings and errors");
   run_command->allow_extras();
   run_command->footer(
-      "PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
+      "PETSc options with the prefix -pounding_ follow MODEL and control the time stepping, for example\n"
       "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  "
       "-pounding_ts_monitor");
   run_command->callback([arguments, run_command] { run_model(*arguments, *run_command); });

@@ -19,7 +19,7 @@
 namespace pounding::program {
 namespace {
 
-// The largest of all links and structures in one run.
+// Maxima over all links and structures of one run.
 struct Response {
   double factor = 1;
   int impacts = 0;
@@ -50,12 +50,12 @@ Response response_of(const Summary& summary, double factor) {
 Response run_with(const Input& input, double factor) {
   Model model = read_model(input, petsc::lowest_modes, factor);
   if (model.links.empty())
-    throw InputError(fmt::format("{}: the model has no links, and so no contact stiffness", input.file()));
+    throw InputError(fmt::format("{}: the model has no links and therefore no contact stiffness", input.file()));
   model.compare_no_pounding = false;
   return response_of(run(model).summary, factor);
 }
 
-// The power p of value = constant factor^p by the outermost rows.
+// Exponent p of value = constant factor^p, from the first and last rows.
 double power(const Response& first, const Response& last, double Response::* value) {
   return std::log(last.*value / first.*value) / std::log(last.factor / first.factor);
 }
@@ -79,9 +79,9 @@ void print(const std::vector<Response>& rows) {
   const Response &first = rows.front(), &last = rows.back();
   if (first.factor == last.factor || !(first.force > 0) || !(last.force > 0)) return;
   fmt::print(
-      "\nThe peak force follows the stiffness to the power {:.2f}, the acceleration to {:.2f}; the drift changes by "
-      "{:.1f} %,\n"
-      "the displacement by {:.1f} %. What changes is worth as much as the stiffness is known.\n",
+      "\nThe peak force grows as the stiffness to the power {:.2f}, the acceleration to the power {:.2f}.\n"
+      "The drift changes by {:.1f} %, the displacement by {:.1f} %.\n"
+      "The more a value changes, the more accurately the stiffness must be known.\n",
       power(first, last, &Response::force), power(first, last, &Response::acceleration),
       100 * change(rows, &Response::drift), 100 * change(rows, &Response::displacement));
 }
@@ -109,8 +109,8 @@ void add_sensitivity(CLI::App& app) {
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
-      "sensitivity", "How the answer depends on the stiffness of the contacts: runs MODEL with each factor");
+  CLI::App* command =
+      app.add_subcommand("sensitivity", "Sensitivity to the contact stiffness: run MODEL with each factor");
   command->add_option("MODEL", arguments->model, "Input file (YAML)")->required();
   is_positive(command->add_option("--factors", arguments->factors, "Factors of the contact stiffness, such as 0.1,1,10")
                   ->delimiter(','))

@@ -25,19 +25,19 @@ namespace {
 
 const petsc::Launch launched = petsc::launch().value_or(petsc::Launch{});
 
-// The first process reports failures, which under mpirun all processes have. MPI may not have begun yet, or be over.
+// Under mpirun all processes fail; the first one reports. MPI may not be initialized yet, or already finalized.
 bool is_root() { return launched.rank == 0; }
 
-// Several processes would print the same text and write the same files, each of them.
+// Otherwise each process would print the same text and write the same files.
 void require_one_process(CLI::App& command) {
   command.parse_complete_callback([&command] {
     if (launched.size > 1)
-      throw InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun",
+      throw InputError(fmt::format("pounding {} runs in one process, but {} were started; type it without mpirun",
                                    command.get_name(), launched.size));
   });
 }
 
-// The message for a word that stands where a command should and is none; empty when there is no such word.
+// Message for an argument in the position of a command that is not one; empty if there is none.
 std::string unknown_command(const CLI::App& app, const std::vector<std::string>& arguments) {
   const CLI::App* level = &app;
   std::string before;
@@ -61,13 +61,13 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
   return {};
 }
 
-// True if standard output is a pipe whose reader has seen enough.
+// True if standard output is a pipe whose reader has closed it.
 bool reader_is_gone() {
   pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
   return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
-// The exit code of a command that is done.
+// Exit code of a successful command.
 int printed() {
   if ((std::fflush(stdout) == 0 && !std::ferror(stdout)) || reader_is_gone()) return done;
   return report("what was printed could not be written", bad_input);
@@ -79,14 +79,14 @@ int report(const char* text, int code) {
   if (is_root())
     print_failure(text);
   else
-    // The launcher ends the other processes behind the first one that has failed, and may lose what it has not passed
-    // on by then: the one that speaks ends first.
+    // The launcher kills the other processes after the first failed one and may lose output that it has not yet
+    // forwarded, so the reporting process must exit first.
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   return code;
 }
 
 int serve(int argc, char** argv) {
-  CLI::App app{"Adjacent structures that hit each other in earthquakes"};
+  CLI::App app{"Seismic pounding of adjacent structures"};
   app.set_version_flag("--version", "pounding " POUNDING_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help);

@@ -1,11 +1,11 @@
 #pragma once
-/// The program from its words to its exit code.
+/// The program, from its arguments to its exit code.
 
 namespace pounding::program {
 
-/// Does what the words of the command line ask for and returns the exit code. Throws what a command throws.
+/// Executes the command line and returns the exit code. Throws what a command throws.
 int serve(int argc, char** argv);
-/// Tells of a failure, in the first process of several, and returns `code`.
+/// Prints a failure in the first process and returns `code`.
 int report(const char* text, int code);
 
 }  // namespace pounding::program

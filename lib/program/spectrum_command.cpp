@@ -20,7 +20,7 @@
 namespace pounding::program {
 namespace {
 
-// Steps in a period that the straight lines between outputs need.
+// Minimum number of output steps per period for linear interpolation between outputs.
 constexpr double steps_in_a_period = 10;
 
 struct FloorArguments {
@@ -28,34 +28,34 @@ struct FloorArguments {
   SpectrumArguments spectrum;
 };
 
-// The absolute acceleration of a floor at the output times.
+// Absolute acceleration of a floor at the output times.
 struct FloorMotion {
   std::vector<double> times, accelerations;  // [s], [m/s^2]
-  double tracked = 0;  // largest absolute value over all steps [m/s^2]; 0 where the file does not know it
+  double tracked = 0;  // largest absolute value over all steps [m/s^2]; 0 if the file does not contain it
 };
 
-// "left.3" is the third floor from the ground of the structure "left", whose name may have points in it.
+// "left.3" is the third floor from the ground of the structure "left", whose name may contain dots.
 FloorMotion read_floor(hid_t file, const FloorArguments& arguments, const std::string& root) {
   const std::size_t point = arguments.floor.rfind('.');
   const std::string name = arguments.floor.substr(0, point),
                     number = point == std::string::npos ? "" : arguments.floor.substr(point + 1);
   double floor = 0;
   if (name.empty() || !parse_number(number, floor))
-    throw InputError(fmt::format(
-        "--floor: takes a structure and a floor counted from 1 at the lowest, such as left.3; \"{}\" was read",
-        arguments.floor));
+    throw InputError(
+        fmt::format("--floor: type a structure and a floor counted from 1 at the lowest, such as left.3, not \"{}\"",
+                    arguments.floor));
   const std::vector<std::string> structures = hdf5::members(file, (root + "structures").c_str());
   if (std::find(structures.begin(), structures.end(), name) == structures.end())
     throw InputError(
-        fmt::format("--floor: there is no structure \"{}\"; there is {}", name, fmt::join(structures, ", ")));
+        fmt::format("--floor: no structure \"{}\"; the structures are {}", name, fmt::join(structures, ", ")));
   const std::string place = root + "structures/" + name + "/acceleration";
   const std::vector<std::size_t> shape = hdf5::shape(file, place.c_str());
   const std::size_t floors = shape.at(1), directions = shape.at(2);
   if (!(floor >= 1 && floor <= static_cast<double>(floors) && floor == std::floor(floor)))
-    throw InputError(fmt::format("--floor: {} has floors 1 to {}; \"{}\" was read", name, floors, arguments.floor));
+    throw InputError(fmt::format("--floor: {} has floors 1 to {}, not \"{}\"", name, floors, arguments.floor));
   if (arguments.direction != "x" && (arguments.direction != "y" || directions < 2))
-    throw InputError(fmt::format("--direction: {} moves along {}; \"{}\" was read", name,
-                                 directions > 1 ? "x and y" : "x alone", arguments.direction));
+    throw InputError(fmt::format("--direction: {} moves along {}, not \"{}\"", name,
+                                 directions > 1 ? "x and y" : "x only", arguments.direction));
   const std::size_t column = (static_cast<std::size_t>(floor) - 1) * directions + (arguments.direction == "y" ? 1 : 0);
   FloorMotion motion;
   std::vector<double> all, extremes;
@@ -71,7 +71,7 @@ FloorMotion read_floor(hid_t file, const FloorArguments& arguments, const std::s
   return motion;
 }
 
-// The outputs are too far apart, with the step to try.
+// Message that the outputs are too far apart, with the step to try.
 std::string coarse_outputs(const FloorArguments& arguments, const FloorMotion& motion, const std::string& reason,
                            double shortest) {
   const double step = motion.times[1] - motion.times[0];
@@ -81,7 +81,7 @@ std::string coarse_outputs(const FloorArguments& arguments, const FloorMotion& m
       step, arguments.floor, reason, std::min(step / 10, shortest / steps_in_a_period));
 }
 
-// Why the spectrum of these outputs is wrong: they miss the peak, which the run has tracked. Empty if they do not.
+// Reason why the spectrum of these outputs is wrong: they miss the peak tracked by the run. Empty if they do not.
 std::string missed_peak(const FloorArguments& arguments, const FloorMotion& motion, double shortest) {
   double seen = 0;
   for (const double a : motion.accelerations) seen = std::max(seen, std::abs(a));
@@ -96,8 +96,8 @@ double shortest_resolved(const FloorMotion& motion) {
   return steps_in_a_period * (motion.times[1] - motion.times[0]) * (1 - 1e-9);
 }
 
-// Leaves out periods of a picture that the outputs do not resolve; returns which, for a warning, and nothing for a
-// spectrum without such ones.
+// Removes periods that the outputs do not resolve from a picture. Returns a text for the warning; empty if none was
+// removed.
 std::string leave_out(std::vector<NamedSpectrum>& spectra, double shortest) {
   std::size_t count = 0;
   for (NamedSpectrum& spectrum : spectra)
@@ -106,13 +106,13 @@ std::string leave_out(std::vector<NamedSpectrum>& spectra, double shortest) {
 }
 
 std::vector<SpectrumPoint> spectrum_of(const FloorArguments& arguments, const FloorMotion& motion) {
-  if (motion.times.size() < 2) throw InputError(fmt::format("{}: holds no results over time yet", arguments.results));
+  if (motion.times.size() < 2) throw InputError(fmt::format("{}: contains no time histories yet", arguments.results));
   const bool uniform = evenly_spaced(motion.times);
   return response_spectrum(GroundMotion(Samples{motion.times, motion.accelerations, uniform}),
                            arguments.spectrum.read_periods(), arguments.spectrum.read_damping());
 }
 
-// Shows the spectrum, or returns why it is wrong and not drawn. A table of it is printed with a warning.
+// Shows the spectrum, or returns why it is wrong and not drawn. A table is printed with a warning instead.
 std::string show_floor_spectrum(const FloorArguments& arguments) {
   const std::vector<double> periods = arguments.spectrum.read_periods();
   const double damping = arguments.spectrum.read_damping();
@@ -126,7 +126,7 @@ std::string show_floor_spectrum(const FloorArguments& arguments) {
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: cannot be read as a results file ({})", arguments.results, error.what()));
+    throw InputError(fmt::format("{}: not a results file, or a damaged one ({})", arguments.results, error.what()));
   }
   std::vector<NamedSpectrum> spectra{{without ? "with links" : arguments.floor, spectrum_of(arguments, with_links)}};
   if (without) spectra.push_back({"without links", spectrum_of(arguments, *without)});
@@ -166,9 +166,9 @@ std::string draw_floor_spectrum(const std::string& results, const std::string& f
 void add_spectrum(CLI::App& app) {
   const auto arguments = std::make_shared<FloorArguments>();
   CLI::App* const command = app.add_subcommand("spectrum", "Response spectrum of the motion of a floor");
-  command->add_option("results", arguments->results, "results file that `pounding run` wrote")->required();
+  command->add_option("results", arguments->results, "results file of `pounding run`")->required();
   command->add_option("--floor", arguments->floor, "Structure and floor, from 1 at the lowest: left.3")->required();
-  command->add_option("--direction", arguments->direction, "x, or in space y")->capture_default_str();
+  command->add_option("--direction", arguments->direction, "x, or y in space")->capture_default_str();
   arguments->spectrum.add_to(*command);
   command->callback([arguments] {
     if (const std::string wrong = show_floor_spectrum(*arguments); !wrong.empty()) throw InputError(wrong);

@@ -77,19 +77,17 @@ std::string spectra_json(const std::string& title, double damping, const std::ve
 
 void SpectrumArguments::add_to(CLI::App& command) {
   command.add_option("--damping", damping, "Damping ratio")->capture_default_str();
-  command.add_option("--periods", periods, "first:last:count [s], each the same factor longer than the one before")
-      ->capture_default_str();
-  names_a_file(command.add_option("--csv", csv, "Write to this file, in SI, instead of the screen"));
-  names_a_file(
-      command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen"));
+  command.add_option("--periods", periods, "first:last:count [s], in geometric progression")->capture_default_str();
+  names_a_file(command.add_option("--csv", csv, "Write to this file, in SI, instead of printing"));
+  names_a_file(command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of printing"));
 }
 
 std::vector<double> SpectrumArguments::read_periods() const {
   const std::string& text = periods;
   const auto fail = [&]() -> InputError {
     return InputError(
-        fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
-                    "as 0.02:4:50; \"{}\" was read",
+        fmt::format("--periods: type first:last:count with 0 < first < last and count from 2 to 10000, such as "
+                    "0.02:4:50, not \"{}\"",
                     excerpt(text)));
   };
   const std::size_t one = text.find(':'), two = text.find(':', one == std::string::npos ? one : one + 1);
@@ -114,7 +112,7 @@ double SpectrumArguments::read_damping() const {
   }
   if (!(ratio >= 0 && ratio < 1))
     throw InputError(
-        fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", excerpt(damping)));
+        fmt::format("--damping: must be a number in [0, 1) such as \"5 %\", not \"{}\"", excerpt(damping)));
   return ratio;
 }
 

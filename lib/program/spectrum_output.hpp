@@ -1,5 +1,5 @@
 #pragma once
-/// Options and output that `record spectrum` and `spectrum` have in common.
+/// Options and output shared by `record spectrum` and `spectrum`.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace pounding::program {
 
-/// How a spectrum is computed and where it goes.
+/// Computation and destination of a spectrum.
 struct SpectrumArguments {
   std::string damping = "5 %", periods = "0.02:4:50", csv, picture;
 
@@ -21,17 +21,16 @@ struct SpectrumArguments {
   double read_damping() const;
 };
 
-/// One spectrum and what a table or a picture calls it; several have the same periods.
+/// A spectrum and its name in tables and pictures; several spectra have the same periods.
 struct NamedSpectrum {
   std::string name;
   std::vector<SpectrumPoint> points;
 };
 
-/// Prints the names of the files that show_spectra has written.
+/// Prints the names of the files written by show_spectra.
 void tell_written(const SpectrumArguments& arguments);
 
-/// Writes the file and the picture that were asked for; where there are none, prints `title` and a table. Throws
-/// InputError.
+/// Writes the requested file and picture; if there are none, prints `title` and a table. Throws InputError.
 void show_spectra(const SpectrumArguments& arguments, const std::string& title,
                   const std::vector<NamedSpectrum>& spectra);
 

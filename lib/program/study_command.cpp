@@ -1,4 +1,4 @@
-/// `study` and `separation`: done by Python, which has the plan, the processes and the statistics.
+/// `study` and `separation`: implemented in Python, which has the plan, the processes and the statistics.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace pounding::program {
 namespace {
 
-// Words behind the command are Python's; a --help behind another word is, too.
+// Arguments after the command are passed to Python, including --help after another argument.
 void add_python_command(CLI::App& app, const std::string& name, const std::string& meaning, const std::string& more) {
   CLI::App* command = app.add_subcommand(name, meaning);
   command->footer(more);
@@ -25,10 +25,9 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
 
 void add_study(CLI::App& app) {
   add_python_command(app, "study", "Run a model many times: STUDY.yaml; check, show, merge, plot and export its table",
-                     "All options: pounding study run --help; those of the other verbs: pounding study check --help, "
+                     "All options: pounding study run --help; of the other subcommands: pounding study check --help, "
                      "show, merge, plot, export");
-  add_python_command(app, "separation",
-                     "The gap that a model needs, by its records and by the rules of codes: MODEL.yaml",
+  add_python_command(app, "separation", "Required gap of MODEL.yaml from its records and by code rules",
                      "All options: pounding separation MODEL.yaml --help");
 }
 

@@ -18,7 +18,7 @@
 namespace pounding::program {
 namespace {
 
-/// A key and the section that it stands in.
+/// A key and the section that contains it.
 struct FoundKey {
   const keys::Section* section;
   const keys::Key* spec;
@@ -43,7 +43,7 @@ std::vector<const keys::Section*> sections_named(std::string_view name) {
   return found;
 }
 
-/// Names that resemble this one, the nearest first.
+/// Similar names in descending order of similarity.
 std::vector<std::string_view> resembling(std::string_view name) {
   std::set<std::string_view> known;
   for (const keys::Section* section : all_sections()) {
@@ -65,8 +65,8 @@ std::vector<std::string_view> resembling(std::string_view name) {
 [[noreturn]] void refuse(std::string_view name) {
   const std::vector<std::string_view> near = resembling(name);
   const std::string hint = near.empty() ? "" : fmt::format(" Did you mean {}?", fmt::join(near, ", "));
-  throw InputError(
-      fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", excerpt(name), hint));
+  throw InputError(fmt::format("unknown key \"{}\" of the input.{} Type pounding words for a list of all keys.",
+                               excerpt(name), hint));
 }
 
 void print_key(const FoundKey& found) {
@@ -95,7 +95,7 @@ void print_section(const keys::Section& section) {
   for (const keys::Key& spec : section.keys) print_line(spec, 1);
 }
 
-// Sections that stand in several places are shown in the first one.
+// Sections that occur in several places are shown at the first one.
 void print_tree(const keys::Section& section, std::size_t depth, std::set<const keys::Section*>& shown) {
   for (const keys::Key& spec : section.keys) {
     print_line(spec, depth);
@@ -106,7 +106,7 @@ void print_tree(const keys::Section& section, std::size_t depth, std::set<const 
 void print_everything() {
   std::set<const keys::Section*> shown;
   print_tree(keys::model, 0, shown);
-  fmt::print("\nParameters of the laws, beside law in links:\n");
+  fmt::print("\nParameters of the laws, in addition to law in links:\n");
   for (const laws::Entry& law : laws::catalogue()) {
     std::vector<std::string_view> names;
     for (const keys::Key& spec : keys::parameters_of(law).keys) names.push_back(spec.key);
@@ -119,7 +119,7 @@ void print_everything() {
     }
   fmt::print("\nA study:\n");
   print_tree(keys::study_file, 0, shown);
-  fmt::print("\n* required, (*) one of several. pounding words NAME shows one of them, a section or a law.\n");
+  fmt::print("\n* required, (*) one of several. pounding words NAME shows one key, a section or a law.\n");
 }
 
 void print_named(std::string_view name) {
@@ -160,14 +160,14 @@ void add_arguments(CLI::App& app) {
   };
   const auto given = std::make_shared<Arguments>();
   CLI::App* command =
-      app.add_subcommand("words", "Words of the input: every key with its type, unit, range, default and an example");
+      app.add_subcommand("words", "Keys of the input: type, unit, range, default and an example of each");
   command->add_option("NAME", given->name, "A key, a section or a law");
   CLI::Option* json = command->add_flag("--json", given->json, "Print JSON");
-  command->add_flag("--schema", given->schema, "Print the JSON schema by which editors complete and check a model")
+  command->add_flag("--schema", given->schema, "Print the JSON schema that lets editors complete and check a model")
       ->excludes(json);
   command->callback([given] {
     if (given->schema && !given->name.empty())
-      throw InputError("--schema is of the whole input; type pounding words --schema");
+      throw InputError("--schema applies to the whole input; type pounding words --schema");
     if (given->schema) return fmt::print("{}\n", input_schema().dump(2));
     if (given->json) return fmt::print("{}\n", json_of(given->name).dump(2));
     if (given->name.empty()) return print_everything();

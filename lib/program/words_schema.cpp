@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 std::string reference_to(const keys::Section& section) { return fmt::format("#/$defs/{}", section.name); }
 
-// Where the unit is a product or a quotient, only the reader tells its dimension.
+// For products and quotients of units, only the reader checks the dimension.
 std::string unit_pattern(const Dimension& dimension) {
   std::vector<std::string_view> names = unit_names(dimension);
   const std::string alone = names.empty() ? "" : fmt::format("{}|", fmt::join(names, "|"));
@@ -34,7 +34,7 @@ Json number_schema(const Bounds& bounds, std::string_view type) {
   return number;
 }
 
-// A number alone, or a text with a number and its unit. Of the range a text shows the sign only.
+// A number, or a text with a number and its unit. Of the range, a text pattern checks only the sign.
 std::vector<Json> quantity_schemas(const keys::Key& spec) {
   const std::string sign = spec.bounds.low >= 0 ? "[+]?" : "[-+]?";
   const auto text = [&](const Dimension& dimension) {
@@ -112,7 +112,7 @@ Json key_schema(const keys::Key& spec, const keys::Section& section) {
   return schema;
 }
 
-// Alternatives of which exactly one is given, or at least one.
+// Alternatives of which exactly one, or at least one, is given.
 Json groups_of(const keys::Section& section) {
   Json groups = Json::array();
   const auto add = [&](keys::Need need, const char* how) {
@@ -136,7 +136,7 @@ Json section_schema(const keys::Section& section) {
   return schema;
 }
 
-// The law of a link says which other keys it has.
+// The law of a link determines its other keys.
 Json links_schema() {
   Json schema = section_schema(keys::link);
   schema["allOf"] = Json::array();
@@ -151,7 +151,7 @@ Json links_schema() {
       if (own.find(spec.key) || !keys::belongs_to_law(spec.key)) names.push_back(spec.key);
     for (const laws::ParameterInfo& parameter : law.parameters) {
       names.push_back(parameter.name);
-      // Completion offers the keys of every law; which of them are allowed the chosen law says.
+      // Completion offers the keys of every law; the chosen law determines which are allowed.
       schema["properties"].emplace(std::string(parameter.name), Json::object());
     }
     then["propertyNames"] = {{"enum", names}};
@@ -203,7 +203,7 @@ nlohmann::ordered_json input_schema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "Input of pounding " POUNDING_VERSION}};
   schema.update(section_schema(keys::model));
-  // The file of a study has a model, or names the file of one.
+  // In a study file, the model is included or given by its file name.
   for (const keys::Key& spec : keys::study_file.keys)
     schema["properties"].emplace(std::string(spec.key), key_schema(spec, keys::study_file));
   schema["anyOf"] = {{{"required", schema["required"]}}, {{"required", {"study", "model"}}}};

@@ -1,4 +1,4 @@
-/// Section 6: the cyclic process, the curve of restitution and velocity, the pair of energies.
+/// Section 6: the cyclic process, restitution versus velocity, and the pair of energies.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ std::vector<double> roots_of_eq19() {
 laws::AnyLaw proposed(double e) { return Asking{"hertz_damped", "naderpour_2015", stiffness, e}.made(mass); }
 double c_imp(double v, double e) { return damping_coefficient(proposed(e), v); }
 
-/// Velocity at which Eq. 16 gives the damping of the reference for this restitution; at the same approach velocity both
+/// Velocity for which Eq. 16 gives the damping of the reference at this restitution; at equal approach velocities both
 /// have the same loop.
 double equal_loop_velocity(double e) {
   const double wanted = c_imp(reference_speed, reference_restitution);
@@ -47,18 +47,18 @@ double equal_loop_velocity(double e) {
   return find_root(miss, 1e-3, miss(1e-3), 1e4, miss(1e4));
 }
 
-/// This velocity for Eq. 16 without Table 2, N = M = 1.
+/// Same for Eq. 16 without Table 2, N = M = 1.
 double equal_loop_velocity_simple(double e) {
   const auto share = [](double x) { return (1 - x * x) / x; };
   return reference_speed * share(e) / share(reference_restitution);
 }
 
-/// Velocity at which the loss of kinetic energy is that of the reference.
+/// Velocity at which the kinetic energy loss equals that of the reference.
 double equal_loss_velocity(double e) {
   return reference_speed * std::sqrt((1 - reference_restitution * reference_restitution) / (1 - e * e));
 }
 
-/// A polynomial of degree four by least squares, from the highest power down.
+/// Quartic fitted to sampled values, highest power first.
 Eigen::VectorXd quartic(const std::function<double(double)>& curve, int first_tenth, int last_tenth) {
   const int count = last_tenth - first_tenth + 1;
   Eigen::MatrixXd powers(count, 5);
@@ -76,19 +76,18 @@ struct Pair {
   Table table;
 };
 
-/// Loops of a law with the damping of (v, CR) at an approach velocity.
+/// Loops of a law with the damping of (v, CR) at a given approach velocity.
 Pair pair_of_loops() {
   Pair pair{
       {.name = "cyclic_pair",
        .of_paper = "Fig. 10",
-       .caption = "The reference and the second model. Struck at the same 10 m/s their loops nearly coincide; struck "
-                  "at 11 m/s the "
-                  "second one is much larger.",
+       .caption = "The reference and the second model. At the same impact speed of 10 m/s their loops nearly coincide; "
+                  "at 11 m/s the second loop is much larger.",
        .panels = {{"", "Penetration [mm]", "Contact force [kN]", {}}}},
       {"pair",
        "The two models, 755.76 kg, $k$ = 30000 kN/m$^{1.5}$",
-       "damping of, struck at",
-       {{"c_imp", "kN s/m^2.5", 2}, {"restitution", "", 4}, {"loop area", "kJ", 4}, {"Eq. 18, CR asked", "kJ", 4}},
+       "damping for; impact speed",
+       {{"c_imp", "kN s/m^2.5", 2}, {"restitution", "", 4}, {"loop area", "kJ", 4}, {"Eq. 18, target CR", "kJ", 4}},
        {}}};
   const struct {
     double design_speed, e, speed;
@@ -108,10 +107,10 @@ Pair pair_of_loops() {
   return pair;
 }
 
-/// The cyclic process at the reference.
+/// The cyclic process for the reference.
 struct Process {
   Table analyses{"process",
-                 "The cyclic process for Eq. 16 at v = 10 m/s, CR = 0.5 asked",
+                 "The cyclic process for Eq. 16 at v = 10 m/s, target CR = 0.5",
                  "analysis",
                  {{"CR assumed", "", 8},
                   {"loop area", "kJ", 6},
@@ -123,12 +122,12 @@ struct Process {
       .name = "cyclic_process",
       .of_paper = "Fig. 9",
       .caption = fmt::format(
-          "What a formula must be given so that the loop loses what the restitution asked for would lose: the "
-          "cyclic process run to its end at 10 m/s. Lankarani's formula reaches no restitution below {:.2f}.",
+          "Restitution to insert in a formula so that the loop dissipates the energy of the target restitution: the "
+          "converged cyclic process at 10 m/s. Lankarani's formula reaches no restitution below {:.2f}.",
           laws::restitution_of_factor(laws::lankarani_nikravesh({.restitution = 0}))),
-      .panels = {{"", "Restitution asked [-]", "Restitution to assume [-]", {}}}};
-  double damping = 0, exact_damping = 0;  ///< a at the end, and of the exact calibration
-  double worst = 0;                       ///< difference of the two over all restitutions and formulas, relative
+      .panels = {{"", "Target restitution [-]", "Restitution to assume [-]", {}}}};
+  double damping = 0, exact_damping = 0;  ///< a at convergence, and of the exact calibration
+  double worst = 0;                       ///< largest relative difference of the two over all restitutions and formulas
 };
 
 Process process() {
@@ -154,7 +153,7 @@ Process process() {
       try {
         assumed.push_back(laws::calibrate_cyclically(settings, e, mass, reference_speed).assumed());
       } catch (const std::invalid_argument&) {
-        continue;  // out of the formula's reach: the curve has a gap
+        continue;  // out of reach of the formula: the curve has a gap
       }
       requested.push_back(e);
       const double a =
@@ -168,16 +167,14 @@ Process process() {
 }
 
 Figure velocity_figure(const Eigen::VectorXd& fit) {
-  Figure figure{
-      .name = "cyclic_velocity",
-      .of_paper = "Fig. 11",
-      .caption =
-          "Velocity and restitution. Eq. 19 has the course of the curve along which the damping, and so the loop at "
-          "one "
-          "speed, is that of the reference; a quartic through that curve at 0.1, 0.2 ... 1.0 is drawn for comparison. "
-          "Equal kinetic energy losses would need a velocity that grows. Right: the same near the axis.",
-      .panels = {{"all", "Restitution CR [-]", "Velocity [m/s]", {}},
-                 {"below 20 m/s", "Restitution CR [-]", "Velocity [m/s]", {}}}};
+  Figure figure{.name = "cyclic_velocity",
+                .of_paper = "Fig. 11",
+                .caption =
+                    "Velocity versus restitution. Eq. 19 resembles the curve of constant damping, and hence of equal "
+                    "loops at one speed; a quartic fitted to that curve at 0.1, 0.2 ... 1.0 is shown for comparison. "
+                    "Equal kinetic energy losses would require an increasing velocity. Right: the same near the axis.",
+                .panels = {{"all", "Restitution CR [-]", "Velocity [m/s]", {}},
+                           {"below 20 m/s", "Restitution CR [-]", "Velocity [m/s]", {}}}};
   const std::function<double(double)> fitted = [&](double e) {
     double v = 0;
     for (const double coefficient : fit) v = v * e + coefficient;
@@ -217,7 +214,7 @@ Figure velocity_figure(const Eigen::VectorXd& fit) {
 
 Table velocity_table() {
   Table table{"velocities",
-              "Velocity for a restitution, by Eq. 19 and by three readings of the text",
+              "Velocity versus restitution, by Eq. 19 and by three interpretations of the text",
               "CR",
               {{"Eq. 19", "m/s", 3},
                {"equal loops, Table 2", "m/s", 3},
@@ -244,27 +241,21 @@ Item make() {
     if (eq19(e) < lowest) lowest = eq19(e), where = e;
 
   Item item{.name = "cyclic",
-            .title = "The cyclic process, and velocity against restitution",
+            .title = "The cyclic process, and velocity versus restitution",
             .sections = "Section 6, Eq. 19, Figs. 9-11",
             .equations = {{"19", R"($v_{imp} = 494.32\,CR^4 - 1299\,CR^3 + 1285\,CR^2 - 595.9\,CR + 116.67$)"}},
             .figures = {run.figure, pair.figure, velocity_figure(fit)},
             .tables = {run.analyses, pair.table, velocity_table()}};
   item.paragraphs = {
       "The process of Fig. 9: choose a velocity, assume a restitution, analyse the impact, compare the area of its "
-      "loop with the kinetic "
-      "energy loss of Eq. 18, change the restitution, repeat. As an algorithm it is `pounding calibrate --cyclic`. The "
-      "restitution that "
-      "Eq. 18 takes stays the one asked, the one that the formula takes is changed.",
-      "Run to its end the process finds the exact calibration, from every formula that can reach it. So it is a sound "
-      "method, and one "
-      "that makes formulas unnecessary. But the balance holds then at every velocity: it relates velocity and "
-      "restitution only if "
-      "something else is held. If Eq. 18 and the loop are compared with the same $v$ and $CR$, Table 2 balances at "
-      "absurd velocities "
-      "(last column of the table). If kinetic losses are held equal, the velocity grows with the restitution. If loops "
-      "struck at one "
-      "speed are held equal, that is $c_{imp}$, the velocity falls much as Eq. 19 does: this is probably how the curve "
-      "was made."};
+      "loop with the kinetic energy loss of Eq. 18, change the restitution, repeat. `pounding calibrate --cyclic` "
+      "implements it. Eq. 18 always uses the target restitution; only the restitution in the formula is changed.",
+      "The process converges to the exact calibration, from every formula that can reach it. It is a sound method, and "
+      "it makes formulas unnecessary. But the balance then holds at every velocity: it relates velocity to restitution "
+      "only under a further condition. If Eq. 18 and the loop use the same $v$ and $CR$, Table 2 balances at absurd "
+      "velocities (last column of the table). With equal kinetic energy losses the velocity increases with the "
+      "restitution. With equal loops at one speed, that is equal $c_{imp}$, the velocity decreases much like Eq. 19: "
+      "this is probably how the curve was obtained."};
 
   const double first_loss = kinetic_loss(mass, reference_speed, reference_restitution) / 1e3;
   const double second_eq18 = kinetic_loss(mass, second_speed, second_restitution) / 1e3;
@@ -278,22 +269,22 @@ Item make() {
        fmt::format("{} analyses from $CR$ = 0.5 to an assumed {:.6f}; $a$ = {:.9f}, by the exact calibration {:.9f}",
                    run.analyses.rows.size(), run.analyses.rows.back().values[0], run.damping, run.exact_damping),
        Judgement::agrees,
-       fmt::format("its end is the exact calibration: to {:.0e} over all restitutions and four formulas.", run.worst)},
+       fmt::format("it converges to the exact calibration, within {:.0e} over all restitutions and four formulas.",
+                   run.worst)},
       {"Section 6, 28.33261", "Kinetic energy loss of the reference, $v = 10$, $CR = 0.5$",
        fmt::format("{}", reference_loss),
        fmt::format("{:.5f} kJ ({:+.2f} %)", first_loss, percent(first_loss, reference_loss)), Judgement::agrees,
-       "with the mass of 755.76 kg; the small difference is that of a rounded input."},
+       "with the mass of 755.76 kg; the small difference is due to a rounded input."},
       {"Section 6, 28.64157", "Kinetic energy loss of the second model, $v = 11$, $CR = 0.45$",
        fmt::format("{}", second_loss), fmt::format("{:.5f} kJ by Eq. 18", second_eq18), Judgement::disagrees,
-       fmt::format("it is the loss at $v = 10$ with $CR$ = {:.4f}; the loop of the second model struck at 10 m/s has "
-                   "{:.2f} kJ, so this is not "
-                   "it either.",
+       fmt::format("it is the loss at $v = 10$ with $CR$ = {:.4f}; the loop of the second model at 10 m/s has {:.2f} "
+                   "kJ, which does not match either.",
                    implied, area_2)},
       {"Section 6, Fig. 10", "The loops of both models are approximately equal",
        fmt::format("{} and {}, {:.1f} % apart", reference_loss, second_loss, percent(second_loss, reference_loss)),
-       fmt::format("{:.3f} kJ and {:.3f} kJ struck at 10 m/s, {:.1f} % apart", area_1, area_2, percent(area_2, area_1)),
+       fmt::format("{:.3f} kJ and {:.3f} kJ at 10 m/s, {:.1f} % apart", area_1, area_2, percent(area_2, area_1)),
        Judgement::agrees,
-       fmt::format("approximately. Equal loops need {:.2f} m/s at 0.45.", equal_loop_velocity(second_restitution))},
+       fmt::format("approximately. Equal loops require {:.2f} m/s at 0.45.", equal_loop_velocity(second_restitution))},
       {"Eq. 19", "The curve passes through the pair", "10 at 0.5, 11 at 0.45",
        fmt::format("{:.3f} at 0.5, {:.3f} at 0.45", eq19(0.5), eq19(0.45)), Judgement::disagrees,
        fmt::format(
@@ -302,19 +293,19 @@ Item make() {
       {"Eq. 19, range", "Velocity for every restitution", "no range given",
        fmt::format("negative for {:.4f} < $CR$ < {:.4f}, {:.3f} m/s at {:.3f}; {:.2f} m/s at $CR = 1$", roots.at(0),
                    roots.at(1), lowest, where, eq19(1)),
-       Judgement::disagrees, "the polynomial swings around zero, and means nothing there."},
+       Judgement::disagrees, "the polynomial oscillates around zero and has no meaning there."},
       {"Fig. 11", "Eq. 19 simulates the data precisely", "data not given",
        fmt::format("the equal-loop curve with $N = M = 1$ is within {:.1f} m/s of Eq. 19; its quartic has {:.0f}, "
                    "{:.0f}, {:.0f}, {:.1f}, {:.1f}",
                    distance, fit[0], fit[1], fit[2], fit[3], fit[4]),
-       Judgement::cannot_be_checked, "the fitted points are missing. The likeness is our reading, not the paper's."},
-      {"Section 6, trend", "The velocity falls as the restitution grows, as Jankowski confirmed", "confirmed",
-       fmt::format("along equal kinetic losses it rises: {:.2f} m/s at 0.1, {:.2f} m/s at 0.9",
+       Judgement::cannot_be_checked,
+       "the fitted points are missing. The resemblance is our interpretation, not that of the paper."},
+      {"Section 6, trend", "The velocity decreases as the restitution increases, as Jankowski confirmed", "confirmed",
+       fmt::format("for equal kinetic energy losses it increases: {:.2f} m/s at 0.1, {:.2f} m/s at 0.9",
                    equal_loss_velocity(0.1), equal_loss_velocity(0.9)),
        Judgement::cannot_be_checked,
-       "the paper gives no measurements. Materials do lose more in faster impacts, but nothing in the balance says so: "
-       "the curve here comes from "
-       "holding the damping."}};
+       "the paper gives no measurements. Materials do lose more energy in faster impacts, but this does not follow "
+       "from the balance: the curve here results from constant damping."}};
   return item;
 }
 

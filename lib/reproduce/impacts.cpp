@@ -13,7 +13,7 @@
 namespace pounding::reproduce {
 namespace {
 
-// Tolerance of the runs: errors far below the last printed digit.
+// Tolerance of the runs, for errors far below the last printed digit.
 constexpr double tolerance = 1e-8;
 
 }  // namespace
@@ -46,19 +46,19 @@ Loop collide(const laws::Settings& law, double mass, double speed) {
   const StructureHandle body = model.add("body", make_body({.mass = mass}), {.initial_velocity = speed});
   const StructureHandle wall = model.add("wall", make_wall());
   model.link(body, wall, {.gap = 1e-3 * speed}, law);
-  // A body that creeps out of a contact leaves slowly; a long free flight costs nothing.
+  // A body that creeps out of a contact leaves slowly; a long free flight costs almost nothing.
   model.analysis = {
       .duration = 100, .tolerance = tolerance, .output_step = 1, .scheme = {.kind = Scheme::Kind::esdirk4}};
   const Outcome outcome = run(model);
   if (outcome.results.impacts.size() != 1)
-    throw SolverError(
-        fmt::format("a thrown body meets the wall {} times with {}", outcome.results.impacts.size(), law.law));
+    throw SolverError(fmt::format("a body hits the wall {} times with law {}, expected once",
+                                  outcome.results.impacts.size(), law.law));
   return loop_of(outcome.results.links.at(0), outcome.results.impacts[0]);
 }
 
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points) {
   const auto first = std::ranges::lower_bound(link.time, impact.t_start) - link.time.begin();
-  // After the release the force is zero.
+  // The force is zero after the release.
   const auto last = std::ranges::upper_bound(link.time, impact.t_release) - link.time.begin();
   const double stride = std::max(1.0, static_cast<double>(last - first) / points);
   Loop loop{.time = {}, .penetration = {}, .velocity = {}, .force = {}, .impact = impact};

@@ -25,7 +25,7 @@ const ItemMaker& item_maker(std::string_view name) {
   if (const auto found = std::ranges::find(makers, name, &ItemMaker::name); found != std::end(makers)) return *found;
   std::vector<std::string_view> names;
   for (const ItemMaker& maker : makers) names.push_back(maker.name);
-  throw InputError("--only " + std::string(name) + ": there is no such part of the paper." + suggestion(name, names));
+  throw InputError("--only " + std::string(name) + ": unknown item of the paper." + suggestion(name, names));
 }
 
 }  // namespace pounding::reproduce

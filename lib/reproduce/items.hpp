@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of the paper that are computed, one file each. PETSc must be running (petsc::Environment).
+/// The items of the paper that are recomputed, one file each. PETSc must be initialized (petsc::Environment).
 
 #include <span>
 #include <string_view>
@@ -36,7 +36,7 @@ struct ItemMaker {
 };
 /// All items, in the order of the paper.
 std::span<const ItemMaker> item_makers();
-/// The item of a name; throws InputError with the nearest known name.
+/// The item of this name; throws InputError with the nearest known name.
 const ItemMaker& item_maker(std::string_view name);
 
 }  // namespace pounding::reproduce

@@ -1,4 +1,4 @@
-/// Section 4: every force law at the same impact, Eqs. 3-14 and Table 1.
+/// Section 4: all force laws at the same impact, Eqs. 3-14 and Table 1.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct Case {
   bool linear = true;  ///< spring
 };
 
-/// The laws as the paper prints them.
+/// The laws as printed in the paper.
 const std::vector<Case>& published() {
   static const std::vector<Case> cases{
       {"linear spring, Eq. 3", {"linear_spring", "", 9.35e7, requested}},
@@ -91,7 +91,7 @@ Verdict obtained(const Table& table, const char* place, const char* row, const c
   return {place,
           claim,
           printed,
-          fmt::format("{:.4f} asked, {:.4f} obtained ({:+.2f} %)", requested, e, percent(e, requested)),
+          fmt::format("target {:.4f}, obtained {:.4f} ({:+.2f} %)", requested, e, percent(e, requested)),
           right ? Judgement::agrees : Judgement::disagrees,
           reason};
 }
@@ -102,22 +102,18 @@ Item make() {
   Item item{.name = "laws",
             .title = "Every force law at the same impact",
             .sections = "Section 4, Eqs. 3-14, Table 1, Figs. 4 and 5"};
-  item.paragraphs = {fmt::format("A reduced mass of 60 t (bodies of 100 t and 150 t) closes at {} m/s; a restitution "
-                                 "of {} is asked of every law. "
-                                 "Linear springs have $k_k = 93.5$ MN/m, Hertz springs $k_h = 2750$ MN/m$^{{1.5}}$. "
-                                 "What Table 1 calls advantages "
-                                 "and disadvantages are numbers here: the pull at the end, the force at the first "
-                                 "instant, the energy lost, the "
-                                 "restitution obtained.",
-                                 speed, requested),
-                     "The letter $\\zeta$ stands for two things in the paper: a ratio without unit in Eqs. 6, 7, 10 "
-                     "and 38, and a coefficient with "
-                     "the unit N s/m$^{n+1}$ in Eqs. 12-14, used as $c = \\zeta\\,\\delta^n$ in Eq. 11. Table 1 writes "
-                     "$k_h$ for the spring of the "
-                     "Kelvin-Voigt model, which is the linear $k_k$."};
+  item.paragraphs = {
+      fmt::format("A reduced mass of 60 t (bodies of 100 t and 150 t) closes at {} m/s; the target restitution is {} "
+                  "for every law. Linear springs have $k_k = 93.5$ MN/m, Hertz springs $k_h = 2750$ MN/m$^{{1.5}}$. "
+                  "The advantages and disadvantages in Table 1 are quantified here: tension at the end, force at first "
+                  "contact, energy lost, and obtained restitution.",
+                  speed, requested),
+      "The paper uses $\\zeta$ with two meanings: a dimensionless ratio in Eqs. 6, 7, 10 and 38, and a coefficient "
+      "with the unit N s/m$^{n+1}$ in Eqs. 12-14, used as $c = \\zeta\\,\\delta^n$ in Eq. 11. Table 1 writes $k_h$ for "
+      "the spring of the Kelvin-Voigt model; it should be the linear $k_k$."};
   item.equations = {
       {"3", R"($F_c = k_k\,\delta$)"},
-      {"4, as it must be", R"($0 < CR = v_{after}/v_{before} < 1$)"},
+      {"4, corrected", R"($0 < CR = v_{after}/v_{before} < 1$)"},
       {"5", R"($F_c = k_k\,\delta + c\,\dot{\delta}$)"},
       {"6, 7", R"($c = 2\zeta\sqrt{k_k\,m},\quad \zeta = -\ln CR\,/\sqrt{\pi^2 + (\ln CR)^2}$)"},
       {"8-10",
@@ -127,23 +123,21 @@ Item make() {
       {"13", R"($\zeta = \dfrac{3\,k_k\,(1-CR)}{2\,CR\,v_{imp}}$)"},
       {"14", R"($\zeta = \dfrac{8\,k_h\,(1-CR)}{5\,CR\,v_{imp}}$)"}};
 
-  Table published_table = table_of("published", "The paper's laws with its formulas, restitution 0.5 asked");
+  Table published_table = table_of("published", "The laws of the paper with its formulas, target restitution 0.5");
   Figure published_loops{
       .name = "laws_published",
       .of_paper = "Table 1",
       .caption =
-          "Loops of the paper's laws at the same impact, each with its published damping formula. The "
-          "area of a loop is the energy lost; it should be the same for all but the linear spring."};
+          "Loops of the paper's laws at the same impact, each with its published damping formula. The area of a loop "
+          "is the energy lost; it should be the same for all laws except the linear spring."};
   run_cases(published(), published_table, published_loops);
-  Table exact_table = table_of("exact", "Every law of the program, calibrated exactly, restitution 0.5 asked");
-  Figure exact_loops{
-      .name = "laws_exact",
-      .of_paper = "",
-      .caption =
-          "The same impact by every law of the program with its exact calibration: loops of equal area, and "
-          "of very different shape, but for the two elastic springs. komodromos covers kelvin_voigt_no_tension: they "
-          "differ in the "
-          "gap that they leave."};
+  Table exact_table = table_of("exact", "Every law of the program, calibrated exactly, target restitution 0.5");
+  Figure exact_loops{.name = "laws_exact",
+                     .of_paper = "",
+                     .caption =
+                         "One impact for every law of the program with its exact calibration: loops of equal area but "
+                         "very different shape, except for the two elastic springs. The curve of komodromos hides that "
+                         "of kelvin_voigt_no_tension: they differ in the residual gap only."};
   run_cases(exact(), exact_table, exact_loops);
 
   const Table& t = published_table;
@@ -158,48 +152,46 @@ Item make() {
       {"Eq. 3, Table 1", "A linear spring cannot model dissipated energy", "none",
        fmt::format("{:.1e} kJ lost, restitution {:.6f}", std::abs(t.at("linear spring, Eq. 3", "energy lost")),
                    t.at("linear spring, Eq. 3", "restitution")),
-       Judgement::agrees, "to the tolerance of the time integration."},
+       Judgement::agrees, "within the tolerance of the time integration."},
       {"Eq. 4", "$CR$ is the velocity before over the velocity after the impact", "$v_{before}/v_{after} < 1$",
        "$v_{after}/v_{before}$", Judgement::disagrees,
-       "inverted in print: it would exceed 1 for every impact that loses energy. Eqs. 18 and 28 use the right sense."},
+       "inverted in print: the ratio would exceed 1 for every impact that loses energy. Eqs. 18 and 28 use it "
+       "correctly."},
       {"Eq. 5", "Kelvin-Voigt force", "$k_k\\,\\delta + c\\,\\delta$", "$k_k\\,\\delta + c\\,\\dot{\\delta}$",
        Judgement::disagrees,
-       "a dot is missing. It may be lost in the text at hand only; Table 1 has it. Without it nothing would be "
-       "dissipated."},
+       "a dot is missing, possibly only in the copy used here; Table 1 has it. Without it the model would dissipate no "
+       "energy."},
       obtained(t, "Eqs. 6, 7", "Kelvin-Voigt, Eqs. 5-7", "The damping ratio follows from $CR$", "exact",
-               "to the digits shown, as long as the bodies stay together until $\\delta = 0$, pulling at the end. "
-               "Reference [2] is of "
-               "1988, not 1998."),
+               "to the digits shown, provided that the bodies stay in contact until $\\delta = 0$, with tension at the "
+               "end. Reference [2] dates from 1988, not 1998."),
       {"Eqs. 5-7, Table 1", "The viscous element stays active while the bodies separate", "a disadvantage",
-       fmt::format("pull of {:.0f} kN, {:.0f} % of the peak force; and a jump to {:.0f} kN at the touch", pull,
+       fmt::format("tension of {:.0f} kN, {:.0f} % of the peak force; and a jump to {:.0f} kN at the touch", pull,
                    100 * pull / push, t.at("Kelvin-Voigt, Eqs. 5-7", "force at touch")),
        Judgement::agrees,
-       fmt::format("Cutting the pull off costs the calibration: {:.4f} is obtained then.",
+       fmt::format("Without the tension the calibration no longer holds: {:.4f} is obtained.",
                    t.at("Kelvin-Voigt without tension, Eqs. 5-7", "restitution"))},
       {"Eq. 8", "Nonlinear viscoelastic force", "$k_h\\,\\delta + c_h\\,\\dot{\\delta}$ in both phases",
-       fmt::format("$k_h\\,\\delta^{{1.5}}$, dashpot in the approach only. With the exponent but the dashpot in both "
-                   "phases {} asked "
-                   "gives {:.4f}",
+       fmt::format("$k_h\\,\\delta^{{1.5}}$, dashpot in the approach phase only. With the exponent, but the dashpot in "
+                   "both phases, the target {} gives {:.4f}",
                    requested, laws::restitution_to_zero_penetration(2 * xi / std::sqrt(5.0))),
        Judgement::disagrees,
-       "exponent and switch are missing beside Jankowski 2005, whose formula for $\\zeta$ supposes both."},
-      {"Eq. 9", "Nested root in $c_h$", "$2\\zeta\\sqrt{k_h\\sqrt{\\delta}\\,m}$", "the same", Judgement::agrees,
-       "with Jankowski 2005 and the documentation of OpenSees."},
+       "compared with Jankowski 2005, exponent and switch are missing; the formula for $\\zeta$ assumes both."},
+      {"Eq. 9", "Nested root in $c_h$", "$2\\zeta\\sqrt{k_h\\sqrt{\\delta}\\,m}$", "identical", Judgement::agrees,
+       "with Jankowski 2005 and the OpenSees documentation."},
       obtained(
           t, "Eq. 10", "Jankowski, Eqs. 8-10", "Damping ratio of the nonlinear viscoelastic model", "from $CR$",
-          fmt::format("Jankowski's first, approximate formula; that of 2006, not quoted in the paper, gives {:.4f}.",
-                      Asking{"jankowski", "jankowski_2006", 2.75e9, requested}.free_impact(mass, speed).restitution)
+          fmt::format(
+              "this is Jankowski's first, approximate formula; that of 2006, not cited in the paper, gives {:.4f}.",
+              Asking{"jankowski", "jankowski_2006", 2.75e9, requested}.free_impact(mass, speed).restitution)
               .c_str()),
-      obtained(
-          t, "Eq. 12", "Hertz damped, Eqs. 11, 12", "Damping of the Hertz model (Lankarani)", "from $CR$",
-          "derived for restitutions near 1. The source is Lankarani & Nikravesh 1990; reference [17] is Muthukumar & "
-          "DesRoches 2006."),
+      obtained(t, "Eq. 12", "Hertz damped, Eqs. 11, 12", "Damping of the Hertz model (Lankarani)", "from $CR$",
+               "derived for restitutions near 1. The source is Lankarani & Nikravesh 1990; reference [17] is "
+               "Muthukumar & DesRoches 2006."),
       obtained(t, "Eq. 13", "Hertz damped, Eqs. 11, 13", "Damping by Ye 2008", "from $CR$",
-               "right to second order near 1. It belongs to the linear spring of reference [18], and the restitution "
-               "does not "
-               "depend on the exponent; references [16] and [18] are interchanged."),
+               "accurate to second order near 1. It belongs to the linear spring of reference [18], but the "
+               "restitution does not depend on the exponent; references [16] and [18] are interchanged."),
       obtained(t, "Eq. 14", "Hertz damped, Eqs. 11, 14", "Ye 2009 is more accurate than Eq. 13", "from $CR$",
-               fmt::format("Eq. 13 gives {:.4f} and is the nearer one, at every $CR$.",
+               fmt::format("Eq. 13 gives {:.4f} and is more accurate at every $CR$.",
                            t.at("Hertz damped, Eqs. 11, 13", "restitution"))
                    .c_str()),
       {"Table 1", "The constant of the dashpot determines the energy dissipated", "an advantage",

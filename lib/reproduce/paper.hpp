@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers and formulas that the paper prints, as it prints them. Its units are kN, t, m, s.
+/// Numbers and formulas as printed in the paper, in its units: kN, t, m, s.
 
 #include <array>
 
@@ -25,7 +25,7 @@ inline constexpr double second_speed = 11, second_restitution = 0.45, second_los
 /// Eq. 19, from the highest power down: v_imp [m/s] of CR.
 inline constexpr std::array<double, 5> velocity_curve{494.32, -1299, 1285, -595.9, 116.67};
 
-/// Starts of the curves of Fig. 12 by the text: Eq. 38, Jankowski, Mahmoud.
+/// Starting values of the curves of Fig. 12 according to the text: Eq. 38, Jankowski, Mahmoud.
 inline constexpr double start_eq38 = 61, start_jankowski = 3.5, start_mahmoud = 3.2;
 
 }  // namespace pounding::reproduce::paper

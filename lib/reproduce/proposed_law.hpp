@@ -1,5 +1,5 @@
 #pragma once
-/// The paper's Eq. 16 with its Table 2 as functions of the asked restitution and of the number k/v.
+/// The paper's Eq. 16 with its Table 2, as functions of the target restitution and of the number k/v.
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ inline double excess_exponent(double restitution) {
   return std::log10(proposed_factor(restitution, 10) / proposed_factor(restitution, 1));
 }
 
-/// The number k/v with which Eq. 16 would give exactly the restitution that is asked.
+/// The number k/v for which Eq. 16 gives exactly the target restitution.
 inline double fitting_k_over_v(double restitution) {
   const double needed = laws::exact_factor({.restitution = restitution}) / proposed_factor(restitution, 1);
   return std::pow(needed, 1 / excess_exponent(restitution));

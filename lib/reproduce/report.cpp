@@ -17,7 +17,7 @@ using nlohmann::json;
 template <class List, class Name>
 const auto& find_in(const List& list, std::string_view name, Name&& name_of) {
   const auto found = std::ranges::find_if(list, [&](const auto& one) { return name_of(one) == name; });
-  if (found == list.end()) throw std::out_of_range(fmt::format("there is no \"{}\" in this reproduction", name));
+  if (found == list.end()) throw std::out_of_range(fmt::format("this reproduction does not contain \"{}\"", name));
   return *found;
 }
 
@@ -31,7 +31,7 @@ const char* word(Curve::Kind kind) {
   return "";
 }
 
-// JSON has no NaN; a missing number is null.
+// JSON has no NaN; missing numbers are null.
 json numbers(const std::vector<double>& values) {
   json list = json::array();
   for (const double value : values) list.push_back(std::isfinite(value) ? json(value) : json());

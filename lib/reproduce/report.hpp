@@ -1,9 +1,9 @@
 #pragma once
-/// Findings of a reproduction of the paper as data: figures, tables, matrices and verdicts. Python draws and typesets
+/// Findings of a reproduction of the paper as data: figures, tables, matrices and verdicts. Python plots and typesets
 /// them.
 ///
-/// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may hold mathematics between
-/// dollar signs, in the TeX that matplotlib reads.
+/// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may contain mathematics between
+/// dollar signs, in the TeX subset of matplotlib.
 
 #include <functional>
 #include <limits>
@@ -15,7 +15,7 @@ namespace pounding::reproduce {
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
 
-/// Values of one quantity. Columns of one figure may have different lengths.
+/// Values of one quantity. Columns of a figure may have different lengths.
 struct Column {
   std::string name, unit;  ///< unit empty for a pure number
   std::vector<double> values;
@@ -34,34 +34,35 @@ struct Panel {
   bool x_log = false, y_log = false;
 };
 
-/// A figure; its columns are drawn and written to NAME.csv.
+/// A figure; its columns are plotted and written to NAME.csv.
 struct Figure {
-  std::string name;      ///< of its files: "cyclic_velocity"
-  std::string of_paper;  ///< "Fig. 11"; empty where the paper has none
+  std::string name;      ///< base name of its files: "cyclic_velocity"
+  std::string of_paper;  ///< "Fig. 11"; empty if the paper has none
   std::string caption;
   std::vector<Column> columns{};
   std::vector<Panel> panels{};
 
-  /// Adds a column and returns its name.
+  /// Appends one column and returns its name.
   const std::string& add(std::string column, std::string unit, std::vector<double> values);
-  /// Adds two columns and a curve to the last panel. The columns are named after the number of the panel and the label.
+  /// Adds two columns and a curve to the last panel. The names of the columns consist of the panel number and the
+  /// label.
   void plot(const std::string& label, std::vector<double> x, std::vector<double> y,
             Curve::Kind kind = Curve::Kind::line);
   const Column& column(std::string_view column) const;  ///< throws std::out_of_range
 };
 
-/// A table: a first column of words, then columns of numbers.
+/// A table: a first column of text, then columns of numbers.
 struct Table {
   std::string name, title;
-  std::string row_header;  ///< over the words
+  std::string row_header;  ///< header of the text column
   struct Heading {
     std::string name, unit;
-    int decimals = 4;  ///< shown; -3: three digits, of sizes that differ by powers of ten
+    int decimals = 4;  ///< shown; -3: three significant digits, for values that differ by powers of ten
   };
   std::vector<Heading> headings{};
   struct Row {
     std::string name;
-    std::vector<double> values;  ///< NaN: nothing to say
+    std::vector<double> values;  ///< NaN: no value
   };
   std::vector<Row> rows{};
 
@@ -84,12 +85,12 @@ struct Verdict {
   std::string place;  ///< "Eq. 4", "Table 2", "Fig. 12"
   std::string claim, printed, ours;
   Judgement judgement = Judgement::agrees;
-  std::string reason;  ///< to what it agrees; the likely cause; or what is missing
+  std::string reason;  ///< accuracy of the agreement, likely cause of the difference, or missing information
 };
 
-/// One part of the paper.
+/// One item of the paper.
 struct Item {
-  std::string name, title, sections;  ///< `name` is what --only takes
+  std::string name, title, sections;  ///< `name` is the argument of --only
   std::vector<std::string> paragraphs{};
   std::vector<Equation> equations{};
   std::vector<Matrix> matrices{};
@@ -99,14 +100,14 @@ struct Item {
 
   const Figure& figure(std::string_view figure) const;  ///< throws std::out_of_range
   const Table& table(std::string_view table) const;
-  const Verdict& verdict(std::string_view place) const;  ///< the first one of this place
+  const Verdict& verdict(std::string_view place) const;  ///< the first verdict on this place
 };
 
 std::string_view word(Judgement judgement);  ///< "agrees", "does not agree", "cannot be checked"
 
-/// The JSON object of report.json, which the Python page describes; `seconds`: run time of each item.
+/// The JSON object of report.json, documented on the Python page; `seconds` is the run time of each item.
 std::string to_json(const std::vector<Item>& items, const std::vector<double>& seconds);
-/// CSV text: columns side by side, units in the header, empty cells below shorter columns.
+/// CSV text: adjacent columns, units in the header, empty cells below shorter columns.
 std::string to_csv(const Figure& figure);
 
 }  // namespace pounding::reproduce

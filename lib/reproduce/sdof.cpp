@@ -16,12 +16,12 @@ namespace {
 
 using Eigen::Matrix2d, Eigen::Matrix4d, Eigen::Vector2d, Eigen::Vector4d;
 
-// The paper names no numbers here. Floors of 100 t and 150 t, oscillators of 0.8 s and 0.4 s, a stiffness of the
+// The paper gives no numbers here. Masses of 100 t and 150 t, periods of 0.8 s and 0.4 s, and a stiffness from the
 // literature.
 constexpr double m1 = 100e3, m2 = 150e3, reduced = m1 * m2 / (m1 + m2), stiffness = 9.35e7, speed = 0.5,
                  requested = 0.65;
 
-/// M, C and K of the touching pair.
+/// M, C and K of the pair in contact.
 struct Touching {
   Matrix2d mass, damping, stiffness;
 };
@@ -44,7 +44,7 @@ Model touching_pair(bool is_free) {
   return model;
 }
 
-/// The program's own matrices of the two oscillators, the link added where it acts.
+/// The program's own matrices of the two oscillators, with the link added.
 Touching assembled(double c) {
   const Model model = touching_pair(false);
   const System system = assemble(model);
@@ -59,7 +59,7 @@ Touching assembled(double c) {
   return t;
 }
 
-/// The paper's Eq. 2 letter for letter: link terms in the first row and beside the diagonal, none at the second body.
+/// Eq. 2 exactly as printed: link terms in the first row and off the diagonal, none on the diagonal of the second body.
 Touching as_printed(Touching t, double c) {
   t.damping(1, 1) -= c;
   t.stiffness(1, 1) -= stiffness;
@@ -74,7 +74,7 @@ Matrix4d first_order(const Touching& t) {
   return a;
 }
 
-/// Force of the link at these times after the touch, by the matrix exponential [N].
+/// Link force at these times after the touch, by the matrix exponential [N].
 std::vector<double> forces(const Touching& t, double c, const std::vector<double>& times) {
   const Matrix4d a = first_order(t);
   std::vector<double> result;
@@ -85,7 +85,7 @@ std::vector<double> forces(const Touching& t, double c, const std::vector<double
   return result;
 }
 
-/// The samples in contact; before the touch and after the separation there is no force.
+/// Compares samples in contact only; before the touch and after the separation the force is zero.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& measured) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -113,7 +113,7 @@ Item make() {
   const double error = largest_difference(by_ours, sprung.force) / peak;
   const double printed_error = largest_difference(by_printed, sprung.force) / peak;
 
-  // Only the link acts on bodies without springs and dashpots of their own, so their momentum must stay constant.
+  // The link is the only force on bodies without springs and dashpots, so their momentum must be constant.
   Touching bare{ours.mass, Matrix2d::Zero(), Matrix2d::Zero()};
   const Vector2d closing(1, -1);
   bare.damping = c * closing * closing.transpose();
@@ -129,39 +129,33 @@ Item make() {
             .title = "The equivalent oscillator and the two oscillators",
             .sections = "Section 3, Eqs. 1 and 2, Figs. 1-3"};
   item.paragraphs = {
-      fmt::format(
-          "The paper gives no numbers in this section. It is run with floors of 100 t and 150 t (those of its section "
-          "5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = 93.5$ MN/m and "
-          "$CR = {}$ by Eq. 7, which is $c = {:.1f}$ kN s/m. They touch at {} m/s.",
-          requested, c / 1e3, speed),
-      "Eq. 1 speaks of one mass. It is the whole truth of a contact only when the bodies are free: the relative motion "
-      "of two "
-      "free bodies is that of one body with the reduced mass $m_1 m_2/(m_1+m_2)$. With their own springs they are two "
-      "oscillators, and Eq. 2 is needed.",
-      "In the text at hand Eq. 2 has no $+c$ and no $+s$ at the second body. Such a link would pull body 1 without "
-      "pushing "
-      "body 2 by as much. If the loss is not one of the printing, a program that takes the equation as it stands "
-      "creates "
-      "momentum."};
+      fmt::format("The paper gives no numbers in this section. The reproduction uses floors of 100 t and 150 t (from "
+                  "section 5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = "
+                  "93.5$ MN/m and $CR = {}$ by Eq. 7, hence $c = {:.1f}$ kN s/m. The impact speed is {} m/s.",
+                  requested, c / 1e3, speed),
+      "Eq. 1 has one mass. It is exact in contact only if the bodies are free: the relative motion of two free bodies "
+      "is that of one body with the reduced mass $m_1 m_2/(m_1+m_2)$. Bodies with springs are two oscillators, which "
+      "require Eq. 2.",
+      "In the copy used here, Eq. 2 lacks $+c$ and $+s$ at the second body. Such a link would pull body 1 without "
+      "pushing body 2 by the same force. If this is not a printing error, a program that implements the printed "
+      "equation creates momentum."};
   item.equations = {
       {"1", R"($m\ddot{u} + c\dot{u} + ku = f(t)$)"},
       {"2, first row", R"($m_1\ddot{u}_1 + (c_1+c)\dot{u}_1 - c\,\dot{u}_2 + (k_1+s)u_1 - s\,u_2 = f_1$)"},
       {"2, second row as printed", R"($m_2\ddot{u}_2 - c\,\dot{u}_1 + c_2\dot{u}_2 - s\,u_1 + k_2 u_2 = f_2$)"},
-      {"2, second row as it must be",
-       R"($m_2\ddot{u}_2 - c\,\dot{u}_1 + (c_2+c)\dot{u}_2 - s\,u_1 + (k_2+s) u_2 = f_2$)"}};
+      {"2, second row corrected", R"($m_2\ddot{u}_2 - c\,\dot{u}_1 + (c_2+c)\dot{u}_2 - s\,u_1 + (k_2+s) u_2 = f_2$)"}};
   item.matrices = {{"mass", "t", rows_of(ours.mass, 1e3)},
                    {"damping, assembled by the program", "kN s/m", rows_of(ours.damping, 1e3)},
                    {"damping, as printed", "kN s/m", rows_of(printed.damping, 1e3)},
                    {"stiffness, assembled by the program", "MN/m", rows_of(ours.stiffness, 1e6)},
                    {"stiffness, as printed", "MN/m", rows_of(printed.stiffness, 1e6)}};
 
-  Figure figure{
-      .name = "sdof_contact",
-      .of_paper = "Figs. 1-3",
-      .caption =
-          "One contact. Left: the reduced mass on a wall and two free bodies are the same motion; the springs "
-          "of the oscillators change it. Right: Eq. 2 by the matrix exponential, as printed and with the "
-          "link at both bodies, beside the time integration."};
+  Figure figure{.name = "sdof_contact",
+                .of_paper = "Figs. 1-3",
+                .caption =
+                    "One contact. Left: the reduced mass on a wall and two free bodies have the same motion; the "
+                    "springs of the oscillators change it. Right: Eq. 2 by the matrix exponential, as printed and with "
+                    "the link at both bodies, compared with the time integration."};
   figure.panels.push_back({"Eq. 1", "Time since the touch [ms]", "Contact force [kN]", {}});
   figure.plot("one body, reduced mass", scaled(one.time, 1e3), scaled(one.force, 1e-3));
   figure.plot("two free bodies", scaled(two.time, 1e3), scaled(two.force, 1e-3), Curve::Kind::dashed);
@@ -174,7 +168,7 @@ Item make() {
 
   item.tables.push_back(
       {"contacts",
-       "One contact at 0.5 m/s, asked restitution 0.65",
+       "One contact at 0.5 m/s, target restitution 0.65",
        "model",
        {{"restitution", "", 6}, {"peak force", "kN", 3}, {"duration", "ms", 4}, {"energy lost", "kJ", 5}},
        {}});
@@ -186,25 +180,22 @@ Item make() {
   }
 
   const double same = std::abs(two.impact.peak_force / one.impact.peak_force - 1);
-  item.verdicts = {
-      {"Eq. 1", "Two colliding bodies are equivalent to one oscillator", "equivalent",
-       fmt::format("peak forces of two free bodies and of the reduced mass differ by {:.0e} of themselves; with the "
-                   "oscillators' own springs the restitution is {:.4f} instead of {:.4f}",
-                   same, sprung.impact.restitution, one.impact.restitution),
-       Judgement::agrees,
-       "for free bodies. In a structure the springs push while the bodies touch, so the restitution of an impact is "
-       "not the "
-       "one asked, whatever the law."},
-      {"Eq. 2", "Equations of two oscillators in contact", "second row with $c_2$ and $k_2$ alone",
-       fmt::format(
-           "$c_2+c$ and $k_2+s$. With them Eq. 2 and the time integration agree to {:.0e} of the peak force; as "
-           "printed they differ by {:.0f} %. The momentum of two free bodies after the contact is {:.6f} of what it "
-           "was; as printed it is {:.2f}",
-           error, 100 * printed_error, kept, kept_printed),
-       Judgement::disagrees,
-       "the second diagonal terms lack the link. It may have been lost in print or in the text at hand."},
-      {"Eq. 1, spring constants", "They follow from the stiffness of the colliding buildings", "no formula", "none",
-       Judgement::cannot_be_checked, "the paper does not say how."}};
+  item.verdicts = {{"Eq. 1", "Two colliding bodies are equivalent to one oscillator", "equivalent",
+                    fmt::format("peak forces of two free bodies and of the reduced mass differ by a relative {:.0e}; "
+                                "with the springs of the oscillators the restitution is {:.4f} instead of {:.4f}",
+                                same, sprung.impact.restitution, one.impact.restitution),
+                    Judgement::agrees,
+                    "for free bodies. In a structure the springs act during contact, so the restitution of an impact "
+                    "differs from the target for every law."},
+                   {"Eq. 2", "Equations of two oscillators in contact", "second row with $c_2$ and $k_2$ only",
+                    fmt::format("$c_2+c$ and $k_2+s$. With them Eq. 2 and the time integration agree to {:.0e} of the "
+                                "peak force; as printed they differ by {:.0f} %. The momentum of two free bodies after "
+                                "the contact is {:.6f} of its initial value; as printed it is {:.2f}",
+                                error, 100 * printed_error, kept, kept_printed),
+                    Judgement::disagrees,
+                    "the second diagonal terms lack the link, possibly a printing error or one of the copy used here."},
+                   {"Eq. 1, spring constants", "They follow from the stiffness of the colliding buildings",
+                    "no formula", "none", Judgement::cannot_be_checked, "the paper does not state how."}};
   return item;
 }
 

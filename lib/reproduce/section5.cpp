@@ -20,7 +20,7 @@ struct Named {
   const char *name, *law, *formula;
 };
 
-/// The laws that the paper compares, and the published law that the proposed one nearly equals.
+/// The laws compared in the paper, and the published law that almost equals the proposed one.
 constexpr Named compared[] = {{"Eq. 12, Lankarani", "hertz_damped", "lankarani_nikravesh"},
                               {"Eq. 13, Ye 2008", "hertz_damped", "hu_guo"},
                               {"Eq. 14, Ye 2009", "hertz_damped", "ye_2009"},
@@ -45,7 +45,7 @@ Asking asking(const Named& f, double e) { return {f.law, f.formula, stiffness, e
 double obtained(const Named& f, double e) { return asking(f, e).free_impact(mass, speed).restitution; }
 
 Table error_table() {
-  Table table{"errors", "Error of the calculated restitution, the quantity of Table 3", "formula \\ CR asked", {}, {}};
+  Table table{"errors", "Error of the calculated restitution, as in Table 3", "formula \\ target CR", {}, {}};
   for (const double e : paper::restitutions) table.headings.push_back({fmt::format("{:.1f}", e), "%", 2});
   const auto add = [&](const Named& f) {
     Table::Row row{f.name, {}};
@@ -58,15 +58,13 @@ Table error_table() {
 }
 
 Figure error_figure() {
-  Figure figure{
-      .name = "section5_errors",
-      .of_paper = "Fig. 8",
-      .caption = fmt::format(
-          "Restitution that a free impact gives, against the one asked. Right: the errors without Eq. 12, which has "
-          "{:+.0f} % at 0.1.",
-          percent(obtained(compared[0], 0.1), 0.1)),
-      .panels = {{"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}},
-                 {"error", "Restitution asked [-]", "Error of the restitution [%]", {}}}};
+  Figure figure{.name = "section5_errors",
+                .of_paper = "Fig. 8",
+                .caption = fmt::format("Obtained versus target restitution of a free impact. Right: the errors without "
+                                       "Eq. 12, whose error at 0.1 is {:+.0f} %.",
+                                       percent(obtained(compared[0], 0.1), 0.1)),
+                .panels = {{"obtained", "Target restitution [-]", "Obtained restitution [-]", {}},
+                           {"error", "Target restitution [-]", "Error of the restitution [%]", {}}}};
   std::vector<double> e;
   for (int i = 10; i <= 90; ++i) e.push_back(i / 100.0);
   figure.add("CR asked", "", e);
@@ -95,35 +93,31 @@ Item make() {
             .equations = {{"18, with its dot",
                            R"($\Delta E = \dfrac{1}{2}\,\dfrac{m_1 m_2}{m_1+m_2}\,(1-CR^2)\,\dot{\delta}_{imp}^2$)"}}};
   const laws::FreeImpact elastic = Asking{"hertz", "", stiffness}.free_impact(mass, speed);
-  item.paragraphs = {fmt::format("Bodies of 100 t and 150 t, $k$ = 22000 kN/m$^{{1.5}}$, $v$ = 15 m/s. Floors that hit "
-                                 "each other in earthquakes close at "
-                                 "0.1 to 2 m/s, and concrete has some 2.75 million kN/m$^{{1.5}}$: without damping the "
-                                 "penetration would be {:.3f} m here, the "
-                                 "force {:.1f} kN. The restitution does not depend on that, so the comparison stands.",
-                                 elastic.peak_penetration, elastic.peak_force / 1e3),
-                     "Each loop below is a run through time with the proposed law; its area is compared with Eq. 18, "
-                     "and its restitution with the one "
-                     "asked. The paper evaluates its loops on \"a reference lateral displacement\" with its derivative "
-                     "as velocity, which it does not "
-                     "state; a free impact needs no such assumption."};
+  item.paragraphs = {
+      fmt::format("Bodies of 100 t and 150 t, $k$ = 22000 kN/m$^{{1.5}}$, $v$ = 15 m/s. Floors that collide in "
+                  "earthquakes close at 0.1 to 2 m/s, and concrete has about 2.75 million kN/m$^{{1.5}}$: without "
+                  "damping the penetration here would be {:.3f} m and the force {:.1f} kN. The restitution does not "
+                  "depend on these values, so the comparison is valid.",
+                  elastic.peak_penetration, elastic.peak_force / 1e3),
+      "Each loop below is a time integration with the proposed law; its area is compared with Eq. 18, and its "
+      "restitution with the target. The paper evaluates its loops for \"a reference lateral displacement\" with its "
+      "derivative as velocity, but does not state that displacement; a free impact needs no such assumption."};
 
   Figure loops{.name = "section5_loops",
                .of_paper = "Fig. 7",
                .caption =
-                   "Loops of the proposed law (left) and of the same law with the exact calibration (right) for "
-                   "restitutions of 0.1 to "
-                   "0.9 asked."};
+                   "Loops of the proposed law (left) and of the same law with the exact calibration (right) for target "
+                   "restitutions of 0.1 to 0.9."};
   Figure energy{.name = "section5_energy",
                 .of_paper = "Fig. 8",
                 .caption =
-                    "Energy of the loops and Eq. 18, which they should have (left); by how much they miss it (right). "
-                    "Near 1, where little "
-                    "is lost, a small error of the restitution is a large one of the energy.",
-                .panels = {{"loop area", "Restitution asked [-]", "Energy lost [kJ]", {}},
-                           {"against Eq. 18", "Restitution asked [-]", "Error of the energy lost [%]", {}}}};
+                    "Energy of the loops compared with Eq. 18 (left), and its error (right). Near 1, where little "
+                    "energy is lost, a small error of the restitution causes a large error of the energy.",
+                .panels = {{"loop area", "Target restitution [-]", "Energy lost [kJ]", {}},
+                           {"error from Eq. 18", "Target restitution [-]", "Error of the energy lost [%]", {}}}};
   Table runs{"runs",
-             "Loops of runs through time, 60 t at 15 m/s",
-             "CR asked, formula",
+             "Loops by time integration, 60 t at 15 m/s",
+             "target CR, formula",
              {{"damping", "", 5},
               {"restitution", "", 5},
               {"penetration", "m", 6},
@@ -181,29 +175,27 @@ Item make() {
   item.verdicts = {
       {"Eq. 18", "The kinetic energy loss is the dissipated energy", "$(\\delta_{imp})^2$",
        fmt::format(
-           "with $\\dot{{\\delta}}_{{imp}}^2$ and the restitution obtained: loop areas agree to {:.0e} in {} runs",
+           "with $\\dot{{\\delta}}_{{imp}}^2$ and the obtained restitution, loop areas agree within {:.0e} in {} runs",
            worst_balance, 9 * std::size(compared)),
        Judgement::agrees, "for any law; the dot is missing in print."},
-      {"Table 3", "Error of the calculated restitution", "the numbers are not in the text at hand",
+      {"Table 3", "Error of the calculated restitution", "numbers missing in the copy used here",
        "the table of errors below", Judgement::cannot_be_checked, "the printed numbers are missing."},
       {"Section 5.1, Fig. 8", "Good accuracy of the proposed law in comparison with other formulas", "good",
        fmt::format("errors from {:+.2f} % at 0.1 to {:+.2f} % at 0.8; larger than those of Eq. 13 at {} of 9 "
-                   "restitutions, than those of Eq. "
-                   "14 at {} of 9",
+                   "restitutions, and than those of Eq. 14 at {} of 9",
                    errors.at("Eq. 16, proposed", "0.1"), errors.at("Eq. 16, proposed", "0.8"), worse_than_13,
                    worse_than_14),
        Judgement::disagrees,
-       "probably because Table 2 was found on an imposed motion, not in a collision; see the next line."},
+       "probably because Table 2 was derived from an imposed motion, not from a collision; see the next row."},
       {"Section 5.1, reference displacement", "Loops on a reference lateral displacement and its derivative",
        "not stated",
-       fmt::format("under any one imposed motion the loop area is in proportion to $c_{{imp}}$; over Eq. 18 it would "
-                   "grow {:.0f}-fold from 0.9 "
-                   "to 0.1",
+       fmt::format("for any imposed motion the loop area is proportional to $c_{{imp}}$; its ratio to Eq. 18 would "
+                   "increase {:.0f}-fold from 0.9 to 0.1",
                    share(0.1) / share(0.9)),
        Judgement::cannot_be_checked,
-       "a motion that makes all rows of Table 2 right must itself depend on $CR$; the paper does not give it."},
-      {"Fig. 7", "Loops for nine restitutions", "a picture without numbers", "recomputed below",
-       Judgement::cannot_be_checked, "the picture is not in the text at hand."}};
+       "a motion for which all rows of Table 2 are correct must depend on $CR$; the paper does not give it."},
+      {"Fig. 7", "Loops for nine restitutions", "a figure without numbers", "recomputed below",
+       Judgement::cannot_be_checked, "the figure is missing in the copy used here."}};
   item.figures = {loops, error_figure(), energy};
   item.tables = {errors, runs};
   return item;

@@ -1,4 +1,4 @@
-/// Section 7: the damping ratio of Eq. 38, its derivation, and its results beside two others.
+/// Section 7: the damping ratio of Eq. 38, its derivation, and comparison of its results with two others.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace pounding::reproduce::section7 {
 namespace {
 
-// The paper names no numbers for Figs. 13 and 14.
+// The paper gives no numbers for Figs. 13 and 14.
 constexpr double mass = 60e3, stiffness = 9.35e7, speed = 0.5;
 
 struct Ratio {
@@ -26,7 +26,7 @@ constexpr Ratio ratios[] = {eq38, jankowski, mahmoud, exact};
 
 double value(const Ratio& r, double e) { return r.formula({.restitution = e}); }
 
-/// A linear spring whose dashpot acts in the approach, for which the paper's derivation and Mahmoud's are made.
+/// For a linear spring with a dashpot in the approach phase, the model of the paper's derivation and of Mahmoud's.
 double obtained(const Ratio& r, double e) { return laws::restitution_of_approach(value(r, e)); }
 
 Loop impact(const Ratio& r, double e) {
@@ -44,10 +44,9 @@ Figure ratio_figure() {
                 .of_paper = "Fig. 12",
                 .caption =
                     "Damping ratios by the three formulas of Table 4 and the exact one (left), and the restitution "
-                    "that each gives with "
-                    "a linear spring and a dashpot in the approach (right).",
-                .panels = {{"ratio", "Restitution asked [-]", "Damping ratio [-]", {}, false, true},
-                           {"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}}}};
+                    "that each obtains with a linear spring and a dashpot in the approach phase (right).",
+                .panels = {{"ratio", "Target restitution [-]", "Damping ratio [-]", {}, false, true},
+                           {"obtained", "Target restitution [-]", "Obtained restitution [-]", {}}}};
   std::vector<double> e;
   for (int i = 100; i <= 950; i += 5) e.push_back(i / 1000.0);
   figure.add("CR asked", "", e);
@@ -69,13 +68,12 @@ struct Forces {
   Figure figure{.name = "section7_forces",
                 .of_paper = "Figs. 13 and 14",
                 .caption =
-                    "Impact force, 60 t at 0.5 m/s on 93.5 MN/m. Left: three ratios and the exact one for 0.5 asked. "
-                    "Middle: Eq. 38 for "
-                    "three restitutions. Right: the exact ratio for the same three. The restitution obtained stands in "
-                    "the legends."};
+                    "Impact force, 60 t at 0.5 m/s on 93.5 MN/m. Left: three ratios and the exact one for a target of "
+                    "0.5. Middle: Eq. 38 for three restitutions. Right: the exact ratio for the same three. The "
+                    "legends show the obtained restitution."};
   Table table{"forces",
               "Impacts of Figs. 13 and 14",
-              "ratio, CR asked",
+              "ratio, target CR",
               {{"zeta", "", 5},
                {"restitution", "", 4},
                {"peak force", "kN", 1},
@@ -98,7 +96,7 @@ struct Forces {
 Forces forces() {
   Forces result;
   const std::string x = "Time since the touch [ms]", y = "Contact force [kN]";
-  result.figure.panels.push_back({"0.5 asked", x, y, {}});
+  result.figure.panels.push_back({"target 0.5", x, y, {}});
   for (const Ratio& r : ratios) result.add(r, 0.5, r.name);
   for (const auto& [title, ratio] : {std::pair{"Eq. 38", &eq38}, {"exact", &exact}}) {
     result.figure.panels.push_back({title, x, y, {}});
@@ -107,11 +105,11 @@ Forces forces() {
   return result;
 }
 
-/// The rebound as the derivation assumes it, beside the rebound of the impact.
+/// The rebound as the derivation assumes it, compared with the rebound of the impact.
 Table derivation_table() {
   Table table{"derivation",
-              "Eq. 24 beside the impact itself, with the ratio of Eq. 38",
-              "CR asked",
+              "Eq. 24 compared with the actual impact, with the ratio of Eq. 38",
+              "target CR",
               {{"zeta", "", 5},
                {"Eq. 24, penetration", "mm", 4},
                {"penetration", "mm", 4},
@@ -134,7 +132,7 @@ Table derivation_table() {
 }
 
 Table ratio_table() {
-  Table table{"ratios", "Damping ratios and what they give", "CR asked", {}, {}};
+  Table table{"ratios", "Damping ratios and the restitutions obtained", "target CR", {}, {}};
   for (const Ratio& r : ratios) table.headings.push_back({r.name, "", 5});
   for (const Ratio& r : ratios) table.headings.push_back({std::string(r.name) + ", obtained", "", 4});
   for (const double e : paper::restitutions) {
@@ -166,7 +164,7 @@ Item make() {
       .figures = {ratio_figure(), run.figure},
       .tables = {table, run.table, derivation}};
 
-  // Eq. 24 is the rebound of an undamped spring when 4 pi zeta = 1.
+  // Eq. 24 is the rebound of an undamped spring if 4 pi zeta = 1.
   const double consistent = restitution_of_share(0.25);
   const double upper = restitution_of_share(std::sqrt(5.0) / 8), lower = consistent;
   const auto miss = [](double e) { return value(eq38, e) - value(exact, e); };
@@ -174,19 +172,16 @@ Item make() {
   const auto at_start = [](double start) { return restitution_of_share(std::sqrt(start * std::numbers::pi / 4)); };
   item.paragraphs = {
       "The derivation equates the loss of a damper over a full cycle of steady harmonic motion (Eq. 22) with the "
-      "kinetic energy of the "
-      "rebound (Eq. 23), and gets the largest penetration from it (Eq. 24). A collision is half a cycle and not "
-      "steady; its rebound comes "
-      "from the spring, $k\\,\\delta_{max}^2 = m\\,\\dot{\\delta}_{final}^2$.",
-      fmt::format("The two agree where $4\\pi\\zeta = 1$, which Eq. 38 has at $CR$ = {:.4f}. There, and only there, it "
-                  "is nearly right: it gives "
-                  "what is asked at {:.4f}.",
+      "kinetic energy of the rebound (Eq. 23), and derives the largest penetration (Eq. 24). A collision is half a "
+      "cycle of transient motion; its rebound is driven by the spring, $k\\,\\delta_{max}^2 = "
+      "m\\,\\dot{\\delta}_{final}^2$.",
+      fmt::format("The two agree if $4\\pi\\zeta = 1$, which holds for Eq. 38 at $CR$ = {:.4f}. Only near this value "
+                  "is Eq. 38 accurate: it obtains the target at {:.4f}.",
                   consistent, right),
-      "All ratios are tried on the model of the derivation, a linear spring with a dashpot in the approach. "
-      "Jankowski's formula is made for "
-      "a Hertz spring, whose ratio is larger by $\\sqrt{5}/2$; with its own spring it gives what Mahmoud's gives here. "
-      "Section 7 begins "
-      "\"As noted in Eq. (19)\", where Eq. 18 is meant."};
+      "All ratios are applied to the model of the derivation, a linear spring with a dashpot in the approach phase. "
+      "Jankowski's formula was derived for a Hertz spring, whose ratio is larger by a factor of $\\sqrt{5}/2$; with "
+      "that spring it obtains the same restitution as Mahmoud's here. Section 7 begins \"As noted in Eq. (19)\"; it "
+      "means Eq. 18."};
 
   const double start_38 = table.at("0.1", eq38.name), start_j = table.at("0.1", jankowski.name),
                start_m = table.at("0.1", mahmoud.name);
@@ -196,21 +191,21 @@ Item make() {
                f9 = run.table.at("Eq. 38, proposed, 0.9", "peak force");
   item.verdicts = {
       {"Eqs. 23-38", "Eq. 38 follows from Eqs. 23-37", "derived",
-       fmt::format("Eq. 34 with Eqs. 24 and 38 loses what Eq. 18 asks for, {:.4f} kJ at 0.5",
+       fmt::format("Eq. 34 with Eqs. 24 and 38 gives the loss of Eq. 18, {:.4f} kJ at 0.5",
                    derivation.at("0.5", "Eq. 34, energy lost")),
        Judgement::agrees,
-       "as algebra, with $\\dot{\\delta}_{final} = CR\\,\\dot{\\delta}_{imp}$. Eq. 27 lacks its =, Eqs. 35-37 the dots "
-       "of the impact velocity."},
-      {"Eqs. 22-24", "The energy of the damper is that of a harmonic motion",
-       "$\\delta_{max}$ from the loss of a cycle",
-       fmt::format("at 0.5 Eq. 24 gives {:.3f} mm, the impact {:.3f} mm; lost are {:.3f} kJ instead of {:.3f} kJ",
-                   derivation.at("0.5", "Eq. 24, penetration"), derivation.at("0.5", "penetration"),
-                   derivation.at("0.5", "energy lost"), derivation.at("0.5", "Eq. 34, energy lost")),
+       "algebraically, with $\\dot{\\delta}_{final} = CR\\,\\dot{\\delta}_{imp}$. Eq. 27 lacks its =, Eqs. 35-37 the "
+       "dots of the impact velocity."},
+      {"Eqs. 22-24", "The energy of the damper is that of a harmonic motion", "$\\delta_{max}$ from the loss per cycle",
+       fmt::format(
+           "at 0.5 Eq. 24 gives {:.3f} mm, the impact {:.3f} mm; the energy lost is {:.3f} kJ instead of {:.3f} kJ",
+           derivation.at("0.5", "Eq. 24, penetration"), derivation.at("0.5", "penetration"),
+           derivation.at("0.5", "energy lost"), derivation.at("0.5", "Eq. 34, energy lost")),
        Judgement::disagrees,
-       "a collision is no steady vibration. Eq. 22 calls $\\omega_n$ the damped frequency; it is the natural one "
-       "there."},
+       "a collision is not a steady vibration. Eq. 22 calls $\\omega_n$ the damped frequency, but it is the natural "
+       "one."},
       {"Eq. 38", "Damping ratio from $CR$", "from $CR$",
-       fmt::format("0.5 asked gives {:.4f}, 0.7 gives {:.4f}, 0.9 gives {:.4f}",
+       fmt::format("the target 0.5 gives {:.4f}, 0.7 gives {:.4f}, 0.9 gives {:.4f}",
                    table.at("0.5", "Eq. 38, proposed, obtained"), table.at("0.7", "Eq. 38, proposed, obtained"),
                    table.at("0.9", "Eq. 38, proposed, obtained")),
        Judgement::disagrees, fmt::format("usable only near $CR$ = {:.2f}, see above.", right)},
@@ -219,24 +214,23 @@ Item make() {
        "to the digits printed; the axis begins at 0.1."},
       {"Fig. 12, Mahmoud", "The curve of Seyed Mahmoud's ratio starts at", fmt::format("{}", paper::start_mahmoud),
        fmt::format("{:.3f} at $CR$ = 0.1", start_m), Judgement::agrees,
-       fmt::format("to {:.1f} %.", std::abs(percent(start_m, paper::start_mahmoud)))},
+       fmt::format("within {:.1f} %.", std::abs(percent(start_m, paper::start_mahmoud)))},
       {"Fig. 12, Eq. 38", "The curve of Eq. 38 starts at", fmt::format("{}", paper::start_eq38),
        fmt::format("{:.2f} at $CR$ = 0.1", start_38), Judgement::disagrees,
-       fmt::format("{} is the value at {:.3f}. With $\\sqrt{{2}}$ in place of 2 the formula would start at {:.1f}.",
+       fmt::format("{} is the value at {:.3f}. With $\\sqrt{{2}}$ instead of 2 the formula would start at {:.1f}.",
                    paper::start_eq38, at_start(paper::start_eq38), start_38 / 2)},
       {"Section 7, between", "Eq. 38 is an acceptable curve between the two others", "between",
-       fmt::format("above both for $CR$ < {:.3f}, between them from there to {:.3f}, below both after", upper, lower),
-       Judgement::disagrees, fmt::format("the range between is {:.3f} wide.", lower - upper)},
+       fmt::format("above both for $CR$ < {:.3f}, between them up to {:.3f}, below both beyond", upper, lower),
+       Judgement::disagrees, fmt::format("the intermediate range is {:.3f} wide.", lower - upper)},
       {"Section 7, 0.4 to 0.9", "The results are close to each other from $CR$ = 0.4 to 0.9", "close",
        fmt::format("Eq. 38 over Jankowski: {:.1f} at 0.4, {:.1f} at 0.5, {:.1f} at 0.7, {:.2f} at 0.9", excess("0.4"),
                    excess("0.5"), excess("0.7"), excess("0.9")),
-       Judgement::disagrees, "they look close on an axis that reaches to 61 or more."},
-      {"Figs. 13, 14", "Similar impact forces for $CR$ from 0.4 to 0.9", "similar; pictures without numbers",
-       fmt::format("peak forces by Eq. 38 on one impact: {:.0f}, {:.0f}, {:.0f} kN for 0.4, 0.6, 0.9", f4, f6, f9),
+       Judgement::disagrees, "they appear close on an axis that extends to 61 or more."},
+      {"Figs. 13, 14", "Similar impact forces for $CR$ from 0.4 to 0.9", "similar; figures without numbers",
+       fmt::format("peak forces by Eq. 38 for one impact: {:.0f}, {:.0f}, {:.0f} kN for 0.4, 0.6, 0.9", f4, f6, f9),
        Judgement::disagrees,
-       "$k$, mass and velocity of the figures are not given, so the curves themselves cannot be compared; but above "
-       "$\\zeta = 0.5$ the largest "
-       "force is $c\\,v$ at the touch, in proportion to $\\zeta$."}};
+       "$k$, mass and velocity of the figures are not given, so the curves cannot be compared; but above $\\zeta = "
+       "0.5$ the largest force is $c\\,v$ at the touch, proportional to $\\zeta$."}};
   return item;
 }
 

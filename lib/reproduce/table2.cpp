@@ -34,18 +34,18 @@ double rms_error(double k_over_v) {
 }
 
 Figure example_figure() {
-  Figure figure{.name = "table2_example",
-                .of_paper = "Fig. 6",
-                .caption =
-                    "The example of section 5, 755.76 kg at 10 m/s with 0.7 asked. Left: loops by four published "
-                    "formulas and the "
-                    "exact one. Right: what each formula asks for at other restitutions.",
-                .panels = {{"loops", "Penetration [mm]", "Contact force [kN]", {}}}};
+  Figure figure{
+      .name = "table2_example",
+      .of_paper = "Fig. 6",
+      .caption =
+          "The example of section 5, 755.76 kg at 10 m/s with target restitution 0.7. Left: loops for four published "
+          "formulas and the exact one. Right: damping coefficient of each formula versus restitution.",
+      .panels = {{"loops", "Penetration [mm]", "Contact force [kN]", {}}}};
   for (const Named& f : formulas) {
     const Loop loop = collide(asking(f).settings(), mass, speed);
     figure.plot(f.name, scaled(loop.penetration, 1e3), scaled(loop.force, 1e-3));
   }
-  figure.panels.push_back({"damping", "Restitution asked [-]", "Damping coefficient [kN s/m^2.5]", {}, false, true});
+  figure.panels.push_back({"damping", "Target restitution [-]", "Damping coefficient [kN s/m^2.5]", {}, false, true});
   std::vector<double> e;
   for (int i = 10; i <= 90; ++i) e.push_back(i / 100.0);
   for (const Named& f : formulas) {
@@ -59,11 +59,10 @@ Figure example_figure() {
 Figure units_figure(double best) {
   Figure figure{.name = "table2_units",
                 .of_paper = "",
-                .caption = fmt::format(
-                    "Root mean square error of the restitution over the nine rows of Table 2, against the number "
-                    "that $k/v$ is. The paper's example is marked with $k$ in MN, kN and N per m$^{{1.5}}$; the "
-                    "least error is at {:.2f}.",
-                    best),
+                .caption = fmt::format("Root mean square error of the restitution over the nine rows of Table 2, "
+                                       "versus the numerical value of $k/v$. Markers show the example of the paper "
+                                       "with $k$ in MN, kN and N per m$^{{1.5}}$; the smallest error is at {:.2f}.",
+                                       best),
                 .panels = {{"", "Number k/v in Eq. 16 [-]", "Error of the restitution, RMS [%]", {}, true, false}}};
   std::vector<double> ratio, error;
   for (int i = -150; i <= 800; ++i) {
@@ -95,18 +94,15 @@ Item make() {
                           {"17, with its dot", R"($F_{imp} = \delta^{1.5}\,(k + c_{imp}\,\dot{\delta})$)"},
                           {"exact", R"($c_{imp} = a\,k/v_{imp},\quad a\,(1+CR) = \ln\dfrac{1+a}{1-a\,CR}$)"}}};
   item.paragraphs = {
-      "In a free impact with $F = k\\,\\delta^n(1 + a\\,\\dot{\\delta}/v)$ the restitution depends on $a = c\\,v/k$ "
-      "alone, not on $k$, the "
-      "mass, the velocity or $n$. The proposed law has $a = (k/v)^{N-1}(1-CR^2)/CR^M$: where $N$ is not 1 it depends "
-      "on the number that "
-      "$k/v$ happens to be, so on the units. Near $k/v = 1$ it is $(1-CR^2)/CR$, the formula of Gonthier and others "
-      "(2004).",
-      "The paper gives $k = 30000$ without a unit; with $\\delta^{1.5}$ and kN it is kN/m$^{1.5}$. It calls 755.76 kN "
-      "a mass: its "
-      "energies (see the item on section 6) are those of 755.76 kg."};
+      "In a free impact with $F = k\\,\\delta^n(1 + a\\,\\dot{\\delta}/v)$ the restitution depends only on $a = "
+      "c\\,v/k$, not on $k$, the mass, the velocity or $n$. The proposed law has $a = (k/v)^{N-1}(1-CR^2)/CR^M$: if "
+      "$N$ is not 1, it depends on the numerical value of $k/v$, and so on the units. Near $k/v = 1$ it is "
+      "$(1-CR^2)/CR$, the formula of Gonthier et al. (2004).",
+      "The paper gives $k = 30000$ without a unit; with $\\delta^{1.5}$ and kN it is kN/m$^{1.5}$. It states a mass of "
+      "755.76 kN, but its energies (see the item on section 6) are those of 755.76 kg."};
 
   Table example{"example",
-                "755.76 kg, $k$ = 30000 kN/m$^{1.5}$, $v$ = 10 m/s, restitution 0.7 asked",
+                "755.76 kg, $k$ = 30000 kN/m$^{1.5}$, $v$ = 10 m/s, target restitution 0.7",
                 "formula",
                 {{"a", "", 6},
                  {"c_imp", "kN s/m^2.5", 3},
@@ -127,8 +123,8 @@ Item make() {
   }
   Table rows{
       "rows",
-      "Table 2: restitution that Eq. 16 gives, by the unit of k, and k/v that would make the row exact",
-      "CR asked",
+      "Table 2: restitution obtained with Eq. 16 by unit of k, and the k/v for which the row is exact",
+      "target CR",
       {{"k in MN", "", 4}, {"k in kN", "", 4}, {"k in N", "", 4}, {"error, k in kN", "%", 2}, {"fitting k/v", "", -3}},
       {}};
   for (const double e : paper::restitutions)
@@ -155,39 +151,37 @@ Item make() {
                    kinetic_loss(mass, speed, paper::pair::reference_restitution) / 1e3, as_weight),
        Judgement::disagrees,
        fmt::format(
-           "the unit: the paper's own energy is that of 755.76 kg, to {:.2f} %.",
+           "the unit is wrong: the energy in the paper is that of 755.76 kg, within {:.2f} %.",
            percent(kinetic_loss(mass, speed, paper::pair::reference_restitution) / 1e3, paper::pair::reference_loss))},
       {"Section 5, rounding", "30003.67 and 9.976 may be taken as 30000 and 10", "no number",
        fmt::format("$c_{{imp}}$ changes from {:.2f} to {:.2f}, {:.2f} %", unrounded, c, percent(c, unrounded)),
-       Judgement::agrees, "it is harmless."},
+       Judgement::agrees, "the rounding is harmless."},
       {"Eqs. 15, 16", "Eq. 16 calculates the energy dissipation", "confirmed for $CR = 0.7$ (Fig. 6)",
-       fmt::format("$c_{{imp}}$ = {:.3f} kN s/m$^{{2.5}}$ loses {:.5f} kJ, Eq. 18 asks for {:.5f} kJ ({:+.2f} %); "
+       fmt::format("$c_{{imp}}$ = {:.3f} kN s/m$^{{2.5}}$ dissipates {:.5f} kJ, Eq. 18 requires {:.5f} kJ ({:+.2f} %); "
                    "restitution {:.5f}",
                    c, example.at("Eq. 16, proposed", "energy lost"), loss,
                    example.at("Eq. 16, proposed", "error of energy"), example.at("Eq. 16, proposed", "restitution")),
        Judgement::disagrees,
-       fmt::format("Eq. 13 is nearer: {:.5f} kJ ({:+.2f} %).", example.at("Eq. 13, Ye 2008", "energy lost"),
+       fmt::format("Eq. 13 is more accurate: {:.5f} kJ ({:+.2f} %).", example.at("Eq. 13, Ye 2008", "energy lost"),
                    example.at("Eq. 13, Ye 2008", "error of energy"))},
       {"Eq. 16, units", "$c_{imp}$ is a function of $k$, $CR$ and $v_{imp}$", "no units",
-       fmt::format("0.7 asked gives {:.4f} with $k$ in MN, {:.4f} in kN, {:.4f} in N", rows.at("0.7", "k in MN"),
+       fmt::format("the target 0.7 gives {:.4f} with $k$ in MN, {:.4f} in kN, {:.4f} in N", rows.at("0.7", "k in MN"),
                    rows.at("0.7", "k in kN"), rows.at("0.7", "k in N")),
        Judgement::disagrees,
-       "$(k/v)^N$ is homogeneous for $N = 1$ only. The program takes kN, m, s, as the paper prints them."},
+       "$(k/v)^N$ is dimensionally consistent for $N = 1$ only. The program uses kN, m, s, as printed in the paper."},
       {"Eq. 17", "Impact force", "$\\delta^{1.5}(k + c_{imp}\\,\\delta)$",
        "$\\delta^{1.5}(k + c_{imp}\\,\\dot{\\delta})$", Judgement::disagrees,
-       "the dot is missing, perhaps in the text at hand only. Taken at its word the force would be conservative, $CR = "
+       "the dot is missing, possibly only in the copy used here. As printed, the force would be conservative, $CR = "
        "1$."},
       {"Table 2", "$N$ and $M$ make the dissipated energy equal to the kinetic energy loss", "nine rows",
        fmt::format("error of the restitution {:+.1f} % at 0.1 ... {:+.1f} % at 0.8 for the paper's $k/v = 3000$",
                    rows.at("0.1", "error, k in kN"), rows.at("0.8", "error, k in kN")),
        Judgement::disagrees,
-       fmt::format("no one $k/v$ makes the rows exact: they need from {:.2g} to {:.1g}. The best is {:.2f}, with "
-                   "{:.1f} % RMS, where "
-                   "the law is nearly $(1-CR^2)/CR$ and Table 2 does nothing.",
+       fmt::format("no single $k/v$ makes the rows exact: they require from {:.2g} to {:.1g}. The best is {:.2f}, with "
+                   "{:.1f} % RMS, where the law is nearly $(1-CR^2)/CR$ and Table 2 has no effect.",
                    minimum, maximum, best, rms_error(best))},
-      {"Fig. 6", "Four formulas compared", "a picture without numbers", "recomputed above",
-       Judgement::cannot_be_checked,
-       "the picture is not in the text at hand, and the motion behind it is not stated."}};
+      {"Fig. 6", "Four formulas compared", "a figure without numbers", "recomputed above", Judgement::cannot_be_checked,
+       "the figure is missing in the copy used here, and its motion is not stated."}};
   item.tables = {example, rows};
   return item;
 }

@@ -8,7 +8,7 @@
 namespace pounding {
 namespace archive_test {
 
-// Counts events of an engine that it points to; only the count is its state.
+// An engine that only counts: its state is the count that it points to.
 struct Counter {
   const double* engine;
   int count;
@@ -46,8 +46,8 @@ TEST(Archive, RefusesBytesThatEndEarly) {
   EXPECT_THROW(short_one(value), std::runtime_error);
 }
 
-// Sizes as other states or damage leave them: no vector has two columns or none, and eight bytes hold no thousand
-// numbers.
+// Sizes that another state or a damaged file may contain. Vectors have exactly one column, and eight bytes cannot hold
+// a thousand numbers.
 TEST(Archive, RefusesSizesThatAMatrixCannotHave) {
   const auto bytes = [](std::size_t rows, std::size_t columns) {
     Archive archive;

@@ -1,4 +1,4 @@
-// Texts of users: what is read, what is refused, and how a message quotes them.
+// Text from users: what is accepted, what is rejected, and how messages quote it.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,7 @@ TEST(Excerpt, ShowsAtMostTwoHundredCharacters) {
   EXPECT_EQ(excerpt(std::string(201, 'x')), std::string(200, 'x') + "...");
   std::string letters;
   for (int i = 0; i < 201; ++i) letters += "\u00e4";
-  EXPECT_EQ(excerpt(letters), letters.substr(0, 400) + "...")
-      << "a letter of two bytes is one character and is not cut";
+  EXPECT_EQ(excerpt(letters), letters.substr(0, 400) + "...") << "a two-byte letter is one character and is not split";
 }
 
 TEST(Excerpt, EscapesWhatActsOnATerminalAndWhatIsNoUtf8) {
@@ -38,7 +37,7 @@ TEST(Excerpt, EscapesWhatActsOnATerminalAndWhatIsNoUtf8) {
   EXPECT_EQ(excerpt("Z\xfcrich"), R"(Z\xfcrich)");
   EXPECT_EQ(excerpt("\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82"),
             R"(\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82)")
-      << "overlong, surrogate, too large, cut";
+      << "overlong, surrogate, out of range, truncated";
   EXPECT_EQ(excerpt("\u202e \u009b \u2028 \ufeff"), R"(\u202e \x9b \u2028 \ufeff)");
   EXPECT_EQ(excerpt("Z\u00fcrich \u6771\u4eac \U0001F3E0"), "Z\u00fcrich \u6771\u4eac \U0001F3E0");
 }

@@ -176,7 +176,7 @@ TEST(NearestName, FindsTypingMistakesAndNothingElse) {
   const std::vector<std::string_view> laws = {"hertz", "hertz_damped", "jankowski", "linear_spring"};
   EXPECT_EQ(nearest_name("hertz_damp", laws), "hertz_damped");
   EXPECT_EQ(nearest_name("Hertz-Damped", laws), "hertz_damped");
-  EXPECT_EQ(nearest_name("jankwoski", laws), "jankowski");  // neighbours swapped
+  EXPECT_EQ(nearest_name("jankwoski", laws), "jankowski");  // transposed letters
   EXPECT_EQ(nearest_name("spring", laws), "");
   EXPECT_EQ(nearest_name("x", std::vector<std::string_view>{"y"}), "");
   EXPECT_EQ(nearest_name("", laws), "");

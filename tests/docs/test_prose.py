@@ -33,7 +33,7 @@ PATTERNS = {
     "empty, nullopt or null if": r"\bnothing (?:where|for|of|in|at|there|that|but)\b|\bnothing (?:is|was|are)\b",
     "reports, states": r"\b(?:tells?|told|telling)\b",
     "there is no, without, permanently": r"\b(?:is|are|was|were) no (?!longer\b|more\b|less\b|\w+er than\b)|\bfor good\b",
-    "key, option, argument": r"\bwords?\b(?! processor)",
+    "key, option, argument": r"(?<!pounding )(?<!`)\bwords?\b(?! processor)",
     "continue, resume, proceed": r"\b(?:go|goes|going|went|gone) on\b",
     "similar, identical, both": r"\b(?:likewise|alike)\b",
     "simultaneously, in one call, immediately": r"\bat once\b",

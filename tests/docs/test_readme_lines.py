@@ -150,7 +150,9 @@ class Commands(Lines):
                     timeout=PATIENCE,
                 )
                 self.assertEqual(run.returncode, 0, run.stderr)
-                told = "no structure is reduced" if "-pounding_red_auto" in options else "errors by it: forces "
+                told = (
+                    "no structure is reduced" if "-pounding_red_auto" in options else "errors of the reduction: forces "
+                )
                 self.assertIn(told, run.stderr + run.stdout)
             case ["cmake", "--build", "build", "--target", *targets]:
                 for target in targets:

@@ -34,7 +34,7 @@ const Material concrete{.young = 30e9, .shear = 12.5e9, .density = 2500};
 
 Matrix6 tip(const Matrix12& m) { return m.bottomRightCorner<6, 6>(); }
 
-// The largest difference, relative to the largest entry.
+// Maximum difference relative to the maximum entry.
 double distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
@@ -50,7 +50,7 @@ Eigen::Matrix<double, 12, 6> rigid_motions(const Vector3d& start, const Vector3d
   return motions;
 }
 
-// The beam lies along x.
+// The beam is along x.
 TEST(Beam, ActsAsACantileverUnderEveryTipLoad) {
   test::Book book("A beam-column alone",
                   "Timoshenko, Strength of Materials: tip of a cantilever under each tip force and moment; shear "
@@ -85,12 +85,12 @@ TEST(Beam, OfAPlaneFrameIsThePartWithUxUzRy) {
       0, -b, c / 2, 0, b, c;
   book.below("stiffness of a plane member, largest difference over the largest entry [-]",
              distance(in_plane(Beam({0, 0, 0}, {l, 0, 0}, slender, concrete).stiffness()), expected), 1e-14);
-  // Bending about the other axis and the twist have no part in it, so they need not be given.
+  // Bending about the other axis and torsion are not involved and may be omitted.
   const Section plane{.area = slender.area, .inertia_y = slender.inertia_y};
   EXPECT_LT(distance(in_plane(Beam({0, 0, 0}, {l, 0, 0}, plane, {.young = 30e9}).stiffness()), expected), 1e-14);
 }
 
-// The deflections that a beam without loads between its ends takes for unit (w, t) of its ends.
+// Deflections of a beam without loads between its ends, for unit (w, t) of its ends.
 Eigen::Vector4d shape(double x, double l, double phi) {
   const double s = x / l, f = 1 / (1 + phi);
   return {f * (1 - 3 * s * s + 2 * s * s * s + phi * (1 - s)),
@@ -98,7 +98,7 @@ Eigen::Vector4d shape(double x, double l, double phi) {
           f * l * (s * s * s - s * s + phi / 2 * (s * s - s))};
 }
 
-// Integral over the length of g(x) g(x)^T, polynomials up to degree 7, by four Gauss points.
+// Integral of g(x) g(x)^T over the length for polynomials up to degree 7, by four Gauss points.
 Eigen::Matrix4d integral(double l, const std::function<Eigen::Vector4d(double)>& g) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const auto& [at, weight] :
@@ -112,14 +112,14 @@ Eigen::Matrix4d integral(double l, const std::function<Eigen::Vector4d(double)>&
 
 TEST(Beam, HasMassAndGeometricStiffnessOfItsShapeFunctions) {
   test::Book book("A beam-column alone", "integrals of the exact shape functions of a beam with shear, by Gauss's rule",
-                  "rounding; that of slopes by differences");
+                  "round-off of slopes by differences");
   for (const Section& s : {slender, deep}) {
     const double l = 1.9, h = 1e-3;
     for (const bool about_y : {true, false}) {
       const double inertia = about_y ? s.inertia_y : s.inertia_z,
                    shear_area = about_y ? s.shear_area_z : s.shear_area_y;
       const double phi = 12 * concrete.young * inertia / (concrete.shear * shear_area * l * l);
-      // A central difference of a cubic is off by exactly h^2 w'''/6; Richardson's combination takes it out.
+      // A central difference of a cubic has an error of exactly h^2 w'''/6, which Richardson extrapolation removes.
       const auto slope = [&](double x) -> Eigen::Vector4d {
         const auto d = [&](double step) -> Eigen::Vector4d {
           return (shape(x + step, l, phi) - shape(x - step, l, phi)) / (2 * step);
@@ -155,7 +155,8 @@ TEST(Beam, GivesNoForceToTheMotionOfARigidBody) {
   }
 }
 
-// A moving rigid bar: m v^2/2, and m L^2/12 + m r^2 about an axis across it; twist with the section's polar inertia.
+// A moving rigid bar: m v^2/2, and m L^2/12 + m r^2 about a transverse axis; twist with the polar inertia of the
+// section.
 TEST(Beam, HasTheKineticEnergyOfARigidBar) {
   test::Book book("A beam-column alone", "a rigid bar: m, m L^2/12 + m r^2, and the polar inertia of the section",
                   "rounding");
@@ -170,7 +171,7 @@ TEST(Beam, HasTheKineticEnergyOfARigidBar) {
              distance((motions.transpose() * bar.mass() * motions).diagonal(), expected), 1e-14);
   EXPECT_EQ(bar.total_mass(), m);
 
-  // Offsets neither add nor lose mass, and releases do not either.
+  // Neither offsets nor releases change the mass.
   const BeamOptions options{
       .start_offset = {0.5, 0, 0}, .end_releases = {Dof::ry, Dof::ux}, .mass = BeamMass::consistent};
   const Beam shorter(start, end, deep, concrete, options);
@@ -195,9 +196,9 @@ TEST(Beam, KeepsItsLocalYHorizontalAndItsLocalZUp) {
   EXPECT_EQ(beam_axes({5, 0, 0}), expected);
   expected << 0, 1, 0, -1, 0, 0, 0, 0, 1;
   EXPECT_EQ(beam_axes({0, 5, 0}), expected);
-  expected << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // a column going up
+  expected << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // an upward column
   EXPECT_EQ(beam_axes({0, 0, 5}), expected);
-  expected << 0, 0, -1, 0, -1, 0, -1, 0, 0;  // and down
+  expected << 0, 0, -1, 0, -1, 0, -1, 0, 0;  // a downward column
   EXPECT_EQ(beam_axes({0, 0, -5}), expected);
 
   const Matrix3d skew = beam_axes({1, -2, 3});
@@ -234,12 +235,12 @@ TEST(Beam, CarriesNothingThroughAReleasedEnd) {
   const double l = 3, ei = concrete.young * slender.inertia_y, three = 3 * ei / (l * l * l);
   const Beam pinned({0, 0, 0}, {l, 0, 0}, slender, concrete, {.end_releases = {Dof::ry}});
   const Matrix12 k = pinned.stiffness();
-  book.near("stiffness across at the hinge [N/m]", k(8, 8), three, 1e-12 * three);
-  book.near("stiffness of the other end's turn, 3 EI/L [N m]", k(4, 4), three * l * l, 1e-12 * three * l * l);
+  book.near("transverse stiffness at the hinge [N/m]", k(8, 8), three, 1e-12 * three);
+  book.near("rotational stiffness of the other end, 3 EI/L [N m]", k(4, 4), three * l * l, 1e-12 * three * l * l);
   EXPECT_TRUE(k.row(10).isZero(0));
-  // The other bending is whole.
-  book.near("the other bending, 12 EI/L^3 [N/m]", k(7, 7), 12 * concrete.young * slender.inertia_z / (l * l * l),
-            1e-12 * k(7, 7));
+  // Bending in the other plane is unchanged.
+  book.near("bending in the other plane, 12 EI/L^3 [N/m]", k(7, 7),
+            12 * concrete.young * slender.inertia_z / (l * l * l), 1e-12 * k(7, 7));
 
   const Beam truss({0, 0, 0}, {l, 0, 0}, slender, concrete,
                    {.start_releases = {Dof::ry, Dof::rz, Dof::rx}, .end_releases = {Dof::ry, Dof::rz}});
@@ -248,18 +249,18 @@ TEST(Beam, CarriesNothingThroughAReleasedEnd) {
   bar(0, 6) = bar(6, 0) = -bar(0, 0);
   EXPECT_LT(distance(truss.stiffness(), bar), 1e-12);
 
-  // Releases stand in local axes: the same of a column is about global y too.
+  // Releases are in local axes: for a column the same one is about global y as well.
   const Beam column({0, 0, 0}, {0, 0, l}, slender, concrete, {.end_releases = {Dof::ry}});
-  book.near("stiffness across at the hinge of a column [N/m]", column.stiffness()(6, 6), three, 1e-12 * three);
+  book.near("transverse stiffness at the hinge of a column [N/m]", column.stiffness()(6, 6), three, 1e-12 * three);
 }
 
-// A rod hinged at both ends that carries N turns as a string does.
+// A rod hinged at both ends with axial force N has the lateral stiffness of a string.
 TEST(Beam, HingedAtBothEndsHasTheStiffnessOfAString) {
   test::Book book("A beam-column alone", "a string under N: N/L", "the difference of stiffnesses 1e4 times larger");
   const double l = 3, n = -2e5;
   const BeamOptions hinged{.start_releases = {Dof::ry}, .end_releases = {Dof::ry}, .axial_force = n};
   const Beam rod({0, 0, 0}, {l, 0, 0}, slender, concrete, hinged);
-  book.near("stiffness across of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l,
+  book.near("transverse stiffness of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l,
             1e-9 * -n / l);  // the difference of stiffnesses 1e4 times larger
 }
 
@@ -275,7 +276,8 @@ TEST(Beam, HasRigidOffsets) {
   const double w = (l * l * l / 3 + l * l * a + l * a * a) / ei;
   book.near("deflection with a rigid arm [m/N]", test::dense::inverse(tip(beam.stiffness()))(2, 2), w, 1e-12 * w);
 
-  // A beam below its nodes: an axial force F at the node bends it with F d, and moves the node by the end's turn too.
+  // A beam below its nodes: an axial force F at the node bends it with F d and also moves the node by the rotation of
+  // the end.
   const double d = 0.5;
   const Beam below({0, 0, 0}, {l, 0, 0}, slender, concrete, {.start_offset = {0, 0, -d}, .end_offset = {0, 0, -d}});
   const double u = l / (concrete.young * slender.area) + d * d * l / ei;
@@ -321,7 +323,7 @@ TEST(Beam, RefusesWhatCannotBe) {
   EXPECT_NE(
       with([](auto&, auto&, auto& o, auto&) { o.start_releases = {Dof::ry, Dof::uz}, o.end_releases = {Dof::ry}; }),
       "taken");
-  for (const double length : {0.7, 1.1, 3.3})  // singular but for rounding
+  for (const double length : {0.7, 1.1, 3.3})  // singular up to round-off
     EXPECT_NE(with([&](auto& s, auto&, auto& o, auto& end) {
                 s = deep, end = {length, 0.2, -0.9}, o.start_releases = {Dof::ry, Dof::uz}, o.end_releases = {Dof::ry};
               }),

@@ -1,5 +1,5 @@
-// Corotational members and frames: derivatives, rigid motions and limits of small displacements, then published large
-// deflections and limit points.
+// Corotational members and frames: derivatives, rigid motions and the limit of small displacements; then published
+// large deflections and limit points.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ const Material unit_steel{.young = 1.0, .shear = 0.4, .density = 0};
 const BeamOptions with_offsets{
     .reference = Vector3d(0.3, 1, 0.2), .start_offset = {0.2, -0.1, 0.3}, .end_offset = {-0.1, 0.25, 0.1}};
 
-// A frame that is linear and corotational at once.
+// A linear and a corotational model of one frame.
 struct Model {
   Frame frame;
   std::vector<CorotationalMember> members{};
@@ -48,7 +48,7 @@ struct Model {
   CorotationalFrame corotational() const { return {frame.assemble(), members}; }
 };
 
-// Members of equal length along a line, clamped at the start.
+// Members of equal length along a line, fixed at the start.
 Model cantilever(int dimension, const Vector3d& tip, int members, const Section& section, const Material& material) {
   Model model{Frame(dimension)};
   for (int i = 0; i <= members; ++i) model.frame.add_node(tip * i / members);
@@ -73,7 +73,7 @@ Vector12 in_plane_of(Vector12 u, int dimension) {
   return u;
 }
 
-// Strongly deformed and turned; no two components alike.
+// Strongly deformed and rotated; all components differ.
 Vector12 deformed(int dimension, double size) {
   Vector12 u;
   u << 0.3, -0.2, 0.5, 0.7, 1.1, -0.6, -0.8, 0.9, 0.4, 0.4, 1.4, -0.2;
@@ -128,7 +128,7 @@ TEST(CorotationalBeam, ForceIsTheGradientOfTheEnergyAndTangentThatOfTheForce) {
       }
 }
 
-// The differences themselves, without the symmetric part that `evaluate` takes.
+// The raw differences, without the symmetrization in `evaluate`.
 TEST(CorotationalBeam, DifferencesOfTheForceAreSymmetric) {
   for (const int dimension : {2, 3})
     for (const CorotationalBeam& beam : various_members(dimension)) {
@@ -155,7 +155,7 @@ TEST(CorotationalBeam, TurningAsARigidBodyTakesNoForce) {
       reversed << u.tail<6>(), u.head<6>();
       bool is_reversed = true;
       for (const CorotationalBeam& beam : various_members(dimension)) {
-        is_reversed = !is_reversed;  // every second member runs from `to`
+        is_reversed = !is_reversed;  // reverse every second member
         if (is_reversed) std::swap(u, reversed);
         EXPECT_LT(beam.evaluate(u).force.cwiseAbs().maxCoeff(), 2e-14 * angle) << dimension << " " << angle;
         EXPECT_LT(beam.evaluate(u).energy, 1e-28);
@@ -171,7 +171,7 @@ TEST(CorotationalBeam, HasTheForcesOfBeamInItsTurnedAxes) {
     const Beam linear(from, to, deep, unit_steel);
     const CorotationalBeam beam(from, to, deep, unit_steel, {}, dimension);
     EXPECT_LT(distance(beam.end_forces(small), linear.end_forces(small)), 3e-5) << dimension;
-    // Deformed first, then turned by the same rotation at both ends.
+    // Deformation first, then the same rotation at both ends.
     const Eigen::Matrix3d r = Eigen::AngleAxisd(2.2, Vector3d(0, 1, 0)).toRotationMatrix();
     Vector12 u;
     for (const int end : {0, 6}) {
@@ -192,7 +192,7 @@ TEST(CorotationalBeam, IsBeamForSmallDisplacements) {
     Matrix12 at_rest;
     beam.evaluate(Vector12::Zero(), at_rest);
     EXPECT_LT(distance(at_rest, k), 1e-14);
-    // The even part of the difference in the force is of second order, the odd part of third.
+    // The even part of the difference in the force is of second order, the odd part of third order.
     const Vector12 u = deformed(3, 1e-5);
     const Vector12 odd = 0.5 * (beam.evaluate(u).force - beam.evaluate(-u).force);
     EXPECT_LT(distance(odd, k * u), 1e-8);
@@ -233,15 +233,15 @@ TEST(CorotationalFrame, IsTheLinearFrameAtRestAndDiffersByItsExcess) {
     const VectorXd slope = (frame.force(q + step) - frame.force(q - step)) / (2 * h);
     EXPECT_LT(distance(MatrixXd(frame.tangent(q)).col(i), slope), 1e-6);
   }
-  // Nothing is remembered.
+  // The frame keeps no history.
   const VectorXd once = frame.force(q);
   frame.force(-q);
   EXPECT_EQ(frame.force(q), once);
 }
 
-// A plane cantilever of length and bending stiffness 1.
+// A plane cantilever of unit length and bending stiffness.
 Model slender_cantilever(int dimension, int members) {
-  const double ei = 1, ea = 1e6;  // stretches by 1e-5 at most
+  const double ei = 1, ea = 1e6;  // stretches by at most 1e-5
   const Section section{.area = ea, .inertia_y = ei, .inertia_z = ei, .torsion = ei};
   return cantilever(dimension, {1, 0, 0}, members, section, {.young = 1, .shear = 0.5, .density = 0});
 }
@@ -255,7 +255,7 @@ constexpr std::array mattiasson{Tip{1, 0.05643, 0.30172}, Tip{2, 0.16064, 0.4934
                                 Tip{7, 0.47293, 0.76737}, Tip{8, 0.50483, 0.78498}, Tip{9, 0.53182, 0.79906},
                                 Tip{10, 0.55500, 0.81061}};
 
-// By elliptic integrals, Bisshopp & Drucker, Quart. Appl. Math. 3 (1945) 272-275, as a check of the table.
+// The tip by elliptic integrals, Bisshopp & Drucker, Quart. Appl. Math. 3 (1945) 272-275, as a check of the table.
 Tip elastica(double p) {
   const auto root = [](double k) { return std::asin(1 / (std::numbers::sqrt2 * k)); };
   double low = 1 / std::numbers::sqrt2, high = 1 - 1e-15;
@@ -279,11 +279,13 @@ TEST(CorotationalFrame, FollowsTheElasticaUnderATipForce) {
     ASSERT_EQ(path.size(), 11u);
     for (const Tip& tip : mattiasson) {
       const VectorXd& q = path[static_cast<int>(tip.p)].q;
-      book.near("elastica: tip's way along [L]", -displacement(model, q, members, Dof::ux), tip.shortening, 1e-3);
-      book.near("elastica: tip's way across [L]", displacement(model, q, members, Dof::uz), tip.deflection, 1e-3);
-      book.near("elastica by elliptic integrals: along, beside the table [L]", elastica(tip.p).shortening,
+      book.near("elastica: axial displacement of the tip [L]", -displacement(model, q, members, Dof::ux),
+                tip.shortening, 1e-3);
+      book.near("elastica: transverse displacement of the tip [L]", displacement(model, q, members, Dof::uz),
+                tip.deflection, 1e-3);
+      book.near("elastica by elliptic integrals: axial, difference from the table [L]", elastica(tip.p).shortening,
                 tip.shortening, 6e-6);
-      book.near("elastica by elliptic integrals: across, beside the table [L]", elastica(tip.p).deflection,
+      book.near("elastica by elliptic integrals: transverse, difference from the table [L]", elastica(tip.p).deflection,
                 tip.deflection, 6e-6);
     }
   }
@@ -302,22 +304,22 @@ TEST(CorotationalFrame, ConvergesToTheElasticaWithTheSquareOfTheMembersLength) {
   book.near("order between 16 and 32 members [-]", std::log2(errors[1] / errors[2]), 2, 0.1);
 }
 
-// Under an end moment 2 pi EI/L the cantilever closes to a circle. A constant moment bends members of equal length
-// alike, so that they lie on a regular polygon, exactly, with each end turned as that of the arc is: m L/EI.
+// Under an end moment 2 pi EI/L the cantilever closes to a circle. A constant moment bends all members of equal length
+// equally, so that the nodes lie exactly on a regular polygon and each end rotates as in the arc: m L/EI.
 TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
   test::Book book("Frames with large displacements",
-                  "a cantilever under an end moment up to two turns: members of equal length lie on a regular "
-                  "polygon, ends turned by m L/EI",
-                  "convergence of the equilibrium");
+                  "a cantilever under an end moment up to two full turns: members of equal length lie on a regular "
+                  "polygon, ends rotated by m L/EI",
+                  "convergence tolerance of the equilibrium");
   const int members = 12;
   for (const int dimension : {2, 3}) {
     const Model model = slender_cantilever(dimension, members);
-    const double maximum = dimension == 2 ? 2 : 0.95;  // turns; a rotation vector ends before one
+    const double maximum = dimension == 2 ? 2 : 0.95;  // full turns; the domain of a rotation vector ends before one
     const auto path = model.corotational().solve(2 * pi * maximum * unit_load(model, members, Dof::ry), 20);
     for (const auto& [factor, q] : path) {
       const double turn = 2 * pi * maximum * factor, part = turn / members;
-      book.near("circle: turn of the tip [rad]", displacement(model, q, members, Dof::ry), turn, 1e-7);
-      Vector3d tip(0, 0, 0);  // each member turned against the one before, half of that at the support
+      book.near("circle: rotation of the tip [rad]", displacement(model, q, members, Dof::ry), turn, 1e-7);
+      Vector3d tip(0, 0, 0);  // each member is rotated relative to the previous one, by half of that at the support
       for (int i = 0; i < members; ++i)
         tip += Vector3d(std::cos((i + 0.5) * part), 0, -std::sin((i + 0.5) * part)) / members;
       book.near("circle: x of the tip [L]", 1 + displacement(model, q, members, Dof::ux), tip.x(), 1e-7);
@@ -329,7 +331,7 @@ TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
   }
 }
 
-// The first largest factor on a path, by the parabola through the three points about it.
+// First maximum of the load factor on a path, by the parabola through the three points around it.
 double limit(const std::vector<CorotationalFrame::Equilibrium>& path) {
   std::size_t i = 1;
   while (i + 1 < path.size() && path[i + 1].factor > path[i].factor) ++i;
@@ -357,12 +359,12 @@ Model lees_frame(int members) {
   return model;
 }
 
-// Load and sag both turn back: the largest load at a sag of 48.6 cm, then the least beyond the largest sag.
+// Load and sag both reverse: the maximum load at a sag of 48.6 cm, then the minimum beyond the maximum sag.
 TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
   test::Book book("Frames with large displacements",
                   "Lee's frame (Lee, Manuel & Rossow, J. Eng. Mech. Div. ASCE 94 (1968) 521-547): independent "
                   "solution of its extensible elastica by shooting, Runge-Kutta of fourth order",
-                  "the member's error falls with the square of its length: 5.5e-3, 1.4e-3, 3.4e-4 of the load with "
+                  "the error is of second order in the length of the members: 5.5e-3, 1.4e-3, 3.4e-4 of the load with "
                   "10, 20, 40 a leg");
   double error = 0;
   for (const int members : {10, 20}) {
@@ -373,10 +375,10 @@ TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
     const auto path = frame.follow(load, 4.0, 160);
     const double coarser = std::exchange(error, limit(path) - 18.5567);
     if (members == 20) {
-      book.near("Lee's frame: largest load, 20 members a leg [kN]", limit(path), 18.5567, 2e-3 * 18.5567);
+      book.near("Lee's frame: largest load, 20 members per leg [kN]", limit(path), 18.5567, 2e-3 * 18.5567);
       book.near("Lee's frame: error with 10 members over that with 20 [-]", coarser / error, 4, 0.2);
     }
-    // Load and sag both turn back before the load turns to tension.
+    // Load and sag both reverse before the load changes to tension.
     double minimum = 0, sag_at_least = 0, most_before = 0, maximum = 0;
     for (const auto& [factor, q] : path) {
       const double sag = -displacement(model, q, loaded, Dof::uz);
@@ -388,9 +390,9 @@ TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
       }
       EXPECT_LT((frame.force(q) - factor * load).norm(), 1e-6 * std::max(1.0, std::abs(factor)));
     }
-    book.near("Lee's frame: least load [kN]", minimum, -9.4144, members == 10 ? 0.25 : 0.06);
-    book.near("Lee's frame: sag at the least load [cm]", sag_at_least, 58.2, 1);
-    book.near("Lee's frame: largest sag before [cm]", most_before, 61.0, 0.5);
+    book.near("Lee's frame: minimum load [kN]", minimum, -9.4144, members == 10 ? 0.25 : 0.06);
+    book.near("Lee's frame: sag at the minimum load [cm]", sag_at_least, 58.2, 1);
+    book.near("Lee's frame: largest sag before it [cm]", most_before, 61.0, 0.5);
   }
 }
 
@@ -406,18 +408,18 @@ TEST(CorotationalFrame, SolvesForALoadBeyondALimitPoint) {
   EXPECT_GT(-displacement(model, path.back().q, loaded, Dof::uz), 80);  // snapped through
 }
 
-// Bathe & Bolourchi, IJNME 14 (1979) 961-986: an eighth of a circle of radius 100, clamped, section 1 x 1, under 600
-// across its plane. Tips in the literature scatter, x 15.5 to 15.9, y 47.0 to 47.2, z 53.4 to 53.5, mostly with eight
-// straight elements: 15.9, 47.2, 53.4 (Bathe & Bolourchi), 15.79, 47.23, 53.37 (Simo & Vu-Quoc, CMAME 58 (1986)
-// 79-116); and with the torsion constant, for which many take the polar moment 1/6 as here instead of 0.1406. The tight
-// reference is an independent solution of the curved extensible Kirchhoff rod with 1/6 by
-// shooting: 15.68536, 47.15215, 53.47176.
+// Bathe & Bolourchi, IJNME 14 (1979) 961-986: an eighth of a circle of radius 100, fixed at one end, section 1 x 1,
+// with an out-of-plane load of 600. Published tip positions scatter: x 15.5 to 15.9, y 47.0 to 47.2, z 53.4 to 53.5,
+// usually with eight straight elements. Bathe & Bolourchi: 15.9, 47.2, 53.4. Simo & Vu-Quoc, CMAME 58 (1986) 79-116:
+// 15.79, 47.23, 53.37. They also depend on the torsion constant: many authors use the polar moment 1/6, as here,
+// instead of 0.1406. The accurate reference is an independent solution of the curved extensible Kirchhoff rod with 1/6
+// by shooting: 15.68536, 47.15215, 53.47176.
 TEST(CorotationalFrame, BendsTheArcOfBatheAndBolourchi) {
   test::Book book("Frames with large displacements",
                   "arc of Bathe & Bolourchi, IJNME 14 (1979) 961-986; tips of Simo & Vu-Quoc, CMAME 58 (1986) "
                   "79-116, and of an independent solution of the curved extensible Kirchhoff rod by shooting",
-                  "0.3 % of the deflection with eight members; tips in the literature scatter by as much. The error "
-                  "falls with the square of the length");
+                  "0.3 % of the deflection with eight members; published tips scatter by as much. The error "
+                  "is of second order in the length");
   const Vector3d simo(15.79, 47.23, 53.37), rod(15.68536, 47.15215, 53.47176);
   const Section square{.area = 1, .inertia_y = 1.0 / 12, .inertia_z = 1.0 / 12, .torsion = 1.0 / 6};
   std::vector<double> errors;
@@ -434,17 +436,17 @@ TEST(CorotationalFrame, BendsTheArcOfBatheAndBolourchi) {
     for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz})
       tip[static_cast<int>(dof)] += displacement(model, q, members, dof);
     if (members == 8) {
-      book.below("arc: tip with 8 members, off Simo & Vu-Quoc's [-]", (tip - simo).cwiseAbs().maxCoeff(),
+      book.below("arc: tip with 8 members, deviation from Simo & Vu-Quoc [-]", (tip - simo).cwiseAbs().maxCoeff(),
                  0.16);  // 0.3 % of the deflection
     }
     errors.push_back((tip - rod).norm());
   }
-  book.below("arc: tip with 32 members, off the rod's [-]", errors.back(), 5e-3);
+  book.below("arc: tip with 32 members, deviation from the rod [-]", errors.back(), 5e-3);
   book.near("arc: error with 8 members over that with 16 [-]", errors[0] / errors[1], 4, 0.3);
   book.near("arc: error with 16 members over that with 32 [-]", errors[1] / errors[2], 4, 0.3);
 }
 
-// A column of length and EI 1.
+// A column of unit length and EI.
 TEST(CorotationalFrame, SwaysUnderAxialLoadAsByGeometricStiffness) {
   test::Book book("Frames with large displacements",
                   "sway stiffness of a column under P: P/(tan u/u - 1), u^2 = P L^2/(EI)",

@@ -1,4 +1,4 @@
-// Points between the ends of a member, supports that move apart, dashpots, and forces of the whole frame.
+// Points between the ends of a member, support displacements, dashpots, and global forces of the frame.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ VectorXd under(const Frame& frame, AssembledFrame f, const VectorXd& load) {
 }
 
 TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "Roark: fixed at both ends, P at a from the start: moments P a b^2/L^2 and P a^2 b/L^2, force at "
                   "the start P b^2 (3a + b)/L^3",
                   "rounding");
@@ -48,20 +48,20 @@ TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
   const Beam beam({0, 0, 0}, {l, 0, 0}, slender, steel);
   const Eigen::Matrix<double, 12, 3> held = beam.fixed_end_forces_at(a / l);
   const double near = a * b * b / (l * l), far = a * a * b / (l * l), start = b * b * (3 * a + b) / (l * l * l);
-  // A force along +z; upward at the far end the moment about y turns z into x.
+  // A force along +z; upward at the far end; the moment about y turns z into x.
   Vector12 in_z, in_y, in_x;
   in_x << -b / l, 0, 0, 0, 0, 0, -a / l, 0, 0, 0, 0, 0;
   in_y << 0, -start, 0, 0, 0, -near, 0, start - 1, 0, 0, 0, far;
   in_z << 0, 0, -start, 0, near, 0, 0, 0, start - 1, 0, -far, 0;
-  book.below("held end forces along, largest difference over the largest [-]", relative(held.col(0), in_x), 1e-14);
-  book.below("held end forces in y, largest difference over the largest [-]", relative(held.col(1), in_y), 1e-14);
-  book.below("held end forces in z, largest difference over the largest [-]", relative(held.col(2), in_z), 1e-14);
+  book.below("fixed-end forces, axial, largest difference over the largest [-]", relative(held.col(0), in_x), 1e-14);
+  book.below("fixed-end forces in y, largest difference over the largest [-]", relative(held.col(1), in_y), 1e-14);
+  book.below("fixed-end forces in z, largest difference over the largest [-]", relative(held.col(2), in_z), 1e-14);
 }
 
 TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
-  test::Book book("Points between the ends of members, supports that move apart",
-                  "simply supported beam, P at a: it goes down by P a^2 b^2/(3 EI L) there, of which P a^3 b^3/(3 EI "
-                  "L^3) is the bending between held ends",
+  test::Book book("Points between the ends of members, support displacements",
+                  "simply supported beam, P at a: deflection P a^2 b^2/(3 EI L) there, of which P a^3 b^3/(3 EI "
+                  "L^3) is the bending between fixed ends",
                   "rounding");
   const double l = 5, a = 1.7, b = l - a, p = 3e4, ei = steel.young * slender.inertia_y;
   Frame frame(2);
@@ -74,7 +74,7 @@ TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
   const auto point = frame.point_on_member(0, a / l, f);
   const VectorXd q = under(frame, f, -p * VectorXd(point.motion[2]));
   const double whole = p * a * a * b * b / (3 * ei * l), held = p * a * a * a * b * b * b / (3 * ei * l * l * l);
-  book.near("deflection of the point without the bending between held ends [m]", point.motion[2].dot(q),
+  book.near("deflection of the point without the bending between fixed ends [m]", point.motion[2].dot(q),
             -(whole - held), 1e-12 * whole);
   const Vector12 ends = frame.end_force_rows(0, f) * q + point.fixed_ends * Vector3d(0, 0, -p);
   book.near("left support [N]", ends[2], p * b / l, 1e-11 * p);
@@ -83,8 +83,8 @@ TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
   book.near("right end moment [N m]", ends[10], 0, 1e-11 * p * l);
 }
 
-// A frame with a node at the point gives the same: everything else moves alike and the ends carry the same forces; the
-// point itself moves by the bending between held ends more, which is the same difference with the nodes held.
+// A frame with a node at the point is equivalent: all other displacements and the end forces are equal. The point
+// itself moves further by the bending between fixed ends, which is the same difference with the nodes fixed.
 TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
   struct Case {
     Section section;
@@ -125,7 +125,7 @@ TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
       const AssembledFrame f = whole.assemble();
       const auto point = whole.point_on_member(2, along, f);
       if (!divided) {
-        // At an end that holds it the point is that of the node's rigid offset, and its nodes take the force.
+        // At a fixed end the point is the rigid offset of the node, and its nodes take the force.
         if (!(along == 0 ? c.start_releases : c.end_releases).empty()) continue;
         for (int axis = 0; axis < 3; ++axis) {
           const Vector3d& arm = along == 0 ? start_offset : end_offset;
@@ -160,7 +160,7 @@ TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
     }
 }
 
-// A uniform load is the sum of forces at points, here by Gauss's rule of three points, exact to degree five.
+// A uniform load is the sum of point forces, here by three-point Gauss quadrature, exact to degree five.
 TEST(PointOnMember, SumsToTheMemberLoad) {
   const Vector3d from(0, 1, 0), to(2, -1, 3), load(3, -5, 7);
   const BeamOptions hinged{.start_offset = {0.1, 0, 0.2}, .end_releases = {Dof::ry, Dof::rz}};
@@ -196,7 +196,7 @@ TEST(EndForceRows, AreTheEndForces) {
     EXPECT_LT(relative(frame.end_force_rows(member, f) * q, frame.end_forces(member, f, q)), 1e-13);
 }
 
-// m q'' + c q' + k q, and c between two nodes on the difference of their velocities.
+// m q'' + c q' + k q, and c between two nodes acting on their relative velocity.
 TEST(Dashpot, DampsOscillators) {
   Frame frame(2);
   for (const double x : {0.0, 1.0, 2.0}) frame.add_node({x, 0, 0}, std::array{"a", "b", "c"}[static_cast<int>(x)]);
@@ -228,7 +228,7 @@ TEST(Dashpot, DampsOscillators) {
                              {"add_mass", "ux", "d"}));
 }
 
-// A frame on unlike supports: fixed, pinned, on springs, tied to a fixed node.
+// A frame with different supports: fixed, pinned, on springs, tied to a fixed node.
 Frame bridge(int dimension, BeamMass mass) {
   Frame frame(dimension);
   const double y = dimension == 3 ? 1 : 0;
@@ -268,7 +268,7 @@ TEST(SupportMotion, SumsToTheMotionOfARigidBody) {
     }
 }
 
-// Leave the support of the same frame free: its rows of K and M are what couples it to the unknowns.
+// With the support of the same frame free, its rows of K and M couple it to the other unknowns.
 TEST(SupportMotion, IsThePartitionOfTheFreeFrame) {
   for (const int dimension : {2, 3})
     for (const BeamMass mass : {BeamMass::lumped, BeamMass::consistent}) {
@@ -300,8 +300,8 @@ TEST(SupportMotion, IsThePartitionOfTheFreeFrame) {
 }
 
 TEST(SupportMotion, OfAPortalByHand) {
-  test::Book book("Points between the ends of members, supports that move apart",
-                  "one foot of a portal moves: of columns k1 and k2 a rigid floor goes along by k1/(k1 + k2)",
+  test::Book book("Points between the ends of members, support displacements",
+                  "one foot of a portal moves: with columns k1 and k2 a rigid floor follows by k1/(k1 + k2)",
                   "rounding");
   Frame frame(2);
   for (const Vector3d& at : {Vector3d(0, 0, 0), {4, 0, 0}, {0, 0, 3}, {4, 0, 3}}) frame.add_node(at);
@@ -317,14 +317,14 @@ TEST(SupportMotion, OfAPortalByHand) {
   const AssembledFrame f = frame.assemble();
   ASSERT_EQ(f.size(), 1);
   const auto left = frame.support_motion({0}, f), right = frame.support_motion({1}, f);
-  book.near("part of the left foot's motion [-]", left.influence(0, 0), 0.25, 1e-14);
-  book.near("part of the right foot's motion [-]", right.influence(0, 0), 0.75, 1e-14);
+  book.near("fraction of the left foot's motion [-]", left.influence(0, 0), 0.25, 1e-14);
+  book.near("fraction of the right foot's motion [-]", right.influence(0, 0), 0.75, 1e-14);
   book.near("load of the left foot's motion [kg]", left.load(0, 0), 100, 1e-11);
   EXPECT_TRUE(left.influence.col(2).isZero(0));
 }
 
 TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "two springs on one mass: in proportion to their stiffness", "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0}, "pier");
@@ -335,8 +335,9 @@ TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
   for (const int node : {0, 1}) frame.fix(node, {Dof::ry}), frame.fix(node, {Dof::uz});
   frame.add_mass(1, 8);
   const AssembledFrame f = frame.assemble();
-  book.near("part of the first spring's motion [-]", frame.support_motion({0}, f).influence(0, 0), 0.75, 1e-15);
-  book.near("the same, named twice [-]", frame.support_motion({0, 0}, f).influence(0, 0), 0.75, 1e-15);  // named twice
+  book.near("fraction of the first spring's motion [-]", frame.support_motion({0}, f).influence(0, 0), 0.75, 1e-15);
+  book.near("the same, listed twice [-]", frame.support_motion({0, 0}, f).influence(0, 0), 0.75,
+            1e-15);  // listed twice
   book.near("load of the second spring's motion [kg]", frame.support_motion({1}, f).load(0, 0), 2, 1e-14);
 
   frame.add_node({2, 0, 0}, "tip");
@@ -345,7 +346,7 @@ TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
 }
 
 TEST(GridFrame, CarriesItsInertiaToTheGround) {
-  test::Book book("Points between the ends of members, supports that move apart",
+  test::Book book("Points between the ends of members, support displacements",
                   "statics: under a push of 1 g the columns' shears at the ground are the mass above times g",
                   "rounding");
   for (const int bays_y : {0, 2})
@@ -375,7 +376,7 @@ TEST(GridFrame, CarriesItsInertiaToTheGround) {
           if (frame.position(foot).z() != 0) continue;
           shear -= (frame.beam(member).axes().transpose() * frame.end_forces(member, f, q).head<3>())[axis];
         }
-        // The lower halves of the columns of the first storey rest on the ground; they do not count.
+        // The lower halves of the first-storey columns rest on the ground and do not count.
         const double columns = 3.0 * (bays_y + 1) * (9.3 - 1.75),
                      beams = 3 * (12.0 * (bays_y + 1) + (bays_y > 0 ? 30 : 0));
         const double mass = 12e4 + steel.density * (deep.area * columns + slender.area * beams);
@@ -384,7 +385,7 @@ TEST(GridFrame, CarriesItsInertiaToTheGround) {
     }
 }
 
-// Motions of a rigid body meet no stiffness in any element, and uniform motion the whole mass.
+// Rigid-body motions cause no force in any element, and a uniform motion acts on the whole mass.
 TEST(Frame, GivesNoForceToTheMotionOfARigidBody) {
   for (const int dimension : {2, 3}) {
     Frame frame(dimension);

@@ -1,4 +1,4 @@
-// Frames at rest against hand solutions: trusses, loads at nodes and between them, weight, P-Delta, what nothing holds.
+// Frames at rest against hand solutions: trusses, loads on nodes and members, weight, P-Delta, mechanisms.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof do
   return f.motion(node, dof).dot(q);
 }
 
-// The forces on the ends of a member that carries a load of its own.
+// Forces on the ends of a member, including its own load.
 Vector12 true_end_forces(const Frame& frame, int member, const AssembledFrame& f, const VectorXd& q,
                          bool gravity = false) {
   return frame.end_force_rows(member, f) * q + frame.fixed_end_forces(member, gravity);
@@ -67,7 +67,7 @@ TEST(Truss, CarriesTheKingPostBridge) {
       const Vector12 forces = frame.end_forces(i, f, q);
       book.near("axial force of each bar [N]", forces[6], expected[i], 1e-11 * p);
       book.near("axial force at the other end [N]", forces[0], -expected[i], 1e-11 * p);
-      book.near("nothing but axial force [N]", forces.norm(), std::hypot(forces[0], forces[6]), 1e-11 * p);
+      book.near("forces other than axial [N]", forces.norm(), std::hypot(forces[0], forces[6]), 1e-11 * p);
       work += expected[i] * expected[i] * lengths[i] / (steel.young * area);
     }
     book.near("deflection under P [m]", displacement(f, q, 1, Dof::uz), -work / p, 1e-11 * work / p);
@@ -97,11 +97,11 @@ TEST(Truss, CarriesASpaceTripod) {
   }
 }
 
-// Patch: displacements that are linear in the place put the same strain into every bar of an irregular mesh and no
-// force on the nodes inside; the motions of a rigid body put none anywhere.
+// Patch test: displacements that are linear in the coordinates give every bar of an irregular mesh the same strain, and
+// no force at interior nodes. Rigid-body motions give no force anywhere.
 TEST(Truss, PassesThePatchTest) {
   test::Book book("Frames at rest",
-                  "patch test: displacements linear in the place put the same strain into every bar, a rigid motion "
+                  "patch test: linear displacements give every bar the same strain, a rigid motion "
                   "none",
                   "rounding");
   for (const int dimension : {2, 3}) {
@@ -121,7 +121,7 @@ TEST(Truss, PassesThePatchTest) {
     for (int i = 0; i < 4; ++i) {
       book.near("axial force under a uniform strain [N]", frame.end_forces(i, f, stretched)[6],
                 steel.young * 1e-3 * 1e-3, 1e-9 * steel.young * 1e-6);
-      book.near("axial force under a turn [N]", frame.end_forces(i, f, turned)[6], 0, 1e-9 * steel.young * 1e-6);
+      book.near("axial force under a rotation [N]", frame.end_forces(i, f, turned)[6], 0, 1e-9 * steel.young * 1e-6);
     }
     const VectorXd forces = f.stiffness * stretched;
     const int each = dimension;  // translations of a node
@@ -131,7 +131,8 @@ TEST(Truss, PassesThePatchTest) {
 }
 
 TEST(Truss, HangsHalfItsMassAtEachEndAndTakesAPullAcrossAsAString) {
-  test::Book book("Frames at rest", "a truss member: half of its mass at each end, N/L across", "rounding");
+  test::Book book("Frames at rest", "a truss member: half of its mass at each end, N/L in the transverse direction",
+                  "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0});
   frame.add_node({2.5, 0, 0});
@@ -145,16 +146,16 @@ TEST(Truss, HangsHalfItsMassAtEachEndAndTakesAPullAcrossAsAString) {
   book.near("stiffness across [N/m]", f.stiffness.coeff(1, 1), 7e4 / 2.5, 1e-9);
 }
 
-// The shear's compliance comes on both sides of the roller's condition.
+// The shear compliance enters both sides of the roller condition.
 TEST(MemberLoad, SolvesTheProppedBeam) {
   test::Book book("Frames at rest",
-                  "Roark: fixed at one end, on a roller at the other, w all along: roller 3wL/8, fixing moment "
-                  "wL^2/8, its turn wL^3/(48 EI); with shear by the roller's condition",
+                  "Roark: fixed at one end, on a roller at the other, uniform load w: roller 3wL/8, fixing moment "
+                  "wL^2/8, rotation wL^3/(48 EI); with shear by the roller's condition",
                   "rounding");
   const double l = 6, w = 2e4;
   for (const Section& s : {slender, deep})
     for (const int members : {1, 3}) {
-      // Along x with the load in z, along x with the load in y, up with the load in x.
+      // Along x with the load in z, along x with the load in y, upward with the load in x.
       for (const int turn : {0, 1, 2}) {
         const Vector3d along = turn == 2 ? Vector3d(0, 0, 1) : Vector3d(1, 0, 0);
         const int axis = std::array{2, 1, 0}[turn];
@@ -184,7 +185,7 @@ TEST(MemberLoad, SolvesTheProppedBeam) {
         book.near("propped beam: moment at the roller [N m]", last[6 + moment], 0, 1e-10 * w * l * l);
         const Dof rotation = turn == 1 ? Dof::rz : Dof::ry;
         const double slope = w * l * l * l / (6 * ei) - roller * l * l / (2 * ei);
-        book.near("propped beam: turn at the roller [rad]", std::abs(displacement(f, q, members, rotation)),
+        book.near("propped beam: rotation at the roller [rad]", std::abs(displacement(f, q, members, rotation)),
                   std::abs(slope), 1e-10 * w * l * l * l / ei);
         if (std::isinf(ga)) {
           EXPECT_NEAR(roller, 3 * w * l / 8, 1e-12 * w * l);
@@ -194,7 +195,7 @@ TEST(MemberLoad, SolvesTheProppedBeam) {
     }
 }
 
-// A hinge at the roller's end instead of an end that may turn: the load's held forces go around the hinge.
+// A hinge at the roller instead of a free rotation: the fixed-end forces are released at the hinge.
 TEST(MemberLoad, GoesAroundAReleasedEnd) {
   test::Book book("Frames at rest", "Roark: the propped beam with a hinge instead of the roller: 3wL/8, 5wL/8, wL^2/8",
                   "rounding");
@@ -215,7 +216,7 @@ TEST(MemberLoad, GoesAroundAReleasedEnd) {
   EXPECT_EQ(frame.rest(f).size(), 0);
 }
 
-// Divided or not, in both planes.
+// Subdivided or not, in both planes.
 TEST(MemberLoad, BendsAndShearsTheDeepCantilever) {
   test::Book book("Frames at rest",
                   "Timoshenko's deep cantilever: w L^4/(8 EI) + w L^2/(2 G As), p L^2/(2 EA) along it", "rounding");
@@ -268,7 +269,7 @@ TEST(MemberLoad, SolvesThePortalOfKleinlogel) {
   const Vector12 left = true_end_forces(frame, 0, f, q), beam = true_end_forces(frame, 1, f, q);
   book.near("portal: moment at the foot [N m]", std::abs(left[4]), foot, 1e-11 * w * l * l);
   book.near("portal: moment at the corner [N m]", std::abs(left[10]), 2 * foot, 1e-11 * w * l * l);
-  EXPECT_GT(left[4] * left[10], 0);  // the moments on both ends turn the same way
+  EXPECT_GT(left[4] * left[10], 0);  // the moments at both ends have the same sense
   book.near("portal: thrust [N]", std::abs(left[2]), 3 * foot / h, 1e-11 * w * l);
   book.near("portal: left end moment of the beam [N m]", beam[4], -2 * foot, 1e-11 * w * l * l);
   book.near("portal: right end moment of the beam [N m]", beam[10], 2 * foot, 1e-11 * w * l * l);
@@ -278,7 +279,7 @@ TEST(MemberLoad, SolvesThePortalOfKleinlogel) {
 
 TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
   test::Book book("Frames at rest",
-                  "a bar that hangs: rho g L^2/(2E) + M g L/(EA), lumped or consistent; a heavy cantilever: m g "
+                  "a hanging bar: rho g L^2/(2E) + M g L/(EA), lumped or consistent; a heavy cantilever: m g "
                   "L^4/(8 EI)",
                   "rounding");
   const double l = 5, extra = 300;
@@ -311,17 +312,17 @@ TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
         book.near("heavy cantilever: moment at the foot [N m]", foot[4], -weight * l * l / 2, 1e-10 * weight * l * l);
       } else {
         book.near("heavy cantilever, lumped: force at the foot [N]", foot[2], weight * l * 5 / 6,
-                  1e-10 * weight * l);  // the half member at the foot hangs on the support
+                  1e-10 * weight * l);  // the lower half of the member at the foot is carried by the support
       }
     }
 }
 
-// The end of a column on which P rests, pushed by H.
+// The tip of a column with axial load P, pushed by H.
 TEST(PDelta, AmplifiesTheSwayOfAColumn) {
   test::Book book("Frames at rest",
                   "Timoshenko & Gere, Theory of Elastic Stability, section 1.11: tip H L^3/(3 EI) 3 (tan u - u)/u^3 "
                   "with u^2 = P L^2/(EI)",
-                  "16 members of cubic shape functions, whose error falls by 16 when they halve");
+                  "16 members with cubic shape functions: halving them divides the error by 16");
   const double l = 4, h = 1e3, ei = steel.young * slender.inertia_y, p = 0.6 * M_PI * M_PI * ei / (4 * l * l);
   const double u = std::sqrt(p * l * l / ei);
   const double exact = h * l * l * l / (3 * ei) * 3 * (std::tan(u) - u) / (u * u * u);
@@ -329,7 +330,7 @@ TEST(PDelta, AmplifiesTheSwayOfAColumn) {
     Frame frame(dimension);
     for (int i = 0; i <= members; ++i) frame.add_node({0, 0, l * i / members});
     Section s = slender;
-    s.inertia_z = 2 * s.inertia_y;  // it sways along x, not to the side
+    s.inertia_z = 2 * s.inertia_y;  // sway is along x, not y
     for (int i = 0; i < members; ++i) frame.add_member(i, i + 1, s, light);
     frame.fix(0);
     frame.add_load(members, Dof::ux, h);
@@ -362,7 +363,7 @@ TEST(PDelta, LetsAHingedColumnLeanOnTheRest) {
             1e-9 * push / k);
 }
 
-// The load at which add_p_delta finds the stiffness no longer positive.
+// The load at which add_p_delta reports that the stiffness is not positive definite.
 TEST(PDelta, RefusesAColumnBeyondEulersLoad) {
   test::Book book("Frames at rest", "Euler: pi^2 EI/(4 L^2)", "eight members");
   const double l = 4, ei = steel.young * slender.inertia_y, euler = M_PI * M_PI * ei / (4 * l * l);
@@ -380,12 +381,12 @@ TEST(PDelta, RefusesAColumnBeyondEulersLoad) {
     (refusal([&] { column(middle); }) == "taken" ? stands : falls) = middle;
   }
   book.near("load at which P-Delta finds a column unstable, over Euler's [-]", stands / euler, 1, 1e-3);
-  // The message names the head, and one of the equally pressed parts.
+  // The message names the head and one of the parts under the same compression.
   const std::string text = refusal([&] { column(1.1 * euler); });
   EXPECT_TRUE(test::mentions(text, {"head", "ux", "part"}));
 }
 
-// The axial forces of two unlike columns under a stiff beam depend on how they share the load, and this on them.
+// The axial forces of two different columns under a stiff beam depend on the load sharing, which depends on them.
 TEST(PDelta, SettlesWhereTheAxialForcesAreThoseAtRest) {
   Frame frame(2);
   for (const Vector3d& at : {Vector3d(0, 0, 0), {6, 0, 0}, {0, 0, 8}, {6, 0, 8}}) frame.add_node(at);
@@ -433,20 +434,20 @@ TEST(Rest, NamesWhatNothingHolds) {
     });
   };
   EXPECT_EQ(with([](Frame& f) { f.fix(0), f.fix(3); }), "taken");
-  // Slides along x as one: of equals the first.
+  // Rigid translation along x: the first of equal displacements is reported.
   EXPECT_TRUE(test::mentions(with([](Frame& f) { f.fix(0, {Dof::uz}), f.fix(3, {Dof::uz}); }), {"left foot", "ux"}));
   EXPECT_TRUE(
       test::mentions(with([](Frame& f) {
-                       f.fix(0, {Dof::ux, Dof::uz});  // turns about its left foot; farthest up goes farthest across
+                       f.fix(0, {Dof::ux, Dof::uz});  // rotation about the left foot: the highest point moves furthest
                      }),
                      {"right", "uz"}));
-  // A hinge too many: a bar that hangs off the frame.
+  // One hinge too many: a bar hangs off the frame.
   EXPECT_TRUE(test::mentions(with([](Frame& f) {
                                f.fix(0), f.fix(3);
                                f.add_truss(2, f.add_node({6, 0, 3.5}, "flap"), 1e-3, steel);
                              }),
                              {"flap", "uz"}));
-  // A shaft in its bearings: only turning is left.
+  // A shaft in its bearings: only the rotation is free.
   EXPECT_TRUE(test::mentions(refusal([] {
                                Frame frame(3);
                                frame.add_node({0, 0, 0}, "bearing");
@@ -456,7 +457,7 @@ TEST(Rest, NamesWhatNothingHolds) {
                                frame.rest(frame.assemble());
                              }),
                              {"bearing", "rx"}));
-  // Pinned feet and corners: it sways.
+  // Pinned feet and corners: a sway mechanism.
   EXPECT_TRUE(test::mentions(refusal([] {
                                Frame frame(2);
                                for (const Vector3d& at : {Vector3d(0, 0, 0), {0, 0, 3}, {4, 0, 3}, {4, 0, 0}})
@@ -469,10 +470,10 @@ TEST(Rest, NamesWhatNothingHolds) {
                              {"1", "ux"}));
 }
 
-// A weak member beside a stiff spring is no mechanism.
+// A weak member next to a stiff spring is not a mechanism.
 TEST(Rest, HoldsWhatIsOnlyWeak) {
   test::Book book("Frames at rest", "cantilever of 300 members: L^3/(3 EI)",
-                  "rounding, which 300 members beside a spring of 1e15 N/m amplify");
+                  "round-off, amplified by 300 members next to a spring of 1e15 N/m");
   const int n = 300;
   const double l = 30, ei = steel.young * slender.inertia_y;
   Frame frame(2);
@@ -482,7 +483,7 @@ TEST(Rest, HoldsWhatIsOnlyWeak) {
   frame.add_spring(n / 2, Dof::ux, 1e15);
   frame.add_load(n, Dof::uz, 1);
   const AssembledFrame f = frame.assemble();
-  book.near("tip over closed form, weak beside stiff [-]",
+  book.near("tip over closed form, weak next to stiff [-]",
             displacement(f, frame.rest(f), n, Dof::uz) / (l * l * l / (3 * ei)), 1, 1e-6);
 }
 
@@ -501,7 +502,7 @@ TEST(Frame, RefusesAMotionThatItsMassesDoNotDetermine) {
   EXPECT_EQ(with([](Frame& f) { f.add_member(1, 2, slender, light); }), "taken");
   EXPECT_EQ(with([](Frame& f) { f.add_truss(1, 2, 1e-3, light), f.fix(2, {Dof::uz}); }), "taken");
   EXPECT_EQ(with([](Frame& f) { f.add_truss(1, 2, 1e-3, light), f.tie(1, 2, {Dof::uz}); }), "taken");
-  // Turned a little, so that across is no unknown of its own.
+  // Slightly rotated, so that the transverse direction is not an unknown.
   EXPECT_TRUE(test::mentions(with([](Frame& f) {
                                f.tie_rigidly(1, 2);
                                f.add_truss(1, f.add_node({2, 0, 1}, "end"), 1e-3, light);

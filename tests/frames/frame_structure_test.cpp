@@ -1,4 +1,4 @@
-// The structure that a frame is: floors, shears, supports, state at rest, reports, points of contact.
+// The structure made from a frame: floors, shears, supports, state at rest, reports, contact points.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ void refused(const std::function<void()>& act, const test::Facts& facts,
 
 const std::string material = "material: {E: 30 GPa}\n";
 const std::string column = "{rectangle: [0.4, 0.4], shear: false}";
-// Very stiff beams: the storeys are springs of 12 EI/h^3 a column.
+// Very stiff beams: each column is a storey spring of 12 EI/h^3.
 const std::string shear_grid =
     material + "grid: {storeys: 2, bays: 2, storey_height: [4 m, 3 m], bay_width: [5 m, 6 m], columns: " + column +
     ", beams: {area: 1e3, inertia_y: 1e3}, floor_mass: [30 t, 20 t], rigid_floors: true}\n";
@@ -121,7 +121,7 @@ TEST(FrameStructure, MembersWithDensityWeighOnTheirFloors) {
 // Stiff beams.
 TEST(FrameStructure, StoreyShearIsStiffnessTimesDriftAndTheLoadAbove) {
   test::Book book("Frames as structures: floors, shears, weight", "statics: the load above; three columns of 12 EI/h^3",
-                  "rounding for statics; the beams bend by some EI/h of a column over EI/L of a beam, 3e-6");
+                  "round-off for statics; the beams bend by about EI/h of a column over EI/L of a beam, 3e-6");
   const Structure s = structure(shear_grid);
   VectorXd load = VectorXd::Zero(s.size());
   load += 10e3 * s.floors[0].motion[0] + 7e3 * s.floors[1].motion[0];
@@ -129,7 +129,7 @@ TEST(FrameStructure, StoreyShearIsStiffnessTimesDriftAndTheLoadAbove) {
   const double first = s.floors[0].storey_shear[0].dot(q), second = s.floors[1].storey_shear[0].dot(q);
   book.near("shear of the second storey [N]", second, 7e3, 1e-4);
   book.near("shear of the first storey [N]", first, 17e3, 1e-4);
-  // Columns that do not shorten, or the stiff floors would tilt.
+  // Columns are inextensible here; otherwise the stiff floors would tilt.
   const Structure stocky = structure(
       std::string(shear_grid).replace(shear_grid.find(column), column.size(), "{area: 1e3, inertia_y: 2e-3}"));
   const VectorXd p = solve(stocky, load);
@@ -166,7 +166,7 @@ TEST(FrameStructure, StoreyShearOfABracedSplayedFrameIsTheLoadAbove) {
   book.near("shear of a braced storey along y [N]", s.floors[0].storey_shear[1].dot(q), -4e3, 1e-5);
 }
 
-// The cut at 2 m: what acts above it counts, what acts below does not.
+// Cut at 2 m: forces above count, forces below do not.
 TEST(FrameStructure, AStoreyIsCutAtItsMiddleHeight) {
   const Structure s = structure(material +
                                 "nodes: {foot: [0, 0], low: [0, 1], high: [0, 3], top: [0, 4]}\n"
@@ -207,7 +207,7 @@ TEST(FrameStructure, AFlexibleFloorInSpaceMovesAsItsMassesOnAverage) {
   std::string yaml = space_grid;
   yaml.replace(yaml.find("floor_mass"), 0, "rigid_floors: false, ");
   const Structure s = structure(yaml);
-  // The floor turns as a rigid body about the origin by a small angle and shifts.
+  // The floor moves as a rigid body: a shift and a small rotation about the origin.
   const double angle = 1e-3, shift = 0.02;
   VectorXd q = VectorXd::Zero(s.size());
   for (std::size_t node = 0; node < s.geometry.positions.size(); ++node) {
@@ -216,7 +216,7 @@ TEST(FrameStructure, AFlexibleFloorInSpaceMovesAsItsMassesOnAverage) {
     q[unknown(s, "node " + s.geometry.node_names[node] + " ux")] = shift - angle * at.y();
     q[unknown(s, "node " + s.geometry.node_names[node] + " uy")] = angle * at.x();
   }
-  // Centre of mass by half bays: x = (0 x 2.5 + 5 x 5.5 + 11 x 3)/11 = 5.5, y = 2.
+  // Centre of mass by tributary half bays: x = (0 x 2.5 + 5 x 5.5 + 11 x 3)/11 = 5.5, y = 2.
   ASSERT_EQ(s.floors[0].motion.size(), 3u);
   EXPECT_NEAR(s.floors[0].motion[0].dot(q), shift - angle * 2, 1e-12);
   EXPECT_NEAR(s.floors[0].motion[1].dot(q), angle * 5.5, 1e-12);
@@ -245,7 +245,7 @@ TEST(FrameStructure, SupportsThatDifferAddUpToTheWhole) {
   const MatrixXd load = parts.supports[0].load + parts.supports[1].load;
   EXPECT_LT((influence - MatrixXd(whole.supports[0].influence)).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT((load - MatrixXd(whole.supports[0].load)).cwiseAbs().maxCoeff(), 1e-6 * 50e3);
-  // One of three equal columns takes less than the rest of the ground.
+  // The influence of one of three equal columns is less than that of the others together.
   EXPECT_LT(parts.supports[1].influence(unknown(parts, "node 1.0 ux"), 0), 0.5);
 }
 
@@ -264,7 +264,7 @@ TEST(FrameStructure, RestsWhereItsWeightTakesIt) {
             1e-13);
   const Structure light = structure(cantilever + "gravity: false\nloads: {top: {ux: 5 kN}}\n");
   EXPECT_NEAR(light.at_rest[unknown(light, "node top uz")], 0, 1e-18);
-  book.near("the same without weight [m]", light.at_rest[unknown(light, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3),
+  book.near("deflection without weight [m]", light.at_rest[unknown(light, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3),
             1e-13);
 }
 
@@ -274,13 +274,13 @@ TEST(FrameStructure, PDeltaSoftensByTheWeight) {
   const Structure s = structure(cantilever + "geometry: p_delta\n");
   const int ux = unknown(s, "node top ux");
   const double weight = 20e3 * 9.80665;
-  book.near("stiffness across under its weight [N/m]", s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4,
+  book.near("transverse stiffness under its weight [N/m]", s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4,
             1e-5);
   EXPECT_THROW(structure("material: {E: 30 GPa}\nnodes: {foot: [0, 0], top: [0, 4 m]}\n"
                          "members: {c: {between: [foot, top], section: {area: 0.1, inertia_y: 1e-3}}}\n"
                          "supports: {foot: fixed}\nmasses: {top: 500 t}\ngeometry: p_delta\n"),
                InputError)
-      << "Euler's load is 4.63 MN";
+      << "the Euler load is 4.63 MN";
 }
 
 TEST(FrameStructure, ReportsNodesAndMembers) {
@@ -305,9 +305,9 @@ TEST(FrameStructure, ReportsNodesAndMembers) {
   EXPECT_NEAR(force(3), -2e3, 1e-8);
   EXPECT_NEAR(force(4), -1e3, 1e-8);
   EXPECT_NEAR(force(5), 0, 1e-8);
-  // Equilibrium about y with local z along -x and y of the member along y: the foot turns against the push.
+  // Moment equilibrium about y, with local z along -x and local y along y: the moment at the foot opposes the push.
   EXPECT_NEAR(force(2), -4e3, 1e-8);
-  // The ground holds the foot against the push, carries the load and keeps the foot from turning.
+  // The support opposes the push, carries the load and restrains the rotation of the foot.
   EXPECT_EQ(s.forces.supports, std::vector<std::string>{"foot"});
   EXPECT_EQ(s.forces.directions, (std::vector<std::string>{"x", "z", "ry"}));
   EXPECT_NEAR(force(6), -1e3, 1e-8);
@@ -321,7 +321,7 @@ TEST(FrameStructure, InSpaceAllTwelveEndForcesAreReported) {
   EXPECT_EQ(s.forces.components[3], "start T");
   EXPECT_EQ(s.forces.components[11], "end Mz");
   EXPECT_EQ(s.nodes.directions.size(), 6u);
-  EXPECT_EQ(s.nodes.names.size(), 18u) << "masters are not among them";
+  EXPECT_EQ(s.nodes.names.size(), 18u) << "masters are excluded";
 }
 
 TEST(FrameStructure, HasAPicture) {
@@ -335,7 +335,7 @@ TEST(FrameStructure, HasAPicture) {
   EXPECT_EQ(s.initial_velocity.size(), s.size());
 }
 
-// Points of contact.
+// Contact points.
 
 double motion(const ContactPoint& point, int direction, const VectorXd& q) { return point.motion[direction].dot(q); }
 
@@ -364,15 +364,15 @@ TEST(FrameSurface, APointOnARigidFloorTurnsWithIt) {
   q[unknown(s, "floor 2 rz")] = 1e-3;
   const ContactPoint right = s.surface->floor(1, Side::plus_x, 3), back = s.surface->floor(1, Side::plus_y, 8);
   EXPECT_EQ(right.position, Vector3d(11, 3, 6));
-  // The master stands at (5.5, 2).
+  // The master is at (5.5, 2).
   EXPECT_NEAR(motion(right, 0, q), -1e-3 * (3 - 2), 1e-15);
   EXPECT_NEAR(motion(right, 1, q), 1e-3 * (11 - 5.5), 1e-15);
   EXPECT_NEAR(motion(back, 0, q), -1e-3 * (4 - 2), 1e-15);
   EXPECT_NEAR(motion(back, 1, q), 1e-3 * (8 - 5.5), 1e-15);
-  // Corners move as the nodes there.
+  // Corners move with their nodes.
   const ContactPoint corner = s.surface->floor(1, Side::plus_x, 4);
   EXPECT_NEAR(motion(corner, 0, q), -2e-3, 1e-15);
-  // Up and down: straight between the nodes.
+  // Vertical motion: linear between the nodes.
   VectorXd lift = VectorXd::Zero(s.size());
   lift[unknown(s, "node 2.2.0 uz")] = 0.02;
   lift[unknown(s, "node 2.2.1 uz")] = 0.04;
@@ -385,7 +385,7 @@ TEST(FrameSurface, AFlexibleFloorIsTouchedOnItsEdgeBeam) {
   yaml.replace(yaml.find("floor_mass"), 0, "rigid_floors: false, ");
   const Structure light = structure(yaml);
   refused([&] { light.surface->floor(0, Side::plus_x, 2); }, {"masses: {1.2.0: {rz: 100 kg m^2}}", "mass: consistent"});
-  EXPECT_EQ(light.surface->floor(0, Side::plus_x, 4).member, -1) << "at the node itself nothing turns";
+  EXPECT_EQ(light.surface->floor(0, Side::plus_x, 4).member, -1) << "no rotation at the node itself";
   const Structure s = structure(yaml + "masses: {1.2.0: {rz: 100}, 1.2.1: {rz: 100}}\n");
   const ContactPoint point = s.surface->floor(0, Side::plus_x, 1);
   EXPECT_EQ(s.geometry.member_names[point.member], "beam y 1.2.0");
@@ -393,7 +393,7 @@ TEST(FrameSurface, AFlexibleFloorIsTouchedOnItsEdgeBeam) {
   q[unknown(s, "node 1.2.0 ux")] = q[unknown(s, "node 1.2.1 ux")] = 0.1;
   EXPECT_NEAR(motion(point, 0, q), 0.1, 1e-15);
   EXPECT_NEAR(point.mass, 30e3, 1e-8);
-  // The ends hold the force: they add up to minus it.
+  // The end forces sum to minus the applied force.
   const Eigen::Matrix3d axes = beam_axes({0, 1, 0});
   const Vector3d ends = axes.transpose() * (point.fixed_ends.block<3, 1>(0, 0) + point.fixed_ends.block<3, 1>(6, 0));
   EXPECT_NEAR((ends - Vector3d(-1, 0, 0)).norm(), 0, 1e-12);
@@ -406,10 +406,10 @@ TEST(FrameSurface, AColumnIsTouchedBetweenItsFloors) {
   const ContactPoint point = s.surface->column(5.5, Side::plus_x, 0);
   EXPECT_EQ(point.position, Vector3d(11, 0, 5.5));
   EXPECT_EQ(s.geometry.member_names[point.member], "column 2.2");
-  EXPECT_NEAR(point.mass, 25e3, 1e-8) << "half way between 30 t and 20 t";
+  EXPECT_NEAR(point.mass, 25e3, 1e-8) << "midway between 30 t and 20 t";
   VectorXd q = VectorXd::Zero(s.size());
   q[unknown(s, "node 2.0 ux")] = 0.1;
-  EXPECT_NEAR(motion(point, 0, q), 0.05, 1e-15) << "half way, by symmetry";
+  EXPECT_NEAR(motion(point, 0, q), 0.05, 1e-15) << "midway, by symmetry";
   const ContactPoint foot_side = s.surface->column(1, Side::minus_x, 0);
   EXPECT_EQ(s.geometry.member_names[foot_side.member], "column 1.0");
   EXPECT_NEAR(foot_side.mass, 30e3 / 4, 1e-8);
@@ -435,7 +435,7 @@ TEST(FrameSurface, InSpaceTheColumnNearestToThePointIsTouched) {
   EXPECT_EQ(s.geometry.member_names[s.surface->column(1, Side::plus_y, 6).member], "column 1.1.1");
 }
 
-// A rigid end of 0.5 m belongs to the column: there the point turns with the node.
+// A rigid end zone of 0.5 m belongs to the column: there the point rotates with the node.
 TEST(FrameSurface, ARigidEndOfAColumnMovesWithItsNode) {
   const Structure s = structure(
       "material: {E: 30 GPa}\nnodes: {foot: [0, 0], top: [0, 4 m]}\n"
@@ -457,7 +457,7 @@ TEST(FrameSurface, NodesAreTouchedByName) {
   refused([&] { s.surface->node("2.3"); }, {"2.3", "2.0"});
 }
 
-// A rod on a rotational spring at its foot, a weight on top: it falls over where the weight exceeds spring/length.
+// A rod on a rotational spring at its foot with a weight on top: unstable if the weight exceeds spring/length.
 std::string inverted_pendulum(double weight, const std::string& more = "") {
   return "geometry: corotational\ngravity: true\nmaterial: {E: 1e9}\nsections: {s: {area: 1, inertia_y: 1}}\n"
          "nodes: {a: [0, 0], b: [0, 2]}\nmembers: {rod: {between: [a, b], section: s}}\n"
@@ -472,7 +472,7 @@ TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
   EXPECT_LT((MatrixXd(s.elastic->tangent(VectorXd::Zero(s.size()))) - k).norm(), 1e-14 * k.norm());
   EXPECT_EQ(s.elastic->force(VectorXd::Zero(s.size())), VectorXd::Zero(s.size()));
   EXPECT_EQ(s.elastic->energy(VectorXd::Zero(s.size())), 0);
-  // Sideways at the top, all else free: k/L^2 - P/L.
+  // Lateral stiffness at the top with all other unknowns free: k/L^2 - P/L.
   VectorXd load = VectorXd::Zero(s.size());
   load[unknown(s, "node b ux")] = 1;
   EXPECT_NEAR(1 / solve(s, load)[unknown(s, "node b ux")], 4000 / 4.0 - 500 / 2.0, 1e-2);
@@ -502,19 +502,19 @@ TEST(TurningFrame, RefusesWhatItWouldShowWrong) {
   EXPECT_GT(s.surface->column(3, Side::plus_x, 0).mass, 0);
 }
 
-// The forces of turned members about the state of rest are those of a rigid turn of the whole: none, and its axes turn.
+// A rigid rotation changes no forces of the rotated members about the state of rest; only their axes rotate.
 TEST(TurningFrame, TrussesTurnToo) {
   const Structure s = structure(
       "geometry: corotational\nmaterial: {E: 1e9}\nsections: {s: {area: 0.01, inertia_y: 1e-5}}\n"
       "nodes: {a: [0, 0], b: [3, 4]}\nmembers: {bar: {between: [a, b], truss: 0.01}}\n"
       "supports: {a: pinned, b: {springs: {ux: 1, uz: 1}}}\nmasses: {b: 1000}\nreport: {members: all}\n");
-  // From (3, 4) to (-4, 3): a quarter turn, no strain, the springs alone.
+  // From (3, 4) to (-4, 3): a quarter turn without strain; only the springs act.
   VectorXd u = VectorXd::Zero(s.size());
   u[unknown(s, "node b ux")] = -7;
   u[unknown(s, "node b uz")] = -1;
   EXPECT_NEAR(s.elastic->energy(u), 0.5 * (49 + 1), 1e-6);
   EXPECT_LT((s.elastic->force(u) - u).norm(), 1e-6);
-  u *= 1.1;  // beyond: to (-4.7, 2.9)
+  u *= 1.1;  // further: to (-4.7, 2.9)
   const double stretch = std::hypot(4.7, 2.9) - 5, force = 1e7 / 5 * stretch;
   ASSERT_EQ(s.forces.components.size(), 6u);
   VectorXd forces = s.forces.turned(u);

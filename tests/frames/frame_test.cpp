@@ -44,7 +44,7 @@ double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof do
   return f.motion(node, dof).dot(q);
 }
 
-// Squares of the circular frequencies in ascending order, massless unknowns condensed.
+// Squared circular frequencies in ascending order, massless degrees of freedom condensed.
 VectorXd frequencies_squared(const AssembledFrame& f) {
   const test::dense::Condensed condensed = test::dense::condense(f.stiffness, f.mass);
   EXPECT_EQ(std::ssize(condensed.massless), std::count(f.massless.begin(), f.massless.end(), true));
@@ -53,7 +53,7 @@ VectorXd frequencies_squared(const AssembledFrame& f) {
 
 double period(const VectorXd& frequencies_squared, int mode) { return 2 * M_PI / std::sqrt(frequencies_squared[mode]); }
 
-// A straight row of members along x with ends at these stations.
+// A straight row of members along x with nodes at these stations.
 Frame row(int dimension, const std::vector<double>& stations, const BeamOptions& options = {}) {
   Frame frame(dimension);
   for (const double x : stations) frame.add_node({x, 0, 0});
@@ -87,11 +87,11 @@ TEST(Frame, SolvesTheProppedBeam) {
   book.near("moment at the roller [N m]", second[10], 0, 1e-10 * p * l);
 }
 
-// For any bay, with members that do not change their length.
+// For any bay, with inextensible members.
 TEST(Frame, HasTheSwayStiffnessOfThePortal) {
   test::Book book("Linear frames",
                   "Chopra, Dynamics of Structures, example 1.1: k = 24 EIc/h^3 (6r + 1)/(6r + 4), r = (Ib/l)/(Ic/h); "
-                  "the columns' end moments carry F h",
+                  "the end moments of the columns balance F h",
                   "rounding");
   const double h = 4, l = 7, force = 3e4;
   Section beam = section;
@@ -139,7 +139,7 @@ TEST(Frame, CarriesAxialForceAndPureBendingThroughUnequalMembers) {
 }
 
 TEST(Frame, DividesATimoshenkoBeamWithoutError) {
-  test::Book book("Linear frames", "Timoshenko's deep cantilever, however it is divided: F L^3/(3 EI) + F L/(G As)",
+  test::Book book("Linear frames", "Timoshenko's deep cantilever, for any subdivision: F L^3/(3 EI) + F L/(G As)",
                   "rounding");
   Section deep = section;
   deep.shear_area_z = 0.1;
@@ -156,8 +156,8 @@ TEST(Frame, DividesATimoshenkoBeamWithoutError) {
   }
 }
 
-// Euler: pi^2 EI/(K L)^2 with K = 2 (cantilever), 1 (hinged), 1/2 (clamped); shear deformation (Engesser) P/(1 + P/(G
-// As)).
+// Euler: pi^2 EI/(K L)^2 with K = 2 (cantilever), 1 (hinged), 1/2 (fixed); with shear deformation (Engesser) P/(1 +
+// P/(G As)).
 TEST(Frame, BucklesAtEulersLoad) {
   const double l = 4;
   const int n = 8;
@@ -186,7 +186,7 @@ TEST(Frame, BucklesAtEulersLoad) {
 TEST(Frame, WithConsistentMassHasTheFrequencyOfACantilever) {
   test::Book book("Linear frames",
                   "Chopra, section 17.1: 1.8751^2 sqrt(EI/(m L^4)); cubic shape functions are of fourth order, and a "
-                  "consistent mass is never too slow",
+                  "consistent mass gives an upper bound",
                   "short of 16 by the next even order: 1.22, 0.30, 0.07 for 2, 4, 8 members");
   const double l = 5, exact = std::pow(1.875104068711961, 4) * ei / (steel.density * section.area * std::pow(l, 4));
   const auto excess = [&](int members) {
@@ -211,7 +211,7 @@ TEST(Frame, CountsItsWholeMassInEveryDirection) {
       const double mass = steel.density * section.area * 3 + 40;
       for (int axis = 0; axis < 3; ++axis) {
         const double expected = dimension == 2 && axis == 1 ? 0 : mass;
-        book.near("mass that a uniform motion meets [kg]", f.influence.col(axis).dot(f.mass * f.influence.col(axis)),
+        book.near("mass that a uniform motion acts on [kg]", f.influence.col(axis).dot(f.mass * f.influence.col(axis)),
                   expected, 1e-11 * mass);
       }
       EXPECT_LT(relative(f.load, f.mass * f.influence), 1e-13);
@@ -219,7 +219,7 @@ TEST(Frame, CountsItsWholeMassInEveryDirection) {
   }
 }
 
-// The absolute motion of a structure on a moving ground, with the support's own row kept: what it adds to M r.
+// Absolute motion of a structure on moving ground, with the rows of the support kept: their contribution to M r.
 TEST(Frame, CountsTheMassThatConsistentMassesCoupleToTheSupports) {
   Frame whole = row(2, {0, 1, 3}, {.mass = BeamMass::consistent}), held = whole;
   held.fix(0);
@@ -258,13 +258,13 @@ TEST(Frame, NumbersItsUnknownsNodeByNodeAndKnowsTheMassless) {
   EXPECT_EQ(f.massless, (std::vector<bool>{false, true, false, true}));
   EXPECT_EQ(VectorXd(f.motion(2, Dof::ux)), VectorXd::Unit(4, 0));
   EXPECT_EQ(VectorXd(f.motion(1, Dof::uz)), VectorXd::Zero(4));
-  // u + r x arm: up the arm +ry moves to +x, along it to -z.
+  // u + r x arm: at the end of a vertical arm +ry moves to +x, at the end of one along x to -z.
   EXPECT_EQ(VectorXd(f.motion(2, Dof::ux, {0, 0, 3})), VectorXd(VectorXd::Unit(4, 0) + 3 * VectorXd::Unit(4, 3)));
   EXPECT_EQ(VectorXd(f.motion(2, Dof::uz, {2, 0, 3})), VectorXd(VectorXd::Unit(4, 2) - 2 * VectorXd::Unit(4, 3)));
 }
 
-// One storey on four unlike columns; its floor rigid, either by constraint or by a cross of beams `stiff` times as
-// stiff in the plane of the floor as a column and almost without stiffness out of it.
+// One storey on four different columns. The floor is rigid, either by constraint or by a cross of beams that are
+// `stiff` times as stiff as a column in the plane of the floor and flexible out of plane.
 Frame storey(double stiff, double turn = 0) {
   const double c = std::cos(turn), s = std::sin(turn);
   const auto at = [&](double x, double y, double z) { return Vector3d(c * x - s * y, s * x + c * y, z); };
@@ -305,7 +305,7 @@ TEST(Frame, HasRigidFloorsThatAreTheLimitOfStiffOnes) {
 
   EXPECT_LT(relative(VectorXd(rigid.motion(4, Dof::uy, {6, 4, 0})), VectorXd(rigid.motion(6, Dof::uy))), 1e-15);
   EXPECT_LT(relative(VectorXd(rigid.motion(4, Dof::ux, {6, 4, 0})), VectorXd(rigid.motion(6, Dof::ux))), 1e-15);
-  // The masses of the nodes, of all beams and of the upper halves of the columns.
+  // Masses of the nodes, of all beams and of the upper halves of the columns.
   const double lengths = 5 + std::hypot(1, 4) + std::hypot(6, 1) + 3 + 4 * 1.5;
   EXPECT_NEAR(rigid.load.col(0).dot(rigid.influence.col(0)), 10e4 + steel.density * section.area * lengths, 1e-6);
 }
@@ -329,7 +329,7 @@ TEST(Frame, HasTheSamePeriodsHoweverItStands) {
             1e-12);
 }
 
-// A load at the end of a rigid arm acts as force and moment at its master; the arm is as one by a member's rigid
+// A load at the end of a rigid arm acts as force and moment at its master; the arm is equivalent to a rigid member
 // offset.
 TEST(Frame, TiesRigidBodies) {
   for (const int dimension : {2, 3}) {
@@ -364,11 +364,11 @@ TEST(Frame, FollowsChainsOfConstraints) {
   frame.tie_rigidly(2, 3);
   frame.tie_rigidly(1, 2);
   const AssembledFrame f = frame.assemble();
-  // 4 has the uz of 3, which stands 2 m from 1.
+  // 4 has the uz of 3, which is 2 m from 1.
   EXPECT_EQ(VectorXd(f.motion(4, Dof::uz)), VectorXd(VectorXd::Unit(f.size(), 1) - 2 * VectorXd::Unit(f.size(), 2)));
 }
 
-// The frames of frames.py: reduced inertias of concrete columns 55 x 55 cm and beams 30 x 60 cm.
+// Frames of frames.py: cracked inertias of concrete columns 55 x 55 cm and beams 30 x 60 cm.
 GridFrame concrete(int storeys, int bays_x, int bays_y, double scale) {
   const double c = 0.55, h = 0.60, b = 0.30, i = 0.7 * std::pow(c, 4) / 12 * scale;
   return {.storeys = storeys,
@@ -387,10 +387,10 @@ GridFrame concrete(int storeys, int bays_x, int bays_y, double scale) {
 }
 
 TEST(GridFrame, HasThePeriodsOfOpenSees) {
-  test::Book book("Frames beside OpenSees: matrices and periods",
+  test::Book book("Frames compared with OpenSees: matrices and periods",
                   "OpenSees 3.7.1 (openseespy), elasticBeamColumn and lumped masses, `eigen`; its matrices, printed "
                   "by GimmeMCK, agree with these to 1e-15 of the largest entry",
-                  "rounding of both eigensolvers");
+                  "round-off of both eigensolvers");
   struct Peer {
     GridFrame grid;
     int unknowns;
@@ -451,8 +451,7 @@ TEST(GridFrame, PlacesItsNodesAndSharesItsMassByHalfBays) {
             6 * 12);  // rotations have mass as well
 }
 
-// So that equal buildings are equal to the last bit. Rounding of places such as 30.02 + 6 would differ from one to the
-// next.
+// Equal buildings are bitwise identical: the round-off of coordinates such as 30.02 + 6 must not differ between them.
 TEST(GridFrame, HasTheSameMatricesWhereverItStands) {
   for (const bool rigid : {false, true}) {
     GridFrame grid = concrete(3, 2, 2, 1);
@@ -491,13 +490,13 @@ TEST(GridFrame, WithRigidFloorsHasADiagonalMassAtTheirCentres) {
   EXPECT_EQ(f.mass.nonZeros(), 2 * (3 + 6));
   const VectorXd turn = f.motion(grid.floor(1), Dof::rz), shift = f.motion(grid.floor(1), Dof::ux);
   EXPECT_NEAR(shift.dot(f.mass * shift), 1600, 1e-9);
-  // Shares of x are 6/16, 8/16, 2/16; both rows of y stand 3 m off.
+  // Fractions in x are 6/16, 8/16, 2/16; both rows in y are at 3 m.
   EXPECT_NEAR(turn.dot(f.mass * turn), 1600 * (6 * 16.0 + 8 * 4.0 + 2 * 16.0) / 16 + 1600 * 9.0, 1e-8);
   EXPECT_EQ(VectorXd(f.motion(grid.node(1, 2, 1), Dof::ux)), VectorXd(shift - 3 * turn));
   const VectorXd across = f.motion(grid.floor(1), Dof::uy);
   EXPECT_EQ(VectorXd(f.motion(grid.node(1, 2, 1), Dof::uy)), VectorXd(across + 4 * turn));
 
-  // In a plane frame, all nodes of a floor have the ux of the first.
+  // In a plane frame, all nodes of a floor share the ux of the first.
   GridFrame plane = concrete(8, 3, 0, 1.0);
   plane.rigid_floors = true;
   const AssembledFrame p = make_frame(plane).assemble();
@@ -505,13 +504,13 @@ TEST(GridFrame, WithRigidFloorsHasADiagonalMassAtTheirCentres) {
   EXPECT_EQ(VectorXd(p.motion(plane.node(3, 2), Dof::ux)), VectorXd(p.motion(plane.floor(3), Dof::ux)));
 }
 
-// Two equal plane frames behind each other carry half the load each.
+// Two equal plane frames in parallel each carry half of the load.
 TEST(GridFrame, InSpaceMovesAsItsPlaneFramesDo) {
   GridFrame space = concrete(3, 2, 1, 1.0), plane = concrete(3, 2, 0, 1.0);
   for (GridFrame* grid : {&space, &plane}) grid->rigid_floors = true;
   space.floor_mass = {144e3};
   const AssembledFrame a = make_frame(space).assemble(), b = make_frame(plane).assemble();
-  // Both frames in x bend alike, so that the beams between them neither bend nor twist.
+  // Both frames in x bend equally, so that the beams between them neither bend nor twist.
   VectorXd load_a = VectorXd::Zero(a.size()), load_b = VectorXd::Zero(b.size());
   for (int storey = 1; storey <= 3; ++storey) {
     load_a += load_at(a, space.floor(storey), Dof::ux, 2e4 * storey);

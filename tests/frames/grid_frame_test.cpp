@@ -1,4 +1,4 @@
-// Grids whose members are not all alike.
+// Grids with members that differ.
 
 #include <gtest/gtest.h>
 
@@ -81,8 +81,7 @@ TEST(GridFrame, CutMembersAreAsStiffAsWholeOnes) {
   EXPECT_NEAR(roof(cut), roof(whole), 1e-9 * roof(whole));
 }
 
-// The parts have less and less mass of their own, and yet two floors hit each other. A floor itself loses what the
-// nodes of the cut take.
+// The mass of the parts decreases, yet two floors still collide. A floor loses the mass that the nodes of the cut take.
 TEST(GridFrame, CutColumnsAreHitWithTheMassOfTheirFloors) {
   const auto hit = [](int parts, double elevation) {
     GridFrame grid = plane();

@@ -1,5 +1,4 @@
-// Hinges of frames by statics: limit loads of portals, springs at nodes of their own, members that are cut,
-// equilibrium.
+// Statics of frame hinges: limit loads of portals, springs at separate nodes, cut members, equilibrium.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +36,7 @@ Structure made(const Frame& frame, bool gravity = false) {
   return make_structure(std::move(model));
 }
 
-// Feet fixed, 4 m high, span 8 m, a node at midspan. Hinges at the feet, at the tops of the columns and at midspan.
+// Fixed feet, 4 m high, span 8 m, a node at midspan. Hinges at the feet, at the column tops and at midspan.
 Frame portal(double hardening) {
   Frame frame(2);
   const Section section = without_shear_deformation(rectangle_section(0.4, 0.4));
@@ -57,7 +56,7 @@ Frame portal(double hardening) {
   return frame;
 }
 
-// Unknowns are those of the corner, of midspan and of the other corner, x z ry each.
+// Unknowns x, z, ry of one corner, of midspan and of the other corner.
 double limit_load(double across, double down) {
   const Structure s = made(portal(0));
   VectorXd load = VectorXd::Zero(9);
@@ -73,14 +72,14 @@ TEST(HingeStatics, PortalsCollapseAtTheLoadsOfLimitAnalysis) {
   test::Book book(
       "Hinges of frames",
       "limit analysis of a portal with fixed feet, h = 4 m, l = 8 m, Mp = 200 kN m: mechanisms of sway, beam and both",
-      "rounding of the event-to-event path");
-  book.near("load across, 4 Mp/h [N]", limit_load(1, 0), 4 * plastic / 4, 1e-9 * 200e3);
+      "round-off of the event-to-event path");
+  book.near("lateral load, 4 Mp/h [N]", limit_load(1, 0), 4 * plastic / 4, 1e-9 * 200e3);
   book.near("load at midspan, 8 Mp/l [N]", limit_load(0, 1), 8 * plastic / 8, 1e-9 * 200e3);
   book.near("equal loads, 6 Mp/(h + l/2) [N]", limit_load(1, 1), 6 * plastic / (4 + 8.0 / 2), 1e-9 * 150e3);
-  book.near("a quarter of the load across at midspan, 4 Mp/h [N]", limit_load(1, 0.25), 4 * plastic / 4, 1e-9 * 200e3);
+  book.near("a quarter of the lateral load at midspan, 4 Mp/h [N]", limit_load(1, 0.25), 4 * plastic / 4, 1e-9 * 200e3);
 }
 
-// A cantilever yields at M = F L and goes on with L^3/3EI + L^2/h.
+// A cantilever yields at M = F L and continues with a flexibility of L^3/3EI + L^2/h.
 TEST(HingeStatics, HardeningIsThatOfTheMemberInDoubleCurvature) {
   const double alpha = 0.03, length = 3, inertia = 0.4 * 0.4 * 0.4 * 0.4 / 12, ei = 30e9 * inertia;
   Frame frame(2);
@@ -105,7 +104,7 @@ TEST(HingeStatics, HardeningIsThatOfTheMemberInDoubleCurvature) {
   const double bends = (yields_at + more) * length * length * length / (3 * ei);
   EXPECT_NEAR(pushed.u[0], bends + more * length * length / h, 1e-11 * pushed.u[0]);
 
-  // Both ends, in double curvature: the turned-free top moves by V (h^3/12 EI), and beyond yielding by 1/alpha of that.
+  // Both ends in double curvature: the guided top moves by V (h^3/12 EI), and by 1/alpha of that beyond yielding.
   Frame guided(2);
   guided.add_node({0, 0, 0}), guided.add_node({0, 0, length});
   guided.fix(0), guided.fix(1, {Dof::ry, Dof::uz});
@@ -121,7 +120,7 @@ TEST(HingeStatics, HardeningIsThatOfTheMemberInDoubleCurvature) {
   EXPECT_NEAR(both.u[0], yields * elastic + more * elastic / alpha, 1e-11 * both.u[0]);
 }
 
-// The frame of three storeys whose periods were found elsewhere with springs between explicit rotations.
+// The frame of three storeys whose reference periods come from springs between explicit rotations.
 Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
   const Section column = without_shear_deformation(rectangle_section(0.4, 0.4)),
                 beam = without_shear_deformation(rectangle_section(0.3, 0.5));
@@ -183,8 +182,7 @@ TEST(HingeStatics, SpringsInSeriesAreAsSoftAsSpringsBetweenNodes) {
   EXPECT_EQ(cut.yielding.size(), 8u);
 }
 
-// All springs keep 0.003 of their k: what the frame with softer springs says, and the forces -(1 - b) k d of the
-// structure.
+// All springs keep 0.003 of their k: the frame with softer springs against the forces -(1 - b) k d of the structure.
 TEST(HingeStatics, YieldedSpringsAreAsSoftAsTheirHardening) {
   const Structure softer = made(three_storeys(true, 0.003)), yielding = made(three_storeys(false));
   const YieldingStatics statics(yielding);
@@ -235,7 +233,7 @@ TEST(HingeStatics, AMemberThatIsCutYieldsAlike) {
       frame.add_node({0, 0, 0}), frame.add_node({1, 0, 4}), frame.add_node({6, 0, 4});
       frame.fix(0), frame.fix(2, {Dof::uz});
       frame.add_mass(1, 1e3), frame.add_mass(2, Dof::ux, 1e3);
-      const Section section = rectangle_section(0.4, 0.4);  // it shears
+      const Section section = rectangle_section(0.4, 0.4);  // with shear deformation
       frame.add_member(1, 2, section, concrete);
       const std::vector<int> column =
           add_member_in_parts(frame, "column", 0, 1, {.section = section, .material = concrete, .parts = parts});
@@ -250,7 +248,7 @@ TEST(HingeStatics, AMemberThatIsCutYieldsAlike) {
       const Structure s = made(frame);
       VectorXd load = VectorXd::Zero(s.size()), ratio(2);
       load[0] = 1, load[1] = -0.3;
-      for (int i = 0; i < 2; ++i) {  // the slope beyond the yield moment
+      for (int i = 0; i < 2; ++i) {  // slope beyond the yield moment
         const Spring& spring = *s.yielding[i].spring;
         ratio[i] = 1 + spring.evaluate({2 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
       }
@@ -267,8 +265,8 @@ TEST(HingeStatics, AMemberThatIsCutYieldsAlike) {
   }
 }
 
-// Rigid end zones, shear deformation, releases elsewhere, inclined members, both axes, springs and rigid-plastic hinges
-// at once.
+// Rigid end zones, shear deformation, releases, inclined members, both axes, springs and rigid-plastic hinges in one
+// frame.
 FrameModel space_frame() {
   FrameModel model{.frame = Frame(3)};
   Frame& frame = model.frame;
@@ -301,7 +299,7 @@ FrameModel space_frame() {
   return model;
 }
 
-// Any forces of the hinges: the moment of each is k d + F, members and joints and the whole are in equilibrium.
+// For any hinge forces, the moment of each is k d + F, and members, joints and the whole frame are in equilibrium.
 TEST(HingeStatics, EndForcesOfYieldingMembersAreInEquilibrium) {
   const FrameModel model = space_frame();
   const Structure s = make_structure(model);
@@ -319,7 +317,7 @@ TEST(HingeStatics, EndForcesOfYieldingMembersAreInEquilibrium) {
   EXPECT_NEAR(all[2 * 12 + 11], 0, 1e-6) << "released";
   EXPECT_NEAR(all[3 * 12 + 3], 0, 1e-6) << "released";
 
-  // On the members: forces and moments about the start, in global axes. On the joints: what the members take, and the
+  // On the members: forces and moments about the start, in global axes. On the joints: the member end forces and the
   // springs.
   for (int m = 0; m < 5; ++m) {
     const Beam& beam = model.frame.beam(m);
@@ -351,7 +349,7 @@ TEST(HingeStatics, EndForcesOfYieldingMembersAreInEquilibrium) {
     const double spring = node == 1 && dof == Dof::ry ? 3e7 * u[i] : 0;
     EXPECT_NEAR(taken(static_cast<int>(dof), node) + spring, load[i], 1e-5) << s.unknowns[i];
   }
-  // At the feet the ground holds what the members take there; the spring at node b pushes back.
+  // The support forces at the feet equal the member end forces; the spring at node b pushes back.
   ASSERT_EQ(s.forces.supports.size(), 3u);
   const auto b_turns = std::find(s.unknowns.begin(), s.unknowns.end(), "node b ry") - s.unknowns.begin();
   const std::vector<int> feet{0, 1, 5};
@@ -376,7 +374,7 @@ TEST(HingeStatics, StoreyShearsOfYieldingFramesAreTheLoadAbove) {
   EXPECT_NEAR(floor.storey_shear[1].dot(u) + floor.storey_shear_by_yielding[1].dot(forces), 7e3, 1e-5);
 }
 
-// p_delta: the same frame with pins where the hinges have yielded, and springs there, under the same axial forces.
+// p_delta: the same frame with pins in place of the yielded hinges, and springs there, under the same axial forces.
 TEST(HingeStatics, YieldedHingesUnderPDeltaAreSpringsInTheColumns) {
   const Section section = without_shear_deformation(rectangle_section(0.4, 0.4));
   const double ei = 30e9 * section.inertia_y, h = 0.05 * 6 * ei / 5 / 0.95;

@@ -1,4 +1,4 @@
-// Hinges of frames by themselves: what is refused, two yield moments, gravity, names.
+// Frame hinges in isolation: error messages, two yield moments, gravity, names.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ void refused(const std::function<void()>& act, const test::Facts& facts,
   test::expect_message(test::refusal(act), "", facts, line);
 }
 
-// A beam of 6 m between two walls, cut in the middle, where a mass hangs: "left" and "right".
+// A beam of 6 m between two walls, cut at midspan, where a mass hangs: members "left" and "right".
 Frame held_beam(int dimension = 2, const BeamOptions& left = {}) {
   Frame frame(dimension);
   frame.add_node({0, 0, 0}), frame.add_node({3, 0, 0}), frame.add_node({6, 0, 0});
@@ -122,7 +122,7 @@ TEST(Hinges, AreNotHitInTheNextPartEither) {
   refused([&] { made(frame).surface->column(2.2, Side::plus_x, 0); }, {"members: {c: {parts: 4}}", "c/3"});
 }
 
-// The mass of 10 t at the middle: W L/8 = 73.55 kN m at the walls (hogging) and at the middle (sagging).
+// A mass of 10 t at midspan: W L/8 = 73.55 kN m at the walls (hogging) and at midspan (sagging).
 TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
   const double moment = 10e3 * standard_gravity * 6 / 8;
   const auto with = [](double sagging, double hogging, double factor = 0) {
@@ -136,7 +136,7 @@ TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
   ASSERT_EQ(s.yielding.size(), 2u);
   EXPECT_EQ(s.yielding[0].name, "left start");
   EXPECT_EQ(s.yielding[0].law, "hinge");
-  // The start hogs: a negative moment on it; the end sags: a negative one, too.
+  // The start hogs: a negative moment; the end sags: also a negative one.
   for (const YieldingPart& part : s.yielding)
     EXPECT_NEAR(part.spring->stiffness() * part.at_rest, -moment, 1e-9 * moment) << part.name;
   const Eigen::VectorXd forces = s.forces.rows * s.at_rest + s.forces.at_rest;
@@ -144,7 +144,7 @@ TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
 
   EXPECT_NO_THROW(made(with(80e3, 80e3), FrameGeometry::linear, true));
   EXPECT_NO_THROW(made(with(60e3, 80e3), FrameGeometry::linear, false));
-  refused([&] { made(with(60e3, 80e3), FrameGeometry::linear, true); }, {"left start", "-73.55 kN m", "-60 kN m"});
+  refused([&] { made(with(60e3, 80e3), FrameGeometry::linear, true); }, {"left end", "-73.55 kN m", "-60 kN m"});
   refused([&] { made(with(80e3, 60e3), FrameGeometry::linear, true); }, {"left start", "-73.55 kN m", "-60 kN m"});
 }
 
@@ -158,7 +158,7 @@ TEST(Hinges, ALoadBetweenTheEndsCountsAtRest) {
   EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -10e3 * 36 / 12, 1e-9 * 30e3) << "q l^2/12";
 }
 
-// A consistent mass spreads the weight: w l^2/12 at the wall, in the report of end forces too.
+// A consistent mass distributes the weight: w l^2/12 at the wall, also in the reported end forces.
 TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
   Frame frame(2);
   frame.add_node({0, 0, 0}), frame.add_node({3, 0, 0}), frame.add_node({6, 0, 0});
@@ -172,8 +172,8 @@ TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
   EXPECT_NEAR((s.forces.rows * s.at_rest + s.forces.at_rest)[2], -moment, 1e-9 * moment);
 }
 
-// Bouc and Wen's law bends from the start. The spring of 20 EI/m beside 4EI/L of the whole beam takes 20/(20 + 4/6)
-// of 73.55 kN m before it gives way, which tests/run/rest_test.cpp follows.
+// The Bouc-Wen law has no straight part. Its spring of 20 EI/m in series with 4EI/L of the whole beam takes 20/(20 +
+// 4/6) of 73.55 kN m before it softens; see tests/run/rest_test.cpp.
 TEST(Hinges, ALawThatIsNeverStraightTakesGravityBelowItsYieldMoment) {
   Frame frame = held_beam();
   frame.add_hinge({.stiffness_factor = 10,
@@ -189,7 +189,7 @@ TEST(Hinges, ALawThatIsNeverStraightTakesGravityBelowItsYieldMoment) {
   refused([&] { made(weak, FrameGeometry::linear, true); }, {"-71.18 kN m", "-70 kN m"});
 }
 
-// [sagging, hogging] is the same on both ends, though their moments have other signs.
+// [sagging, hogging] has the same meaning at both ends, although their moments have opposite signs.
 TEST(Hinges, YieldAtTwoMoments) {
   for (const int dimension : {2, 3})
     for (const BendingAxis about : {BendingAxis::y, BendingAxis::z}) {
@@ -203,7 +203,7 @@ TEST(Hinges, YieldAtTwoMoments) {
         return static_cast<int>(std::find(s.unknowns.begin(), s.unknowns.end(), "node 1 " + name) - s.unknowns.begin());
       };
       Eigen::VectorXd sag = Eigen::VectorXd::Zero(s.size());
-      // Down along z, or along -y; the far end stays level, so the start hogs and the far end sags.
+      // Down along z or along -y with the far end level: the start hogs and the far end sags.
       sag[unknown(about == BendingAxis::y ? "uz" : "uy")] = -1;
       for (int i = 0; i < 2; ++i) {
         const Spring& spring = *s.yielding[i].spring;
@@ -229,7 +229,7 @@ TEST(Hinges, AreNamedByMemberEndAndAxis) {
   EXPECT_DOUBLE_EQ(s.yielding[0].spring->stiffness(), 5 * 30e9 * square.inertia_z);
 }
 
-// Such a law compares its numbers with the stiffness of the spring.
+// Such a law checks its parameters against the stiffness of the spring.
 TEST(Hinges, ALawIsCheckedWithItsStiffness) {
   const hysteresis::Settings cracking{
       .law = "peak_oriented",
@@ -250,14 +250,14 @@ TEST(Hinges, LawsSpeakOfMoments) {
   refused(add({.law = "bilinear", .values = {{"yield_force", yield}}}), {"left", "yield_moment", "yield_force"});
 }
 
-// Stiffness far beyond the yield over that at the beginning.
+// Ratio of the stiffness far beyond yield to the initial one.
 double kept(const YieldingPart& part) {
   const Spring& spring = *part.spring;
   return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
 }
 
-// A spring k and a member end K = 6EI/L in double curvature have the stiffness K k/(K + k), and after the yield K b
-// k/(K + b k).
+// A spring k and a member end K = 6EI/L in double curvature have the stiffness K k/(K + k), and K b k/(K + b k) after
+// yield.
 TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
   constexpr double a = 0.02, of_member = 6 * 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12 / 3;
   for (const double factor : {0.5, 10.0, 300.0}) {
@@ -297,8 +297,8 @@ TEST(Hinges, SpringHardeningIsThatOfTheBareSpring) {
   }
 }
 
-// Ductility is the rotation of the member end over its yield rotation My L/4EI: with the plastic rotation p it is 1 +
-// 4EI p/(My L) without hardening.
+// Ductility is the rotation of the member end over its yield rotation My L/4EI: 1 + 4EI p/(My L) without hardening,
+// with plastic rotation p.
 TEST(Hinges, DuctilityHasOneDefinition) {
   constexpr double of_end = 4 * 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12 / 3, plastic = 0.01;
   for (const double factor : {0.0, 0.5, 10.0, 1e6}) {
@@ -344,7 +344,7 @@ TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
 }
 
 TEST(Hinges, KeepAJointInPlaceWhoseEndsAllYield) {
-  for (const bool holds : {false, true}) {  // whether the beam stays elastic where it meets the right column
+  for (const bool holds : {false, true}) {  // whether the beam stays elastic at the right column
     Frame frame(2);
     frame.add_node({0, 0, 0}), frame.add_node({0, 0, 3.5}), frame.add_node({6, 0, 3.5}), frame.add_node({6, 0, 0});
     frame.fix(0), frame.fix(3);

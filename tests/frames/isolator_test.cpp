@@ -1,4 +1,4 @@
-// Isolators under frames: the weight on them, what they add, and what is refused.
+// Isolators under frames: their weight, their contribution to the matrices, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ const IsolatorOptions lead_rubber{
     .law = {.law = "lead_rubber",
             .values = {{"strength", 100e3}, {"post_yield_stiffness", 1e6}, {"yield_displacement", 0.01}}}};
 
-// Two storeys and two bays with a slab of 40 t at each foot, on isolators.
+// Two storeys and two bays on isolators, with a slab of 40 t at each foot.
 FrameModel frame(const IsolatorOptions& isolator, bool has_slab = true) {
   GridFrame grid;
   grid.storeys = grid.bays_x = 2;
@@ -64,7 +64,7 @@ TEST(FrameIsolators, CarryTheLoadAtRestOfTheirFoot) {
     sum += weight;
     const int row = first_reaction + 3 * i + 1;  // x, z, ry of each foot
     EXPECT_NEAR(weight, (s.forces.rows * s.at_rest)[row] + s.forces.at_rest[row], 1e-9 * weight)
-        << "the reaction that is reported";
+        << "the reported reaction";
   }
   EXPECT_NEAR(sum, (2 * 60e3 + 3 * 40e3) * 9.80665, 1e-9 * sum);
   EXPECT_NEAR(parameter(s.yielding[0], "weight"), parameter(s.yielding[2], "weight"), 1e-9 * sum);
@@ -84,7 +84,7 @@ TEST(FrameIsolators, AreSpringsOfTheFrameAndTheirReactions) {
   const int first_reaction = static_cast<int>(s.forces.members.size() * s.forces.components.size());
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(s.forces.by_yielding.coeff(first_reaction + 3 * i, i), -1) << "the ground pushes back";
-  // All of them stand under one slab.
+  // All isolators are under one slab.
   EXPECT_EQ(Eigen::VectorXd(s.yielding[0].deformation), Eigen::VectorXd(s.yielding[2].deformation));
 }
 
@@ -113,7 +113,7 @@ TEST(FrameIsolators, RefuseWhatCannotBe) {
   EXPECT_NE(refusal_of(model).find("0.1"), std::string::npos) << refusal_of(model);
   model = frame(slider);
   model.frame.add_load(model.isolators[0].node, Dof::uz, 1e7);
-  EXPECT_TRUE(test::mentions(refusal_of(model).substr(0, 41), {"0.0", "-9"})) << refusal_of(model);
+  EXPECT_TRUE(test::mentions(refusal_of(model), {"isolator 0.0", "-9311 kN"})) << refusal_of(model);
 }
 
 TEST(FrameIsolators, NeedMassAtTheirFeet) {

@@ -32,7 +32,7 @@ TEST(Sections, RectangleTwistsAsInTimoshenkosTable) {
   test::Book book("Sections",
                   "Timoshenko & Goodier, Theory of Elasticity, 3rd edition, article 109; of the square to ten digits "
                   "Roark",
-                  "half a unit of the last digit printed there, a unit for the square");
+                  "half a unit of the last printed digit, one unit for the square");
   book.near("torsion of a square over b^4 [-]", rectangle_section(1, 1).torsion, 0.1405770150, 1e-10);
   book.near("torsion of 1:1.5 over b a^3 [-]", rectangle_section(1, 1.5).torsion / 1.5, 0.196, 5e-4);
   book.near("torsion of 1:2 over b a^3 [-]", rectangle_section(1, 2).torsion / 2, 0.229, 5e-4);
@@ -72,17 +72,18 @@ TEST(Sections, TubeIsADifferenceOfCircles) {
             tube_section(0.5, 1e-6).shear_area_z / tube_section(0.5, 1e-6).area, 0.5, 1e-5);
 }
 
-// Without the fillets the areas of the rectangles add up by hand: 2 x 15 x 1.07 + 27.86 x 0.71.
+// Without fillets, the areas of the rectangles sum to 2 x 15 x 1.07 + 27.86 x 0.71.
 TEST(Sections, AnISectionIsThreeRectangles) {
-  test::Book book("Sections",
-                  "IPE 300 of the section tables, 53.81 cm^2 with fillets of 15 mm; without them rectangles by "
-                  "Steiner",
-                  "the last digit of the table, else rounding; Cowper's shear area lies near the web alone");
+  test::Book book(
+      "Sections",
+      "IPE 300 of the section tables, 53.81 cm^2 with fillets of 15 mm; without them rectangles by "
+      "Steiner",
+      "the last digit of the table, otherwise round-off; Cowper's shear area is close to that of the web alone");
   const Section s = i_section(0.3, 0.15, 0.0107, 0.0071);
   book.near("area of IPE 300 without fillets [m^2]", s.area, 51.8806e-4, 1e-10);
   const double fillets = (4 - M_PI) * 0.015 * 0.015;
   book.near("area of IPE 300 with fillets [m^2]", s.area + fillets, 53.81e-4, 0.005e-4);
-  // Two flanges by Steiner, and the web.
+  // Two flanges by the parallel axis theorem, and the web.
   const double flange = 0.15 * std::pow(0.0107, 3) / 12 + 0.15 * 0.0107 * std::pow(0.14465, 2);
   book.near("inertia_y of IPE 300 without fillets [m^4]", s.inertia_y, 2 * flange + 0.0071 * std::pow(0.2786, 3) / 12,
             1e-15);
@@ -91,13 +92,13 @@ TEST(Sections, AnISectionIsThreeRectangles) {
   book.near("torsion of three thin rectangles [m^4]", s.torsion,
             (2 * 0.15 * std::pow(0.0107, 3) + 0.2893 * std::pow(0.0071, 3)) / 3, 1e-18);
   book.near("shear area of the flanges, 5/6 [m^2]", s.shear_area_y, 2 * 0.15 * 0.0107 * 5 / 6, 1e-15);
-  // Cowper's factor lies near the web alone.
+  // Cowper's factor is close to that of the web alone.
   book.near("shear area, of the web [m^2]", s.shear_area_z, 0.2893 * 0.0071, 0.08 * 0.2893 * 0.0071);
 }
 
-// Without flanges worth the name the factor is that of a rectangle.
+// With negligible flanges the factor is that of a rectangle.
 TEST(Sections, AnISectionOfAWebOnlyShearsAsARectangle) {
-  test::Book book("Sections", "rectangle: 5/6", "of flanges that are all but nothing");
+  test::Book book("Sections", "rectangle: 5/6", "of negligible flanges");
   const Section s = i_section(1, 0.01 + 1e-9, 1e-7, 0.01);
   book.near("shear area over area of a web [-]", s.shear_area_z / s.area, 5.0 / 6, 1e-5);
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Statics of a structure with bilinear parts, by dense algebra on what the structure says of itself: K u + B F = p and
-/// d = B^T u - R F + d0. Nothing of the engine is used.
+/// Statics of a structure with bilinear parts by dense algebra on its matrices: K u + B F = p and d = B^T u - R F + d0.
+/// Independent of the engine.
 
 #include <Eigen/Core>
 
@@ -42,11 +42,11 @@ struct YieldingStatics {
   VectorXd moments(const VectorXd& u, const VectorXd& forces) const {
     return k.cwiseProduct(deformations(u, forces)) + forces;
   }
-  /// Deformations per unit force with the load held.
+  /// Deformations per unit force at constant load.
   MatrixXd flexibility() const { return b.transpose() * dense::solve_columns(stiffness, b) + relief; }
 };
 
-/// The path of a load that grows from zero: the factors at which parts yield for the first time, in their order.
+/// The path of a load that grows from zero: the factors at which parts first yield, in order.
 struct Pushed {
   struct Event {
     double factor;
@@ -54,11 +54,11 @@ struct Pushed {
   };
   std::vector<Event> events;
   VectorXd u, forces;         ///< at the end
-  bool is_mechanism = false;  ///< the last event left no stiffness: its factor is the limit load
+  bool is_mechanism = false;  ///< no stiffness is left after the last event: its factor is the limit load
 };
 
-/// Event to event up to this factor, for parts that yield at +- `yield` in moment and keep `ratio` of their k. Parts do
-/// not unload.
+/// Event-to-event path up to this factor, for parts that yield at a moment of +- `yield` and keep `ratio` of their k.
+/// Parts do not unload.
 inline Pushed push(const Structure& s, const VectorXd& load, const VectorXd& yield, const VectorXd& ratio,
                    double last) {
   const YieldingStatics statics(s);

@@ -1,5 +1,4 @@
-// Columns that count rows, lines that state the number of values and the step, padding, and warnings of implausible
-// records.
+// Sample-number columns, lines with the number of values and the step, padding, and warnings about implausible records.
 
 #include <pounding/ground/record.hpp>
 
@@ -24,7 +23,7 @@ using Texts = std::vector<std::string>;
 using test::error_of;
 using test::read;
 
-// A motion of 200 values with a peak of 0.3 of the unit.
+// 200 values with a peak of 0.3 of the unit.
 double value(int i) { return 0.3 * std::sin(0.31 * i) * std::exp(-1e-4 * (i - 100) * (i - 100)); }
 
 std::string rows(const char* format, int count = 200, double step = 0.005, int first = 0, double factor = 1) {

@@ -1,5 +1,5 @@
-/// Columns of numbers: with times or at a step, one or several a line, with headers, units and decimal commas as people
-/// write them.
+/// Columns of numbers: with times or a constant step, one or several values per line, with the headers, units and
+/// decimal commas found in practice.
 
 #include <pounding/ground/record.hpp>
 
@@ -34,7 +34,7 @@ TEST(ValuesAtAStep, AreReadInOrderHoweverManyStandInALine) {
     EXPECT_TRUE(record.samples.uniform);
   }
   EXPECT_TRUE(test::mentions(read("0\n1\n", at_step).summary(), {"r.txt", "0.02 s", "m/s^2"}));
-  EXPECT_EQ(read("0 1 2\n3 4 5\n", at_step).format, "3 values a line");
+  EXPECT_EQ(read("0 1 2\n3 4 5\n", at_step).format, "3 values per line");
 }
 
 TEST(ValuesAtAStep, ErrorsSayWhatToType) {
@@ -123,7 +123,7 @@ TEST(DecimalCommas, AreNotGuessed) {
   EXPECT_TRUE(test::mentions(error_of("0,5\n1,25\n", at_step), {"0,5", "r.txt:1"}));
   EXPECT_TRUE(test::mentions(error_of("0;1.234,5\n1;2\n", in_si), {"1.234,5", "r.txt:1"}));
   EXPECT_TRUE(test::mentions(error_of("0,000,0,000\n0,010,0,099\n", in_si), {"r.txt:2"}));
-  // Commas of a CSV file beside blanks stay separators.
+  // Commas next to blanks in a CSV file remain separators.
   EXPECT_EQ(read("0, 1\n1, 2\n", in_si).samples.accelerations, (Values{1, 2}));
   EXPECT_EQ(read("0,1\n1,2\n", in_si).samples.accelerations, (Values{1, 2}));
 }
@@ -181,7 +181,7 @@ TEST(EndOfData, OtherTextIsRefused) {
 }
 
 TEST(Displacements, GiveTheirAccelerationsByASpline) {
-  // d = 1 - cos would need many samples; a cubic is met exactly: d = 3 t^2 - t^3 has d(0) = v(0) = 0 and a(1) = 0.
+  // d = 1 - cos would need many samples; a cubic is exact: d = 3 t^2 - t^3 has d(0) = v(0) = 0 and a(1) = 0.
   std::string text = "t (s), d (mm)\n";
   for (const double t : {0.0, 0.25, 0.5, 0.625, 1.0})
     text += std::to_string(t) + ", " + std::to_string(1e3 * (3 * t * t - t * t * t)) + "\n";
@@ -196,7 +196,7 @@ TEST(Displacements, GiveTheirAccelerationsByASpline) {
 }
 
 TEST(Displacements, MayBeginWithAVelocityAndAwayFromZero) {
-  // d = 0.5 + 2 t - t^3 + 3 t^2 from t = 0.2 on, before that with the velocity at 0.2.
+  // d = 0.5 + 2 t - t^3 + 3 t^2 from t = 0.2 on; before that the velocity is that at 0.2.
   const auto d = [](double s) { return 0.5 + 2 * s + 3 * s * s - s * s * s; };
   std::string text;
   for (const double s : {0.0, 0.5, 1.0}) text += std::to_string(s + 0.2) + " " + std::to_string(d(s)) + "\n";

@@ -146,7 +146,7 @@ TEST(SampledMotion, NextBreakIsRightOneRoundingAwayFromASample) {
 }
 
 TEST(SampledMotion, AlmostEvenTimesAgreeWithTheSearch) {
-  // Times off by up to 4e-7 of a step put the index that is found by multiplication one off, in both directions.
+  // Errors of the sample times up to 4e-7 times the step shift the computed index by one, in both directions.
   Samples samples;
   for (int i = 0; i < 2000; ++i) {
     samples.times.push_back(0.02 * (i + (i == 0 || i == 1999 ? 0 : 4e-7 * std::sin(2.1 * i))));
@@ -186,7 +186,7 @@ TEST(SampledMotion, IsZeroOutsideAndJumpsAtEndsThatAreNotZero) {
 
 TEST(SampledMotion, CopiesShareTheirSamples) {
   const GroundMotion motion(ramp(100, 0.02, 0));
-  const GroundMotion copy = motion;  // NOLINT: the copy is what is tested
+  const GroundMotion copy = motion;  // NOLINT: tests the copy
   EXPECT_EQ(copy.samples(), motion.samples());
 }
 
@@ -324,7 +324,7 @@ TEST_F(GroundMotionSection, WrongValuesAreReportedAtTheirKeys) {
                              {"m.yaml:1:12", "synthetic", "0.1", "1/2", "step"}));
 }
 
-// Gauss with three points, exact to degree five, between the breaks.
+// Three-point Gauss quadrature, exact to degree five, between the breaks.
 struct Integrals {
   double velocity = 0, displacement = 0;
 };
@@ -382,7 +382,7 @@ TEST(Integrals, GoOnWithTheLastVelocity) {
 }
 
 TEST(Integrals, OfALongRecordLoseNoDigits) {
-  // A sine of 100 s by 20000 lines: the sum of the trapezia has a closed form.
+  // A sine of 100 s in 20000 linear pieces: the trapezoidal sum has a closed form.
   Samples samples{{}, {}, true};
   const double h = 0.005, w = 2 * pi;
   for (int i = 0; i <= 20000; ++i) {
@@ -410,7 +410,7 @@ TEST(Delayed, MovesEverythingAlong) {
       EXPECT_NEAR(later.displacement(t + delay), motion.displacement(t), 1e-14) << t;
     }
     EXPECT_EQ(later.displacement(delay * 0.99), 0);
-    // Breaks are met to the last bit: just before and after one the two sides are told apart.
+    // Breaks are exact to the last digit: times just before and just after one lie on different sides.
     double before = -1, after = -1;
     for (int i = 0; i < 100; ++i) {
       before = motion.next_break(before);
@@ -447,7 +447,7 @@ TEST(LongestStep, IsTheSpacingUntilARecordIsOver) {
   EXPECT_DOUBLE_EQ(record.longest_step(0), 0.25);
   EXPECT_DOUBLE_EQ(record.longest_step(0.8), 0.25);
   EXPECT_EQ(record.longest_step(1), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(uneven.longest_step(0.01), std::numeric_limits<double>::infinity()) << "its breaks are enough";
+  EXPECT_EQ(uneven.longest_step(0.01), std::numeric_limits<double>::infinity()) << "its breaks are sufficient";
 }
 
 TEST(Peaks, AreThoseOfTheIntegralsUntilTheMotionIsOver) {

@@ -1,4 +1,4 @@
-/// The words of a ground motion beyond its kinds: phases, sums, displacements, initial velocities, steps of records.
+/// Keys of a ground motion beyond its kind: phases, sums, displacements, initial velocities, steps of records.
 
 #include <cmath>
 #include <filesystem>

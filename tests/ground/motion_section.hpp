@@ -1,5 +1,5 @@
 #pragma once
-/// Ground motions as the input describes them, beside files in a folder of the test's own.
+/// Ground motions from input text, with files in a temporary folder of the test.
 
 #include <filesystem>
 #include <string>
@@ -23,7 +23,7 @@ class MotionSection : public testing::Test {
   GroundMotion read(const std::string& section) const {
     return read_ground_motion(Input::read_text(section, (folder_ / "m.yaml").string()));
   }
-  /// The error, without the folder that the test happens to use.
+  /// The error message without the temporary folder.
   std::string error(const std::string& section) const {
     try {
       read(section);

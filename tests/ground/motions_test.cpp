@@ -69,7 +69,7 @@ TEST(Sum, IsThatOfItsHarmonics) {
 }
 
 TEST(Sum, HasThePeakOfAllItsParts) {
-  // sin x + sin 3x / 3 is largest at x = pi/4: sqrt(8)/3. Cut off at x = 0.5, it is largest there.
+  // sin x + sin 3x / 3 has its maximum sqrt(8)/3 at x = pi/4. If cut off at x = 0.5, the maximum is there.
   EXPECT_NEAR(GroundMotion(HarmonicSum{{{1, 1}, {1.0 / 3, 1.0 / 3}}, 5}).peak(), std::sqrt(8) / 3, 1e-5);
   EXPECT_NEAR(GroundMotion(HarmonicSum{{{1, 1}, {1.0 / 3, 1.0 / 3}}, 0.25 / pi}).peak(),
               std::sin(0.5) + std::sin(1.5) / 3, 1e-12);
@@ -133,7 +133,7 @@ TEST(Displacement, OfSamplesIsMetAtEachAndSmoothBetween) {
   EXPECT_EQ(motion.velocity(0), 0);
   EXPECT_NEAR(motion.acceleration_before(40), 0, 1e-15);
   EXPECT_EQ(motion.sample_step(), 0.01);
-  // The interpolation of a smooth function is off by h^4/384 of its fourth derivative, which is below 0.3 m/s^4.
+  // The interpolation error of a smooth function is h^4/384 times its fourth derivative, which is below 0.3 m/s^4.
   for (const double t : {3.123, 11.4567, 25.005})
     EXPECT_NEAR(motion.displacement(t), 0.1 * (1 - std::cos(1.3 * t)) * std::exp(-0.05 * t), 1e-11) << t;
 }
@@ -153,7 +153,7 @@ TEST(Displacement, MovesSupportsByWhatIsGiven) {
 }
 
 TEST(Delayed, WaitsWhereItStands) {
-  // At a phase of 90 degrees the ground starts from rest, away from zero.
+  // At a phase of 90 degrees the ground starts from rest at a nonzero displacement.
   const GroundMotion cosine = motion_of_displacement(Harmonic{0.02, 0.5, 10, 0, pi / 2}), later = cosine.delayed(0.3);
   EXPECT_EQ(cosine.initial_velocity(), 0);
   EXPECT_DOUBLE_EQ(later.displacement(0.2), 0.02);

@@ -1,5 +1,5 @@
 // Small files of national networks: GeoNet (GNS Accelerogram Data Files, Standard Format, 2008), USC (EERL 73-03),
-// BHRC, AFAD (TR-NSMN) and UNAM, laid out as published files of each network are. Stations and values are invented.
+// BHRC, AFAD (TR-NSMN) and UNAM, with the layout of published files. Stations and values are invented.
 
 #include <pounding/ground/record.hpp>
 
@@ -33,7 +33,7 @@ void expect_samples(const Record& record, double dt, double unit, const Values& 
     EXPECT_NEAR(record.samples.accelerations[i], unit * expected[i], 1e-12) << i;
 }
 
-// GeoNet. The first number fills its columns.
+// GeoNet. The first number fills its columns, so that no blank precedes it.
 const Values twelve = {-11026.2, 1.5, 2, 3, -4, 5, 6, 7, 8, 9, 10, -11.5};
 
 std::string geonet(const std::string& component, bool raw = true, const std::string& unit = "1.00",
@@ -191,7 +191,7 @@ TEST(UscRecord, ErrorsSayWhere) {
 
 std::string bhrc(const std::string& component, const std::string& points = "12") {
   Values reals(50, 0);
-  reals[8] = 200;  // the first on the second line
+  reals[8] = 200;  // the first one on the second line
   return fmt::format(
              "* VOL1DS FILE:  1234/01\nInst Type = SSA-2\nOrigin Time : 2001/02/03   04:05:06\n\n{}\n                  "
              "  \nCOMP "
@@ -332,7 +332,7 @@ TEST(UnamRecord, ErrorsSayWhere) {
                              {"CLAVE DE LA ESTACION", "r.txt:40"}));
 }
 
-// All of them.
+// All networks.
 
 TEST(NetworkRecords, LineEndsPaddingAndTruncationChangeNoNumber) {
   const std::vector<std::pair<std::string, RecordOptions>> all = {
@@ -346,7 +346,7 @@ TEST(NetworkRecords, LineEndsPaddingAndTruncationChangeNoNumber) {
     EXPECT_EQ(read(text + "\x1A", options).samples.accelerations, record.samples.accelerations);
     EXPECT_EQ(read(text + "\f\n\x1A" + std::string(100, '\0'), options).samples.accelerations,
               record.samples.accelerations);
-    // Velocities and displacements behind the accelerations are not needed.
+    // Velocities and displacements after the accelerations are not needed.
     const std::size_t last = std::min(text.find("  10 POINTS OF VEL"), text.find_last_of("0123456789"));
     for (std::size_t length = 60; length < last; length += 37)
       EXPECT_NE(error_of(text.substr(0, length), options), "taken") << text.substr(0, 30) << length;

@@ -1,7 +1,6 @@
 // Small files of each format: K-NET (NIED knetform_en.html), ESM's DYNA 1.2, COSMOS Strong Motion Data Format 1.20
-// (2001), CSMIP OSMS 85-03 (1985), USGS smcfmt. K-NET is laid out as its description says, the others as headers of
-// published files and independent readers (gmprocess, pystrata, D. Boore's smcwrite) have them. Stations and values are
-// invented.
+// (2001), CSMIP OSMS 85-03 (1985), USGS smcfmt. The K-NET layout follows its description; the others follow headers of
+// published files and independent readers (gmprocess, pystrata, D. Boore's smcwrite). Stations and values are invented.
 
 #include <pounding/ground/record.hpp>
 
@@ -27,7 +26,7 @@ using test::read;
 using test::replaced;
 using test::table;
 
-// Nine values: a full line of eight and one more. Some fill their columns, so that no blank parts them.
+// Nine values: a full line of eight and one more. Some fill their columns, so that no blank separates them.
 const Values nine = {0, -1234.567, 2.5, -3.25, 4, -1500.125, 6, 0.001, -8};
 
 void expect_samples(const Record& record, double dt, double unit, const Values& expected = nine) {
@@ -40,7 +39,7 @@ void expect_samples(const Record& record, double dt, double unit, const Values& 
 
 // K-NET and KiK-net.
 
-// A second at 20 Hz: counts that alternate about their mean.
+// One second at 20 Hz: counts that alternate about their mean.
 std::string knet(int mean, int amplitude, const std::string& direction = "N-S", int count = 20) {
   std::string text =
       "Origin Time       2001/02/03 04:05:00\n"
@@ -77,7 +76,7 @@ TEST(KnetRecord, CountsAreScaledAboutTheirMean) {
   EXPECT_TRUE(test::mentions(record.remark, {"13190.0"}));
   EXPECT_EQ(record.points(), 20u);
   EXPECT_DOUBLE_EQ(record.step(), 0.05);
-  EXPECT_NEAR(record.measures.pga, 0.04954, 5e-6);  // 7813 counts are the 4.954 gal of the header
+  EXPECT_NEAR(record.measures.pga, 0.04954, 5e-6);  // 7813 counts are the 4.954 gal in the header
   EXPECT_DOUBLE_EQ(record.samples.accelerations[1], -7813.0 * 3920 / 6182761 / 100);
   EXPECT_EQ(read(knet(-40, 7813)).samples.accelerations, record.samples.accelerations);
 }
@@ -335,7 +334,7 @@ TEST(CsmipRecord, ChannelIsChosenByNumberOrComponent) {
 }
 
 TEST(CsmipRecord, ErrorsSayWhere) {
-  const std::string v2 = csmip_v2(1, "Up");  // its values are on lines 47 and 48
+  const std::string v2 = csmip_v2(1, "Up");  // values on lines 47 and 48
   EXPECT_TRUE(test::mentions(error_of(replaced(v2, "  9 points of accel", " 10 points of accel")),
                              {"r.txt:48", "9", "46", "10"}));
   EXPECT_TRUE(test::mentions(error_of(replaced(v2, "  9 points of accel", " 17 points of accel")),
@@ -451,7 +450,7 @@ TEST(CosmosRecord, SeriesMayEndAsInTheSampleOfTheStandard) {
 }
 
 TEST(CosmosRecord, ErrorsSayWhere) {
-  const std::string text = cosmos(1, "Up");  // its values are on lines 47 and 48
+  const std::string text = cosmos(1, "Up");  // values on lines 47 and 48
   EXPECT_TRUE(test::mentions(error_of(cosmos(1, "Up", "acceleration", "counts (50),")),
                              {"counts", "r.txt:46", "m/s^2", "cm/s^2"}));
   EXPECT_TRUE(test::mentions(error_of(replaced(text, "       9 acceleration", "      10 acceleration")),
@@ -506,7 +505,7 @@ TEST(RecordFormats, ALineMayEndTheData) {
 
 TEST(RecordFormats, NoTruncatedFileIsReadOrCrashes) {
   for (const std::string& text : {knet(5, 3), esm(), smc(), csmip_v1(1, "Up"), csmip_pairs(), cosmos(1, "Up")}) {
-    // Up to the last value: what ends the channel is not needed.
+    // Up to the last value: the end marker of the channel is not needed.
     const std::size_t end = std::min({text.find("\n/&"), text.find("\nEnd-of"), text.size()});
     for (std::size_t length = 60; length + 20 < end; length += 37)
       EXPECT_NE(error_of(text.substr(0, length)), "taken") << text.substr(0, 40) << length;

@@ -184,13 +184,13 @@ TEST(Record, BecomesAGroundMotion) {
 }
 
 TEST(Measures, TriangleHasItsClosedForms) {
-  // a rises from 0 to 2 in 1 s and falls back in 1 s: v(2) = 2, u(2) = 2, integral of a^2 = 2 * 4/3.
+  // a rises from 0 to 2 in 1 s and returns in 1 s: v(2) = 2, u(2) = 2, integral of a^2 = 2 * 4/3.
   const RecordMeasures m = measure({.times = {0, 1, 2}, .accelerations = {0, 2, 0}});
   EXPECT_DOUBLE_EQ(m.pga, 2);
   EXPECT_DOUBLE_EQ(m.pgv, 2);
   EXPECT_DOUBLE_EQ(m.pgd, 2);
   EXPECT_DOUBLE_EQ(m.arias, pi / (2 * g) * 8 / 3);
-  // Up to t <= 1 the integral is 4 t^3/3: 5 % of 8/3 arrive at t^3 = 0.1; the other end mirrors it.
+  // Up to t <= 1 the integral is 4 t^3/3: it reaches 5 % of 8/3 at t^3 = 0.1. The other end is symmetric.
   EXPECT_NEAR(m.t5, std::cbrt(0.1), 1e-14);
   EXPECT_NEAR(m.t95, 2 - std::cbrt(0.1), 1e-14);
   EXPECT_NEAR(m.significant_duration(), 2 - 2 * std::cbrt(0.1), 1e-14);
@@ -201,9 +201,9 @@ TEST(Measures, PeaksBetweenSamplesAreFound) {
   const RecordMeasures m = measure({.times = {0, 3}, .accelerations = {1, -2}});
   EXPECT_DOUBLE_EQ(m.pgv, 1.5);
   EXPECT_DOUBLE_EQ(m.pgd, 2.0 / 3);
-  // Cut off at t = 1.5, the record has both end values of v below its peak.
+  // Cut off at t = 1.5, both end values of v are below its peak.
   EXPECT_DOUBLE_EQ(measure({.times = {0, 1.5}, .accelerations = {1, -0.5}}).pgv, 0.5);
-  // At constant deceleration after 1 s the displacement turns at t = 2.
+  // With constant deceleration after 1 s the displacement peaks at t = 2.
   const RecordMeasures turned = measure({.times = {0, 1, 1 + 1e-12, 3}, .accelerations = {1, 1, -1, -1}});
   EXPECT_NEAR(turned.pgv, 1, 1e-11);
   EXPECT_NEAR(turned.pgd, 1, 1e-11);

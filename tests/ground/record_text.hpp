@@ -1,5 +1,5 @@
 #pragma once
-/// Records in texts of a test.
+/// Helpers: texts of records.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ inline Record read(const std::string& text, const RecordOptions& options = {}) {
   return read_record_text(text, "r.txt", options);
 }
 
-/// The message that refuses a text; "taken" where none does.
+/// The message that rejects a text; "taken" if it is accepted.
 inline std::string error_of(const std::string& text, const RecordOptions& options = {}) {
   return test::refusal<InputError>([&] { read(text, options); });
 }
@@ -29,7 +29,7 @@ inline std::string replaced(std::string text, const std::string& part, const std
   return text.replace(at, part.size(), by);
 }
 
-/// Numbers as Fortran writes them, `per_line` in a line.
+/// Fortran-formatted numbers, `per_line` on each line.
 template <typename Number>
 std::string table(const std::vector<Number>& values, std::size_t per_line, const char* format) {
   std::string text;

@@ -23,7 +23,7 @@ double sd(const GroundMotion& motion, double period, double damping) {
   return response_spectrum(motion, std::vector{period}, damping).front().sd;
 }
 
-/// Peak by the classical fourth-order Runge-Kutta method: nothing in common with the recurrence.
+/// Peak by the classical fourth-order Runge-Kutta method, independent of the recurrence.
 double sd_by_runge_kutta(const Samples& samples, double period, double damping, int substeps) {
   const double w = 2 * pi / period;
   double u = 0, v = 0, peak = 0;
@@ -102,7 +102,7 @@ TEST(OscillatorStep, TwoHalfStepsAreOneStepAtAnyDamping) {
 
 TEST(Spectrum, ResonanceOfAnUndampedOscillatorFollowsTheClosedForm) {
   test::Book book("Response spectra", "resonance without damping: peak n pi A/(2 w^2)",
-                  "motion straight between its samples, peak of a cubic");
+                  "piecewise linear motion, peak of a cubic");
   // u'' + w^2 u = -A sin w t:  u = -A/(2 w^2) (sin w t - w t cos w t), whose peak at w t = n pi is n pi A/(2 w^2).
   const double period = 0.6, w = 2 * pi / period, amplitude = 3;
   const GroundMotion motion(Harmonic{amplitude, period, 10 * period});
@@ -111,8 +111,7 @@ TEST(Spectrum, ResonanceOfAnUndampedOscillatorFollowsTheClosedForm) {
 }
 
 TEST(Spectrum, DampedResonanceApproachesOneOverTwiceTheDamping) {
-  test::Book book("Response spectra", "resonance with damping: 1/(2 zeta)",
-                  "motion straight between its samples, peak of a cubic");
+  test::Book book("Response spectra", "resonance with damping: 1/(2 zeta)", "piecewise linear motion, peak of a cubic");
   const double period = 0.5, w = 2 * pi / period, zeta = 0.05;
   const GroundMotion motion(Harmonic{1, period, 60 * period});
   book.near("amplification times twice the damping [-]", sd(motion, period, zeta) * w * w * 2 * zeta, 1, 2e-5);
@@ -120,14 +119,14 @@ TEST(Spectrum, DampedResonanceApproachesOneOverTwiceTheDamping) {
 
 TEST(Spectrum, RectangleDoublesTheStaticDisplacement) {
   test::Book book("Response spectra", "rectangular pulse: 2, or 2 sin(pi d/T) when it is short",
-                  "motion straight between its samples, peak of a cubic");
-  // Lasts longer than half a period, no damping: the peak is twice the static one. Shorter: 2 sin(pi d/T).
+                  "piecewise linear motion, peak of a cubic");
+  // Without damping, a pulse longer than half a period has a peak of twice the static one; a shorter one 2 sin(pi d/T).
   const GroundMotion motion(Pulse{Pulse::Shape::rectangle, 2, 0.3, 0.1});
   for (const double period : {0.05, 0.31, 0.6}) {
     const double w = 2 * pi / period;
     book.near("amplification of a long rectangle [-]", sd(motion, period, 0) * w * w / 2, 2, 1e-5);
   }
-  const double w = 2 * pi / 1.5;  // here the peak comes after the end of the motion
+  const double w = 2 * pi / 1.5;  // this peak occurs after the end of the motion
   book.near("amplification of a short rectangle [-]", sd(motion, 1.5, 0) * w * w / 2, 2 * std::sin(pi * 0.3 / 1.5),
             1e-5);
 }
@@ -135,8 +134,8 @@ TEST(Spectrum, RectangleDoublesTheStaticDisplacement) {
 TEST(Spectrum, HalfSineFollowsTheClosedFormAfterItsEnd) {
   test::Book book("Response spectra",
                   "half sine, Chopra, Dynamics of Structures, 4.8: 2 b cos(pi/(2 b))/(b^2 - 1), b = T/(2 d)",
-                  "motion straight between its samples, peak of a cubic");
-  // Shorter than half a period: amplification 2 b cos(pi/(2 b))/(b^2 - 1) with b = T/(2 d) (Chopra, Dynamics of
+                  "piecewise linear motion, peak of a cubic");
+  // Pulse shorter than half a period: amplification 2 b cos(pi/(2 b))/(b^2 - 1) with b = T/(2 d) (Chopra, Dynamics of
   // Structures, 4.8).
   const double d = 0.2, period = 0.9, b = period / (2 * d), w = 2 * pi / period;
   const GroundMotion motion(Pulse{Pulse::Shape::half_sine, 4, d, 0});
@@ -192,7 +191,7 @@ TEST(Synthetic, SameSeedMeansTheSameBits) {
 }
 
 TEST(Synthetic, SeedMeansTheSameEarthquakeOnEveryMachine) {
-  // Stored values guard against change; the tolerance leaves room for the rounding of log and cos.
+  // Stored values guard against change; the tolerance covers the rounding of log and cos.
   const GroundMotion motion = synthetic_motion(usual);
   const std::vector<double>& a = motion.samples()->accelerations;
   EXPECT_NEAR(a[1], -2.53795242605e-06, 1e-11);
@@ -229,19 +228,19 @@ TEST(Synthetic, GroundComesToRest) {
       double velocity = 0;
       for (std::size_t i = 0; i + 1 < samples.times.size(); ++i)
         velocity += (samples.accelerations[i] + samples.accelerations[i + 1]) / 2 * 0.01;
-      // The envelope leaves 2 % of the noise, and the low cut of soft soil takes seconds to decay.
+      // The envelope ends at 2 % of the noise, and the low cut of soft soil takes seconds to decay.
       EXPECT_LT(std::abs(velocity), 0.2 * measure(samples).pgv) << filter.omega_g << " " << seed;
     }
 }
 
-/// Squared amplitudes at some frequencies, mean of many earthquakes that are strong from begin to end.
+/// Mean squared amplitudes at some frequencies, over many earthquakes with a constant envelope.
 std::vector<double> mean_powers(const GroundFilter& filter, const std::vector<double>& omegas) {
   std::vector<double> powers(omegas.size());
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     const GroundMotion motion = synthetic_motion(
         {.seed = seed, .duration = 20, .pga = 1, .filter = filter, .rise = 0.02, .strong_until = 0.98});
     const std::vector<double>&times = motion.samples()->times, &accelerations = motion.samples()->accelerations;
-    double square = 0;  // undoes the scaling to the PGA, which differs from seed to seed
+    double square = 0;  // undoes the scaling to the PGA, which varies with the seed
     for (const double a : accelerations) square += a * a;
     for (std::size_t k = 0; k < omegas.size(); ++k) {
       double real = 0, imaginary = 0;
@@ -265,7 +264,7 @@ TEST(Synthetic, PowerFollowsTheSpectrumOfCloughAndPenzien) {
   };
   const std::vector<double> omegas = {12, 3, 6, 24, 40};
   const std::vector<double> powers = mean_powers(filter, omegas);
-  // A mean of 600 squared amplitudes scatters by 1/sqrt(600), 4 %, and so does the one that it is divided by.
+  // A mean of 600 squared amplitudes scatters by 1/sqrt(600), 4 %, and so does its divisor.
   for (std::size_t k = 1; k < omegas.size(); ++k)
     EXPECT_NEAR(powers[k] / powers[0] / (density(omegas[k]) / density(omegas[0])), 1, 0.2) << omegas[k];
 }

@@ -1,4 +1,4 @@
-/// Supports that the ground moves differently, and what that adds to quantities relative to the first support.
+/// Multiple-support excitation, and its contribution to quantities relative to the first support.
 
 #include <pounding/ground/support_motion.hpp>
 
@@ -13,7 +13,7 @@ const std::vector<GroundMotion> grounds{GroundMotion(Harmonic{.amplitude = 1, .p
                                         GroundMotion(Harmonic{.amplitude = 2, .period = 0.4, .duration = 3}),
                                         GroundMotion(Harmonic{.amplitude = 3, .period = 0.9, .duration = 3})};
 
-// A number of its own for each support and axis.
+// A distinct number for each support and axis.
 double influence(std::size_t support, int axis) { return 1 + 10.0 * static_cast<double>(support) + axis; }
 
 Eigen::RowVectorXd row_of(const SupportMotion& motion) {
@@ -27,12 +27,12 @@ TEST(SupportMotion, OfOneSupportAddsNothing) {
   EXPECT_EQ(motion.at_first(0), 0);
   EXPECT_EQ(motion.at_first(2), -1);
   EXPECT_EQ(row_of(motion), Eigen::RowVectorXd::Zero(3));
-  motion.displacement(1, [](std::size_t, int, double) { FAIL() << "no term is expected"; });
+  motion.displacement(1, [](std::size_t, int, double) { FAIL() << "no term expected"; });
 }
 
 TEST(SupportMotion, CountsTheOtherSupportsAgainstTheFirst) {
   const SupportMotion motion(grounds, Indices{{0, -1, -1}, {1, -1, -1}, {2, -1, 1}});
-  // Support 1 along x: influence 11; support 2 along x: 21, along z: 23; support 0 takes away what both have along x.
+  // Support 1 along x: influence 11; support 2 along x: 21, along z: 23; support 0 subtracts the sum along x.
   EXPECT_EQ(row_of(motion), Eigen::RowVector3d(-(11.0 + 21.0), 11.0 + 23.0, 21.0));
 }
 

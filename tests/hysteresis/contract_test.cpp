@@ -1,4 +1,5 @@
-/// The contract of every law of yielding, typed over the one list, with the typical values of the laws' own tables.
+/// The contract of every hysteretic law: typed tests over the list of laws, with the typical values of their parameter
+/// tables.
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ struct LawName {
 
 TYPED_TEST_SUITE(HysteresisContract, TypesOf<AnyLaw>::type, LawName);
 
-/// Turning points: most of them within a few yield deformations, some far out, some hardly away from the last.
+/// Turning points: the majority within a few yield deformations, some far out, some close to the previous one.
 std::vector<double> random_path(std::mt19937& random, double dy, int max_turns = 12) {
   std::uniform_real_distribution<double> near(-2, 2), far(-10, 10), decades(-6, 0);
   std::uniform_int_distribution<int> turns(1, max_turns), kind(0, 9);
@@ -96,13 +97,13 @@ TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
     const auto kept = this->follow(random_path(random, this->dy));
     const double d = reach(random) * this->dy, way = d < kept.deformation ? -1 : 1;
     if (std::abs(d - kept.deformation) < 3 * h) continue;
-    // A corner between the points of the difference has no slope.
+    // The slope is undefined at a corner between the points of the difference.
     const auto before = this->law.advance(kept, d - 2 * way * h);
     if (this->law.corner(before, d + 2 * way * h)) continue;
     const auto difference = [&](double step) {
       return (this->law.respond(kept, d + step).force - this->law.respond(kept, d - step).force) / (2 * step);
     };
-    // The difference is of the fourth order: what is left is rounding, 1e-16 fy over the step.
+    // The difference is of fourth order; the remaining error is round-off, 1e-16 fy over the step.
     const double slope = (4 * difference(h / 2) - difference(h)) / 3;
     EXPECT_NEAR(this->law.respond(kept, d).slope, slope, 2e-8 * this->law.stiffness())
         << "from " << kept.deformation << " to " << d;
@@ -170,7 +171,7 @@ TYPED_TEST(HysteresisContract, NothingButTheDeformationChangesInTheElasticRange)
                   -(1 - this->law.hardening) * this->law.stiffness(), 1e-9 * this->law.stiffness());
     }
   } else {
-    GTEST_SKIP() << "it has no such range";
+    GTEST_SKIP() << "no such range";
   }
 }
 
@@ -195,7 +196,7 @@ TYPED_TEST(HysteresisContract, WorkIsTheIntegralOfTheForce) {
     const double d = reach(random) * this->dy;
     constexpr int n = 4000;
     const double h = (d - kept.deformation) / n;
-    double sum = 0;  // by Simpson's rule, with corners somewhere between its points
+    double sum = 0;  // by Simpson's rule; corners may lie between its points
     for (int j = 0; j < n; ++j) {
       const double x = kept.deformation + j * h;
       sum += h / 6 *
@@ -203,14 +204,14 @@ TYPED_TEST(HysteresisContract, WorkIsTheIntegralOfTheForce) {
               this->law.respond(kept, x + h).force);
     }
     EXPECT_NEAR(this->law.work(kept, d), sum, 1e-6 * this->fy * this->dy) << "from " << kept.deformation << " to " << d;
-    // On parts of the way it is the same work.
+    // The work is additive over parts of the path.
     const double middle = kept.deformation + 0.37 * (d - kept.deformation);
     EXPECT_NEAR(this->law.work(kept, middle) + this->law.work(this->law.advance(kept, middle), d),
                 this->law.work(kept, d), 1e-11 * this->fy * this->dy);
   }
 }
 
-// Energy that is lost in all stays near the largest that it ever was; of a law that gives nothing back, at it.
+// The total lost energy stays near its running maximum, and at it for a law that stores no energy.
 TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) {
   std::mt19937 random(15);
   const double unit = this->fy * this->dy, allowed = (gives_back<TypeParam> + 1e-11) * unit;
@@ -285,7 +286,7 @@ TYPED_TEST(HysteresisContract, SlopesJumpAtCornersAndNowhereElse) {
         ++corners;
       }
     }
-    // Before it a change of slope gets smaller with the way on which it happens.
+    // Before it, a change of slope shrinks with the length of the path.
     const double end = corner ? *corner - h : d;
     if (!is_strictly_between(end - 2 * h, kept.deformation, d)) continue;
     for (int j = 0; j < 20; ++j) {

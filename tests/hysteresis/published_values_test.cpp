@@ -1,4 +1,4 @@
-/// Closed forms of the laws of yielding, and loops that independent programs drew along the same path.
+/// Closed forms of the hysteretic laws, and loops of independent programs along the same path.
 
 #include <array>
 #include <cmath>
@@ -18,11 +18,11 @@
 namespace pounding::hysteresis {
 namespace published_values_test {
 
-/// Turning points in yield deformations, and the forces there over the yield force for a hardening of 0.05.
+/// Turning points in yield deformations, and the forces there over the yield force, for a hardening of 0.05.
 constexpr std::array path{2.5, -1.2, 0.4, -3.6, -3.1, -3.4, 1.0, 0.2, 4.5, -0.5, 0.7, -6.0, 0.0};
 using Forces = std::array<double, path.size()>;
 
-/// Each way in `parts`, for a law with k = Fy = 1.
+/// Each stretch in `parts`, for a law with k = Fy = 1.
 template <Law L>
 void expect_loop(const L& law, const Forces& forces, int parts = 3) {
   law.check();
@@ -35,8 +35,7 @@ void expect_loop(const L& law, const Forces& forces, int parts = 3) {
   }
 }
 
-// Numbers by a program in Python that shares nothing with this one: modes with guards, crossed by bisection to the last
-// digit.
+// Reference: an independent Python program, modes with guards, whose crossings are bisected to the last digit.
 TEST(PublishedLoops, BilinearFollowsTheIndependentProgram) {
   expect_loop(Bilinear{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05},
               {1.075, -1.01, 0.59, -1.13, -0.63, -0.93, 1, 0.2, 1.175, -0.975, 0.225, -1.25, 0.95});
@@ -64,7 +63,7 @@ TEST(PublishedLoops, PeakOrientedFollowsTheIndependentProgram) {
                0.161424379722783, 1.175, -0.505295209607356, 0.0701492282652341, -1.25, 0.464136592131771});
 }
 
-// By an integration of dz/dd of order eight with tolerances of 1e-13.
+// Reference: integration of dz/dd of order eight with tolerances of 1e-13.
 TEST(PublishedLoops, BoucWenFollowsItsDifferentialEquation) {
   const auto law = [](double n, double g) {
     return BoucWen{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05, .exponent = n, .gamma_share = g};
@@ -121,8 +120,8 @@ TEST(ClosedForms, BoucWenIsATangentOfAHyperbolaOrAnExponentialOnFirstLoading) {
   }
 }
 
-// Cycled by force between 0.2 and 0.8 Fy: the integral of 1/(1 - z^n) - 1 between them, for n = 1 log 4 - 0.6.
-// The integrals of other exponents than 1 and 2 end where rounding does, on ways of any length: 1e-12 to 10 dy.
+// Force cycles between 0.2 and 0.8 Fy: the integral of 1/(1 - z^n) - 1 over this range, log 4 - 0.6 for n = 1.
+// Integrals for exponents other than 1 and 2 are limited by round-off, 1e-12 on paths of up to 10 dy.
 TEST(ClosedForms, BoucWenOfAnyExponentFollowsShortAndLongWays) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0, 1);
@@ -160,8 +159,8 @@ TEST(ClosedForms, BoucWenDriftsUnderASteadyForce) {
   }
 }
 
-// Stress over that of the same path without the turn: another program, in steps of 0.001 dy. It interpolates linearly
-// between them.
+// Stress over that of the same path without the small reversal. Reference: another program with steps of 0.001 dy and
+// linear interpolation between them.
 TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
   const double at[] = {-1, 0, 2}, without[] = {0.6469689626087252, 0.7780149802262432, 0.9048491046378144};
   const double lifted[3][3] = {{0.22285351233738027, 0.1939113763178223, 0.10170073798729562},
@@ -187,7 +186,7 @@ TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
   }
 }
 
-// The force jumps with the first trace of a turn, so what follows is not a continuous function of the path.
+// The force jumps at an infinitesimal reversal, so the later response is not a continuous function of the path.
 TEST(PublishedLoops, ATurnOfNoSizeLiftsTheForceOfSteel02) {
   MenegottoPinto law{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05};
   for (const MenegottoPinto::Memory memory : {MenegottoPinto::Memory::nested, MenegottoPinto::Memory::last}) {
@@ -201,7 +200,7 @@ TEST(PublishedLoops, ATurnOfNoSizeLiftsTheForceOfSteel02) {
   }
 }
 
-// A hundred small turns, one inside the other and out again: more than are remembered.
+// A hundred small nested loops, entered and left again: more than the law remembers.
 TEST(PublishedLoops, MoreTurnsThanAreRememberedForgetTheSmallestOnes) {
   const MenegottoPinto law{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.01};
   MenegottoPinto::State kept = law.advance(law.advance(law.advance({}, 4), -4), -1.5);
@@ -224,7 +223,7 @@ TEST(ClosedForms, WorkOfMenegottoPintoIsTheIntegralOfItsForce) {
       MenegottoPinto::State kept;
       for (const double d : {0.9, 0.2, 3.0, -2.5, 1.4, -8.0}) {
         const auto force = [&](double x) { return law.respond(kept, x).force; };
-        // Between corners the force is smooth, but sharp at its knee.
+        // Between corners the force is smooth, with a sharp knee.
         double sum = 0, begin = kept.deformation;
         for (int part = 1; part <= 64; ++part) {
           const double end = kept.deformation + part * (d - kept.deformation) / 64;
@@ -241,7 +240,7 @@ TEST(ClosedForms, TheHyperbolaHasItsSecantsAndKeepsWhatIsPressedIn) {
   const Backfill law{.initial_stiffness = 2.5e8, .unloading = 5e8, .failure_ratio = 0.75, .strength = 6e6, .gap = 0.1};
   law.check();
   EXPECT_EQ(law.respond({}, 0.0999).force, 0);
-  // At the ultimate force the secant is (1 - Rf) K; at half of it (1 - Rf/2) K.
+  // The secant is (1 - Rf) K at the ultimate force and (1 - Rf/2) K at half of it.
   const double ultimate = 6e6 / (0.25 * 2.5e8), half = 3e6 / (0.625 * 2.5e8);
   EXPECT_NEAR(law.respond({}, 0.1 + ultimate).force, 6e6, 1e-6);
   EXPECT_NEAR(law.respond({}, 0.1 + half).force, 3e6, 1e-6);
@@ -251,7 +250,7 @@ TEST(ClosedForms, TheHyperbolaHasItsSecantsAndKeepsWhatIsPressedIn) {
   EXPECT_NEAR(law.respond(pressed, 0.1 + ultimate - 0.004).force, 6e6 - 0.004 * 5e8, 1e-6);
   EXPECT_EQ(law.respond(pressed, 0.1 + ultimate - 0.0121).force, 0) << "no tension";
   EXPECT_NEAR(*law.corner(pressed, 0), 0.1 + law.pressed_in(pressed), 1e-15);
-  // Its energy: K/c [x - log(1 + c x)/c], c = K Rf/Fu.
+  // Energy of the hyperbola: K/c [x - log(1 + c x)/c], c = K Rf/Fu.
   const double c = 2.5e8 * 0.75 / 6e6;
   EXPECT_NEAR(law.work({}, 0.1 + ultimate), 2.5e8 / c * (ultimate - std::log1p(c * ultimate) / c),
               1e-9 * 6e6 * ultimate);
@@ -270,7 +269,7 @@ TEST(ClosedForms, ATrilinearBackboneGoesThroughItsBreaks) {
     for (const int side : {1, -1}) EXPECT_NEAR(law.respond({}, side * at[i]).force, side * forces[i], 1e-8) << at[i];
   EXPECT_EQ(*law.corner({}, 0.04), 0.005);
   EXPECT_EQ(*law.corner(law.advance({}, 0.006), 0.04), 0.03);
-  // Cracked it unloads towards the crack of the other side, yielded with the stiffness of Takeda.
+  // A cracked section unloads towards the crack of the opposite side, a yielded one with the stiffness of Takeda.
   EXPECT_NEAR(law.respond(law.advance({}, 0.0175), 0.0174).slope, (5e4 + 1e5) / (0.005 + 0.0175), 1e-6);
   EXPECT_NEAR(law.respond(law.advance({}, 0.12), 0.1199).slope, 2e5 / 0.035 * 0.5, 1e-6);
 }

@@ -1,4 +1,4 @@
-/// Laws by name: what is made, what is refused with which words, and what a made law says of itself.
+/// Laws by name: construction, error messages, and the properties that a constructed law reports.
 
 #include <algorithm>
 #include <cmath>
@@ -200,7 +200,7 @@ TEST(LawsByName, RigidImpactNeedsItsRestitution) {
   EXPECT_TRUE(entry_of(make_law(s)).instantaneous);
 }
 
-// The refusal names the laws that take it.
+// The message lists the laws that accept it.
 TEST(LawsByName, ZeroRestitutionIsForLawsWithWhichTheBodiesStick) {
   for (const Entry& entry : catalogue()) {
     if (!entry.takes_restitution) continue;
@@ -213,7 +213,7 @@ TEST(LawsByName, ZeroRestitutionIsForLawsWithWhichTheBodiesStick) {
     s.restitution = 1e-320;
     EXPECT_EQ(bool(test::mentions(refusal(s), {"restitution", "1e-320", "(0, 1]"})), !entry.sticks_at_zero)
         << entry.name;
-    // The least number with all its digits is calibrated, or refused by the law.
+    // The smallest normal number is either calibrated or rejected by the law.
     s.restitution = std::numeric_limits<double>::min();
     EXPECT_TRUE(refusal(s) == "taken" || refusal(s).find("restitution") == 0) << entry.name << ": " << refusal(s);
   }
@@ -280,7 +280,7 @@ TEST(LawsByName, DashpotCoefficientNeedsNoMass) {
   }
 }
 
-// Damping that is given directly needs no mass; one that is given must be one all the same.
+// Explicit damping needs no mass; a mass that is given must still be valid.
 TEST(LawsByName, AMassThatIsNoMassIsRefusedBesideAnyDamping) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   for (const Entry& entry : catalogue())

@@ -1,4 +1,4 @@
-/// The contract of every law, typed over the one list, with the typical values of the laws' own tables.
+/// The contract of every law: typed tests over the list of laws, with the typical values of their parameter tables.
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ struct State {
   double penetration, rate;
 };
 
-/// In approach and in restitution, shallow and deep, slow and fast.
+/// Approach and restitution phases, shallow and deep, slow and fast.
 State random_state(std::mt19937& random) {
   std::uniform_real_distribution<double> decades(-4, -2), speed(0.05, 1);
   std::bernoulli_distribution approaches;
@@ -51,7 +51,7 @@ State random_state(std::mt19937& random) {
   return {d, approaches(random) ? v : -v};
 }
 
-/// True when the stencil around a state lies across a corner of the law, where no slope exists.
+/// True if the stencil around a state crosses a corner of the law, where the slope is undefined.
 template <class L>
 bool near_corner(const L& law, const Impact& impact, State s, double hd, double hv) {
   if constexpr (requires { law.corner(s.penetration, s.rate, impact); }) {
@@ -62,8 +62,8 @@ bool near_corner(const L& law, const Impact& impact, State s, double hd, double 
   return false;
 }
 
-/// A slope is right when the error of its central difference falls by four as the step halves, or is nothing from the
-/// start.
+/// A slope is right if halving the step divides the error of its central difference by four, or if both errors are
+/// negligible.
 void expect_derivative(double slope, double coarse, double fine, double size) {
   const double error = std::abs(coarse - slope), half_error = std::abs(fine - slope);
   if (error <= 1e-9 * size) return;
@@ -153,7 +153,7 @@ TYPED_TEST(LawContract, ClosedCycleNeverGainsEnergy) {
     }
 }
 
-// A later impact begins where the one before has left the surfaces; the memory is that of the kept states alone.
+// A later impact starts where the previous one left the surfaces. Only accepted states change the memory.
 TYPED_TEST(LawContract, CrushedSurfacesAreRemembered) {
   if constexpr (crushes<TypeParam>) {
     keep(this->law, 2e-3, 0.1, this->impact);
@@ -194,8 +194,8 @@ TYPED_TEST(LawContract, StoredEnergyIsTheWorkOfSlowUnloading) {
         given += this->law.respond(d, 0, unloading).force * left * deep / steps;
         keep(this->law, d, -1e-9, unloading);
       }
-      // Where a force ends before the penetration does, midpoints miss up to an eighth of its slope times the square of
-      // their distance.
+      // If the force ends before the penetration does, the midpoint rule misses up to an eighth of its slope times the
+      // squared spacing.
       const double way = left * deep / steps,
                    corner = this->law.respond(left * deep, 0, impact).by_penetration * way * way / 8;
       EXPECT_NEAR(stored_energy(this->law, left * deep, impact), given, 1e-6 * given + corner) << deep << ' ' << left;
@@ -237,7 +237,7 @@ TYPED_TEST(LawContract, RefusesValuesThatMakeNoSense) {
     refuses(s);
     s = this->settings();
     s.reduced_mass = bad;
-    // 0 stands for none, which some laws need.
+    // 0 means none, which some laws require.
     if (entry.takes_reduced_mass || bad != 0) refuses(s);
   }
 }

@@ -1,4 +1,4 @@
-/// Closed forms against integration, identities of every free impact, exact calibration, and limits.
+/// Free impacts: closed forms against integration, identities, exact calibration, and limits.
 
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ void for_every_law(double restitution, auto&& check) {
   }
 }
 
-// 1e-10 is what free_impact promises of an integrated value.
+// `free_impact` guarantees 1e-10 for an integrated value.
 TEST(FreeImpact, ClosedFormsAgreeWithIntegration) {
   int compared = 0;
   for (const double e : {0.15, 0.4, 0.65, 0.89})
@@ -48,7 +48,7 @@ TEST(FreeImpact, ClosedFormsAgreeWithIntegration) {
         same(closed.duration, integrated.duration, closed.duration);
         same(closed.energy_lost, integrated.energy_lost, 0.5 * mass * v * v);
         same(closed.impulse, integrated.impulse, mass * v);
-        // At a smooth maximum the time is known to the square root of the force's accuracy only.
+        // At a smooth maximum the time is accurate only to the square root of the error of the force.
         EXPECT_NEAR(closed.time_of_peak, integrated.time_of_peak, 1e-8 * closed.duration);
         compared += closed.closed_form.restitution;
       });
@@ -58,7 +58,7 @@ TEST(FreeImpact, ClosedFormsAgreeWithIntegration) {
 TEST(FreeImpact, EnergyAndImpulseFollowFromTheRestitution) {
   test::Book book("Free impacts: restitution, identities, limits",
                   "momentum and energy: the loss is m v^2 (1 - e^2)/2, the impulse m v (1 + e), for any law",
-                  "a tenth of the 1e-10 that the integration promises of a single value");
+                  "a tenth of the 1e-10 guaranteed for a single integrated value");
   for_every_law(0.5, [&book](const Entry&, const AnyLaw& law) {
     const double v = 0.8;
     const FreeImpact r = integrated_free_impact(law, mass, v);
@@ -80,7 +80,7 @@ TEST(FreeImpact, ExactCalibrationGivesWhatIsAskedAtEverySpeed) {
   }
 }
 
-// A slow touch stays so far short of the depth of full damping that it needs a million million times the damping.
+// A slow impact is far shallower than the depth of full damping and needs a damping 1e12 times larger.
 TEST(FreeImpact, ExactImpactFunctionReachesSlowTouches) {
   for (const double speed : {1e-6, 1e-3}) {
     const AdamsImpact law{.stiffness = 4.2e10, .depth = 1.26e-3, .restitution = 0.5, .reduced_mass = 5e4};
@@ -100,7 +100,7 @@ TEST(FreeImpact, ExactFactorReachesExtremeRestitutions) {
 TEST(FreeImpact, SpotValuesOfTheClosedForms) {
   test::Book book("Free impacts: restitution, identities, limits",
                   "values of the closed forms, printed to six or ten digits",
-                  "half a unit of the last digit printed, or rounding");
+                  "half a unit of the last printed digit, or round-off");
   book.near("restitution for a damping factor 0.5 [-]", restitution_of_factor(0.5), 0.7484349316, 0.51e-10);
   book.near("restitution for a damping factor 1 [-]", restitution_of_factor(1.0), 0.5936242600, 0.51e-10);
   book.near("restitution of critical damping, until F = 0: exp(-2) [-]", restitution_to_zero_force(1.0), std::exp(-2),
@@ -145,7 +145,7 @@ TEST(FreeImpact, PublishedFormulasOfFirstOrderMeetTheExactOneNearOne) {
 
 TEST(FreeImpact, RestitutionOfProportionalDampingIgnoresStiffnessMassExponentAndSpeed) {
   test::Book book("Free impacts: restitution, identities, limits",
-                  "root of a(1+e) = ln[(1+a)/(1-a e)] for a = 1: 0.59362426", "a unit of the last digit");
+                  "root of a(1+e) = ln[(1+a)/(1-a e)] for a = 1: 0.59362426", "one unit of the last digit");
   for (const double n : {1.0, 1.5, 2.2})
     for (const double k : {1.0, 2.75e9})
       for (const double v : {0.01, 10.0})
@@ -156,7 +156,7 @@ TEST(FreeImpact, RestitutionOfProportionalDampingIgnoresStiffnessMassExponentAnd
 }
 
 TEST(FreeImpact, JankowskiWithBothPhasesWouldBeViscousHertz) {
-  // xi and alpha = 2 xi give the same dashpot in the approach: same largest penetration.
+  // xi and alpha = 2 xi are the same dashpot during approach and give the same maximum penetration.
   const Jankowski approach{.stiffness = 2.75e9, .damping_ratio = 0.3, .reduced_mass = mass};
   const ViscousHertz both{.stiffness = 2.75e9, .damping_ratio = 0.6, .reduced_mass = mass};
   EXPECT_NEAR(integrated_free_impact(approach, mass, 1).peak_penetration /
@@ -165,7 +165,7 @@ TEST(FreeImpact, JankowskiWithBothPhasesWouldBeViscousHertz) {
 }
 
 TEST(FreeImpact, LinearAndHertzFirstFormulasGiveTheSameRestitution) {
-  // sqrt(5)/2 between the first forms for the linear and the Hertz spring cancels exactly.
+  // The ratio sqrt(5)/2 of the first forms for the linear and the Hertz spring cancels exactly.
   for (const double e : {0.2, 0.5, 0.8}) {
     const ModifiedLinearViscoelastic linear{
         .stiffness = 1e8, .restitution = e, .reduced_mass = mass, .formula = simple_approach};
@@ -181,9 +181,9 @@ TEST(FreeImpact, GivenCoefficientsMakeTheRestitutionFallWithSpeed) {
   EXPECT_LT(free_impact(impact, mass, 0.1).restitution, free_impact(impact, mass, 1.0).restitution - 0.02);
 }
 
-// Small damping loses the work of the dashpot along the elastic motion: for F = k d^1.5 + (3/2) A k d^0.5 d' in units
-// of k = m = v = 1 this is 1 - e = (3/2) A integral of d^0.5 sqrt(1 - (d/d_m)^2.5) dd over one way and back, all over
-// one.
+// To first order in the damping, the loss is the work of the dashpot along the elastic motion. For F = k d^1.5 + (3/2)
+// A k d^0.5 d' in units of k = m = v = 1: 1 - e = (3/2) A times the integral of d^0.5 sqrt(1 - (d/d_m)^2.5) over the
+// way there and back.
 TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
   test::Book book("Free impacts: restitution, identities, limits",
                   "first order of small damping: work of the dashpot along the elastic motion, by quadrature",
@@ -198,7 +198,7 @@ TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
         std::sqrt(d) * std::sqrt(1 - std::pow(s, 2.5)) * dm * std::sin(2 * angle) * std::numbers::pi / 2 / points;
   }
   const KuwabaraKono law{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
-  book.near("loss of Kuwabara-Kono over that of first order [-]",
+  book.near("loss of Kuwabara-Kono over first order [-]",
             (1 - free_impact(law, 1, 1).restitution) / (2 * 1.5 * number * integral), 1, 1e-4);
 }
 
@@ -235,13 +235,13 @@ TEST(FreeImpact, BilinearLawSaysWhichRestitutionItCannotReach) {
   }
 }
 
-// Loading stores k d_m^2/2, unloading with k2 = k/e^2 gives back F_m^2/(2 k2): Walton & Braun's spring, by its own two
-// stiffnesses.
+// Loading stores k d_m^2/2 and unloading with k2 = k/e^2 returns F_m^2/(2 k2): the spring of Walton & Braun with its
+// two stiffnesses.
 TEST(FreeImpact, ElastoplasticLawWithALinearSpringIsThatOfWaltonAndBraun) {
   test::Book book("Elastoplastic contact: crushing, memory",
                   "Walton & Braun 1986: k1 loads, k2 unloads, e = sqrt(k1/k2), duration pi/2 (sqrt(m/k1) + "
                   "sqrt(m/k2)), residual d_m (1 - k1/k2)",
-                  "what the integration promises");
+                  "guaranteed tolerance of the integration");
   const double k1 = 3e7, k2 = 7.5e7, m = 4e4, v = 0.6, deepest = v * std::sqrt(m / k1);
   const Elastoplastic law{.stiffness = k1, .exponent = 1, .restitution = std::sqrt(k1 / k2)};
   for (const FreeImpact& r : {free_impact(law, m, v), integrated_free_impact(law, m, v)}) {
@@ -258,11 +258,11 @@ TEST(FreeImpact, ElastoplasticLawWithALinearSpringIsThatOfWaltonAndBraun) {
   book.near("elastoplastic, n = 1: indentation [m]", law.indentation(impact), deepest * (1 - k1 / k2), 1e-16);
 }
 
-// Loading takes K/c [x - log(1 + c x)/c] with c = K Rf/Fu, unloading gives back F^2/(2 K_ur): both in closed form, the
-// depth by bisection.
+// Loading takes K/c [x - log(1 + c x)/c] with c = K Rf/Fu, and unloading returns F^2/(2 K_ur). Both are closed forms;
+// the depth follows by bisection.
 TEST(FreeImpact, BackfillLosesWhatItsHyperbolaTakes) {
   test::Book book("Wall with backfill", "closed form of the area below the hyperbola less F^2/(2 K_ur)",
-                  "what the integration promises");
+                  "guaranteed tolerance of the integration");
   const Backfill law{.stiffness = 250e6, .unloading = 500e6, .failure_ratio = 0.75, .strength = 6e6};
   const double m = 250e3, c = 250e6 * 0.75 / 6e6;
   for (const double v : {0.05, 0.5, 1.5}) {
@@ -277,7 +277,7 @@ TEST(FreeImpact, BackfillLosesWhatItsHyperbolaTakes) {
   }
 }
 
-// The path law of hysteresis/ and the contact law say the same of two impacts, the second of which presses deeper.
+// The path law of hysteresis/ and the contact law agree for two impacts, the second one deeper.
 TEST(FreeImpact, BackfillReloadsAlongItsUnloadingUpToTheDeepest) {
   const Backfill law{.stiffness = 250e6, .unloading = 500e6, .failure_ratio = 0.75, .strength = 6e6};
   const Hyperbola soil = law.soil();
@@ -311,13 +311,13 @@ TEST(FreeImpact, CrushedSurfacesUnloadAndReloadAlongTheSameCurve) {
   EXPECT_NEAR(force_at(middle), top * std::pow(0.5, 1.5), 1e-12 * top);
   EXPECT_NEAR(force_at(5e-3), top, 1e-12 * top);
   EXPECT_NEAR(force_at(6e-3), 2e9 * std::pow(6e-3, 1.5), 1e-9 * top);
-  // The slope of unloading, at a crushed state: central differences.
+  // Slope of unloading in a crushed state, by central differences.
   const double h = 1e-7;
   const auto force = [&](double d) { return law.contact(d, 0, impact).force; };
   EXPECT_NEAR(law.contact(5.5e-3, 0, impact).by_penetration, (force(5.5e-3 + h) - force(5.5e-3 - h)) / (2 * h), 1e2);
   EXPECT_NEAR(law.contact(5.9e-3, 0, impact).by_penetration / (1.5 * 2e9 * std::sqrt(6e-3)), 1 / 0.36, 0.2)
       << "steeper by 1/e^2 at the top";
-  EXPECT_LT(force(0.64 * 6e-3 - h), 0) << "the formula goes on below the end of the force";
+  EXPECT_LT(force(0.64 * 6e-3 - h), 0) << "the formula continues below the end of the force";
 }
 
 TEST(FreeImpact, OverdampedKelvinVoigtNeverParts) {
@@ -328,11 +328,11 @@ TEST(FreeImpact, OverdampedKelvinVoigtNeverParts) {
   const KelvinVoigt requested{.stiffness = 1, .restitution = 0, .reduced_mass = 1};
   EXPECT_EQ(requested.damping_number(1), 1);
   EXPECT_EQ(free_impact(requested, 1, 1).restitution, 0);
-  // The integration creeps back until rounding lets the bodies part.
+  // In the integration the bodies creep back until round-off separates them.
   EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0, 1e-12);
 }
 
-/// A law that the library does not know.
+/// A law outside the library.
 struct Cubic {
   static constexpr std::string_view name = "cubic";
   void check() const {}
@@ -340,8 +340,8 @@ struct Cubic {
   Response respond(double d, double v, const Impact& i) const noexcept { return pressed(*this, d, v, i); }
 };
 
-// A strong damper releases the force just before the depth where it begins to weaken, and the force comes back behind
-// it. Restitutions by Runge-Kutta of fourth order with fixed steps of 1e-5 and 2.5e-6, which agree to 5e-12.
+// A strong damper releases the force just before the depth at which it weakens, and the force returns behind it.
+// Reference restitutions: Runge-Kutta of order four with fixed steps of 1e-5 and 2.5e-6, which agree to 5e-12.
 TEST(FreeImpact, ReleaseShortlyBeforeACornerIsFound) {
   AdamsImpact law{
       .stiffness = 1, .exponent = 1, .depth = 0.15, .damping_coefficient = 0.20135496083667953, .reduced_mass = 1};
@@ -352,7 +352,7 @@ TEST(FreeImpact, ReleaseShortlyBeforeACornerIsFound) {
 
 TEST(FreeImpact, UserLawsAreIntegrated) {
   test::Book book("Free impacts: restitution, identities, limits", "F = d^3, m = 2, v = 3: d_max^4 = 36, no loss",
-                  "what the integration promises");
+                  "guaranteed tolerance of the integration");
   const FreeImpact r = free_impact(Cubic{}, 2, 3);
   book.near("restitution of a user's law [-]", r.restitution, 1, 1e-11);
   book.near("largest penetration of a user's law [m]", r.peak_penetration, std::pow(36, 0.25), 1e-10);

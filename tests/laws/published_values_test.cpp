@@ -1,5 +1,5 @@
-/// Damping values and the restitution they give, against reference tables. The time integration meets the same tables
-/// in tests/verification.
+/// Damping values and the resulting restitution against reference tables. tests/verification compares the time
+/// integration with the same tables.
 
 #include <cmath>
 #include <string>
@@ -22,14 +22,14 @@ using reference::requested;
 constexpr const char* subject = "Published damping formulas: the damping and the restitution they give";
 constexpr const char* source =
     "tables of an independent script: closed forms, confirmed by an 8th-order Runge-Kutta integration to 1e-11";
-constexpr const char* reason = "half a unit of the last digit printed there";
+constexpr const char* reason = "half a unit of the last printed digit";
 
 struct ExactRow {
   std::string_view law, formula;
   reference::Nine values;
 };
 
-// Table of exact damping (six digits).
+// Table of exact damping, six digits.
 const std::vector<ExactRow> exact_damping{
     {"hertz_damped",
      "exact",
@@ -65,13 +65,14 @@ AnyLaw law_with(const reference::Asking& asking, double restitution) {
   return make_law(s);
 }
 
-// Calls check(row, asking, i, law) for every published formula, every law that offers it and every asked restitution.
+// Calls check(row, index of the formula, i, law) for every published formula, every law that offers it and every target
+// restitution.
 template <class Check>
 void for_each_published(Check&& check) {
   for (const reference::FormulaRow& row : reference::formulas)
     for (const reference::Asking& asking : row.askings)
       for (std::size_t i = 0; i < 9; ++i) {
-        SCOPED_TRACE(std::string(row.name) + ", " + std::string(asking.law) + ", asked " +
+        SCOPED_TRACE(std::string(row.name) + ", " + std::string(asking.law) + ", target " +
                      std::to_string(requested(i)));
         check(row, asking, i, law_with(asking, requested(i)));
       }
@@ -107,12 +108,12 @@ TEST(PublishedValues, ErrorInPercentIsThatOfTheReference) {
   test::Book book(subject, source, reason);
   for_each_published([&book](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
     const double e = free_impact(law, typical_reduced_mass, asking.speed).restitution;
-    book.near("obtained over asked restitution, less one [%]", 100 * (e / requested(i) - 1), row.percent[i],
+    book.near("obtained over target restitution, less one [%]", 100 * (e / requested(i) - 1), row.percent[i],
               half_unit(2));
   });
 }
 
-// Above z = 1 the bodies creep back for ever.
+// Above z = 1 the bodies creep back indefinitely.
 TEST(PublishedValues, JankowskiDashpotInBothPhasesGivesTheReference) {
   test::Book book(subject, source, reason);
   const reference::FormulaRow& row = reference::jankowski_in_both_phases;
@@ -121,8 +122,9 @@ TEST(PublishedValues, JankowskiDashpotInBothPhasesGivesTheReference) {
     const double xi = jankowski_2005({.restitution = requested(i)}), z = 2 * xi / std::sqrt(5.0);
     const auto law = reference::jankowski_in_both_phases_of(xi, stiffness, mass);
     const double e = z < 1 ? integrated_free_impact(law, mass, 0.8).restitution : 0;
-    book.near("restitution of Jankowski's dashpot left on in both phases [-]", e, row.obtained[i], half_unit(4));
-    book.near("the same over what was asked, less one [%]", 100 * (e / requested(i) - 1), row.percent[i], half_unit(2));
+    book.near("restitution of Jankowski's dashpot active in both phases [-]", e, row.obtained[i], half_unit(4));
+    book.near("the same over target restitution, less one [%]", 100 * (e / requested(i) - 1), row.percent[i],
+              half_unit(2));
     EXPECT_NEAR(e, restitution_to_zero_penetration(z), 1e-9) << requested(i);
   }
 }
@@ -135,7 +137,7 @@ TEST(PublishedValues, Eq38GivesTheSameRatioToBothLawsThatOfferIt) {
   }
 }
 
-// Between two rows of the paper's Table 2 both exponents are straight lines.
+// Both exponents are linear between two rows of Table 2 of the paper.
 TEST(PublishedValues, NaderpourFormulaIsLinearBetweenTheRowsOfItsTable) {
   test::Book book("Published damping formulas: the damping and the restitution they give",
                   "Naderpour, Barros & Khatami 2015, Eqs. 15-17, between two rows of its Table 2", "rounding");
@@ -152,7 +154,7 @@ TEST(PublishedValues, NaderpourFormulaIsRefusedOutsideItsTable) {
   }
 }
 
-// The restitution where the design penetration is reached exactly: sqrt(1 - loss/energy under the loading curve).
+// Restitution if the design penetration is reached exactly: sqrt(1 - loss/energy under the loading curve).
 TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
   test::Book book(subject, source, reason);
   using namespace reference::bilinear;
@@ -179,7 +181,7 @@ TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
   }
 }
 
-// These curves by their two stiffnesses and yield, as OpenSees' ImpactMaterial takes them: no mass, no design speed.
+// The curve given by its two stiffnesses and yield, as in ImpactMaterial of OpenSees: no mass, no design speed.
 TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) {
   test::Book book(subject, source, reason);
   using namespace reference::bilinear;
@@ -190,7 +192,8 @@ TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) 
                                  .values = {{"initial_stiffness", row.stiffness_1},
                                             {"secondary_stiffness", row.stiffness_2},
                                             {"yield_penetration", row.yield}}});
-    // K1 and K2 of the table are rounded to six decimals; the energy under the curve amplifies that by less than ten.
+    // K1 and K2 of the table are rounded to six decimals; the energy under the curve amplifies the error by less than
+    // ten.
     for (const FreeImpact& r :
          {free_impact(law, mass, reaching_speed(row)), integrated_free_impact(law, mass, reaching_speed(row))}) {
       book.near("bilinear_hertz by K1, K2, d_y: largest penetration [m]", r.peak_penetration, 1, 10 * half_unit(6));

@@ -1,4 +1,4 @@
-/// Single impacts with dimensions, against reference tables: in closed form and integrated.
+/// Single impacts with units against reference tables: closed forms and integration.
 
 #include <limits>
 #include <stdexcept>
@@ -16,7 +16,7 @@ namespace single_impact_test {
 using reference::half_unit;
 constexpr double kilonewton = 1000;
 constexpr const char* source = "tables of an independent 8th-order integration (rtol 1e-12)";
-constexpr const char* reason = "half a unit of the last digit printed there, three to eight decimals";
+constexpr const char* reason = "half a unit of the last printed digit, three to eight decimals";
 
 TEST(SingleImpact, ExampleOfSection51GivesTheReferenceHistory) {
   test::Book book("Two floors that collide at 15 m/s (section 5.1 of the paper)", source, reason);
@@ -49,7 +49,7 @@ TEST(SingleImpact, HertzSpringGivesTheReferenceHistory) {
     book.near("hertz: peak force [kN]", r.peak_force / kilonewton, elastic_force, half_unit(3));
     book.near("hertz: duration [s]", r.duration, elastic_duration, half_unit(6));
     book.near("hertz: closing energy [kJ]", r.impulse * speed / 4 / kilonewton, energy,
-              half_unit(3));  // 2 m v, where the energy is m v^2/2
+              half_unit(3));  // 2 m v; the energy is m v^2/2
   }
   // m = k = v = 1.
   const FreeImpact unit = free_impact(Hertz{.stiffness = 1}, 1, 1);
@@ -74,7 +74,7 @@ TEST(SingleImpact, KelvinVoigtGivesTheReferenceHistoryWithAndWithoutPull) {
       book.near(std::string(law.name) + ": duration [s]", r.duration, duration, half_unit(8));
       book.near(std::string(law.name) + ": largest penetration [m]", r.peak_penetration, row.penetration, half_unit(8));
       book.near(std::string(law.name) + ": peak force [N]", r.peak_force, row.force, half_unit(1));
-      book.near(std::string(law.name) + ": force where the penetration is largest [N]",
+      book.near(std::string(law.name) + ": force at the largest penetration [N]",
                 law.respond(r.peak_penetration, 0, touch(law, speed)).force, row.force_at_penetration, half_unit(1));
     };
     const auto both_ways = [&](const auto& law, double restitution, double duration) {
@@ -104,7 +104,7 @@ TEST(SingleImpact, ExampleOfSection5GivesTheReferenceValues) {
       book.near("hertz_damped: peak force [kN]", r.peak_force / kilonewton, row.force, half_unit(3));
       book.near("hertz_damped: energy lost [kJ]", r.energy_lost / kilonewton, row.lost, half_unit(5));
     }
-    book.near("hertz_damped: energy lost if e were as asked (Eq. 18) [kJ]",
+    book.near("hertz_damped: energy lost for the target e (Eq. 18) [kJ]",
               0.5 * mass * speed * speed * (1 - requested * requested) / kilonewton, row.lost_if_as_requested,
               half_unit(5));
   }

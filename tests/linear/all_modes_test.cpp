@@ -1,4 +1,4 @@
-// All modes at once: they are normal by the mass, make the stiffness diagonal, and are those of the small solver.
+// All modes in one call: mass-normalized, they diagonalize the stiffness and match the small solver.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Sums over columns have the bits of a plain loop, whatever vectors the machine has.
+// Sums over columns are bitwise identical to a plain loop, whatever the vector width of the machine.
 
 #include <gtest/gtest.h>
 
@@ -23,12 +23,12 @@ TEST(ColumnSums, HaveTheBitsOfOneLoopForEveryNumberOfRows) {
       for (int i = 0; i < rows; ++i) {
         double sum = 0;
         for (int j = 0; j < columns; ++j) {
-          const volatile double product = a(i, j) * x[j];  // no fused operation
+          const volatile double product = a(i, j) * x[j];  // prevents a fused operation
           sum += product;
         }
         EXPECT_EQ(y[static_cast<std::size_t>(i)], sum) << rows << " x " << columns << ", row " << i;
       }
-      EXPECT_EQ(y.back(), 7.0) << rows << " x " << columns;  // nothing is written behind the last row
+      EXPECT_EQ(y.back(), 7.0) << rows << " x " << columns;  // rows after the last one are not written
     }
 }
 

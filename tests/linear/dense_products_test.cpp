@@ -20,7 +20,7 @@ class DenseProducts : public testing::TestWithParam<int> {
   std::normal_distribution<double> normal_;
 };
 
-// On both sides of the size from which BLAS multiplies.
+// On both sides of the size from which BLAS is used.
 INSTANTIATE_TEST_SUITE_P(Rows, DenseProducts, testing::Values(200, 1000, 1001, 1700));
 
 TEST_P(DenseProducts, AreSumsOfProducts) {
@@ -29,7 +29,7 @@ TEST_P(DenseProducts, AreSumsOfProducts) {
   using Long = Eigen::Matrix<long double, -1, -1>;
   const Long a_long = a.cast<long double>(), b_long = b.cast<long double>(), c_long = c.cast<long double>();
   const MatrixXd transposed = (a_long.transpose() * b_long).cast<double>(), plain = (a_long * c_long).cast<double>();
-  // Rounding of a sum follows its length and the size of its terms, of a few units here.
+  // The round-off of a sum grows with its length and the size of its terms, a few units here.
   EXPECT_LT((petsc::transposed_product(a, b) - transposed).lpNorm<Eigen::Infinity>(), 1e-15 * rows);
   EXPECT_LT((petsc::product(a, c) - plain).lpNorm<Eigen::Infinity>(), 1e-15 * 70 * 4);
 }

@@ -1,4 +1,4 @@
-// Columns of B by blocks: sums have the bits of a plain loop, whichever links are asked for together.
+// Columns of B by blocks: sums are bitwise identical to a plain loop for any set of links.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace pounding {
 namespace link_columns_test {
 
-// Three structures of 7, 20 and 33 coordinates; nine links, most of them between two.
+// Three structures of 7, 20 and 33 coordinates; nine links, mainly between two structures.
 struct Links {
   static constexpr int count = 9, coordinates = 60;
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(coordinates, count);
@@ -33,7 +33,7 @@ struct Links {
     d = Eigen::VectorXd::NullaryExpr(coordinates, [&] { return std::abs(normal(random)); });
   }
 
-  // Sums over the coordinates in their order; those of another structure add zeros.
+  // Sums over the coordinates in order; those of another structure add zeros.
   double sum(int i, int j, bool weighed) const {
     double whole = 0;
     for (const auto& [first, size] : {std::pair(0, 7), {7, 20}, {27, 33}}) {
@@ -108,7 +108,7 @@ TEST(LinkColumns, AddForcesAndAnswersFromACoordinateOn) {
   EXPECT_LT((g - by_solves).norm(), 1e-13 * g.norm());
 }
 
-// Small blocks are summed link by link; a link without an end in any block stays at zero, whatever stood there.
+// Small blocks are summed link by link; a link without an end in any block is set to zero.
 TEST(LinkColumns, GatherSmallBlocksWithTheSameBits) {
   for (const bool has_fixed_link : {false, true}) {
     const int count = has_fixed_link ? 3 : 2;

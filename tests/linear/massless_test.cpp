@@ -1,4 +1,4 @@
-// Degrees of freedom with and without mass, and the rows and columns of a matrix at some of them.
+// Degrees of freedom with and without mass, and submatrices at some of them.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ SparseMatrix matrix_of(const Eigen::MatrixXd& dense) { return dense.sparseView()
 
 TEST(MassSplit, TellsDynamicFromMasslessDegreesOfFreedom) {
   SparseMatrix mass = matrix_of(Eigen::Vector4d(2, 0, 3, 1).asDiagonal().toDenseMatrix());
-  mass.coeffRef(1, 1) = 0;  // an entry of zero is no mass
+  mass.coeffRef(1, 1) = 0;  // an explicit zero is not a mass
   const MassSplit all = split_by_mass(mass);
   EXPECT_EQ(all.dynamic, (Indices{0, 2, 3}));
   EXPECT_EQ(all.massless, (Indices{1}));
@@ -27,7 +27,7 @@ TEST(MassSplit, TellsDynamicFromMasslessDegreesOfFreedom) {
 TEST(MassSplit, CountsMassThatOnlyCouples) {
   Eigen::Matrix2d mass;
   mass << 1, 0.5, 0.5, 0;
-  EXPECT_EQ(split_by_mass(matrix_of(mass)).dynamic, (Indices{0, 1})) << "so that a solver refuses the matrix";
+  EXPECT_EQ(split_by_mass(matrix_of(mass)).dynamic, (Indices{0, 1})) << "so that a solver rejects the matrix";
 }
 
 TEST(Submatrix, TakesRowsAndColumnsInTheirOrder) {

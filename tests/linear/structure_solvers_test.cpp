@@ -91,8 +91,8 @@ struct Pair {
   }
 };
 
-// The right frame moves later than the left one, contacts rub, and displacements of nodes are followed, one rotation
-// without mass among them.
+// The ground motion of the right frame is delayed, contacts have friction, and displacements of nodes are observed,
+// including one massless rotation.
 Pair rubbing_on_delayed_ground() {
   Pair pair;
   System& s = pair.system;
@@ -121,7 +121,7 @@ Pair rubbing_on_delayed_ground() {
   return pair;
 }
 
-// Smooth and never zero.
+// Smooth and nonzero.
 Eigen::VectorXd some_vector(int size, double phase) {
   Eigen::VectorXd x(size);
   for (int i = 0; i < size; ++i) x[i] = 1 + 0.6 * std::sin(0.9 * i + phase);
@@ -132,7 +132,7 @@ double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
 }
 
-// Matrix of the whole system for a shift, the Rayleigh damping written out.
+// Matrix of the whole system for a shift, with explicit Rayleigh damping.
 Eigen::MatrixXd whole(const System& system, const EffectiveMatrix& s) {
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(system.size(), system.size());
   const Eigen::MatrixXd m = system.mass, k = system.stiffness;
@@ -172,7 +172,7 @@ TEST_P(SparseMatrices, MultiplyLikeDenseOnes) {
   EXPECT_LT(difference(u, whole(system, {1, 0, 0}) * x.col(1)), 1e-13);
 }
 
-// At a step level by a factor, off the levels by conjugate gradients; the condition number of these matrices is 1e5.
+// By a factorization at a step level, by conjugate gradients elsewhere; the condition number of these matrices is 1e5.
 TEST_P(SparseMatrices, SolveOnAndOffTheStepLevels) {
   SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(n, 1);
@@ -192,7 +192,7 @@ TEST_P(SparseMatrices, SolveOnAndOffTheStepLevels) {
 }
 
 TEST_P(SparseMatrices, GiveTheSameFlexibilityAndResponseByEveryWay) {
-  if (GetParam()) GTEST_SKIP() << "the same code";
+  if (GetParam()) GTEST_SKIP() << "the same code path";
   const EffectiveMatrix shift = of_step(0.006);
   const std::vector<int> links{0, 2};
   const Eigen::MatrixXd b = Eigen::MatrixXd(system.gap_jacobian)(Eigen::all, links);
@@ -263,7 +263,7 @@ System row_of_frames(int frames) {
   return s;
 }
 
-// Links that share no frame share a solve: what each of them moves must stay its own.
+// Links that share no frame share a solve; their displacements must remain separate.
 TEST(RowOfFrames, KeepsLinksApartThatAreSolvedTogether) {
   const System system = row_of_frames(5);
   ASSERT_GE(static_cast<int>(system.groups.size()), processes());
@@ -289,9 +289,9 @@ TEST(RowOfFrames, KeepsLinksApartThatAreSolvedTogether) {
       }
 }
 
-// A column of A^-1 B for each link would make memory grow with the square of a row of buildings.
+// A column of A^-1 B for each link would make memory quadratic in the length of a row of buildings.
 TEST(RowOfFrames, NeedsMemoryInProportionToItsLength) {
-  if (processes() > 1) GTEST_SKIP() << "the frames of one process count";
+  if (processes() > 1) GTEST_SKIP() << "only the frames of one process count";
   const auto columns = [](int frames) {
     const System system = row_of_frames(frames);
     SparseSolver base(PETSC_COMM_WORLD, system);
@@ -306,7 +306,7 @@ TEST(RowOfFrames, NeedsMemoryInProportionToItsLength) {
   EXPECT_LT(columns(32), 2 * columns(8));
 }
 
-// A factor takes over what an earlier one knew of the pattern, and nothing else.
+// A factorization reuses only the symbolic pattern of an earlier one.
 TEST(OffTheStepLevels, AFactorDoesNotDependOnTheOneBefore) {
   const Pair pair;
   const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
@@ -407,7 +407,7 @@ TEST(OutputQuantities, IsTheSameByModesAndBySparseMatrices) {
 INSTANTIATE_TEST_SUITE_P(Frames, SparseMatrices, testing::Bool(),
                          [](const auto& test) { return test.param ? "consistent" : "lumped"; });
 
-// Without a second structure two processes share one factor.
+// Without a second structure, two processes share one factorization.
 TEST(OneFrame, IsSharedByAllProcesses) {
   const Pair pair(false, 1);
   const System& system = pair.system;
@@ -432,7 +432,7 @@ TEST(OneFrame, IsSharedByAllProcesses) {
     }
 }
 
-// The result of a trial must not depend on the trials before it.
+// The result of a trial must not depend on the previous trials.
 TEST(OffTheStepLevels, ASolveDependsOnItsStepAlone) {
   const Pair pair;
   const System& system = pair.system;
@@ -456,7 +456,7 @@ TEST(OffTheStepLevels, ASolveDependsOnItsStepAlone) {
   EXPECT_EQ((solved(true) - solved(false)).lpNorm<Eigen::Infinity>(), 0);
 }
 
-// Lengths that end at a corner of the ground motion differ in their last digits.
+// Step lengths that end at a corner of the ground motion differ in their last digits.
 TEST(OffTheStepLevels, ARungButForRoundingNeedsNoFactorOfItsOwn) {
   const Pair pair;
   SparseSolver base(PETSC_COMM_WORLD, pair.system, {.direct_below = 0});
@@ -511,7 +511,7 @@ TEST(SparseSolver, RefusesWhatCannotMove) {
   Pair joined;
   joined.system.stiffness.coeffRef(0, joined.system.size() - 1) = 1;
   EXPECT_NE(text_of(joined), "");
-  Pair mechanism;  // rotations 2 and 5 turn freely together
+  Pair mechanism;  // rotations 2 and 5 are free to turn together
   for (const int i : {2, 5})
     for (SparseMatrix::InnerIterator it(mechanism.system.stiffness, i); it; ++it) {
       it.valueRef() = 0;
@@ -528,11 +528,11 @@ struct Trajectory {
   State end;
   std::vector<double> peaks;
   int impacts = 0;
-  double imbalance = 0;  // of the energies, as part of the input
-  Eigen::VectorXd seen;  // what is observed of the displacements
+  double imbalance = 0;  // energy imbalance as a fraction of the input
+  Eigen::VectorXd seen;  // observed displacements
 };
 
-// The longest dyadic step, shorter ones around events.
+// The longest dyadic step, with shorter ones around events.
 Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until) {
   constexpr double h = 2e-3;
   Stepper stepper(pair.system, base, {.tolerance = 1e-4, .scheme = scheme, .max_step = h});
@@ -555,7 +555,7 @@ Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until)
   return run;
 }
 
-// On two processes the modes are those of one: the same trajectory in parallel and alone.
+// On two processes the modes are those of one process: the same trajectory in parallel and in serial.
 void expect_to_move_alike(const std::function<Pair()>& make) {
   constexpr auto second_order = Scheme::Kind::generalized_alpha;
   for (const Scheme scheme : {Scheme{.kind = second_order}, Scheme{.kind = second_order, .spectral_radius = 0.8},

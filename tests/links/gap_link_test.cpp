@@ -1,4 +1,4 @@
-// A gap link by itself: the test plays the integrator and hands it one kept state after the other.
+// A gap link in isolation: the test acts as the integrator and passes one accepted state after another.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace gap_link_test {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A law of a user: F = k d + c d', its coefficient calibrated at the touch so that it can be told from a later one.
+/// A user's law: F = k d + c d', with a coefficient calibrated at touch so that touches can be distinguished.
 struct MyLaw {
   static constexpr std::string_view name = "my_law";
   double stiffness = 1000;
@@ -33,12 +33,12 @@ struct MyLaw {
   }
 };
 
-/// MyLaw, but it may pull.
+/// MyLaw that may pull.
 struct MyStickyLaw : MyLaw {
   static constexpr bool may_pull = true;
 };
 
-/// MyLaw, but the penetration at the end of the force is added to the gap.
+/// MyLaw that adds the penetration at the end of the force to the gap.
 struct MyDentedLaw : MyLaw {
   static constexpr bool leaves_indentation = true;
 };
@@ -87,7 +87,7 @@ TEST(GapLink, ActsWithoutTensionUnlessItsLawMayPull) {
 TEST(GapLink, RefusesWhatItsLawRefuses) {
   try {
     GapLink<MyLaw>({.stiffness = -1}, 0.1);
-    FAIL() << "a negative stiffness was taken";
+    FAIL() << "a negative stiffness was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(test::mentions(error.what(), {"my_law"}));
   }
@@ -152,9 +152,9 @@ TEST(GapLink, GoesSlackWhereItsForceWouldPullAndOpensAtZeroPenetration) {
   EXPECT_EQ(link.impacts()[0].t_end, 3);
 }
 
-// Behind the release the spring of adams_impact presses again at 0.23 mm. A long step ends beyond the separation, where
-// a trace of the penetration tells the sign: that this trace is smaller than the round-off of bodies that moved by
-// metres must not hide it.
+// After the release the spring of adams_impact presses again at 0.23 mm. A long step ends beyond the separation, where
+// a small penetration carries the sign. It must be detected even if it is smaller than the round-off of bodies that
+// moved by metres.
 TEST(GapLink, SeesBeyondTheSeparationThatItsForceCameBack) {
   GapLink<laws::AdamsImpact> link(
       {.stiffness = 4.98847907e11, .depth = 1.1035778e-3, .damping_coefficient = 9.1e7, .reduced_mass = 8182}, 0);
@@ -183,7 +183,7 @@ TEST(GapLink, ReengagesFromSlackWhenItsForceComesBack) {
   opening.on_event(1, 3, {0.03, -0.1});
   EXPECT_EQ(opening.phase(), ContactPhase::restitution);
   EXPECT_DOUBLE_EQ(opening.evaluate({0.03, -0.1}).force, 1000 * 0.03 - 20 * 0.1);
-  // It presses until it parts: the first release was not for good.
+  // It presses until it parts: the first release was not final.
   EXPECT_TRUE(std::isnan(opening.impacts()[0].t_release));
   opening.on_event(0, 4, {0, -0.1});
   EXPECT_EQ(opening.impacts()[0].t_release, 4);
@@ -226,20 +226,20 @@ TEST(GapLink, MarginsArePositiveWhileThePhaseLasts) {
   EXPECT_LT(link.event_functions({0.02, 1}, 0)[1], 0) << "the force is back";
 }
 
-// The force of a Hertz spring is zero on both sides of the separation; its sign just before tells which came first.
+// The force of a Hertz spring is zero on both sides of the separation. Its sign just before shows which came first.
 TEST(GapLink, TellsASeparationFromAnEarlierReleaseJustPastIt) {
   GapLink<laws::HertzDamped> link(laws::HertzDamped{.stiffness = 1000, .damping_coefficient = 400}, 0.1);
   link.on_event(0, 0, {0, 2});
   link.accept(step_between(0, 1, {0, 2}, {0.2, 0}));
   link.on_event(0, 1, {0.2, 0});
-  EXPECT_GT(link.event_functions({-1e-6, -2}, 0)[1], 0) << "it pressed until it parted";
-  EXPECT_LT(link.event_functions({-1e-6, -3}, 0)[1], 0) << "torn apart, it would have pulled before";
+  EXPECT_GT(link.event_functions({-1e-6, -2}, 0)[1], 0) << "it pressed until separation";
+  EXPECT_LT(link.event_functions({-1e-6, -3}, 0)[1], 0) << "without the release it would have pulled before";
 }
 
 TEST(GapLink, MayPullOnlyWhenItsLawSaysSo) {
   const GapLink<MyStickyLaw> sticky = reversed<MyStickyLaw>();
   EXPECT_LT(sticky.evaluate({0.01, -2}).force, 0);
-  EXPECT_EQ(sticky.event_functions({0.01, -2}, 0)[1], infinite) << "a pull ends nothing";
+  EXPECT_EQ(sticky.event_functions({0.01, -2}, 0)[1], infinite) << "a pull does not end the impact";
   EXPECT_LT(reversed().event_functions({0.01, -2}, 0)[1], 0);
 }
 
@@ -272,7 +272,7 @@ TEST(GapLink, EvaluateAndMarginsMoveNothing) {
                                     0.01);
   link.on_event(0, 0, {0, 1});
   const laws::Response before = link.evaluate({0.004, 0.5});
-  // Trials that the solver throws away, far outside what is kept.
+  // Trial steps that the solver discards, far from the accepted state.
   for (int i = 0; i < 50; ++i) {
     link.evaluate({0.1 * i, 10.0 * i});
     link.evaluate({-0.1, -50});
@@ -282,13 +282,13 @@ TEST(GapLink, EvaluateAndMarginsMoveNothing) {
   EXPECT_EQ(link.phase(), ContactPhase::approach);
   EXPECT_EQ(link.impacts()[0].peak_force, 0);
   EXPECT_EQ(link.work(), 0);
-  // A kept state does move the law's memory: it is unloaded along another line than it was loaded.
+  // An accepted state does change the memory of the law: unloading follows another line than loading.
   link.accept(step_between(0, 0.01, {0, 1}, {0.01, 0.2}));
   EXPECT_LT(link.evaluate({0.004, 0.5}).force, before.force);
 }
 
-// Half a sine of penetration d = sin(t) pressed on k d + c d' = A sin(t + phi): one kept step over a sixth of it knows
-// the peak.
+// A half-sine penetration d = sin(t) gives k d + c d' = A sin(t + phi). One accepted step over a sixth of it finds the
+// peak.
 TEST(GapLink, PeakInsideAStepIsThatOfTheLawOnTheMotionBetweenItsEnds) {
   GapLink<MyLaw> link = touched();
   const double phi = std::atan2(link.evaluate({0, 1}).force, link.evaluate({1, 0}).force);
@@ -338,7 +338,7 @@ TEST(GapLink, BeginsPressedWithTheEnergyThatItStores) {
   ASSERT_EQ(link.impacts().size(), 1u);
   EXPECT_EQ(link.impacts()[0].t_start, 0);
   EXPECT_EQ(link.impacts()[0].v_approach, 0);
-  // It parts from rest: 200 N over 0.2 m, half of it on the mean.
+  // It separates from rest: 200 N over 0.2 m, half of it on average.
   link.on_event(0, 0, {0.2, 0});
   LinkStep step = step_between(0, 1, {0.2, -0.2}, {0, -0.2});
   step.motion_middle = {0.1, -0.2};
@@ -363,7 +363,8 @@ TEST(GapLink, PressedFromTheStartNeedsAForceWithoutAClosingSpeed) {
   EXPECT_NE(refusal([] { RigidGapLink(0.5, 0).press(1e-3); }), "taken");
 }
 
-// Twice as deep, then the same again: the gap follows the deepest of all, whatever rounding the located ends have.
+// First twice as deep, then the original depth again: the gap follows the deepest penetration, whatever the rounding of
+// the located ends.
 TEST(GapLink, ElastoplasticWidensItsGapWithTheDeepestPenetrationOfAll) {
   GapLink<laws::Elastoplastic> link({.stiffness = 2e9, .exponent = 1, .restitution = 0.6}, 0.1);
   const auto impact = [&](double deep, double left) {
@@ -377,7 +378,7 @@ TEST(GapLink, ElastoplasticWidensItsGapWithTheDeepestPenetrationOfAll) {
   EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 5e-3);
   EXPECT_DOUBLE_EQ(link.penetration(0.1 + 0.64 * 5e-3 + 1e-3), 1e-3);
   impact(1e-3, 0);
-  EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 5e-3) << "elastic below what was crushed";
+  EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 5e-3) << "elastic below the crushed depth";
   impact(3e-3, 0.64 * 1.2e-3);
   EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 6.2e-3) << "3 mm beyond an indentation of 3.2 mm";
 }
@@ -404,7 +405,7 @@ TEST(GapLink, WorkOfAnImpactIsLostOrStoredWhileItLasts) {
     each->on_event(0, 0.1, {0.2, 0});
     each->on_event(1, 0.1, {0.2, -2});
     EXPECT_EQ(each->phase(), ContactPhase::slack);
-    EXPECT_EQ(each->impacts()[0].energy_stored, 0) << "the force has gone";
+    EXPECT_EQ(each->impacts()[0].energy_stored, 0) << "the force is zero";
     EXPECT_EQ(each->impacts()[0].energy_lost, each->work());
     EXPECT_FALSE(still_presses(each->impacts()[0]));
   }
@@ -439,7 +440,7 @@ TEST(RigidGapLink, BouncesWithoutForceAndWithoutDuration) {
   EXPECT_EQ(row.t_end, 2);
   EXPECT_EQ(row.restitution, 0.5);
   EXPECT_EQ(row.impulse, 300);
-  // The impulse acts while the rate goes from 2 to -1 m/s: its work is that at the mean rate.
+  // The impulse acts while the rate changes from 2 to -1 m/s; its work is that at the mean rate.
   EXPECT_DOUBLE_EQ(row.energy_lost, 300 * 0.5);
   EXPECT_TRUE(std::isnan(row.peak_force));
 }
@@ -458,7 +459,7 @@ TEST(RigidGapLink, IsHeldAfterItsLastBounceAndReleasedWhenTheForcePulls) {
                .force_begin = 40,
                .force_middle = 40,
                .force_end = 40});
-  EXPECT_TRUE(std::isnan(link.impacts()[0].t_end)) << "they still touch";
+  EXPECT_TRUE(std::isnan(link.impacts()[0].t_end)) << "still in contact";
   link.on_event(0, 5, {0, 0});
   EXPECT_EQ(link.phase(), ContactPhase::open);
   EXPECT_EQ(link.impacts()[0].t_end, 5);

@@ -1,4 +1,4 @@
-// The rows of impacts: integrals and peaks from a few kept steps.
+// Rows of impacts: integrals and peaks from a few accepted steps.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace pounding {
 namespace impact_log_test {
 
-/// Kept steps between these times, for a force and a rate given as functions of time.
+/// Accepted steps between the given times, with force and rate as functions of time.
 template <class Force, class Rate, class Times>
 ImpactLog logged(const Force& force, const Rate& rate, const Times& times) {
   ImpactLog log(0);

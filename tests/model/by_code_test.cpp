@@ -1,4 +1,4 @@
-// A model built by code and the same model read from YAML give the same bits.
+// A model built in code and the same model read from YAML give bitwise identical results.
 
 #include <gtest/gtest.h>
 
@@ -17,10 +17,10 @@ namespace by_code_test {
 void expect_as(const std::string& yaml, Model model, bool meets = true) {
   const Outcome by_text = test::run_text(yaml), by_code = run(model);
   test::expect_same_run(by_text, by_code);
-  EXPECT_EQ(by_text.results.impacts.empty(), !meets) << "a run without an impact would show little";
+  EXPECT_EQ(by_text.results.impacts.empty(), !meets) << "a run without an impact proves little";
 }
 
-// The benchmark, whose link has this law.
+// The benchmark, with this law in its link.
 Model two_oscillators(const ContactLaw& law) {
   Model model;
   const auto left = model.add("left", make_oscillator({.mass = 100e3, .period = 0.8, .damping_ratio = 0.05}));
@@ -336,7 +336,7 @@ TEST(ModelByCode, OfAFrameByItsNodesIsThatOfTheInput) {
       std::move(model));
 }
 
-// A user's own law: twice the force of a linear spring of half the stiffness.
+// A user's law: twice the force of a linear spring of half the stiffness.
 struct DoubledSpring {
   static constexpr std::string_view name = "doubled_spring";
   double half_stiffness = 0;
@@ -394,7 +394,7 @@ TEST(ModelByCode, RefusesDevicesThatCannotBe) {
     } catch (const ModelError& error) {
       return error.option();
     }
-    ADD_FAILURE() << name << " was taken";
+    ADD_FAILURE() << name << " was accepted";
     return ModelOption::structures;
   };
   EXPECT_EQ(option_of("none", right, {}), ModelOption::device);

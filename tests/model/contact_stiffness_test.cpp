@@ -46,7 +46,7 @@ TEST(ContactStiffness, OfSlabsIsThatOfTwoBarsInLine) {
   EXPECT_NEAR(estimated_stiffness(one, equal(1e5), 1), 1e10, 1);
 }
 
-// Each law without damping goes as deep as was asked, in its own free impact.
+// Each law without damping reaches the requested penetration in its own free impact.
 TEST(ContactStiffness, OfAPenetrationIsReachedInAFreeImpact) {
   const StiffnessOfPenetration wanted{.penetration = 5e-3, .velocity = 0.8};
   const CollidingMasses bodies = equal(150e3);
@@ -84,7 +84,7 @@ double stiffness_of(const Link& link) {
   return 0;
 }
 
-// Two buildings with floors of different mass: each link has the stiffness of its own floors.
+// Two buildings with floors of different mass: the stiffness of each link follows from its own floors.
 TEST(ContactStiffness, OfALinkIsThatOfItsFloors) {
   for (const bool by_name : {false, true}) {
     Model model;

@@ -1,4 +1,4 @@
-// The gap between frames is the distance drawn; the rounding of coordinates is none of its digits.
+// The gap between frames is the distance in the drawing, without the round-off of coordinates.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST(DrawnGap, IsNoneWhereRoundingParts) {
   EXPECT_FALSE(std::signbit(Pair(6 - 1e-15).gap()));
 }
 
-// Two equal frames side by side under their weight.
+// Two equal frames next to each other under their weight.
 Model leaning(int storeys, double floor_mass, double load = 0) {
   const auto heavy = [&](double origin) {
     GridFrame parts_of = grid(origin, storeys);
@@ -77,7 +77,8 @@ Model leaning(int storeys, double floor_mass, double load = 0) {
   return model;
 }
 
-// Under their weight equal frames move sideways by the rounding of their displacements at rest, which grows with these.
+// Under their weight equal frames sway by the round-off of their displacements at rest, which grows with the
+// displacements.
 TEST(DrawnGap, OfZeroHoldsUnderGravity) {
   for (const int storeys : {2, 7, 30})
     for (const double floor_mass : {6e4, 6e7, 6e12}) {
@@ -99,7 +100,7 @@ TEST(DrawnGap, IsTheGivenOneWhereTheyDifferByRounding) {
                              {"20 mm", "6 m", "988 m", "982 m", "-981.98 m", "1"}));
 }
 
-// A tower whose upper floors are set back.
+// A tower with set-back upper floors.
 TEST(DrawnGap, IsThatOfEachFloor) {
   const auto stepped = [] {
     FrameModel model{.frame = Frame(2)};
@@ -124,7 +125,7 @@ TEST(DrawnGap, IsThatOfEachFloor) {
   EXPECT_EQ(model.links[1].gap, 3.05);
 }
 
-// Plane frames may reach over each other: a deck over a low building.
+// Plane frames may overlap: a deck over a low building.
 TEST(DrawnGap, IsThatOfTheEndsWhereFramesReachOverEachOther) {
   const auto cantilever = [](double foot, double tip) {
     FrameModel model{.frame = Frame(2)};
@@ -154,7 +155,7 @@ TEST(DrawnGap, IsOfEndsThatAreLevel) {
     pair.model.link(pair.left.floor(1), pair.right.floor(1), {}, laws::Hertz{.stiffness = 1e9});
     return pair.model.links[0].gap;
   };
-  EXPECT_EQ(first_floors(2.6), 0.02) << "beams of half a metre meet";
+  EXPECT_EQ(first_floors(2.6), 0.02) << "beams 0.5 m deep meet";
   EXPECT_TRUE(
       test::mentions(refusal([&] { first_floors(2.4); }), {"{structure: right, elevation: 3 m}", "2.4 m", "1"}));
 }

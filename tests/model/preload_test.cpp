@@ -1,4 +1,4 @@
-// Contacts that press from the start: the equilibrium that the run begins in, and what is refused.
+// Contacts that are closed at the start: the initial equilibrium of the run, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,7 @@ struct Pair {
 
 // F (1/k + 1/k1 + 1/k2) = gap: springs in series.
 TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
-  test::Book book("Contacts that press from the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)",
-                  "rounding");
+  test::Book book("Contacts closed at the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)", "rounding");
   const double k = 9.35e7, overlap = 2e-3, force = overlap / (1 / k + 1 / k1 + 1 / k2);
   Pair pair;
   pair.model.link(pair.left, pair.right, {.gap = -overlap, .preload = true}, laws::LinearSpring{.stiffness = k});
@@ -44,10 +43,10 @@ TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
   EXPECT_EQ(v.norm(), 0);
   book.near("force of the contact [N]", contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force, force, 1e-9);
   book.near("energy stored in the contact [J]", contact.work(), force * force / (2 * k), 1e-10);
-  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "without links nothing presses";
+  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "no preload without links";
 }
 
-// Nonlinear springs: the residual of the equilibrium, whatever the law.
+// Nonlinear springs: the residual of the equilibrium, for every law.
 TEST(Preload, BalancesEveryLawThatHasAForceAtRest) {
   for (const ContactLaw& law : std::initializer_list<ContactLaw>{
            laws::Hertz{.stiffness = 2.75e9}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.5},

@@ -1,4 +1,4 @@
-// A model built by code says what it refuses, and what to give instead.
+// Error messages of a model built in code.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(StructuresByCode, AreAddedOnceWithANameAndADamping) {
       test::mentions(refusal([&] { model.add("b", building(), {.damping = 0.05, .initial_velocity = {1, 2, 3}}); }),
                      {"initial_velocity", "2", "3"}));
   EXPECT_TRUE(test::mentions(refusal([&] { model.add("b", building(), {.damping = 0.05, .delay = -1}); }), {"delay"}));
-  EXPECT_EQ(model.structures.size(), 1u) << "what was refused is not in the model";
+  EXPECT_EQ(model.structures.size(), 1u) << "the rejected object is not in the model";
 }
 
 TEST(LinksByCode, SayWhatIsWrong) {

@@ -1,4 +1,4 @@
-// The results file of a model that was built by code: what it says of its input, and how its run goes on.
+// The results file of a model built in code: its description of the input, and how its run resumes.
 
 #include <gtest/gtest.h>
 
@@ -33,12 +33,12 @@ Model ball_on_wall(double speed = 1) {
   const auto ball = model.add("ball", make_body({.mass = 60e3}), {.initial_velocity = speed});
   model.link(ball, model.add("wall", make_wall()), {.gap = 0.01},
              laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
-  // So many steps that `stop` is asked while the ball presses.
+  // Enough steps for a call of `stop` while the ball is in contact.
   model.analysis = {.duration = 0.2, .tolerance = 1e-8, .scheme = {.kind = Scheme::Kind::generalized_alpha}};
   return model;
 }
 
-// Leaves the file of a run that was stopped while the ball pressed.
+// Writes the file of a run that was stopped while the ball was in contact.
 void stop_in_contact(const File& file) {
   Model model = ball_on_wall();
   RunOptions options{.output = file.path()};

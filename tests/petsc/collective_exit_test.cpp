@@ -1,5 +1,5 @@
-// Failures of processes that work together, on one process and on two. A process that fails while others wait for it in
-// the middle of a task ends them: tests/program/test_processes.py and tests/python/test_processes.py.
+// Failures of cooperating processes, on one process and on two. For a process that fails while others wait for it in
+// the middle of a task, see tests/program/test_processes.py and tests/python/test_processes.py.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace pounding::petsc {
 namespace collective_exit_test {
 
-// Text of the failure of type Error that a task ends with on this process.
+// Text of the exception of type Error that ends a task on this process.
 template <class Error>
 std::string failure_of(const std::function<void()>& task) {
   try {
@@ -40,7 +40,7 @@ TEST(RunCollectively, ThrowsWhatAllProcessesHaveThrown) {
 
 TEST(RunCollectively, ThrowsOnAllProcessesWhatOneHasThrownAtTheEnd) {
   const Ranks ranks(PETSC_COMM_WORLD);
-  if (ranks.size() == 1) GTEST_SKIP() << "takes two processes";
+  if (ranks.size() == 1) GTEST_SKIP() << "requires two processes";
   const std::string text = failure_of<InputError>([&] {
     if (ranks.rank() == 1) throw InputError("no such file");
   });

@@ -1,4 +1,4 @@
-// The options of PETSc that a run remembers.
+// The PETSc options that a run records.
 
 #include <gtest/gtest.h>
 

@@ -57,7 +57,7 @@ class Options(ProgramTest):
         path = self.write(OSCILLATORS)
         self.refused(
             2,
-            "-pounding_ts_adapt_safety 0.5 would change nothing without -pounding_ts_adapt_type basic",
+            ["-pounding_ts_adapt_safety 0.5", "-pounding_ts_adapt_type basic"],
             "run",
             path,
             "--json",

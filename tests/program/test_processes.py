@@ -370,7 +370,7 @@ class Alone(Processes):
                         2,
                         "",
                         [
-                            f"pounding: pounding {words[0]} works in one process, and 2 were started; type it "
+                            f"pounding: pounding {words[0]} runs in one process, but 2 were started; type it "
                             "without mpirun"
                         ],
                     ),

@@ -1,4 +1,4 @@
-// Paths of pushed structures against closed forms, limit analysis and curves of other programs.
+// Paths of pushover analyses against closed forms, limit analysis and curves of other programs.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ void expect_curve_of_the_frame(const std::string& how, const Structure& s) {
                shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
   Book book("pushover of a frame with hinges, " + how,
             "event to event on another assembly of the stiffness, in Python (numpy)",
-            "half a unit of the last digit that was printed");
+            "half a unit of the last printed digit");
   for (int i = 0; i < 5; ++i) {
     book.near("displacement of the roof [mm]", 1e3 * path.points[i + 1].displacement, roof[i], 5.1e-6);
     book.near("base shear [kN]", path.points[i + 1].factor / 1e3, shear[i], 5.1e-5);
@@ -70,8 +70,8 @@ TEST(PushPath, MeetsTheCurveOfAFrameWithHingesInSeries) {
   expect_curve_of_the_frame("hinges in series", HingedFrame().in_series());
 }
 
-// Fixed feet, 4 m high, 8 m wide, a node in the middle of the beam. Rigid-plastic hinges at feet, corners and there.
-// Unknowns: x, z, turn of the left corner, of the middle, of the right corner.
+// Fixed feet, 4 m high, 8 m wide, a node at midspan. Rigid-plastic hinges at the feet, at the corners and at midspan.
+// Unknowns: x, z, rotation of the left corner, of midspan, of the right corner.
 Structure portal(double moment, double hardening) {
   const double e = 200e9, a = 0.01, i = 1e-4;
   HandMadeFrame frame(9);
@@ -87,7 +87,8 @@ Structure portal(double moment, double hardening) {
   return frame.structure();
 }
 
-// The largest factor of a force h along x at the left corner with a force v down in the middle.
+// Path for a horizontal force h at the left corner and a vertical force v at midspan; its largest factor is the limit
+// load.
 PushPath push_portal(double h, double v, int control, double hardening = 0) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(9);
   load[0] = h, load[4] = -v;
@@ -98,7 +99,7 @@ PushPath push_portal(double h, double v, int control, double hardening = 0) {
 
 TEST(PushPath, MeetsTheLimitLoadsOfAPortal) {
   Book book("limit loads of a portal", "mechanisms of limit analysis: 4 M/h, 8 M/l, 6 M/(h + l/2), 4 M/h",
-            "rounding: the path is exact, and the hinges have no hardening");
+            "round-off: the path is exact, and the hinges have no hardening");
   book.near("factor by a horizontal force [N]", push_portal(1, 0, 0).points.back().factor, 200e3, 2e-4);
   book.near("factor by a vertical force [N]", push_portal(0, 1, 4).points.back().factor, 200e3, 2e-4);
   book.near("factor by both [N]", push_portal(1, 1, 0).points.back().factor, 150e3, 2e-4);
@@ -127,14 +128,14 @@ TEST(PushPath, LeavesAPortalThatHardensAboveItsLimitLoad) {
 }
 
 TEST(PushPath, EndsWhereAMechanismLeavesTheDisplacementStill) {
-  // The beam fails under the vertical force while the roof is asked to go sideways by a small one.
+  // The beam fails under the vertical force while the roof is controlled sideways by a small one.
   const PushPath path = push_portal(1e-3, 1, 0);
   EXPECT_NE(path.collapse.find("middle"), std::string::npos) << path.collapse;
   EXPECT_NE(path.collapse.find("left corner"), std::string::npos) << path.collapse;
   EXPECT_LT(path.points.back().displacement, 0.5);
 }
 
-// Storeys in series under shares of a load that add up to one at the ground: each storey follows its own law.
+// Storeys in series under fractions of a load that sum to one at the ground: each storey follows its own law.
 struct Storeys {
   std::vector<double> stiffness{160e6, 150e6, 130e6, 100e6}, yield{1.6e6, 1.45e6, 1.15e6, 0.7e6},
       shares{0.1, 0.2, 0.3, 0.4};
@@ -145,7 +146,7 @@ struct Storeys {
         {.storeys = 4, .mass = 200e3, .stiffness = stiffness, .yield_force = yield, .hardening = hardening});
   }
   Eigen::VectorXd load() const { return Eigen::Map<const Eigen::VectorXd>(shares.data(), 4); }
-  // The displacement of the roof while the base shear grows for the first time.
+  // Displacement of the roof while the base shear grows for the first time.
   double roof(double base_shear) const {
     double sum = 0, share = 1;
     for (std::size_t i = 0; i < 4; share -= shares[i++]) {
@@ -162,11 +163,11 @@ TEST(PushPath, IsThatOfStoreysInSeries) {
   Book book("pushover of storeys in series", "closed form: every storey by its own bilinear law", "rounding");
   for (std::size_t i = 1; i < path.points.size(); ++i)
     book.near("displacement of the roof [m]", path.points[i].displacement, storeys.roof(path.points[i].factor), 1e-14);
-  // By their strength over their share of the load: 1.6, 1.611, 1.643, 1.75 MN.
+  // In order of strength over the fraction of the load: 1.6, 1.611, 1.643, 1.75 MN.
   std::vector<int> order;
   for (const PushEvent& event : path.events) order.push_back(event.part);
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3}));
-  EXPECT_EQ(path.mechanism, 1) << "one storey that yields is a mechanism";
+  EXPECT_EQ(path.mechanism, 1) << "one yielding storey is a mechanism";
 }
 
 TEST(PushPath, GoesRoundTheLoopOfAStorey) {
@@ -178,7 +179,7 @@ TEST(PushPath, GoesRoundTheLoopOfAStorey) {
     if (path.points[i].displacement != path.points[i - 1].displacement)
       area += 0.5 * (path.points[i].factor + path.points[i - 1].factor) *
               (path.points[i].displacement - path.points[i - 1].displacement);
-  // The first branch to 30 mm and a whole loop 4 (1 - b) fy (dmax - dy).
+  // The first branch to 30 mm and a full loop 4 (1 - b) fy (dmax - dy).
   const double first = 0.5 * 0.01 * 100e3 + 0.02 * 110e3, loop = 4 * 0.9 * 100e3 * 0.02;
   EXPECT_NEAR(area, first + loop, 1e-9 * loop);
   std::vector<PushEvent::Kind> kinds;
@@ -192,7 +193,7 @@ TEST(PushPath, GoesRoundTheLoopOfAStorey) {
 TEST(PushPath, GoesOnWhenStoreysWithoutHardeningYieldTogether) {
   Storeys storeys;
   storeys.hardening = 0;
-  storeys.yield = {1.6e6, 0.9 * 1.6e6, 0.7 * 1.6e6, 0.4 * 1.6e6};  // all at once
+  storeys.yield = {1.6e6, 0.9 * 1.6e6, 0.7 * 1.6e6, 0.4 * 1.6e6};  // all storeys yield simultaneously
   const PushPath path = push(storeys.structure(), at(3, storeys.load(), {0.5}));
   EXPECT_EQ(path.collapse, "");
   EXPECT_NEAR(path.points.back().factor, 1.6e6, 1e-6);
@@ -200,8 +201,8 @@ TEST(PushPath, GoesOnWhenStoreysWithoutHardeningYieldTogether) {
 }
 
 TEST(PushPath, FollowsALoadThatFallsToItsEnd) {
-  // A mass that leans: a spring of negative stiffness beside a storey without hardening. Yields at 100 kN and 10 mm,
-  // then falls by 1 MN/m from 90 kN to nothing at 100 mm.
+  // P-Delta as a spring of negative stiffness in parallel with a storey without hardening. Yields at 100 kN and 10 mm,
+  // then falls by 1 MN/m from 90 kN to zero at 100 mm.
   Structure s =
       make_oscillator({.mass = 1e5, .stiffness = 10e6, .damping_ratio = 0.0, .yield_force = 100e3, .hardening = 0.0});
   s.stiffness.coeffRef(0, 0) -= 1e6;
@@ -246,8 +247,8 @@ TEST(PushPath, LeavesTheSpringsAsTheyWereGiven) {
   for (std::size_t i = 0; i < first.points.size(); ++i) EXPECT_EQ(first.points[i].factor, second.points[i].factor);
 }
 
-// An independent path: all unknowns and the factor of the load by Newton's method in small steps, bilinear hinges by
-// their own return map.
+// An independent path: Newton's method for all unknowns and the load factor in small steps, bilinear hinges by a
+// separate return mapping.
 class SmallSteps {
  public:
   SmallSteps(const Structure& s, const Eigen::VectorXd& load, int control, double hardening)
@@ -262,7 +263,7 @@ class SmallSteps {
     }
   }
 
-  // The factor of the load at a displacement close to the last one.
+  // Load factor at a displacement close to the previous one.
   double go(double displacement) {
     const auto n = u_.size();
     double factor = factor_;
@@ -315,7 +316,7 @@ TEST(PushPath, MeetsNewtonsMethodInSmallStepsThroughCycles) {
   frame.foot_moment = 210e3;
   const Structure s = frame.with_springs();
   Eigen::VectorXd load = frame.triangular(s.size());
-  load[0] += 0.3;  // a floor that is pushed harder: hinges turn back on the way
+  load[0] += 0.3;  // a larger force on one floor: hinges unload along the path
   const std::vector<double> targets{0.08, -0.12, 0.2, -0.05, 0.3};
   const PushPath path = push(s, at(frame.roof(), load, targets));
   SmallSteps other(s, load, frame.roof(), frame.hardening);
@@ -333,12 +334,12 @@ TEST(PushPath, MeetsNewtonsMethodInSmallStepsThroughCycles) {
     from = target;
   }
   Book book("cyclic pushover of a frame with hinges", "Newton's method for all unknowns in 2500 steps, in this test",
-            "steps in which a hinge turns back are not exact there");
+            "steps with a reversal of a hinge are not exact there");
   book.below("largest difference of the load over its largest value [-]", worst / largest, 1e-9);
   EXPECT_GT(path.events.size(), 40u);
 }
 
-// Storeys in series that yield by another law.
+// Storeys in series with another hysteretic law.
 template <class L>
 L storey_law(const Storeys& storeys, std::size_t i) {
   L law;
@@ -367,7 +368,7 @@ TEST(PushPath, MeetsTheTangensHyperbolicusOfBoucAndWen) {
   const Storeys storeys;
   const PushPath path = push(storeys_by<hysteresis::BoucWen>(storeys), at(3, storeys.load(), {0.3}));
   Book book("pushover of storeys that follow Bouc and Wen", "closed form: f = a k d + (1 - a) k dy tanh(d/dy)",
-            "Newton's method to rounding");
+            "Newton's method converged to round-off");
   double worst = 0;
   for (const PushPoint& point : path.points)
     for (std::size_t i = 0; i < 4; ++i) {
@@ -403,7 +404,7 @@ TYPED_TEST(PushPathOfLaw, KeepsEveryStoreyOnItsLawThroughCycles) {
     for (const double target : targets) {
       while (path.points[point].displacement != target) ++point;
       const double d = path.points[point].deformations[static_cast<Eigen::Index>(i)];
-      // Storeys in series turn together, so that each target ends one way of the law.
+      // Storeys in series reverse simultaneously, so that each target ends a branch of the law.
       EXPECT_NEAR(law.respond(state, d).force, share_above(storeys, i) * path.points[point].factor,
                   1e-9 * storeys.yield[i])
           << i << " at " << target;

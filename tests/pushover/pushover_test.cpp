@@ -1,4 +1,4 @@
-// Pushovers of whole buildings: loads on floors, measures of the curve, messages.
+// Pushover of complete buildings: loads on floors, measures of the curve, messages.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(Pushover, TakesTheFirstModeOfTwoEqualStoreys) {
   expect_loads(pushover(s, {.pattern = LoadPattern::mode1, .targets = {0.2}}), {1, 1 + std::sqrt(2)});
 }
 
-// Pushed either way a storey yields at another force; its ductility is the drift over that of its direction.
+// A storey has two yield forces, one per direction; its ductility is the drift over the yield drift of its direction.
 TEST(Pushover, CountsDuctilityByTheDirection) {
   const auto read = [](const std::string& target) {
     const Model model = test::model_of(
@@ -72,8 +72,8 @@ TEST(Pushover, CountsDuctilityByTheDirection) {
   EXPECT_NEAR(read("0.05"), 1.25, 1e-9);
 }
 
-// A cantilever of length L with a load at its tip: the foot turns plastically by the same angle, however many parts the
-// column has.
+// A cantilever of length L with a tip load: the plastic rotation at the foot does not depend on the number of parts of
+// the column.
 TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
   const auto ductility = [](int parts, double hardening) {
     const Model model = test::model_of(
@@ -99,7 +99,7 @@ TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
 TEST(Pushover, MakesTwoLinesOfTheSameAreaAndAnOscillator) {
   const Pushover found = pushover(building(0), {.targets = {0.3}});
   ASSERT_TRUE(found.bilinear && found.equivalent);
-  // All but the first storey stay elastic: what is above V = 2 MN is level.
+  // All but the first storey stay elastic: the curve beyond V = 2 MN is a horizontal line.
   EXPECT_NEAR(found.bilinear->base_shear, 2e6, 1e-5);
   EXPECT_NEAR(found.bilinear->yield_displacement, found.path.points[*found.first_yield()].displacement, 1e-14);
   EXPECT_EQ(found.bilinear->displacement, 0.3);
@@ -143,7 +143,7 @@ TEST(Pushover, FollowsTheFloors) {
 
 class PushoverWithDevices : public testing::Test {
  protected:
-  // Two storeys of 100 MN/m; what stands in the first one, and its devices.
+  // Two storeys of 100 MN/m with these keys of the first one and its devices.
   static Pushover pushed(const std::string& storeys, const std::string& devices, const std::string& cyclic = "") {
     const Model model = read_model(Input::read_text(
         "structures:\n  a: {shear_building: {storeys: 2, mass: 100 t, height: 3 m, " + storeys + devices +
@@ -163,8 +163,8 @@ class PushoverWithDevices : public testing::Test {
   }
 };
 
-// A storey of 100 MN/m and a brace of 50 MN/m that yields at 500 kN and 10 mm are one storey of 150 MN/m that yields
-// there and goes on with 101 MN/m.
+// A storey of 100 MN/m with a brace of 50 MN/m that yields at 500 kN and 10 mm is a storey of 150 MN/m that yields at
+// the same displacement and continues with 101 MN/m.
 TEST_F(PushoverWithDevices, ABraceIsASpringBesideItsStorey) {
   const std::string brace =
       ", devices: {brace: {storey: 1, bilinear: {stiffness: 50 MN/m, yield_force: 500 kN, hardening: 2 %}}}";
@@ -193,7 +193,7 @@ TEST_F(PushoverWithDevices, ABarIsStiffnessAndADamperIsNothing) {
       expect_same_curve(
           pushed(storeys + "100 MN/m", std::string(", devices: {d: {storey: 1, damper: {") + damper + "}}}", cyclic),
           pushed(storeys + "100 MN/m", "", cyclic));
-  // A bar beside the storey, which yields at 20 mm as before, has 30 MN/m more before and behind.
+  // A bar in parallel with the storey, which still yields at 20 mm, adds 30 MN/m before and after yield.
   const Pushover found = pushed(storeys + "100 MN/m", ", devices: {bar: {storey: 1, bar: {stiffness: 30 MN/m}}}");
   expect_same_curve(
       found,
@@ -314,7 +314,7 @@ analysis: {duration: 1}
                shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
   test::Book book("pushover of a frame with hinges, from its input",
                   "event to event on another assembly of the stiffness, in Python (numpy)",
-                  "half a unit of the last digit that was printed");
+                  "half a unit of the last printed digit");
   for (int i = 0; i < 5; ++i) {
     book.near("displacement of the roof [mm]", 1e3 * found.path.points[i + 1].displacement, roof[i], 5.1e-6);
     book.near("base shear [kN]", found.path.points[i + 1].factor / 1e3, shear[i], 5.1e-5);

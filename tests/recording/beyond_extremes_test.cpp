@@ -21,7 +21,7 @@ Batch random_batch(int columns, std::mt19937& random) {
   return Batch::NullaryExpr(2 * batch, columns, [&] { return any(random); });
 }
 
-// Beyond by the last digit, above or below, at any knot or at the one before, by the rate or without.
+// Exceeded in the last digit, above or below, at any knot or at the previous one, with or without the rate.
 TEST(BeyondExtremes, AreFoundWhereverTheyAre) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -22,7 +22,7 @@ namespace envelopes_test {
 
 constexpr double pi = std::numbers::pi;
 
-// Two frames of different height with a row of storeys to hit, their members and reactions reported.
+// Two frames of different height with a row of storeys in contact, reporting members and reactions.
 std::string frames(const std::string& links, const std::string& analysis, const std::string& left = "",
                    const std::string& right = "", const std::string& right_height = "3 m") {
   return fmt::format(
@@ -53,8 +53,8 @@ Extremes extremes_of(const std::vector<double>& history, const std::vector<doubl
   return extremes;
 }
 
-// Every extreme of the run is that of the dense outputs, within `relative` of the largest absolute value of the
-// quantity, and within 1e-6 of the largest of all where that is round-off.
+// Every extreme of the run agrees with the dense outputs within `relative` of the maximum absolute value of the
+// quantity, or within 1e-6 of the overall maximum where that is round-off.
 void expect_extremes(const Extremes& run, const std::vector<double>& history, const std::vector<double>& time,
                      double relative, const std::string& what) {
   ASSERT_GT(run.size(), 0u) << what;
@@ -70,7 +70,7 @@ void expect_extremes(const Extremes& run, const std::vector<double>& history, co
   }
 }
 
-// Runs a model at its default outputs and at outputs every 0.1 ms.
+// Compares a run with default outputs and one with outputs every 0.1 ms.
 void expect_extremes_of_dense_outputs(const std::function<std::string(const std::string& output_step)>& yaml,
                                       double relative) {
   const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));
@@ -81,8 +81,7 @@ void expect_extremes_of_dense_outputs(const std::function<std::string(const std:
     const StructureHistory& history = dense.results.structures[k];
     const StructureEnvelope &envelope = coarse.results.structures[k].envelope, &same = history.envelope;
     expect_extremes(envelope.displacement, history.displacement, time, relative, history.name + ": displacement");
-    // Accelerations change within a contact much faster than forces; between outputs every 0.1 ms they are found to 1
-    // %.
+    // Accelerations vary much faster than forces within a contact; outputs every 0.1 ms resolve them to 1 %.
     expect_extremes(envelope.acceleration, history.acceleration, time, 1e-2, history.name + ": acceleration");
     expect_extremes(envelope.drift, history.drift, time, relative, history.name + ": drift");
     expect_extremes(envelope.storey_shear, history.storey_shear, time, relative, history.name + ": storey shear");
@@ -94,7 +93,7 @@ void expect_extremes_of_dense_outputs(const std::function<std::string(const std:
   }
 }
 
-// Velocity and acceleration jump at the end of a step: the next one begins with what is there then.
+// Velocity and acceleration jump at the end of a step: the next step begins with the values after the jump.
 TEST(Envelopes, OfABodyThatBouncesAreThoseOfDenseOutputs) {
   const Outcome run = test::run_text(
       "structures: {ball: {oscillator: {mass: 100 t, period: 1 s, damping: 50 %}, initial_velocity: 1 m/s}, wall: "
@@ -125,7 +124,7 @@ TEST(Envelopes, OfMembersThatTurnAreThoseOfDenseOutputs) {
       1e-3);
 }
 
-// A right frame of lower storeys hits the columns of the left one between their ends; beams have these hinges.
+// A right frame with lower storeys hits the columns of the left one between their ends; the beams have these hinges.
 std::string hit_columns(const std::string& outputs, const std::string& hinges = "") {
   const std::string hit =
       "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: "
@@ -248,7 +247,7 @@ TEST(Reactions, HoldTheLowestStoreyAndTheWeight) {
     largest = std::max(largest, std::abs(along[t]));
   }
   EXPECT_GT(largest, 1e5);
-  // At rest: three floors of 90 t, columns of 9 m x 3 and beams of 10 m x 3, the lumped halves at the feet too.
+  // At rest: three floors of 90 t, columns of 9 m x 3 and beams of 10 m x 3, including the lumped halves at the feet.
   const double weight = 9.80665 * (3 * 90e3 + 2500 * (0.16 * 27 + 0.15 * 30));
   EXPECT_NEAR(up.front(), weight, 1e-9 * weight);
 }
@@ -316,7 +315,7 @@ TEST(Separation, ThatIsEnoughIsTheLargestApproachOfTheRunWithoutLinks) {
   const LinkSeparation &pair = compared.separations[0], &wall = compared.separations[1];
   EXPECT_EQ(pair.link, "left-right");
   EXPECT_EQ(pair.gap, 0.02);
-  // Two runs with tolerance 1e-4 whose steps differ.
+  // Two runs at tolerance 1e-4 with different steps.
   EXPECT_NEAR(pair.enough, approach, 1e-3 * approach);
   EXPECT_NEAR(pair.absolute_sum, ua + ub, 1e-3 * ua);
   EXPECT_NEAR(pair.srss, std::hypot(ua, ub), 1e-3 * ua);
@@ -327,7 +326,7 @@ TEST(Separation, ThatIsEnoughIsTheLargestApproachOfTheRunWithoutLinks) {
   EXPECT_TRUE(test::run_text(yaml(links + "analysis: {duration: 1}\n")).summary.separations.empty());
 }
 
-// The correlation of two oscillators under white noise, integrated over all frequencies.
+// Correlation of two oscillators under white noise, integrated over all frequencies.
 double correlation(double period_a, double damping_a, double period_b, double damping_b) {
   const auto response = [](double w, double period, double damping) {
     const double natural = 2 * pi / period;
@@ -345,7 +344,7 @@ double correlation(double period_a, double damping_a, double period_b, double da
 }
 
 TEST(Separation, CombinesByTheCorrelationUnderWhiteNoise) {
-  test::Book book("Gap that is enough",
+  test::Book book("Sufficient gap",
                   "the correlation of two oscillators under white noise, integrated over the frequency",
                   "the midpoint rule up to 4000 rad/s in steps of 2e-3");
   struct Pair {

@@ -1,4 +1,4 @@
-// Samples of an impact: both sides of a jump, and no more of them than the memory has room for.
+// Samples of an impact: both sides of a jump, and at most as many as the memory allows.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(ImpactSamples, OfALongImpactStayBoundedAndKeepBothEnds) {
   EXPECT_EQ(history.force[0], 0);
   EXPECT_EQ(history.time.back(), count);
   EXPECT_TRUE(std::ranges::is_sorted(history.time));
-  // Evenly: no gap is much longer than another.
+  // Even spacing: no gap is much longer than another.
   double longest = 0;
   for (std::size_t i = 2; i < history.time.size(); ++i)
     longest = std::max(longest, history.time[i] - history.time[i - 1]);
@@ -84,8 +84,8 @@ TEST(ImpactSamples, GoOnAlikeFromAnArchive) {
   EXPECT_EQ(whole.force, continued.force);
 }
 
-// Bodies that hardly move as a motion of the ground begins: between the ends of a first step the path of their contact
-// is so flat that the formula of the law would pull there, by half a percent of the greatest force so far.
+// Bodies that hardly move at the start of a ground motion: between the ends of a first step the path of the contact is
+// so flat that the formula of the law gives a pull of 0.5 % of the maximum force until then.
 TEST(LinkSamples, InsideAStepShowNoPullOfALawThatNeverPulls) {
   for (const double restitution : {0.05, 0.1, 0.5}) {
     const Outcome run = test::run_text(fmt::format(

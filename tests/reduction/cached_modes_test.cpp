@@ -1,5 +1,5 @@
-// Modes on the disk: found with the same bits for the same origin, and for no other one; files that are damaged, cut or
-// in the way.
+// Cached modes: bitwise identical for the same key, and none for another key; damaged and truncated files, and
+// obstructed paths.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -117,7 +117,7 @@ TEST_F(CachedModesTest, AreNotThoseOfAnythingElse) {
   differs("shadow", [](ModesOrigin& o) { o.shadow = false; });
 }
 
-// A file of another origin under its name, as the same checksum would put there, is no answer.
+// A file of another key under its name, as after a checksum collision, is not used.
 TEST_F(CachedModesTest, AreComparedBitByBit) {
   ModesOrigin of = origin(), other = of;
   other.inputs.shift = 64;
@@ -163,7 +163,7 @@ TEST_F(CachedModesTest, GoWhereTheFolderIsFullByTheirLastUse) {
         fs::last_write_time(path, now - std::chrono::hours(9 - i));
   }
   std::ofstream(folder + "/of_others.txt") << std::string(10000, ' ');
-  EXPECT_TRUE(kept.find(of[0].bytes()));  // the oldest is used again
+  EXPECT_TRUE(kept.find(of[0].bytes()));  // the oldest entry is used again
   kept.keep(of[3].bytes(), group());
   EXPECT_TRUE(kept.find(of[0].bytes()));
   EXPECT_FALSE(kept.find(of[1].bytes()));

@@ -1,4 +1,4 @@
-// Errors of the flexibility of links in few modes against dense complex matrices of all unknowns.
+// Errors of the flexibility of links with few modes against dense complex matrices of all unknowns.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using petsc::ClassicalDamping;
 
-// A cantilever of eight unit masses and springs that grow towards the ground; links at its top and in its middle.
+// A cantilever of eight unit masses with springs that stiffen towards the ground; links at the top and at mid-height.
 struct Chain {
   static constexpr int size = 8;
   MatrixXd stiffness = MatrixXd::Zero(size, size), links = MatrixXd::Zero(size, 2);
@@ -32,7 +32,7 @@ struct Chain {
     links(size - 1, 0) = 1;
     links(size / 2, 1) = -1;
   }
-  // In a basis that is orthonormal.
+  // In an orthonormal basis.
   MatrixXcd flexibility(const MatrixXd& basis, const ClassicalDamping& damping, double w) const {
     const MatrixXd k = basis.transpose() * stiffness * basis, b = basis.transpose() * links;
     const std::complex<double> by_k(1, w * damping.by_stiffness), by_m(-w * w, w * damping.by_mass);
@@ -47,11 +47,11 @@ struct Chain {
 
 struct Case {
   Chain chain;
-  MatrixXd run, rest, less;  // orthonormal bases of the run, of what it lacks, and of its shadow
+  MatrixXd run, rest, less;  // orthonormal bases of the run, of its complement, and of its shadow
   petsc::FurtherDirections further;
   ShadowModes shadow;
 
-  // Modes on the static answers and their successors, so many of them.
+  // `count` modes on the static responses and their successors.
   explicit Case(int count) {
     MatrixXd vectors(Chain::size, Chain::size);
     vectors.leftCols(2) = chain.stiffness.inverse() * chain.links;
@@ -89,7 +89,7 @@ TEST(FlexibilityErrors, AreThoseOfDenseMatricesWhereTheDirectionsAreAllThatIsLef
   }
 }
 
-// Shared damping makes the steps from one block to the next larger; little damping leaves errors alike.
+// Strong damping increases the change from one block to the next; weak damping leaves the errors similar.
 TEST(FlexibilityErrors, AreAlikeWhereResonancesAreMissing) {
   const Case of(4);
   const auto ratio = [&](const ClassicalDamping& damping) {

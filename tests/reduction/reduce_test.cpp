@@ -1,4 +1,4 @@
-// Systems in which some structures are reduced: which are, how deep, and how hard two frames hit each other.
+// Systems with reduced structures: which are reduced, how deep, and the contact force of two frames.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -32,8 +32,8 @@ using petsc::ReductionPlan;
 using petsc::SolverKind;
 using Kind = Reduction::Kind;
 
-// Two plane frames of twenty storeys, hit at three floors. Each has 160 unknowns with mass, and as many rotations
-// without.
+// Two plane frames of twenty storeys with contacts at three floors. Each has 160 unknowns with mass, and as many
+// massless rotations.
 struct Pair {
   Model model;
   System system;
@@ -122,7 +122,7 @@ TEST_F(ReducedPair, HitsAsHardAsAllModes) {
   // Ten times the tolerance of the steps.
   EXPECT_LT(force_error(reduced), 1e-4);
   EXPECT_LT(floor_error(reduced), 1e-4);
-  EXPECT_NE(exact().peak, reduced.peak) << "all modes were taken";
+  EXPECT_NE(exact().peak, reduced.peak) << "all modes were selected";
   EXPECT_NE(reduced.description.find("left: "), std::string::npos) << reduced.description;
   EXPECT_TRUE(test::mentions(reduced.description, {"240", "5", "3", "20"}));
 }
@@ -132,7 +132,7 @@ TEST_F(ReducedPair, KeepsItsEnergyInBalance) {
   EXPECT_LT(std::abs(e.imbalance()), 1e-3 * std::abs(e.input));
 }
 
-// Lowest modes miss how the struck floors give way, even with their static answers.
+// The lowest modes miss the local flexibility of the struck floors, even with their static responses.
 TEST_F(ReducedPair, IsBetterByBlocksThanByAsManyModes) {
   const Seen by_modes = follow({.kind = Kind::lowest, .modes = 30});
   EXPECT_GT(force_error(by_modes), 3 * force_error(follow(blocks)));
@@ -161,14 +161,14 @@ TEST(ReducedGroups, AreDeeperForASmallerTolerance) {
     const auto made = reduced_groups(pair.system, pair.plan(automatic, automatic, tolerance));
     ASSERT_TRUE(made && made->at(0) && made->at(1));
     const int count = static_cast<int>(made->at(0)->modes->squares.size());
-    // Up to three directions a block of three links; some are in the chain of the ground already.
+    // Up to three directions per block of three links; some are already in the chain of the ground.
     EXPECT_GT(count, last == 0 ? 30 : last);
     EXPECT_LE(count, last == 0 ? 4 * 3 + 20 + 3 : last + 2 * 3);
     last = count;
   }
 }
 
-// One large structure that stays whole leaves the system to factors, unless numbers were given for the other.
+// One large unreduced structure leaves the system to factorizations, unless the depth of the other one was specified.
 TEST(ReducedGroups, LeaveTheSystemToFactorsWhereALargeOneIsNotReduced) {
   const Pair pair(30, 9);
   const Reduction automatic{.kind = Kind::automatic};
@@ -180,7 +180,7 @@ TEST(ReducedGroups, LeaveTheSystemToFactorsWhereALargeOneIsNotReduced) {
             std::string::npos);
 }
 
-// Blocks without end, as light damping asks for them: 600 modes a structure cost less than factors.
+// Light damping requires unlimited blocks: 600 modes per structure cost less than factorizations.
 TEST(ModalDamping, HasTheSameMatrixWhoeverFormsIt) {
   const Model model = test::model_of(
       "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 "
@@ -232,7 +232,7 @@ TEST(ModalDamping, OfALargeStructureThatIsNotReducedIsRefused) {
   const ReductionPlan plan{{"small", "large"}, {{.kind = Kind::automatic}, {}}, zero, zero};
   try {
     petsc::make_solver(system, SolverKind::automatic, plan, PETSC_COMM_SELF);
-    ADD_FAILURE() << "not refused";
+    ADD_FAILURE() << "not rejected";
   } catch (const InputError& error) {
     EXPECT_TRUE(test::mentions(std::string(error.what()), {"large", "damping: 5 %", "1501"}));
   }
@@ -253,13 +253,13 @@ TEST(ReducedGroups, AreAllModesWhereAnAutomaticBasisWouldBeTooLarge) {
             std::string::npos);
 }
 
-// Five towers in a row, the fourth of which is heavier. Those at the ends are hit on one side, each on another one.
+// Five towers in a row, the fourth of which is heavier. The outer towers have contacts on one side, on opposite ones.
 struct Row {
   Model model;
   System system;
   Eigen::VectorXd u, v;
 
-  // `heavier`: the floors of the fourth one [t].
+  // `heavier`: mass of each floor of the fourth tower [t].
   explicit Row(double heavier = 70) : model(test::model_of(text(heavier))), system(assemble(model)) {
     std::tie(u, v) = initial_state(model);
   }
@@ -289,7 +289,7 @@ struct Row {
   }
 };
 
-// The modes of each that it has in a system of its own kind, where no other one is like it.
+// Modes of each tower in a system of its type, in which it is unique.
 TEST(EqualStructures, ShareModesWhereTheyAreDrivenAlikeAndKeepTheBitsOfEachByItself) {
   const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6};
   const Row row;
@@ -313,7 +313,7 @@ TEST(EqualStructures, ShareModesWhereTheyAreDrivenAlikeAndKeepTheBitsOfEachByIts
   }
 }
 
-// A file is used where its time moves.
+// A changed modification time shows that a file was used.
 TEST(CachedModes, AreThoseThatAreMade) {
   namespace fs = std::filesystem;
   const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6}, lowest{.kind = Kind::lowest, .modes = 10};
@@ -328,7 +328,7 @@ TEST(CachedModes, AreThoseThatAreMade) {
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   int files = 0;
   for (const auto& file : fs::directory_iterator(folder)) fs::last_write_time(file.path(), long_ago), ++files;
-  EXPECT_EQ(files, 4) << "two of five are alike";
+  EXPECT_EQ(files, 4) << "two of five are equal";
   const ReducedGroups found = groups(folder);
   for (const auto& file : fs::directory_iterator(folder))
     EXPECT_GT(fs::last_write_time(file.path()), long_ago + std::chrono::minutes(1));
@@ -357,10 +357,10 @@ TEST(EqualStructures, DoNotShareWhatTheyWereNotAsked) {
 
 TEST(EqualStructures, AreThoseWithTheSameMassAndStiffness) {
   EXPECT_EQ(first_equal_groups(Row().system), (std::vector<int>{0, 0, 0, 3, 0}));
-  EXPECT_EQ(first_equal_groups(Row(60 + 1e-13).system), (std::vector<int>{0, 0, 0, 3, 0})) << "the last bits count";
+  EXPECT_EQ(first_equal_groups(Row(60 + 1e-13).system), (std::vector<int>{0, 0, 0, 3, 0})) << "the last bits matter";
 }
 
-// All natural modes as well.
+// Also all natural modes.
 TEST(EqualStructures, MoveAsTheyDoByThemselves) {
   const Row row;
   const ModalSolver solver(row.system);
@@ -390,7 +390,7 @@ TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {
   const Reduction deep{.kind = Kind::blocks, .links = 100, .ground = 20};
   try {
     reduced_groups(pair.system, pair.plan({}, deep));
-    ADD_FAILURE() << "this was taken";
+    ADD_FAILURE() << "this one was accepted";
   } catch (const InputError& error) {
     EXPECT_TRUE(test::mentions(std::string(error.what()), {"right", "{links: 100, ground: 20}", "325", "600"}));
   }

@@ -1,5 +1,5 @@
-// Reduced frames with hinges at rotations without mass: how far the hinges give way, against a frame that is put
-// together and solved here in full.
+// Reduced frames with hinges at massless rotations: the flexibility of the hinges against a frame assembled and solved
+// here in full.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace reduced_hinges_test {
 
 using test::HingeFrame;
 
-// Twelve storeys with 26 hinges, all at rotations without mass; 48 unknowns have mass.
+// Twelve storeys with 26 hinges, all at massless rotations; 48 unknowns have mass.
 struct Reduced {
   HingeFrame frame;
   std::unique_ptr<ModalSolver> solver;
@@ -33,7 +33,7 @@ struct Reduced {
         system, std::vector{std::optional(ReducedGroup{.modes = std::make_shared<const GroupModes>(modes)})});
   }
 
-  // B^T (K + s M)^-1 B of all hinges, with everything that the solver knows of them.
+  // B^T (K + s M)^-1 B of all hinges, with all terms of the solver.
   Eigen::MatrixXd compliance(double s) {
     std::vector<int> hinges(static_cast<std::size_t>(frame.hinges()));
     for (int i = 0; i < frame.hinges(); ++i) hinges[static_cast<std::size_t>(i)] = i;
@@ -42,7 +42,7 @@ struct Reduced {
     EXPECT_TRUE(solver->flexibility(hinges, of_modes));
     return of_modes + Eigen::MatrixXd(solver->relief().flexibility());
   }
-  // This compliance of the frame as it was put together.
+  // Compliance of all hinges in the assembled frame.
   Eigen::MatrixXd exact(double s) const {
     const Eigen::MatrixXd a = Eigen::MatrixXd(frame.system.stiffness) + s * Eigen::MatrixXd(frame.system.mass),
                           b = Eigen::MatrixXd(frame.system.gap_jacobian);
@@ -57,12 +57,12 @@ TEST(ReducedHinges, GiveWayToEachOtherAsInTheWholeFrame) {
   EXPECT_LT(reduced.solver->size(), 32);
   const Eigen::MatrixXd exact = reduced.exact(0), found = reduced.compliance(0);
   EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
-  // Without S they would be far too stiff: it is much of what a hinge does to itself.
+  // Without S they would be far too stiff: it is a large fraction of the flexibility of a hinge.
   const Eigen::MatrixXd at_once = Eigen::MatrixXd(reduced.solver->relief().flexibility());
   EXPECT_GT((at_once.diagonal().array() / exact.diagonal().array()).minCoeff(), 0.2);
 }
 
-// Masses move: each block more brings the hinges nearer to the frame, from the stiff side.
+// With inertia, each additional block brings the hinges closer to the frame, from the stiff side.
 TEST(ReducedHinges, AreNeverSofterThanInTheWholeFrame) {
   for (const double frequency : {0.5, 2.0, 5.0, 10.0}) {
     double last = 1;
@@ -83,8 +83,8 @@ TEST(ReducedHinges, AreNeverSofterThanInTheWholeFrame) {
   }
 }
 
-// While hinges yield, the rotations without mass are in equilibrium with them, and each hinge turns as far as its two
-// sides do.
+// While hinges yield, the massless rotations are in equilibrium with them, and each hinge rotates by the difference of
+// its two sides.
 TEST(ReducedHinges, StayInEquilibriumWhileTheyYield) {
   Reduced reduced({.links = 0, .ground = 4, .shifted = false, .parts = 1},
                   GroundMotion(Harmonic{.amplitude = 4, .period = 1.2, .duration = 2}));
@@ -106,7 +106,7 @@ TEST(ReducedHinges, StayInEquilibriumWhileTheyYield) {
             std::max(largest_way, (reduced.solver->relief().flexibility() * state.force).cwiseAbs().maxCoeff());
       });
   EXPECT_GT(*std::ranges::max_element(run.ductility), 2);
-  EXPECT_GT(largest_way, 0.1 * turned) << "S would not be missed";
+  EXPECT_GT(largest_way, 0.1 * turned) << "the test would not notice a missing S";
   EXPECT_LT(apart, 1e-10 * turned);
   EXPECT_LT(unbalanced, 1e-9 * *std::ranges::max_element(run.peak_moment));
 }

@@ -24,8 +24,8 @@ using petsc::ReducedDepth;
 using petsc::ReducedInputs;
 using petsc::ReducedModes;
 
-// A plane frame of eight storeys and two bays, hit at the ends of its floors. Rotations have no mass unless it is
-// consistent.
+// A plane frame of eight storeys and two bays, with contacts at the ends of its floors. Rotations have no mass unless
+// it is consistent.
 struct Tower {
   SparseMatrix mass, stiffness;
   ReducedInputs inputs;
@@ -60,7 +60,7 @@ struct Tower {
     const Eigen::MatrixXd a = Eigen::MatrixXd(stiffness) + s * Eigen::MatrixXd(mass);
     return inputs.links.transpose() * test::dense::solve_columns(a, inputs.links);
   }
-  // And of its modes.
+  // B^T (K + s M)^-1 B of its modes.
   Eigen::MatrixXd flexibility(const GroupModes& modes, double s) const {
     const Eigen::MatrixXd b = modes.shapes.transpose() * inputs.links;
     return b.transpose() * (modes.squares.array() + s).inverse().matrix().asDiagonal() * b;
@@ -103,7 +103,7 @@ TEST_P(ReducedTower, IsNormalByTheMassAndFollowsWhereNoneIs) {
     EXPECT_LT(forces.row(i).cwiseAbs().maxCoeff(), 1e-10 * forces.cwiseAbs().maxCoeff()) << i;
 }
 
-// Directions of one block more make the modes of that depth of those that are there.
+// Adding the directions of one block gives the modes of the next depth.
 TEST_P(ReducedTower, FindsTheDirectionsOfOneBlockMore) {
   ReducedModes reduced = tower.reduced();
   const ReducedDepth depth{.links = 3, .ground = 4};
@@ -114,8 +114,7 @@ TEST_P(ReducedTower, FindsTheDirectionsOfOneBlockMore) {
   EXPECT_EQ(of.squares, modes.squares);
   Eigen::MatrixXd both(m + more, m + more);
   both << Eigen::MatrixXd(of.squares.asDiagonal()), of.coupling, of.coupling.transpose(), of.own;
-  // A direction of which 1e-9 is left beside the others is rounded to 1e-7, in another way where they are joined in
-  // another order.
+  // A direction of which 1e-9 remains after orthogonalization has a round-off of 1e-7, which depends on the order.
   EXPECT_LT((test::dense::eigenvalues(both) - deeper.squares).cwiseAbs().maxCoeff(), 1e-6 * deeper.squares.maxCoeff());
   Eigen::MatrixXd links(m + more, 2);
   links << of.links, of.further_links;
@@ -137,7 +136,7 @@ TEST_P(ReducedTower, AnswersStaticForcesOfLinksAndGroundExactly) {
   EXPECT_LT((found - exact)(dynamic, Eigen::all).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
 }
 
-// Galerkin's modes leave out what makes the ends softer; each block more brings some of it back.
+// Galerkin modes omit some of the flexibility at the ends; each additional block restores a fraction.
 TEST_P(ReducedTower, IsNeverSofterAtItsLinksThanTheStructure) {
   ReducedModes reduced = tower.reduced();
   const std::vector<ReducedDepth> depths{{1, 1, false}, {2, 1, false}, {4, 10, false}, {4, 10, true}};
@@ -153,7 +152,7 @@ TEST_P(ReducedTower, IsNeverSofterAtItsLinksThanTheStructure) {
       last = missing.trace();
     }
     if (frequency <= 50) {
-      EXPECT_LT(last, 2e-3 * exact.trace()) << frequency << ", up to somewhat above the shift";
+      EXPECT_LT(last, 2e-3 * exact.trace()) << frequency << ", up to slightly above the shift";
     }
     if (frequency == 20.0) {
       EXPECT_LT(last, 1e-9 * exact.trace()) << "the shifted block is exact there";
@@ -184,8 +183,8 @@ TEST_P(ReducedTower, HasTheSameBitsTwiceAndWhereItIsMadeDeeper) {
   EXPECT_EQ(twice.modes({.links = 2, .ground = 3}).shapes, shallow.shapes);
 }
 
-// The shadow is a sum of modes of the run, and yet what its own blocks give. (Chains so deep that they hold nearly the
-// same directions differ by more: what one has beside the other is near its rounding.)
+// The shadow is a combination of the modes of the run and equals the result of a reduction with its blocks. (Very deep
+// chains, whose directions nearly coincide, differ by more: the differences are near round-off.)
 TEST_P(ReducedTower, HoldsTheModesOfItsShadow) {
   tower.inputs.starts = Eigen::VectorXd::LinSpaced(tower.size(), 0, 1);
   const ReducedDepth depth{.links = 3, .ground = 3}, less{.links = 2, .ground = 1};
@@ -209,7 +208,7 @@ TEST_P(ReducedTower, HoldsTheModesOfItsShadow) {
   }
 }
 
-// Each input in turn is another one: blocks that are kept must be right for the new ones.
+// Each input in turn changes: reused blocks must be right for the new ones.
 TEST_P(ReducedTower, HasTheBitsOfANewOneWhereItIsDrivenOtherwise) {
   ReducedModes reduced = tower.reduced();
   const GroupModes first = reduced.modes({});
@@ -233,8 +232,8 @@ TEST_P(ReducedTower, HasTheBitsOfANewOneWhereItIsDrivenOtherwise) {
 INSTANTIATE_TEST_SUITE_P(Frames, ReducedTower, testing::Bool(),
                          [](const auto& test) { return test.param ? "consistent" : "lumped"; });
 
-// A couple on a rotation without mass turns it at once, which is S of a spring there; the modes hold what it does to
-// the others.
+// A couple on a massless rotation rotates it without delay, which is S of a spring there; the modes contain the
+// response of the other unknowns.
 TEST(ReducedModes, FollowAForceAtAnUnknownWithoutMass) {
   Tower tower(false);
   tower.inputs.links.conservativeResize(Eigen::NoChange, 3);
@@ -270,9 +269,9 @@ TEST(ReducedModes, OfAStructureThatNothingMovesAreThereStill) {
   EXPECT_GT(tower.reduced().modes({}).squares.size(), 0);
 }
 
-// A rod of forty equal masses m between forty springs k, its foot held, flies with 1 m/s at a wall that touches its end
-// by a spring k as well. While it presses, the rod is a chain held at both ends, with the shapes sin(j r pi / 41) and
-// the frequencies 2 sqrt(k/m) sin(r pi / 82).
+// A rod of forty equal masses m between forty springs k, fixed at its foot, moves at 1 m/s towards a wall that touches
+// its end through another spring k. In contact the rod is a chain fixed at both ends, with the shapes sin(j r pi / 41)
+// and the frequencies 2 sqrt(k/m) sin(r pi / 82).
 class Rod {
  public:
   static constexpr int masses = 40;
@@ -295,7 +294,7 @@ class Rod {
     system.groups = {{.first = 0, .count = masses, .displacement_floor = 1e-6, .velocity_floor = 1e-3}};
   }
 
-  // Force in the wall's spring at a time while it presses [N].
+  // Force in the wall spring at a time during contact [N].
   static double closed_form(double time) {
     double displacement = 0;
     for (int r = 1; r <= masses; ++r) {
@@ -308,7 +307,7 @@ class Rod {
     return k * displacement;
   }
 
-  // Largest error of the force at kept steps until `end`, as a part of the largest force.
+  // Maximum error of the force at accepted steps until `end`, relative to the maximum force.
   double error(const ReducedDepth& depth, double end) {
     ReducedInputs inputs;
     inputs.links = Eigen::MatrixXd(system.gap_jacobian);
@@ -339,13 +338,13 @@ class Rod {
 };
 
 TEST(RodOnAWall, PressesAsItsClosedFormWithAllBlocks) {
-  const double end = 0.9 * Rod::masses / std::sqrt(Rod::k / Rod::m);  // a wave crosses the rod
+  const double end = 0.9 * Rod::masses / std::sqrt(Rod::k / Rod::m);  // duration of a wave across the rod
   Rod rod;
   EXPECT_LT(rod.error({.links = 40, .ground = 0}, end), 1e-6);
   EXPECT_EQ(rod.coordinates, Rod::masses);
 }
 
-// Without damping every mode that the impact excites must be there: the error falls slowly, then at once.
+// Without damping every mode that the impact excites must be present: the error decreases slowly, then abruptly.
 TEST(RodOnAWall, ConvergesWithTheBlocks) {
   const double end = 0.9 * Rod::masses / std::sqrt(Rod::k / Rod::m);
   double last = 2;

@@ -1,4 +1,4 @@
-// The shadow of reduced structures: it moves as they do where it has the same modes, and leaves them as they are.
+// The shadow of reduced structures: it moves as they do if it has the same modes, and does not affect them.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,7 @@ namespace shadow_test {
 
 using petsc::ReducedGroups;
 
-// Two plane frames that hit each other at two floors, on ground that shakes fast enough to count as a short motion for
-// `wave` below 0.2 s.
+// Two plane frames with contacts at two floors, on a ground motion that counts as short for `wave` below 0.2 s.
 std::string pair(double wave, const std::string& friction = "") {
   const auto frame = [&](const std::string& name, double origin, double mass) {
     return fmt::format(
@@ -47,9 +46,9 @@ struct Followed {
   std::unique_ptr<ModalSolver> solver;
   std::unique_ptr<Stepper> stepper;
   double hardest = 0;           // force of all links [N]
-  double stray = 0;             // of the closings of the shadow while they press [m]
+  double stray = 0;             // of the penetrations of the shadow in contact [m]
   double hardest_friction = 0;  // of all links [N]
-  double stray_sliding = 0;     // of the velocities along them while they press [m/s]
+  double stray_sliding = 0;     // of the sliding velocities in contact [m/s]
   double stray_floors = 0;      // of displacements of its floors [m]
   double largest = 0;           // displacement of all floors [m]
 
@@ -151,7 +150,7 @@ TEST(ShadowOfLinksThatRub, MovesAsTheRunWhereItsModesAreTheSame) {
   EXPECT_GT(less.stray_sliding, 1e-7);
 }
 
-// A structure in all its modes has no shadow: its own motion stands for it.
+// A structure in all its modes has no shadow: its own motion takes the role.
 TEST(ShadowBesideAllModes, TakesTheMotionOfAWholeStructure) {
   const Followed same(pair(0.9), make_equal, {}), less(pair(0.9), keep, {});
   EXPECT_EQ(same.solver->reduced().size(), 1u);
@@ -159,7 +158,7 @@ TEST(ShadowBesideAllModes, TakesTheMotionOfAWholeStructure) {
   EXPECT_GT(less.stray, 1e-8);
 }
 
-// A dashpot that is not classical couples the modes: such steps have a factor for every block.
+// A non-classical dashpot couples the modes: such steps have a factorization for every block.
 TEST(ShadowOfCoupledModes, MovesAsTheRunWhereItsModesAreTheSame) {
   const Reduction blocks{.kind = Reduction::Kind::blocks, .links = 3, .ground = 6};
   const Followed same(pair(0.9), make_equal, blocks, 1e6);

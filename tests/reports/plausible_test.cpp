@@ -1,4 +1,4 @@
-// Numbers far from those of buildings are told with their likely cause, and what a model accepts is not.
+// Values far from those of buildings are reported with their likely cause; ordinary values are not.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Plausible, OrdinaryModelsAreNotDoubted) {
   EXPECT_EQ(implausible(model_of(frame())), Texts{});
   EXPECT_EQ(implausible(model_of(oscillator("mass: 100 t, period: 0.8"))), Texts{});
   EXPECT_EQ(implausible(model_of("  ball: {body: {mass: 1 kg}}\n  w: {wall: {}}\n")), Texts{})
-      << "a ball is no building";
+      << "a ball is not a building";
 }
 
 TEST(Plausible, PeriodsAndFloorsAreThoseOfBuildings) {
@@ -55,7 +55,7 @@ TEST(Plausible, MembersFitTheirFrame) {
   EXPECT_EQ(implausible(model_of(frame("", "{rectangle: [0.3 m, 3.1 m]}"))).size(), 1u);
   EXPECT_EQ(implausible(model_of(frame("", "{rectangle: [0.3 m, 2.9 m]}"))), Texts{});
   const Texts soft = implausible(model_of(frame("", "{circle: 0.4}", "30000")));
-  ASSERT_EQ(soft.size(), 2u) << "the period is doubted too";
+  ASSERT_EQ(soft.size(), 2u) << "the period is also implausible";
   EXPECT_TRUE(test::mentions(soft[1], {"accept: [E]", "30 kPa", "100 MPa", "30 GPa", "1.0", "a"}));
 }
 
@@ -73,7 +73,7 @@ TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
   };
   EXPECT_EQ(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 0.03"))), Texts{});
   const Texts weak = implausible(model_of(hinges("250")));
-  ASSERT_EQ(weak.size(), 1u) << "one line, and not one a hinge";
+  ASSERT_EQ(weak.size(), 1u) << "one line, not one per hinge";
   EXPECT_TRUE(test::mentions(weak[0], {"1.0", "N m", "250 kN m", "accept: [yield]"}));
   EXPECT_EQ(implausible(model_of(hinges("250"), "accept: [yield]\n")), Texts{});
   EXPECT_TRUE(test::mentions(test::only(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 30")))),
@@ -84,12 +84,12 @@ TEST(Plausible, GapsAreNarrow) {
   const std::string pair = frame() + frame("", "{circle: 0.4}", "30 GPa", "18.02 m", "b");
   const std::string links = "links: [{between: [a, b], floors: all, law: hertz, stiffness: 2.75e9}]\n";
   const Model model = model_of(pair, links);
-  EXPECT_EQ(model.links[0].gap, 12.02) << "the distance drawn";
+  EXPECT_EQ(model.links[0].gap, 12.02) << "the distance in the drawing";
   EXPECT_TRUE(test::mentions(test::only(implausible(model)), {"accept: [gap]", "12.02 m", "2 m", "20 mm", "a.1-b.1"}));
   EXPECT_EQ(implausible(model_of(pair, links + "accept: [gap]\n")), Texts{});
 }
 
-// The first doubt of a model with one change; the doubt must be the only one unless `count` says otherwise.
+// The first warning about a model with one change; it must be the only one unless `count` says otherwise.
 void expect_warning(const Model& model, const std::string& name, const test::Facts& facts, std::size_t count = 1) {
   const Texts found = implausible(model);
   ASSERT_EQ(found.size(), count);
@@ -110,7 +110,7 @@ std::string dense_frame(const std::string& floor_mass = "60 t", const std::strin
 
 TEST(Plausible, NumbersAsTheyAreTypedAreThoseOfBuildings) {
   EXPECT_EQ(implausible(model_of(dense_frame())), Texts{});
-  // The members alone make floors of more than 1 t.
+  // The members alone give floors of more than 1 t.
   expect_warning(model_of(dense_frame("90")), "mass", {"structures.a.frame.grid.floor_mass", "1 t", "90 t"});
   expect_warning(model_of(dense_frame("[90, 80]")), "mass",
                  {"[0]", "structures.a.frame.grid.floor_mass", "1 t", "90 t"});
@@ -182,7 +182,7 @@ TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
   expect_warning(building(", initial_displacement: 20"), "initial", {"20 m", "2 m", "a"});
   expect_warning(building(", initial_velocity: 300"), "initial", {"300 m/s", "10 m/s", "a"});
   EXPECT_EQ(implausible(model_of("  ball: {body: {mass: 1 kg}, initial_velocity: 30 m/s}\n  w: {wall: {}}\n")), Texts{})
-      << "bodies may be fast";
+      << "a high velocity of a body is plausible";
   const auto gap = [&](const std::string& width) {
     return building("", "links: [{between: [a.2, w], gap: " + width + ", law: hertz, stiffness: 2.75e9}]\n");
   };
@@ -209,7 +209,7 @@ TEST(Plausible, DriftsOfMoreThanATenthOfTheStoreyAreDoubted) {
       "  a: {shear_building: {storeys: 2, mass: 100 t, stiffness: 100 MN/m, height: 3 m}, damping: 5 %}\n"
       "  b: {shear_building: {storeys: 1, mass: 100 t, stiffness: 100 MN/m}, damping: 5 %}\n");
   const std::vector<std::vector<double>> small{{0.29, 0.3}, {9}}, large{{0.31, 0.45}, {9}};
-  EXPECT_EQ(implausible_drifts(model, small), Texts{}) << "of b no heights are known";
+  EXPECT_EQ(implausible_drifts(model, small), Texts{}) << "b has no heights";
   EXPECT_TRUE(
       test::mentions(test::only(implausible_drifts(model, large)),
                      {"analysis: {collapse_drift: 10 %}", "accept: [drift]", "450 mm", "15 %", "3 m", "2", "a"}));
@@ -245,7 +245,7 @@ TEST(Plausible, TolerancesAndPenetrationsAreSmall) {
   EXPECT_TRUE(test::mentions(test::only(implausible(model)), {"accept: [tolerance]", "5 %", "0.05", "1e-4"}));
 }
 
-// The intensity of 2 s at +-1 m/s^2 is even, so a cut at t takes 1 - t / 2 of it.
+// The intensity of 2 s at +-1 m/s^2 is uniform, so a cut at t removes the fraction 1 - t / 2.
 Samples even_record(double end = 2) {
   Samples samples;
   for (int i = 0; i <= 400; ++i) {
@@ -281,7 +281,7 @@ TEST(Plausible, RecordsAreNotCutByTheDuration) {
   Model accepted = shaken({record}, 1);
   accepted.accept = {"duration"};
   EXPECT_EQ(warnings_of(std::move(accepted)), Texts{});
-  EXPECT_EQ(warnings_of(shaken({record}, 0)), Texts{}) << "without a duration the run lasts as long as the record";
+  EXPECT_EQ(warnings_of(shaken({record}, 0)), Texts{}) << "without `duration` the run lasts as long as the record";
 }
 
 TEST(Plausible, RecordsCutByTheDurationAreCounted) {

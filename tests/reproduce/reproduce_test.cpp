@@ -1,8 +1,8 @@
-/// The numbers of `pounding reproduce` against those of independent computations and of the paper, copied here.
+/// The numbers of `pounding reproduce` against independent computations and the paper, copied here.
 ///
 /// Sources: "paper", Naderpour, Barros & Khatami 2015; "reference", an independent script (8th-order Runge-Kutta at
-/// 1e-12 and closed forms; two oscillators also by a fixed-step Runge-Kutta of 2e-7 s). A value is compared to half a
-/// unit of the last digit printed there, plus 1e-6 of it for the time integration unless said.
+/// 1e-12 and closed forms; two oscillators also by a fixed-step Runge-Kutta of 2e-7 s). Unless stated otherwise, the
+/// tolerance is half a unit of the last printed digit, plus 1e-6 of the value for the time integration.
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,8 @@ using reference::half_unit;
 const char* const independent =
     "an independent script: 8th-order Runge-Kutta at 1e-12, closed forms, the paper's own formulas";
 const char* const as_printed =
-    "half a unit of the last digit printed, and 1e-6 of it for the time integration (1e-5 where five impacts follow "
-    "each other)";
+    "half a unit of the last printed digit, plus 1e-6 of the value for the time integration (1e-5 after five "
+    "consecutive impacts)";
 
 void expect_printed(test::Book& book, const Table& table, const std::string& row, const std::string& heading,
                     double value, int decimals, double relative = 1e-6,
@@ -42,7 +42,7 @@ void expect_printed(test::Book& book, const Table& table, const std::string& row
   const auto column = std::ranges::find(table.headings, heading, &Table::Heading::name);
   const std::string unit = column == table.headings.end() || column->unit.empty() ? "-" : column->unit;
   const bool is_requested =
-      heading.find_first_not_of("0123456789.") == std::string::npos;  // a column for each restitution asked
+      heading.find_first_not_of("0123456789.") == std::string::npos;  // a column for each target restitution
   book.near(fmt::format("{} [{}]", is_requested ? "error where " + heading + " is asked" : heading, unit),
             table.at(row, heading), value, half_unit(decimals) + relative * std::abs(value), at);
 }
@@ -51,7 +51,7 @@ void expect_judgement(const Item& item, const char* place, Judgement judgement) 
   EXPECT_EQ(word(item.verdict(place).judgement), word(judgement)) << place;
 }
 
-// Every figure has something to draw, every verdict says something.
+// Every figure has curves, every verdict has text.
 void expect_complete(const Item& item) {
   EXPECT_FALSE(item.figures.empty());
   EXPECT_FALSE(item.verdicts.empty());
@@ -101,7 +101,7 @@ TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
   const Figure& figure = item.figure("sdof_contact");
   const auto& by_time = figure.column("Eq. 2: time integration, y").values;
   const auto& by_matrix = figure.column("Eq. 2: Eq. 2, link at both bodies, y").values;
-  // Before the touch and after the separation there is no force to compare.
+  // The force is zero before the touch and after the separation.
   for (std::size_t i = 0; i < by_time.size(); ++i)
     if (by_time[i] != 0) {
       EXPECT_NEAR(by_time[i], by_matrix[i], 1e-5 * 1000) << i;
@@ -113,7 +113,7 @@ TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
   const Item item = force_laws::make();
   expect_complete(item);
   test::Book book("The paper: every law at the same impact (Eqs. 3-14, Table 1)", independent, as_printed);
-  // Reference, restitution obtained for 0.5 asked.
+  // Reference, restitution obtained for a target of 0.5.
   const Table& t = item.table("published");
   expect_printed(book, t, "linear spring, Eq. 3", "restitution", 1, 4);
   expect_printed(book, t, "Kelvin-Voigt, Eqs. 5-7", "restitution", 0.5, 4);
@@ -123,7 +123,7 @@ TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
   expect_printed(book, t, "Hertz damped, Eqs. 11, 12", "restitution", 0.7252, 4);
   expect_printed(book, t, "Hertz damped, Eqs. 11, 13", "restitution", 0.4877, 4);
   expect_printed(book, t, "Hertz damped, Eqs. 11, 14", "restitution", 0.4704, 4);
-  // Closed form: c v = 2 zeta sqrt(k m) v at the touch, and as much pull at the end as the rebound speed makes, c e v.
+  // Closed form: c v = 2 zeta sqrt(k m) v at the touch, and a pull of c e v at the end, from the rebound speed.
   const double c = 2 * 0.215454 * std::sqrt(9.35e7 * 60e3) / 1e3;
   EXPECT_NEAR(t.at("Kelvin-Voigt, Eqs. 5-7", "force at touch"), 0.5 * c, 1e-2);
   EXPECT_GE(t.at("Kelvin-Voigt, Eqs. 5-7", "largest pull"), 0.5 * 0.5 * c * (1 - 1e-3));
@@ -160,7 +160,7 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
   constexpr reference::Nine obtained{0.0665, 0.1503, 0.2474, 0.3532, 0.4656, 0.5860, 0.7115, 0.8334, 0.9346};
   for (std::size_t i = 0; i < 9; ++i)
     expect_printed(book, item.table("rows"), fmt::format("{:.1f}", paper::restitutions[i]), "k in kN", obtained[i], 4);
-  // Independent scan of k/v: least error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v
+  // Independent scan of k/v: minimum error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v
   // = 2.8e12; from a = 1.432751, N - 1 = 0.0115 at 0.5: 0.043.
   const Verdict& table = item.verdict("Table 2");
   EXPECT_TRUE(test::mentions(table.reason, {"2.3 %", "1.52", "RMS"}));
@@ -212,7 +212,7 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
     expect_printed(book, runs, key, "energy lost", row.lost, 3);
     expect_printed(book, runs, key, "impulse", row.impulse, 3);
   }
-  // Reference: Eq. 13 is nearer everywhere, Eq. 14 everywhere but at 0.6 and 0.7.
+  // Reference: Eq. 13 is closer everywhere, Eq. 14 everywhere except at 0.6 and 0.7.
   const std::string& accuracy = item.verdict("Section 5.1, Fig. 8").ours;
   EXPECT_NE(accuracy.find("Eq. 13 at 9 of 9"), std::string::npos) << accuracy;
   EXPECT_NE(accuracy.find("14 at 7 of 9"), std::string::npos) << accuracy;
@@ -241,12 +241,12 @@ TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
   const double second = item.table("pair").rows.at(1).values.at(2);
   EXPECT_GT(second, 30.2);
   EXPECT_LT(second, 31.0);
-  // The end of the process: 0.5 is obtained, and its loop area is Eq. 18.
+  // The end of the process: the restitution is 0.5, and its loop area is Eq. 18.
   const Table::Row& last = item.table("process").rows.back();
   EXPECT_NEAR(last.values.at(4), 0.5, 1e-8);
   EXPECT_NEAR(last.values.at(1), 28.341, 1e-6);
   EXPECT_NEAR(item.table("process").at("1", "CR obtained"), 0.4656, half_unit(4)) << "reference, k/v = 3000";
-  // By hand: c_imp in proportion to (1-e^2)/(e v) is held; 10 m/s at 0.5.
+  // By hand: c_imp proportional to (1-e^2)/(e v) is constant; 10 m/s at 0.5.
   expect_printed(book, item.table("velocities"), "0.1", "equal loops, N = M = 1", 66, 3);
   expect_judgement(item, "Section 6, 28.33261", Judgement::agrees);
   expect_judgement(item, "Section 6, 28.64157", Judgement::disagrees);
@@ -280,15 +280,15 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
                                {"exact, 0.5", 0.5},
                                {"exact, 0.9", 0.9}})
     expect_printed(book, forces, row, "restitution", e, 4);
-  // Closed form: with zeta above 1/2 the largest force is c v at the touch.
+  // Closed form: for zeta above 1/2 the maximum force is c v at the touch.
   EXPECT_NEAR(forces.at("Eq. 38, proposed, 0.5", "peak force"), 2 * 2.86479 * std::sqrt(9.35e7 * 60e3) * 0.5 / 1e3,
               0.1);
-  // Reference: 61 belongs to 0.142, Eq. 38 lies between the two others from 0.870 to 0.883.
+  // Reference: 61 belongs to 0.142; Eq. 38 lies between the two others from 0.870 to 0.883.
   EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("0.142"), std::string::npos)
       << item.verdict("Fig. 12, Eq. 38").reason;
   EXPECT_NE(item.verdict("Fig. 12, Eq. 38").reason.find("62.4"), std::string::npos);
   EXPECT_TRUE(test::mentions(item.verdict("Section 7, between").ours, {"0.870", "0.883"}));
-  // Eq. 35 with the ratio of Eq. 38: what the derivation loses is Eq. 18.
+  // Eq. 35 with the ratio of Eq. 38: the energy lost in the derivation is Eq. 18.
   for (const double e : paper::restitutions)
     EXPECT_NEAR(item.table("derivation").at(fmt::format("{:.1f}", e), "Eq. 34, energy lost"),
                 0.5 * 60 * (1 - e * e) * 0.25, 1e-9);
@@ -297,8 +297,8 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
   expect_judgement(item, "Fig. 12, Eq. 38", Judgement::disagrees);
 }
 
-// Reference: two oscillators by two integrators that agree to six decimals of the displacements and 1e-6 of forces.
-// Forces to 1e-5, the error that the tolerance of 1e-7 leaves in the fifth impact.
+// Reference: two oscillators by two integrators that agree to six decimals of the displacements and to 1e-6 of the
+// forces. The tolerance of forces is 1e-5, the error of the fifth impact at a run tolerance of 1e-7.
 TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
   const Item item = beyond::make();
   expect_complete(item);
@@ -324,8 +324,8 @@ TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
     EXPECT_EQ(t.at(row.row, "impacts"), 5) << row.row;
   }
   EXPECT_NEAR(t.at("Hertz damped, exact", "free impact"), 0.65, 1e-9);
-  // Frames: an elastic spring loses nothing, and who damps less in a free impact (0.725, 0.5; less than 0.48) damps
-  // less here.
+  // Frames: an elastic spring loses no energy, and a law with less damping in a free impact (0.725, 0.5; less than
+  // 0.48) also loses less here.
   const Table& frames = item.table("frames");
   EXPECT_NEAR(frames.at("no damping", "energy lost"), 0, 1e-3);
   EXPECT_GT(frames.at("Eq. 12", "in the run"), frames.at("exact", "in the run") + 0.1);

@@ -1,4 +1,4 @@
-// Extremes between the ends of steps.
+// Extremes inside steps.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(Extremes, AreTheLeastAndTheLargestValueWithTheirTimes) {
   extremes.update(0, 3.0, 1.0);
   extremes.update(0, 4.0, 2.0);
   EXPECT_EQ(extremes.max[0], 2);
-  EXPECT_EQ(extremes.t_max[0], 1) << "the first of equal values counts";
+  EXPECT_EQ(extremes.t_max[0], 1) << "the first of equal values is reported";
   EXPECT_EQ(extremes.min[0], -3);
   EXPECT_EQ(extremes.t_min[0], 2);
   EXPECT_EQ(extremes.peak(0), 3);
@@ -47,10 +47,10 @@ TEST(Extremes, OfAMotionThatDoesNotTurnAreAtTheEnd) {
   Extremes extremes(1);
   extremes.update(0, 0, 1, 0, 1, 2, 1);
   EXPECT_EQ(extremes.max[0], 2);
-  EXPECT_EQ(extremes.min[0], 2) << "the beginning is the end of the step before";
+  EXPECT_EQ(extremes.min[0], 2) << "the beginning is the end of the previous step";
 }
 
-// Random paths, each beside a thousand of its values.
+// Random paths, each compared with a thousand of its values.
 TEST(Extremes, OfAPathOfDegreeFourAreFoundAndBounded) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -71,7 +71,7 @@ TEST(Extremes, OfAPathOfDegreeFourAreFoundAndBounded) {
     }
     EXPECT_GE(minimum, low);
     EXPECT_LE(largest, high);
-    // A parabola leaves a path by a 125th of the third derivative times the third power of its length.
+    // A parabola deviates from a path by 1/125 of the third derivative times the cube of its length.
     const double allowed = std::pow(0.25, 3) / 124 * (6 * std::abs(path.alpha) + 12 * std::abs(path.beta)) + 1e-6;
     EXPECT_NEAR(extremes.min[0], minimum, allowed);
     EXPECT_NEAR(extremes.max[0], largest, allowed);
@@ -91,8 +91,7 @@ TEST(Extremes, AreFoundOnTheParabolaThroughBothEndsAndTheMiddle) {
   EXPECT_EQ(straight.max[0], 2);
 }
 
-// A step that brings nothing new is found by few operations. Extremes without a value before follow each step to its
-// end.
+// A step without a new extreme costs few operations. Extremes without a previous value process each step completely.
 TEST(Extremes, OfManyStepsAreThoseOfEachStepAlone) {
   std::mt19937 random(3);
   std::normal_distribution<double> any;

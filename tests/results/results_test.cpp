@@ -1,4 +1,4 @@
-/// The results file as HDF5's C interface sees it, and what happens when it cannot be written.
+/// The results file read through HDF5's C interface, and write errors.
 
 #include <pounding/results/results.hpp>
 
@@ -130,7 +130,7 @@ class ResultsFile : public testing::Test {
   std::string path;
 };
 
-/// A file open for reading. Identifiers of its objects are few and are closed with the process.
+/// A file opened for reading. The few identifiers of its objects are closed with the process.
 class Reader {
  public:
   explicit Reader(const std::string& path) : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
@@ -153,7 +153,8 @@ class Reader {
 
   std::string text(const std::string& name) const {
     const hid_t found = open(name), type = H5Dget_type(found);
-    EXPECT_EQ(H5Tis_variable_str(type), 0) << name << ": a damaged heap of such texts never ends";
+    EXPECT_EQ(H5Tis_variable_str(type), 0)
+        << name << ": reading a damaged heap of variable-length strings does not end";
     std::string read(H5Tget_size(type), '\0');
     EXPECT_GE(H5Dread(found, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()), 0) << name;
     return without_zeros(read);
@@ -238,7 +239,7 @@ TEST_F(ResultsFile, RootSaysWhatTheFileIs) {
 TEST_F(ResultsFile, MotionIsTimeByFloorByDirection) {
   write_results(small_run(), path);
   const Reader file(path);
-  EXPECT_EQ(file.members("/structures"), (Texts{"tower.A", "ball"})) << "the order of the input";
+  EXPECT_EQ(file.members("/structures"), (Texts{"tower.A", "ball"})) << "the order in the input";
   EXPECT_EQ(file.shape("/structures/tower.A/displacement"), (Shape{3, 2, 1}));
   EXPECT_EQ(file.values("/structures/tower.A/displacement"), (Values{0, 0, 1, 2, 3, 4}));
   EXPECT_EQ(file.values("/structures/tower.A/velocity"), (Values{0, 0, 10, 20, 30, 40}));
@@ -332,7 +333,7 @@ TEST_F(ResultsFile, StructureWithoutFloorsHasNothingToReadAtAnyTime) {
   Results run;
   run.time = run.ground_acceleration = {0, 1, 2};
   run.structures = {structure("wall", {})};
-  run.structures[0].velocity.reserve(1);  // a place that holds nothing
+  run.structures[0].velocity.reserve(1);  // an allocated but empty vector
   write_results(run, path);
   const Reader file(path);
   EXPECT_EQ(file.shape("/structures/wall/displacement"), (Shape{3, 0, 1}));
@@ -367,7 +368,7 @@ TEST_F(ResultsFile, ZerosInFrontAreReadAndTakeNoRoom) {
   EXPECT_EQ(file.values("/time"), run.time);
   EXPECT_EQ(file.values("/ground/acceleration"), run.ground_acceleration);
   EXPECT_LT(fs::file_size(path), 0.8 * samples * sizeof(double))
-      << "the times are zeros, as the first half of the ground's accelerations is";
+      << "the times are zero, as is the first half of the ground accelerations";
 }
 
 TEST_F(ResultsFile, RunWithoutLinksStandsInTheOtherOne) {
@@ -376,7 +377,7 @@ TEST_F(ResultsFile, RunWithoutLinksStandsInTheOtherOne) {
   without_links.title = "without links";
   run.no_pounding = image_to_add(without_links);
   for (int times = 0; times < 2; ++times) {
-    SCOPED_TRACE("the image is not used up");
+    SCOPED_TRACE("the image can be written again");
     write_results(run, path);
     const Reader file(path);
     EXPECT_EQ(file.values("/time"), run.time);
@@ -453,7 +454,7 @@ TEST_F(ResultsFile, PlaceOfAnotherRunIsRefusedUntilThatEnds) {
     one.replace(image);
     EXPECT_TRUE(test::mentions(refusal(path), busy));
     one.replace(image);
-    EXPECT_EQ(Reader(path).text_attribute("/", "status"), "done") << "a reader is not refused";
+    EXPECT_EQ(Reader(path).text_attribute("/", "status"), "done") << "a reader is not rejected";
     EXPECT_TRUE(test::mentions(refusal(path), busy));
   }
   EXPECT_EQ(refusal(path), "taken");
@@ -469,7 +470,7 @@ TEST_F(ResultsFile, PlaceThatAnotherRunHasTakenIsLeftToIt) {
   EXPECT_EQ(Reader(path).text_attribute("/", "status"), "running");
   fs::remove(path);
   one.replace(results_image(small_run()));
-  EXPECT_EQ(Reader(path).text_attribute("/", "status"), "done") << "a file that was removed is written again";
+  EXPECT_EQ(Reader(path).text_attribute("/", "status"), "done") << "a removed file is written again";
 }
 
 TEST_F(ResultsFile, OnlyResultsAreReplaced) {
@@ -479,7 +480,7 @@ TEST_F(ResultsFile, OnlyResultsAreReplaced) {
   EXPECT_TRUE(test::mentions(refusal(path), {path, "-o", "results.h5"}));
   EXPECT_EQ(fs::file_size(path), size);
   std::ofstream(path, std::ios::trunc).close();
-  EXPECT_EQ(refusal(path), "taken") << "an empty file holds nothing";
+  EXPECT_EQ(refusal(path), "taken") << "an empty file has no content to protect";
   write_results(small_run(), path);
 }
 
@@ -501,7 +502,7 @@ TEST_F(ResultsFile, EveryChangedByteIsSeen) {
   std::ofstream(path, std::ios::binary) << whole << '\n';
   EXPECT_THROW(require_whole(path), InputError);
   std::ofstream(path, std::ios::binary) << whole.substr(checked_block_size);
-  EXPECT_TRUE(test::mentions(whole_or_not(path), {path})) << "as files of earlier versions";
+  EXPECT_TRUE(test::mentions(whole_or_not(path), {path})) << "as in files of earlier versions";
   std::ofstream(path, std::ios::binary) << "study of pounding\n" << std::string(494, ' ') << whole.substr(512);
   EXPECT_TRUE(test::mentions(whole_or_not(path), {path, "pounding study show"}));
   std::ofstream(path, std::ios::binary) << whole.substr(0, 1000);
@@ -528,7 +529,7 @@ TEST_F(ResultsFile, NamesThatCannotBeGroupsAreRefused) {
   run.structures[1].name = "tower.A";
   try {
     write_results(run, path);
-    FAIL() << "two structures of one name";
+    FAIL() << "two structures with the same name";
   } catch (const InputError& error) {
     EXPECT_TRUE(test::mentions(error.what(), {"tower.A"}));
   }
@@ -540,7 +541,7 @@ TEST_F(ResultsFile, HistoriesOfWrongLengthAreRefused) {
   run.structures[0].velocity.pop_back();
   try {
     write_results(run, path);
-    FAIL() << "a history that is too short";
+    FAIL() << "history too short";
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(test::mentions(error.what(), {"tower.A", "5", "6"}));
   }

@@ -1,4 +1,4 @@
-// Collisions whose outcome is known without any integration.
+// Collisions with an outcome that is known without integration.
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ using test::run_text;
 class TwoBodies : public testing::TestWithParam<const char*> {};
 
 TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
-  test::Book book("Collisions whose outcome is known without integration",
+  test::Book book("Collisions with an outcome known without integration",
                   "two free bodies by any law: conservation of momentum, impulse m (1 + e) v, loss m v^2 (1 - e^2)/2",
-                  "run at tolerance 1e-7; before the touch nothing but rounding");
+                  "run at tolerance 1e-7; before the touch only round-off");
   const double m1 = 1e5, m2 = 1.5e5, v1 = 1.2, v2 = 0.2, m = m1 * m2 / (m1 + m2);
   const Outcome run = run_text(std::string("structures:\n"
                                            "  a: {body: {mass: 100 t}, initial_velocity: 1.2 m/s}\n"
@@ -43,7 +43,7 @@ TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
 
 INSTANTIATE_TEST_SUITE_P(EveryLaw, TwoBodies, testing::ValuesIn(test::every_law), test::law_name);
 
-/// Two bodies that meet at 1 m/s after 10 ms, by this law, in a run that ends in the middle of their impact.
+/// Two bodies that meet at 1 m/s after 10 ms with this law, in a run that ends during their impact.
 Outcome ended_in_contact(const std::string& law, double duration) {
   return run_text(
       "structures:\n"
@@ -54,7 +54,7 @@ Outcome ended_in_contact(const std::string& law, double duration) {
 }
 
 TEST(AContactThatStillPresses, OfASpringHasLostNothing) {
-  for (const double share : {0.3, 1.0, 1.6}) {  // of the time until the bodies turn
+  for (const double share : {0.3, 1.0, 1.6}) {  // of the time until the reversal
     const double k = 93.5e6, m = 6e4, wait = share * std::acos(0.0) * std::sqrt(m / k);
     const Outcome run = ended_in_contact("linear_spring, stiffness: 93.5 MN/m", 0.01 + wait);
     const double d = std::sqrt(m / k) * std::sin(wait * std::sqrt(k / m));
@@ -64,7 +64,7 @@ TEST(AContactThatStillPresses, OfASpringHasLostNothing) {
     EXPECT_TRUE(run.summary.links[0].presses);
     EXPECT_EQ(run.summary.links[0].energy_stored, run.results.impacts[0].energy_stored);
     const std::string table = to_table(run.summary);
-    EXPECT_NE(table.find("a-b"), table.rfind("a-b")) << "a row and a remark";
+    EXPECT_NE(table.find("a-b"), table.rfind("a-b")) << "a row and a note";
   }
 }
 
@@ -83,14 +83,14 @@ TEST(AnImpactThatIsOver, StoresNothing) {
   const Outcome run = ended_in_contact("hertz_damped, stiffness: 2.75e9, restitution: 0.6", 0.3);
   EXPECT_EQ(run.results.impacts[0].energy_stored, 0);
   EXPECT_FALSE(run.summary.links[0].presses);
-  EXPECT_EQ(to_table(run.summary).find("still presses"), std::string::npos);
+  EXPECT_EQ(to_table(run.summary).find("still in contact"), std::string::npos);
 }
 
 TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
-  test::Book book("Collisions whose outcome is known without integration",
+  test::Book book("Collisions with an outcome known without integration",
                   "Code_Aster's SDND102: the mirror plane between two equal oscillators is a rigid wall, and a link "
                   "of stiffness k pressed from both sides one of 2 k",
-                  "the same steps: rounding");
+                  "the same steps: round-off");
   const std::string oscillator = "{oscillator: {mass: 100 t, period: 0.5, damping: 5 %}, initial_velocity: ";
   const Outcome pair = run_text("structures:\n  a: " + oscillator + "1 m/s}\n  b: " + oscillator +
                                 "-1 m/s}\nlinks:\n  - {between: [a, b], gap: 20 mm, law: kelvin_voigt_no_tension, "
@@ -115,7 +115,7 @@ TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
   }
 }
 
-// Seen from the other side: the structures in the other order and every direction reversed.
+// Mirrored: the structures in the other order and every direction reversed.
 class MirroredProblem : public testing::TestWithParam<const char*> {};
 
 TEST_P(MirroredProblem, HasTheMirroredSolution) {
@@ -156,7 +156,7 @@ TEST(IdenticalOscillators, NeverTouchAtZeroGap) {
   EXPECT_GT(run.summary.structures[0].peak_displacement[0], 0.01);
 }
 
-// Bodies that touch would do so only when the contacts work one after the other; here a gap makes them do so.
+// The gaps make the contacts act one after the other; this is required for the speed to pass on.
 TEST(RowOfBodies, PassesTheSpeedOn) {
   test::Book book("Collisions whose outcome is known without integration",
                   "Newton's cradle with elastic links and gaps: equal bodies pass the speed to the last one",
@@ -177,7 +177,8 @@ TEST(RowOfBodies, PassesTheSpeedOn) {
 }
 
 // Naderpour, Barros & Khatami 2015, Eq. 2: [m1 0; 0 m2], [c1 + c, -c; -c, c2 + c], [k1 + s, -s; -s, k2 + s]. (The paper
-// prints c2 and k2 without the link's share in the lower right corner; Newton's third law puts it there.)
+// omits the contribution of the link in the lower right corner, where it prints c2 and k2; Newton's third law requires
+// it.)
 TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   const Model model = model_of(
       "structures:\n"
@@ -203,7 +204,7 @@ TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   EXPECT_TRUE(near(damping, Eigen::Matrix2d{{c1 + c, -c}, {-c, c2 + c}})) << damping;
 }
 
-// A body that a force presses against a wall after a touch at 4 mm/s.
+// A body pressed against a wall after a touch at 4 mm/s.
 TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
   const auto pressed = [](const std::string& more) {
     return test::run_text(
@@ -216,7 +217,7 @@ TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
   };
   try {
     pressed("");
-    ADD_FAILURE() << "not refused";
+    ADD_FAILURE() << "not rejected";
   } catch (const FailedRun& failed) {
     EXPECT_TRUE(test::mentions(failed.what(), {"a-w", "bilinear_hertz"}));
   }

@@ -1,5 +1,5 @@
-// Models that run at once on communicators which share no process. On one process there is one half only; CMake runs
-// this program on two processes as well.
+// Simultaneous runs of models on communicators without common processes. On one process there is only one half; CMake
+// also runs this program on two processes.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class Half {
   MPI_Comm comm_ = MPI_COMM_NULL;
 };
 
-// An option of PETSc's for the time of a test.
+// A PETSc option for the duration of a test.
 class Option {
  public:
   Option(const char* name, const char* value) : name_(name) { PetscOptionsSetValue(nullptr, name, value); }
@@ -47,8 +47,8 @@ class Option {
   const char* name_;
 };
 
-// Models of different size, length and number of impacts: halves that waited for each other would deadlock or mix their
-// numbers.
+// Models of different size, duration and number of impacts: halves that waited for each other would deadlock or mix
+// their data.
 std::string model_of_half(int number) {
   const std::string law = "law: jankowski, stiffness: 2.75e9, restitution: 0.65";
   if (number == 0) return test::two_oscillators(law.substr(5), 1e-4, 1.2);
@@ -93,10 +93,10 @@ TEST_P(TwoHalves, RunDifferentModelsAtOnce) {
   const Model model = test::model_of(yaml);
   const Outcome together = run(model, {.comm = half.comm(), .output = file.string()});
   if (rank == 0) {
-    EXPECT_TRUE(std::filesystem::exists(file)) << "the first process of each half writes";
+    EXPECT_TRUE(std::filesystem::exists(file)) << "the first process of each half writes the file";
     std::filesystem::remove(file);
   }
-  // The two halves still run beside each other, each process now alone.
+  // Both halves still run concurrently, each process on its own.
   const Model again = test::model_of(yaml);
   const Outcome alone = run(again, {.comm = PETSC_COMM_SELF});
   if (size == 1) expect_same(together.results, alone.results);

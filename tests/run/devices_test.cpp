@@ -1,4 +1,4 @@
-// Devices in whole runs, against closed forms and against each other.
+// Devices in complete runs, against closed forms and each other.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace devices_test {
 
 constexpr const char* schemes[] = {"generalized_alpha", "esdirk4"};
 
-// A mass that is held by a linear Maxwell element alone: f'' + (k/c) f' + (k/m) f = 0, f(0) = 0, f'(0) = k v.
+// A mass on a linear Maxwell element: f'' + (k/c) f' + (k/m) f = 0, f(0) = 0, f'(0) = k v.
 TEST(Devices, HoldAMassByALinearDamperBehindASpring) {
   constexpr double m = 1e5, k = 4e6, c = 1e6, v = 0.3;
   const double decay = k / (2 * c), w = std::sqrt(k / m - decay * decay);
@@ -37,8 +37,8 @@ TEST(Devices, HoldAMassByALinearDamperBehindASpring) {
   }
 }
 
-// A body that is too heavy to move stands in a ground that goes away by A T^2/(2 pi) and stops. Held so, the force of a
-// Maxwell element falls as f = (f0^(1-q) + (q-1) k t/c^q)^(1/(1-q)) with q = 1/a.
+// A body too heavy to move, on ground that moves by A T^2/(2 pi) and stops. The force of a Maxwell element at constant
+// length decays as f = (f0^(1-q) + (q-1) k t/c^q)^(1/(1-q)) with q = 1/a.
 TEST(Devices, RelaxAsAPowerOfTime) {
   constexpr double k = 4e6, c = 2e5;
   for (const char* scheme : schemes)
@@ -50,7 +50,7 @@ TEST(Devices, RelaxAsAPowerOfTime) {
           "analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms, integrator: {}}}\n",
           c, a, scheme));
       const DeviceHistory& tie = run.results.devices[0];
-      const std::size_t from = 20;  // the ground stands still
+      const std::size_t from = 20;  // the ground has stopped
       const double f0 = std::abs(tie.force[from]), q = 1 / a;
       ASSERT_GT(f0, 1e3);
       for (std::size_t i = from; i < tie.force.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(Devices, RelaxAsAPowerOfTime) {
 }
 
 // Two equal oscillators that start against each other stretch a brace between them by twice their displacement: each
-// moves as by itself with a brace to the ground that is twice as stiff.
+// moves as with a separate brace to the ground of twice the stiffness.
 TEST(Devices, BetweenMirroredStructuresAreTwoToTheGround) {
   const char* const analysis = "analysis: {duration: 3, tolerance: 1e-7, output_step: 10 ms}\n";
   for (const char* law : {"bilinear", "bouc_wen", "menegotto_pinto", "peak_oriented"}) {
@@ -90,7 +90,7 @@ TEST(Devices, BetweenMirroredStructuresAreTwoToTheGround) {
   }
 }
 
-// A device in a storey carries its shear: what stands above is pushed by nothing else but the damping.
+// A device shares the shear of its storey: the only other force on the masses above is damping.
 TEST(Devices, AddToTheShearOfTheirStoreys) {
   const Outcome run = test::run_text(
       "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"

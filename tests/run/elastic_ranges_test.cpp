@@ -1,4 +1,4 @@
-// Steps in which every hinge stays in its elastic range, which results are told of by a short way.
+// Steps in which every hinge stays in its elastic range, for which the recorder has a fast path.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace pounding {
 namespace elastic_ranges_test {
 
-// Two frames that collide, the left one under its weight; its hinges yield, those of the right one never.
+// Two colliding frames, the left one under its weight; its hinges yield, those of the right one never do.
 std::string pair(const std::string& analysis) {
   const std::string members =
       "storey_height: 3.2 m, bay_width: 6 m, columns: {rectangle: [0.4 m, 0.4 m]}, beams: {rectangle: [0.3 m, 0.5 m]}";
@@ -92,8 +92,8 @@ TEST(ElasticRanges, ChangeNoBitOfTheResults) {
   }
 }
 
-// A ground that moves to one side at first: the storey stays elastic in the strong direction where the weak one would
-// have yielded.
+// A ground that first moves to one side: the storey stays elastic in the strong direction beyond the limit of the weak
+// one.
 TEST(YieldLimits, AreThoseOfTheDirection) {
   const Outcome run = test::run_text(
       "ground_motion: {harmonic: {amplitude: -2, period: 0.5, duration: 2}}\n"

@@ -1,5 +1,5 @@
-// Forces over time: Duhamel's integral, superposition of modes, forces that stand for a moving ground, energies, links
-// and frames.
+// Forces over time: Duhamel's integral, modal superposition, forces equivalent to a ground motion, energies, links and
+// frames.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,8 @@ struct Motion {
   double u = 0, v = 0;
 };
 
-// Duhamel's integral for u'' + 2 ratio w u' + w^2 u = force from rest: Gauss' rule on short pieces between the breaks.
+// Duhamel's integral for u'' + 2 ratio w u' + w^2 u = force from rest: Gauss quadrature on short intervals between the
+// breaks.
 Motion duhamel(double w, double ratio, const Force& force, std::vector<double> breaks, double end) {
   constexpr std::array<double, 5> points{0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
                                          -0.9061798459386640},
@@ -55,7 +56,7 @@ Motion duhamel(double w, double ratio, const Force& force, std::vector<double> b
   return sum;
 }
 
-// A force as it is typed, and the same as a function.
+// A force in input syntax, and the same as a function.
 struct Given {
   std::string text;
   Force force;
@@ -125,7 +126,7 @@ TEST_P(Forces, MoveAnOscillatorAsDuhamelSays) {
           std::hypot(a.displacement.back() - expected.u, (a.velocity.back() - expected.v) / w) / largest;
       book.below(label("error of the motion, over the tolerance [-]"), error / GetParam().tolerance / (length / period),
                  1);
-      // A ground that shakes by the same sum of harmonics leaves 1.5 to 2 of it.
+      // Under the same sum of harmonics as ground motion the imbalance is 1.5 to 2 times the tolerance.
       book.below(label("imbalance of the energies, over the tolerance [-]"),
                  found.summary.energy.error / GetParam().tolerance, 2);
     }
@@ -142,7 +143,7 @@ TEST_P(Forces, MoveABuildingAsItsModesDo) {
   const Eigen::Matrix3d stiffness{{70e6, -30e6, 0}, {-30e6, 50e6, -20e6}, {0, -20e6, 20e6}};
   const test::dense::Modes modes = test::dense::modes(stiffness, mass.asDiagonal().toDenseMatrix());
   const std::vector<Given> given = courses();
-  constexpr std::array<std::pair<int, int>, 3> acting{{{2, 2}, {0, 4}, {1, 5}}};  // floor, course
+  constexpr std::array<std::pair<int, int>, 3> acting{{{2, 2}, {0, 4}, {1, 5}}};  // floor, index of the time function
   std::string forces;
   for (const auto& [floor, course] : acting)
     forces += fmt::format("{}{{floor: {}, {}}}", forces.empty() ? "" : ", ", floor + 1, given[course].text);
@@ -172,7 +173,7 @@ TEST_P(Forces, MoveABuildingAsItsModesDo) {
              found.summary.energy.error / GetParam().tolerance, 1);
 }
 
-// On every floor the mass times the acceleration of the ground, against it.
+// On every floor the mass times the ground acceleration, in the opposite direction.
 TEST_P(Forces, OfTheMassesMoveAsTheGroundDoes) {
   const std::string course = "harmonic: {{amplitude: {}, period: 0.3, duration: 1}}";
   std::string forces;
@@ -195,7 +196,7 @@ TEST_P(Forces, OfTheMassesMoveAsTheGroundDoes) {
               10 * GetParam().tolerance * shaken.summary.energy.input);
 }
 
-// However short, an impulse leaves the velocity impulse / mass on its floor.
+// A very short impulse leaves the velocity impulse / mass on its floor.
 TEST_P(Forces, MayBeShorterThanAnyStep) {
   for (const double duration : {1e-5, 1e-4, 1e-3})
     for (const char* shape : {"half_sine", "rectangle", "sine"}) {
@@ -213,7 +214,7 @@ TEST_P(Forces, MayBeShorterThanAnyStep) {
           fmt::format("structures:\n  a: {{{}, initial_velocity: [0, 0, {}]}}\n", building, 10e3 * mean / 20e3) +
           analysis(0.5));
       const double largest = *std::ranges::max_element(kicked.results.structures[0].displacement);
-      // It begins half a duration late.
+      // Late by half its duration.
       EXPECT_NEAR(found.results.structures[0].displacement.back(), kicked.results.structures[0].displacement.back(),
                   (4 * GetParam().tolerance + 30 * duration) * largest);
     }
@@ -226,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Forces,
                            return fmt::format("{}_{:.0f}", test.param.name, -std::log10(test.param.tolerance));
                          });
 
-// Two oscillators driven by their masses times -ag meet as on a ground that shakes.
+// Two oscillators driven by their masses times -ag collide as under the ground motion.
 TEST(ForcesOnAPair, MeetAsOnAShakingGround) {
   for (const char* law :
        {"hertz_damped, stiffness: 2.75e9, restitution: 0.65", "stereomechanical, restitution: 0.65"}) {
@@ -250,7 +251,7 @@ TEST(ForcesOnAPair, MeetAsOnAShakingGround) {
   }
 }
 
-// A body at rest is struck by one that a force drives.
+// A body at rest is hit by one that a force drives.
 TEST(ForcesOnAPair, DriveABodyIntoAnother) {
   const Outcome run = test::run_text(
       "structures:\n  a: {body: {mass: 2 t}, forces: [{pulse: {shape: rectangle, amplitude: 10 kN, duration: 0.2}}]}\n "
@@ -287,11 +288,11 @@ std::string bent(const std::string& more, double duration, const std::string& ge
       geometry, more, duration, duration);
 }
 
-// After a slow rise the frame rests where static loads put it, its end forces and reactions too.
+// After a slow rise the frame is at its static equilibrium, including end forces and reactions.
 TEST(ForcesOnAFrame, ThatRiseSlowlyAreStaticLoads) {
   for (const char* geometry : {"linear", "corotational"}) {
     SCOPED_TRACE(geometry);
-    const double factor = geometry == std::string("linear") ? 1 : 3;  // so that it turns
+    const double factor = geometry == std::string("linear") ? 1 : 3;  // large enough for rotations
     const Outcome loaded = test::run_text(
         bent(fmt::format("      loads: {{b: {{ux: {}, uz: -20 kN, ry: 15 kN m}}}}\n", factor * 12e3), 1, geometry));
     const Outcome pushed =
@@ -316,7 +317,7 @@ TEST(ForcesOnAFrame, ThatRiseSlowlyAreStaticLoads) {
   }
 }
 
-// A floor is the node by which it moves.
+// A floor is equivalent to the node by which it moves.
 TEST(ForcesOnAFrame, ActOnFloorsAsOnTheirNodes) {
   const std::string course = "step_force: {amplitude: 10 kN}";
   const std::string floors = "      floors: [{nodes: [b, c]}]\n";
@@ -326,7 +327,7 @@ TEST(ForcesOnAFrame, ActOnFloorsAsOnTheirNodes) {
   EXPECT_GT(std::ranges::max(by_floor.results.structures[0].node_displacement), 1e-4);
 }
 
-// The order of the schemes stays what it is under a force that is smooth inside the steps.
+// The schemes keep their order under a force that is smooth inside the steps.
 TEST(ForcesOrder, IsThatOfTheScheme) {
   for (const auto& [scheme, order] : {std::pair("esdirk4", 4.0), std::pair("generalized_alpha", 2.0)}) {
     const Force force = [](double t) { return 20 * std::sin(2 * pi * t / 4 + 0.3); };

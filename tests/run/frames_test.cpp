@@ -1,5 +1,5 @@
-// Runs of frames: against oscillators, closed forms, hand calculations, their own mirror images, and integration in
-// absolute coordinates.
+// Runs of frames, against oscillators, closed forms, hand calculations, mirror images, and integration in absolute
+// coordinates.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text;
 }
 
-// A portal a b c d whose stiff beam cannot turn: one unknown, 24 E I/h^3 = m (2 pi/T)^2.
+// A portal a b c d with a stiff beam that cannot rotate: one unknown, 24 E I/h^3 = m (2 pi/T)^2.
 double inertia_of(double mass, double period) {
   return mass * std::pow(2 * pi / period, 2) * std::pow(height, 3) / (24 * young);
 }
@@ -98,7 +98,7 @@ std::string grid(const std::string& name, const std::string& origin, const std::
 
 const std::string hertz = "gap: 10 mm, law: hertz, stiffness: 1e9";
 
-// Reverse the places and the motion of a pair: what stood on the left stands on the right.
+// Mirrors the locations and the motion of a pair: the left structure becomes the right one.
 TEST(Frames, MirroredGiveMirroredResults) {
   const auto pair = [](double a, double b, double amplitude) {
     const std::string between = a < b ? "[a.1, b.1]" : "[b.1, a.1]";
@@ -119,7 +119,7 @@ TEST(Frames, MirroredGiveMirroredResults) {
     const StructureHistory &h = one.results.structures[s], &g = other.results.structures[s];
     ASSERT_EQ(h.node_displacement.size(), g.node_displacement.size());
     const double size = one.summary.structures[s].peak_displacement[0];
-    // The nodes "S.0" and "S.1" change their places.
+    // The nodes "S.0" and "S.1" are exchanged.
     for (std::size_t i = 0; i < h.node_displacement.size(); ++i) {
       const std::size_t mirrored = i / 6 * 6 + (i % 6 + 3) % 6;
       const double sign = i % 3 == 1 ? 1 : -1;
@@ -130,7 +130,8 @@ TEST(Frames, MirroredGiveMirroredResults) {
   EXPECT_GT(one.results.impacts[0].v_approach, 0);
 }
 
-// Eccentric: both twist. The other one is its reflection on the plane x = y, where a turn about z changes its sign.
+// Eccentric: both twist. The second model is its reflection on the plane x = y, which changes the sign of a rotation
+// about z.
 TEST(Frames, TurnedInPlanHitEachOtherAlike) {
   const auto pair = [](bool turned) {
     const auto at = [&](double x, double y) {
@@ -159,10 +160,10 @@ TEST(Frames, TurnedInPlanHitEachOtherAlike) {
     EXPECT_NEAR(u[i + 2], -w[i + 2], 1e-8) << i;
     turn = std::max(turn, std::abs(u[i + 2]));
   }
-  EXPECT_GT(turn, 1e-4) << "the test is of frames that twist";
+  EXPECT_GT(turn, 1e-4) << "the frames must twist in this test";
 }
 
-// Two plane frames side by side, half of the floor each, one contact each.
+// Two plane frames in parallel, each with half of the floor and one contact.
 TEST(Frames, InSpaceMoveAsPlaneOnesWhereAllIsSymmetric) {
   const std::string motion = "ground_motion: {harmonic: {amplitude: 4, period: 0.5, duration: 2.0}}\nstructures:\n";
   const std::string rest = "links: [{between: [a, b], floors: level, " + hertz +
@@ -197,8 +198,9 @@ TEST(Frames, InSpaceMoveAsPlaneOnesWhereAllIsSymmetric) {
   }
 }
 
-// The contact at y = 4.5 m lies 1.5 m behind the centre of a, at 3 m, and 1.5 m before that of b, at 6 m. a is pushed
-// along -x, b along x: both turn from x to y. Their inertia is M (3^2 + 3^2), and the columns have no time to answer.
+// The contact at y = 4.5 m is 1.5 m beyond the centre of a, at 3 m, and 1.5 m before that of b, at 6 m. a is pushed
+// along -x, b along x: both rotate from x to y. Their inertia is M (3^2 + 3^2), and the impact is too short for the
+// columns to respond.
 TEST(Frames, AnEccentricContactTwistsBoth) {
   const Outcome run =
       test::run_text("structures:\n" +
@@ -223,11 +225,11 @@ TEST(Frames, AnEccentricContactTwistsBoth) {
   }
 }
 
-// Cantilevers of 4 m that their loads bend towards each other: u = F h^3/3EI + w h^4/8EI.
+// Cantilevers of 4 m, bent towards each other by their loads: u = F h^3/3EI + w h^4/8EI.
 TEST(Frames, LeanTowardsEachOtherUnderGravity) {
   test::Book book("Runs of frames",
                   "two masts at rest under forces, loads and weight: P L^3/(3 EI) + w L^4/(8 EI), N L/(EA), statics",
-                  "rounding; 1e-9 where the run may not move it");
+                  "round-off; 1e-9 for values that the run must keep constant");
   const auto mast = [](const std::string& name, double x, double sign) {
     return fmt::format(
         "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, nodes: {{foot: [0, 0], top: [0, 4]}},\n"
@@ -262,20 +264,20 @@ TEST(Frames, LeanTowardsEachOtherUnderGravity) {
   EXPECT_THROW(test::model_of(pair(2 * lean - 1e-6)), InputError);
 }
 
-// Harmonic motion from rest: displacement of the ground is A/W^2 (W t - sin W t).
+// Harmonic motion from rest: the ground displacement is A/W^2 (W t - sin W t).
 double ground_displacement(double amplitude, double period, double t) {
   const double w = 2 * pi / period;
   return t <= 0 ? 0 : amplitude / (w * w) * (w * t - std::sin(w * t));
 }
 
-// So slow that each instant is at rest: a stiff beam on equal columns takes half of what the right foot goes ahead,
-// each column is bent by the other half, and their shears cancel. The right column is 0.75 of the way out at its
-// middle.
+// Quasi-static: a stiff beam on equal columns follows half of the motion of the right foot, each column is bent by the
+// other half, and their shears cancel. The right column moves by 0.75 of it at mid-height.
 TEST(Frames, FollowTheirSupportsStatically) {
-  test::Book book("Runs of frames",
-                  "a portal whose foot goes ahead slowly: half of it reaches the floor, each column is bent by the "
-                  "other half; 12 EI/h^3",
-                  "what is left of the motion, 1e-5; the foot itself to rounding");
+  test::Book book(
+      "Runs of frames",
+      "a portal with a slowly moving foot: half of the motion reaches the floor, each column is bent by the "
+      "other half; 12 EI/h^3",
+      "dynamic remainder of the motion, 1e-5; the foot itself to round-off");
   const double period = 400, amplitude = 1e-5, t = 100;
   const std::string foot = fmt::format(
       "{{fix: fixed, ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 400}}}}}}", amplitude, period);
@@ -296,7 +298,7 @@ TEST(Frames, FollowTheirSupportsStatically) {
             amplitude * period / (2 * pi) * (1 - std::cos(2 * pi * t / period)), 1e-12);
   book.near("slow foot: its acceleration [m/s^2]", h.node_acceleration[(last * 4 + 3) * 3],
             amplitude * std::sin(2 * pi * t / period), 1e-12);
-  book.near("slow foot: penetration at 0.75 of its way [m]", run.results.links[0].penetration.back(), 0.75 * d - 1,
+  book.near("slow foot: penetration at 0.75 of its motion [m]", run.results.links[0].penetration.back(), 0.75 * d - 1,
             1e-5 * d);
   // A column: 12 E I/h^3 times d/2; local z points along -x.
   const double shear = 12 * young * inertia_of(100e3, 0.1) / 27 * d / 2, moment = shear * height / 2;
@@ -340,7 +342,7 @@ TEST(Frames, WithADelayedFootMoveAsInAbsoluteCoordinates) {
             y[2] - y[1], 1e-9);
 }
 
-// Thrown as a whole it swings about its place, whatever moves its supports later.
+// Launched as a rigid body it vibrates about its initial location, regardless of the later motion of its supports.
 TEST(Frames, AreThrownAsAWhole) {
   test::Book book("Runs of frames", "free vibration: u = v/w sin(w t)",
                   "run at tolerance 1e-8; velocities of the same error times the frequency");
@@ -384,7 +386,7 @@ TEST(Frames, AreShakenUpAndDown) {
   }
 }
 
-// The forces on the whole: m a of all nodes, the shear of the lowest storey, both parts of Rayleigh's damping, the
+// Forces on the whole frame: m a of all nodes, the shear of the lowest storey, both terms of Rayleigh damping, the
 // push.
 TEST(Frames, StandInEquilibriumAtEveryInstant) {
   const std::string yaml =
@@ -423,7 +425,7 @@ TEST(Frames, StandInEquilibriumAtEveryInstant) {
     const double shear = h.storey_shear[2 * i];
     EXPECT_NEAR(inertia + by_mass + by_stiffness + shear + push, 0, 2e-4 * 160e3 + 2e-3 * push) << t;
     largest = std::max(largest, std::abs(shear));
-    // The columns of the first storey, of each the upper end; local z points along -x.
+    // The upper end of each column of the first storey; local z points along -x.
     double of_columns = 0;
     for (std::size_t m = 0; m < h.members.size(); ++m)
       if (h.members[m].starts_with("column 1.")) of_columns -= h.end_forces[(i * h.members.size() + m) * 6 + 4];
@@ -431,13 +433,14 @@ TEST(Frames, StandInEquilibriumAtEveryInstant) {
     EXPECT_NEAR(h.drift[2 * i + 1], h.displacement[2 * i + 1] - h.displacement[2 * i], 1e-15);
     EXPECT_NEAR(h.displacement[2 * i], h.node_displacement[(i * 6 + 2) * 3], 1e-12);
   }
-  EXPECT_GT(largest, 100e3) << "or nothing was tested";
-  EXPECT_GT(pressed, 0) << "or no push was";
+  EXPECT_GT(largest, 100e3) << "otherwise the test has no effect";
+  EXPECT_GT(pressed, 0) << "otherwise the push is zero";
 }
 
-// A body hits a column 1 m up; its ends are too heavy to move.
+// A body hits a column 1 m above the ground; its ends are too heavy to move.
 TEST(Frames, AColumnThatIsHitHoldsTheForceAtItsEnds) {
-  test::Book book("Runs of frames", "a column hit between heavy ends: P a b^2/L^2, P a^2 b/L^2, P b^2 (3a + b)/L^3",
+  test::Book book("Runs of frames",
+                  "a column under impact between heavy ends: P a b^2/L^2, P a^2 b/L^2, P b^2 (3a + b)/L^3",
                   "a thousandth of the peak force");
   const Outcome run = test::run_text(
       "structures:\n  ball: {body: {mass: 10 t}, initial_velocity: 1 m/s}\n"
@@ -458,15 +461,16 @@ TEST(Frames, AColumnThatIsHitHoldsTheForceAtItsEnds) {
     if (t < run.results.impacts[0].t_start || t > run.results.impacts[0].t_end) {
       EXPECT_NEAR(p, 0, 100) << t;
     }
-    book.near("column that is hit: end force [N]", f[1], p * b * b * (3 * a + b) / (l * l * l), 100);
-    book.near("column that is hit: end moment [N m]", f[2], -p * a * b * b / (l * l), 100);
-    book.near("column that is hit: other end moment [N m]", f[5], p * a * a * b / (l * l), 100);
+    book.near("column under impact: end force [N]", f[1], p * b * b * (3 * a + b) / (l * l * l), 100);
+    book.near("column under impact: end moment [N m]", f[2], -p * a * b * b / (l * l), 100);
+    book.near("column under impact: other end moment [N m]", f[5], p * a * a * b / (l * l), 100);
   }
   EXPECT_GT(largest, 1e5);
   EXPECT_NEAR(largest, run.results.impacts[0].peak_force, 1e-3 * largest);
 }
 
-// Steady pressing along x, shaking along y that the wall goes along with: work is mu N times the way against the wall.
+// Constant pressure along x, motion along y that the wall follows: the work is mu N times the distance relative to the
+// wall.
 TEST(Frames, ThatRubAWallLoseFrictionTimesWay) {
   const double mu = 0.3;
   const Outcome run = test::run_text(
@@ -495,8 +499,7 @@ TEST(Frames, ThatRubAWallLoseFrictionTimesWay) {
   EXPECT_LT(run.summary.energy.error, 1e-3);
 }
 
-// Both kinds of forces that follow the motion by themselves, at once: the two integrators take them apart in different
-// ways.
+// Friction and hinges together, which both follow the motion: the two integrators split them in different ways.
 TEST(Frames, RubEachOtherWhileTheirHingesYield) {
   const auto frame = [](const std::string& name, const std::string& origin, double side, const std::string& hinges) {
     return fmt::format(

@@ -1,4 +1,4 @@
-// Grounds that move as displacements: what stands on them and between them follows closed forms.
+// Ground motions given as displacements: structures on moving ground and the links between them follow closed forms.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace ground_motions_test {
 
 constexpr double pi = std::numbers::pi;
 
-/// A portal frame whose right foot d moves by itself.
+/// A portal frame with a separate motion of its right foot d.
 Outcome portal_on(const std::string& motion, double duration) {
   return test::run_text(
       "structures:\n"
@@ -33,7 +33,7 @@ Outcome portal_on(const std::string& motion, double duration) {
       fmt::format("analysis: {{duration: {}, output_step: 10 ms}}\n", duration));
 }
 
-/// Displacement and velocity of the foot d at every output time are those of the ground.
+/// Displacement and velocity of foot d equal those of the ground at every output time.
 template <class Motion>
 void expect_foot(const Outcome& run, Motion&& ground) {
   const StructureHistory& h = run.results.structures[0];
@@ -78,7 +78,7 @@ TEST(DisplacementsOfTheGround, MoveAFootByARecord) {
 }
 
 TEST(DisplacementsOfTheGround, InitialVelocityKeepsAFootFromDrifting) {
-  // a = A cos(w t) from rest does not drift; a = A sin(w t) does not with -A/w.
+  // a = A cos(w t) from rest does not drift, nor does a = A sin(w t) with an initial velocity of -A/w.
   const double a = 2, w = 2 * pi / 0.5;
   expect_foot(portal_on("{harmonic: {amplitude: 2, period: 0.5, duration: 3, phase: 90 deg}}", 1.5),
               [&](double t) { return Moved{a / (w * w) * (1 - std::cos(w * t)), a / w * std::sin(w * t)}; });
@@ -90,7 +90,7 @@ TEST(DisplacementsOfTheGround, InitialVelocityKeepsAFootFromDrifting) {
 }
 
 TEST(DisplacementsOfTheGround, DriveAWallIntoABody) {
-  // The wall comes closer as 50 mm sin(2 pi t) and is 30 mm farther where it meets the body, which rests.
+  // The wall approaches as 50 mm sin(2 pi t) and meets the body, which is at rest, after 30 mm.
   const Outcome run = test::run_text(
       "structures:\n"
       "  w: {wall: {}, ground_motion: {displacement: {harmonic: {amplitude: 50 mm, period: 1 s, duration: 1 s}}}}\n"
@@ -103,7 +103,7 @@ TEST(DisplacementsOfTheGround, DriveAWallIntoABody) {
 }
 
 TEST(DisplacementsOfTheGround, OffsetsOpenOrCloseTheGapFromTheStart) {
-  // The wall stands 20 mm closer at the start and goes back: of the gap of 30 mm 10 mm are left to the body.
+  // The wall starts 20 mm closer and retreats: 10 mm of the gap of 30 mm remain.
   const Outcome run = test::run_text(
       "structures:\n"
       "  w: {wall: {}, ground_motion: {displacement: {harmonic: {amplitude: 20 mm, period: 50 s, duration: 60 s, "
@@ -112,7 +112,7 @@ TEST(DisplacementsOfTheGround, OffsetsOpenOrCloseTheGapFromTheStart) {
       "links: [{between: [w, b], gap: 30 mm, law: hertz_damped, stiffness: 2e9, restitution: 0.6}]\n"
       "analysis: {duration: 0.05, tolerance: 1e-6}\n");
   ASSERT_EQ(run.results.impacts.size(), 1u);
-  // 10 mm = 20 mm (cos(w t) - 1) + 1 m/s t, to first order in the tiny way back of the wall.
+  // 10 mm = 20 mm (cos(w t) - 1) + 1 m/s t, to first order in the small retreat of the wall.
   const double t = 0.01, back = 0.02 * (1 - std::cos(2 * pi / 50 * t));
   EXPECT_NEAR(run.results.impacts[0].t_start, t + back, 1e-10);
 }

@@ -1,4 +1,4 @@
-// A host program that has started PETSc, or SLEPc, by itself: we use both and end neither.
+// A host program that has started PETSc or SLEPc itself: the library uses both and finalizes neither.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace pounding {
 namespace host_test {
 
-// Equal masses in a row between springs, held at one end: w = 2 sin((2j - 1) pi / (4n + 2)) for units.
+// Equal masses in a row between springs, fixed at one end: w = 2 sin((2j - 1) pi / (4n + 2)) in normalized units.
 void expect_modes_of_chain() {
   constexpr int n = 50;
   Eigen::SparseMatrix<double> mass(n, n), stiffness(n, n);

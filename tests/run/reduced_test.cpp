@@ -1,5 +1,4 @@
-// Runs of frames in a few coordinates against runs in all natural modes, and the errors that such runs tell of
-// themselves.
+// Runs of frames in reduced coordinates against runs in all natural modes, and their own error estimates.
 
 #include <gtest/gtest.h>
 
@@ -24,12 +23,13 @@ struct Pair {
   int storeys = 20, bays = 3;
   std::string damping = "5 %";
   std::string law = "hertz_damped, stiffness: 2.75e9, restitution: 0.65";
-  double tolerance = 1e-5, duration = 4, gap = 20;   // [s], [mm]
-  std::string own = "";                              // beside the left frame
-  double amplitude = 3, period = 1.5;                // of the ground [m/s^2], [s]
-  std::string inside = "", devices = "", wave = "";  // the left frame; beside the links; in the ground motion
+  double tolerance = 1e-5, duration = 4, gap = 20;  // [s], [mm]
+  std::string own = "";                             // frame keys of the left frame
+  double amplitude = 3, period = 1.5;               // of the ground [m/s^2], [s]
+  std::string inside = "", devices = "",
+              wave = "";  // keys inside the left frame; after the links; in the ground motion
 
-  // Two plane frames that are hit at three floors: 160 unknowns with mass each, as many rotations without.
+  // Two plane frames with contacts at three floors: 160 unknowns with mass each, and as many massless rotations.
   std::string text(const std::string& reduction) const {
     const auto frame = [&](const std::string& name, double origin, double mass, const std::string& beside) {
       return fmt::format(
@@ -56,7 +56,7 @@ double peak_force(const Outcome& outcome) {
   return peak;
 }
 
-// The largest difference of the peak forces of links, as a part of the largest of all.
+// Maximum difference of the peak forces of links, relative to the overall maximum.
 double force_error(const Outcome& found, const Outcome& exact) {
   double worst = 0;
   for (std::size_t i = 0; i < exact.summary.links.size(); ++i)
@@ -86,7 +86,7 @@ class ReducedRun : public testing::Test {
   }
 };
 
-// Time errors of both runs are about 5e-5: below that nothing is seen.
+// The time errors of both runs are about 5e-5; smaller differences are not resolved.
 constexpr double floor = 5e-5;
 
 TEST_F(ReducedRun, TellsMoreThanItsErrors) {
@@ -135,7 +135,7 @@ TEST_F(ReducedRun, SaysWhereNothingEstimatesItsErrors) {
   }
 }
 
-// Modes alone have no shadow, and yet are found out; blocks are found out however small their estimate is.
+// Plain modes have no shadow, and their error is still detected; so is that of blocks with a small estimate.
 TEST_F(ReducedRun, TellsWhatAllUnknownsDoInItsHardestImpacts) {
   for (const std::string how : {"{modes: 30", "{links: 1, ground: 4", "{links: 3, ground: 12"}) {
     const Outcome checked = Pair{}.run(", reduction: " + how + ", check: true}"),
@@ -157,7 +157,7 @@ TEST_F(ReducedRun, TellsWhatAllUnknownsDoInItsHardestImpacts) {
   }
 }
 
-// The closing between two structures lacks what one of them lacks: both are told of it.
+// The closing between two structures lacks what the basis of one of them lacks: both are reported.
 TEST_F(ReducedRun, IsCheckedByTheClosingsOfAllItsStructures) {
   const Outcome checked = Pair{.own = ", reduction: {links: 1, ground: 4, check: true}"}.run(
       ", reduction: {links: 5, ground: 20, check: true}");
@@ -207,7 +207,7 @@ TEST_F(ReducedRun, GoesOnWithTheSameBits) {
   }
 }
 
-// The file is written at the beginning, and again before the check.
+// The file is written at the beginning and again before the check.
 TEST_F(ReducedRun, IsCheckedAfterAStopInItsCheck) {
   const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_checked.h5", getpid())).string();
   const std::string yaml = Pair{.tolerance = 1e-4}.text(", reduction: {links: 4, ground: 10, check: true}");
@@ -257,7 +257,7 @@ TEST(AutomaticReduction, GoesDeeperUntilItsErrorsAreSmallEnough) {
   EXPECT_LE(narrow.summary.reduced[1].error_displacement, 1e-6);
   EXPECT_FALSE(says(narrow, "reduc"));
   EXPECT_NEAR(peak_force(narrow), peak_force(wide), 0.05 * peak_force(narrow));
-  // Contacts begin anew in each run.
+  // Each run starts with new contacts.
   EXPECT_EQ(narrow.results.impacts.size(), wide.results.impacts.size());
 }
 
@@ -269,8 +269,8 @@ TEST(AutomaticReduction, GoesOnAtTheDepthThatItHadReached) {
     const Model model = test::model_of(yaml);
     RunOptions options{.output = file};
     std::filesystem::file_time_type last{};
-    // In the second run, after an impact. The file is written where a run begins; a fast run is not looked at often
-    // enough to see that its contacts are new.
+    // In the second run, after an impact. The file is written at the start of a run; a fast run is sampled too rarely
+    // to detect its new contacts.
     options.stop = [&] {
       const auto written = std::filesystem::last_write_time(file);
       if (last != std::filesystem::file_time_type{} && written != last) ++begun;
@@ -287,7 +287,7 @@ TEST(AutomaticReduction, GoesOnAtTheDepthThatItHadReached) {
   EXPECT_EQ(continued.summary.reduced[0].error_force, whole.summary.reduced[0].error_force);
 }
 
-// High modes with 3 % of critical damping ring up to the frequency of the contact.
+// High modes with 3 % of critical damping resonate up to the frequency of the contact.
 TEST(AutomaticReduction, GoesDeeperForLightDamping) {
   Pair light = large;
   light.damping = "{rayleigh: {ratio: 3 %, periods: [1.5, 0.02]}}";
@@ -325,7 +325,7 @@ void record(const Outcome& found, const Outcome& exact, const std::string& name)
   const Reported reported(found);
   testing::Test::RecordProperty(
       name,
-      fmt::format("forces {:.1e} told {:.1e}, displacements {:.1e} told {:.1e}, coordinates {}",
+      fmt::format("forces {:.1e} reported {:.1e}, displacements {:.1e} reported {:.1e}, coordinates {}",
                   force_error(found, exact), reported.force, peak_displacement_error(found, exact),
                   reported.displacement, found.summary.reduced.empty() ? 0 : found.summary.reduced[0].coordinates));
 }
@@ -336,7 +336,7 @@ void expect_right(const Outcome& found, const Outcome& exact, double tolerance, 
   EXPECT_LT(peak_displacement_error(found, exact), tolerance) << name;
 }
 
-// Both runs are so exact in time that what differs is the reduction.
+// Both runs are accurate enough in time that only the error of the reduction remains.
 void expect_reported(const Outcome& found, const Outcome& exact, const std::string& name) {
   record(found, exact, name);
   ASSERT_FALSE(found.summary.reduced.empty()) << name;
@@ -380,7 +380,7 @@ TEST_F(ModalDampingReduced, SaysThatAllModesAreNeededWhereTheyRing) {
   expect_reported(fixed, exact, "fixed");
 }
 
-// Supports that move one after the other: every one of them loads the frames by itself.
+// Multiple-support excitation: each support loads the frames separately.
 TEST(SeveralSupports, AreGroundsOfTheChains) {
   const auto run = [](double tolerance, const std::string& reduction) {
     Pair pair = large;
@@ -402,7 +402,7 @@ TEST(SeveralSupports, AreGroundsOfTheChains) {
                     fmt::format("supports_{}_blocks", links));
 }
 
-// The largest difference of the peaks of friction, as a part of the largest force of all links.
+// Maximum difference of the friction peaks, relative to the maximum force of all links.
 double friction_error(const Outcome& found, const Outcome& exact) {
   double worst = 0;
   for (std::size_t i = 0; i < exact.results.links.size(); ++i) {
@@ -416,7 +416,7 @@ double friction_error(const Outcome& found, const Outcome& exact) {
   return worst / peak_force(exact);
 }
 
-// Least and largest part of Coulomb's force while links press: 0 is rest, 1 sliding.
+// Minimum and maximum of the friction over Coulomb's limit in contact: 0 is rest, 1 sliding.
 std::pair<double, double> use_of_friction(const Outcome& outcome, double coefficient) {
   double minimum = 1, largest = 0;
   for (const LinkHistory& link : outcome.results.links)
@@ -473,7 +473,7 @@ INSTANTIATE_TEST_SUITE_P(Links, FrictionReduced, testing::Values(Rubbing(0.2, 1.
                            return test.param.coefficient < 0.5 ? "ThatSlide" : "ThatStick";
                          });
 
-// The largest difference of peak forces of devices, as a part of the largest force of all links.
+// Maximum difference of the peak forces of devices, relative to the maximum force of all links.
 double device_error(const Outcome& found, const Outcome& exact) {
   double worst = 0;
   for (std::size_t i = 0; i < exact.summary.devices.size(); ++i)
@@ -524,13 +524,13 @@ TEST_P(DevicesReduced, ActAsInAllModes) {
   }
 }
 
-// Modes take the place of all unknowns, but for what parts that yield add to displacements and forces.
+// Modes replace all unknowns, except for the contributions of yielding parts to displacements and forces.
 TEST_P(DevicesReduced, MoveAndLoadTheFrameAsWithAllUnknowns) {
   const Outcome modes = GetParam().run(1e-6, "all modes"), unknowns = GetParam().run(1e-6, "none");
   ASSERT_EQ(modes.summary.devices.size(), unknowns.summary.devices.size());
   EXPECT_LT(device_error(modes, unknowns), floor);
   const StructureHistory &found = modes.results.structures[0], &exact = unknowns.results.structures[0];
-  // Inside steps the motion of a point without mass is a cubic, though its velocity jumps where the device yields.
+  // Inside steps the motion of a massless point is a cubic, although its velocity jumps when the device yields.
   const double between = 1e-3;
   EXPECT_LT(history_error(found.storey_shear, exact.storey_shear), between);
   EXPECT_LT(history_error(found.reaction, exact.reaction), between);
@@ -539,7 +539,7 @@ TEST_P(DevicesReduced, MoveAndLoadTheFrameAsWithAllUnknowns) {
   }
 }
 
-// Nonlinear dampers, a bar with a damper, and what yields; on points with mass and on one without.
+// Nonlinear dampers, a bar with a damper, and yielding devices; at points with mass and at a massless one.
 INSTANTIATE_TEST_SUITE_P(
     Pairs, DevicesReduced,
     testing::Values(Coupled{"DamperBetween", "",
@@ -562,8 +562,8 @@ INSTANTIATE_TEST_SUITE_P(
                             "", 1}),
     [](const testing::TestParamInfo<Coupled>& test) { return test.param.name; });
 
-// Frames of 280 unknowns with mass. The left one yields at its feet and at the ends of all beams of its lowest two
-// floors: 31 hinges.
+// Frames of 280 unknowns with mass. The left one has hinges at its feet and at all beam ends of its lowest two floors:
+// 31 in total.
 struct Hinged {
   std::string name, law;
 
@@ -631,7 +631,7 @@ INSTANTIATE_TEST_SUITE_P(
                            "menegotto_pinto: {yield_moment: 150 kN m, spring_hardening: 0.01, stiffness_factor: 10}"}),
     [](const testing::TestParamInfo<Hinged>& test) { return test.param.name; });
 
-// The left frame slides on isolators under its four feet.
+// The left frame is on isolators under its four feet.
 Pair isolated(double tolerance) {
   Pair pair{.tolerance = tolerance, .duration = 3, .gap = 10, .amplitude = 6, .period = 1};
   pair.inside =
@@ -660,7 +660,7 @@ struct Stopped {
   Pair pair;
 };
 
-// Stopped in its first impact, after something has yielded.
+// Stopped in its first impact, after yielding.
 class ReducedWithParts : public testing::TestWithParam<Stopped> {};
 
 TEST_P(ReducedWithParts, GoOnWithTheSameBits) {
@@ -719,7 +719,7 @@ INSTANTIATE_TEST_SUITE_P(
                                              "")}),
     [](const testing::TestParamInfo<Stopped>& test) { return test.param.name; });
 
-// 600 unknowns with mass: 82 hinges are reduced, 172 are too many, and their frame takes all its modes.
+// 600 unknowns with mass: 82 hinges are reduced; 172 are too many, and their frame uses all its modes.
 TEST(AutomaticReduction, TakesAQuarterOfAsManyHingesAsUnknownsWithMass) {
   const Hinged few{"", "yield_moment: 150 kN m, hardening: 3 %"};
   Pair pair = large;

@@ -1,4 +1,4 @@
-// Frames whose hinges give way under gravity before they yield: where the run begins.
+// Frames whose hinges soften under gravity before they yield: the initial state of the run.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ namespace rest_test {
 
 constexpr const char* schemes[] = {"esdirk4", "generalized_alpha"};
 
-// A beam of 6 m between two walls under 10 kN/m, qL^2/12 = 30 kN m. Both its ends turn by t in their hinges: the law's
-// moment is qL^2/12 - 2EI t/L, and the middle sinks by qL^4/(384 EI) + t L/8.
+// A beam of 6 m between two walls under 10 kN/m, qL^2/12 = 30 kN m. Both ends rotate by t in their hinges: the moment
+// of the law is qL^2/12 - 2EI t/L, and the deflection at midspan qL^4/(384 EI) + t L/8.
 TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
   constexpr double length = 6, load = 10e3, bending = 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12,
                    fixed = load * length * length / 12;
@@ -44,7 +44,7 @@ TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
         },
         hysteresis::make_law(settings));
     const double moment = fixed - 2 * bending * turn / length;
-    ASSERT_GT(20e6 * turn, 1.02 * moment) << "the law must be bent";
+    ASSERT_GT(20e6 * turn, 1.02 * moment) << "the law must be nonlinear at rest";
     for (const char* scheme : schemes) {
       const Outcome run = test::run_text(fmt::format(
           "structures:\n  beam:\n    frame:\n      material: {{E: 30 GPa}}\n      nodes: {{l: [0, 0], m: [3 m, 0], r: "
@@ -63,13 +63,13 @@ TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
             << words << ", " << scheme << ", output " << i / 2;
         ASSERT_NEAR(std::abs(hinges.deformation[i]), turn, 1e-9 * turn);
       }
-      EXPECT_NEAR(run.summary.energy.hysteretic, 0, 1e-9) << "nothing moves";
+      EXPECT_NEAR(run.summary.energy.hysteretic, 0, 1e-9) << "no motion";
     }
   }
 }
 
-// A frame with everything that gravity may strain. Nothing shakes it, and nothing moves; a device that is put in
-// afterwards stays without force.
+// A frame with all elements that deform under gravity. Without excitation it stays at rest, and a device that is
+// installed afterwards stays without force.
 TEST(FramesAtRest, StayThere) {
   for (const char* law : {"bouc_wen: {yield_moment: 120 kN m, hardening: 0.02, stiffness_factor: 10, exponent: 1.5}",
                           "menegotto_pinto: {yield_moment: 120 kN m, hardening: 0.02, stiffness_factor: 10, R0: 14}",

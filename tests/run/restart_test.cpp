@@ -1,4 +1,4 @@
-// A run that was stopped and goes on gives the bits of a run that was never stopped.
+// A run that was stopped and resumed is bitwise identical to an uninterrupted run.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ Bits bits_of(const std::vector<double>& values) {
   return bits;
 }
 
-// Everything that does not tell the time of day, by name.
+// All results that do not depend on the clock, by name.
 std::map<std::string, Bits> bits_of(Outcome outcome) {
   std::map<std::string, Bits> all;
   visit_histories(outcome.results,
@@ -82,7 +82,7 @@ void expect_same(const Outcome& whole, const Outcome& continued) {
 using StopWhen = bool (*)(const Contact& contact);
 
 bool pressed(const Contact& contact) { return presses(contact.phase()); }
-// The monitor looks at the clock: on a busy machine an impact may begin and end between two looks.
+// Monitor calls depend on the clock: on a busy machine an impact may begin and end between two calls.
 bool touched(const Contact& contact) { return presses(contact.phase()) || !contact.impacts().empty(); }
 bool apart(const Contact& contact) { return !contact.impacts().empty() && contact.phase() == ContactPhase::open; }
 
@@ -101,13 +101,13 @@ void expect_to_go_on(const std::string& yaml, StopWhen when) {
   const Model model = test::model_of(yaml);
   const Outcome continued = run(model, {.output = file.path(), .resume = file.path()});
   expect_same(test::run_text(yaml), continued);
-  EXPECT_THROW(read_interrupted_run(file.path()), InputError) << "a run that is done cannot go on";
+  EXPECT_THROW(read_interrupted_run(file.path()), InputError) << "a completed run cannot be resumed";
 }
 
 constexpr const char* schemes[] = {"integrator: generalized_alpha, spectral_radius: 1",
                                    "integrator: generalized_alpha, spectral_radius: 0.8", "integrator: esdirk4"};
 
-// The benchmark with this line more in its analysis.
+// The benchmark with this line added to its analysis.
 std::string two_oscillators(const std::string& law, const std::string& scheme) {
   std::string yaml = test::two_oscillators(law, scheme.find("esdirk4") == std::string::npos ? 1e-5 : 1e-10, 1.5);
   return yaml.insert(yaml.rfind('}'), ", " + scheme);
@@ -123,7 +123,7 @@ TEST_P(Resume, OutsideAContactGivesTheSameBits) {
 }
 
 TEST_P(Resume, InsideAContactGivesTheSameBits) {
-  if (std::string(GetParam()).find("stereomechanical") == 0) GTEST_SKIP() << "its contacts last no time";
+  if (std::string(GetParam()).find("stereomechanical") == 0) GTEST_SKIP() << "its contacts are instantaneous";
   for (const char* scheme : schemes) {
     SCOPED_TRACE(scheme);
     expect_to_go_on(two_oscillators(GetParam(), scheme), pressed);
@@ -132,7 +132,7 @@ TEST_P(Resume, InsideAContactGivesTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, Resume, testing::ValuesIn(test::every_law), test::law_name);
 
-// A body that the ground pushes against a rigid wall, where it comes to rest.
+// A body pushed by the ground motion against a rigid wall, where it comes to rest.
 constexpr const char* resting =
     "ground_motion: {pulse: {shape: half_sine, amplitude: -3, duration: 2.9}}\n"
     "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, w: {wall: {}}}\n"
@@ -143,7 +143,7 @@ TEST(ResumeAtRest, GivesTheSameBits) {
   expect_to_go_on(resting, [](const Contact& contact) { return contact.phase() == ContactPhase::resting; });
 }
 
-// The run's largest values lie before the stop: motion that dies away after one impact.
+// The maxima of the run occur before the stop: motion that decays after one impact.
 constexpr const char* dying =
     "ground_motion: {pulse: {shape: half_sine, amplitude: -3, duration: 0.3}}\n"
     "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 30 %}}, w: {wall: {}}}\n"
@@ -152,7 +152,7 @@ constexpr const char* dying =
 
 TEST(ResumeOfDyingMotion, KeepsTheLargestValues) { expect_to_go_on(dying, apart); }
 
-// The contact presses while the ground is still in its pulse, whose steps are shorter than those after it.
+// The body is in contact during the ground pulse, whose steps are shorter than those after it.
 TEST(ResumeInAShortPulse, GivesTheSameBits) {
   for (const std::string scheme : schemes) {
     SCOPED_TRACE(scheme);
@@ -201,7 +201,7 @@ struct Recorded {
   }
 };
 
-// Accelerations have their peaks inside of steps, on paths that the step before has its part in.
+// Accelerations have their peaks inside steps, on paths that also depend on the previous step.
 TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
   const std::string yaml = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-4, 1.5);
   Recorded whole(yaml);
@@ -211,7 +211,7 @@ TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
     whole.archive(state);
     Archive saved(state.bytes());
     Recorded continued(yaml);
-    continued.results = whole.results;  // histories over time, which a file holds
+    continued.results = whole.results;  // histories over time, which a file contains
     continued.archive(saved);
     const bool presses = whole.stepper.in_contact();
     whole.step();
@@ -228,7 +228,7 @@ TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
   EXPECT_GT(compared, 20);
 }
 
-// Bounces whose errors add up, until steps get shorter for the sake of the energies.
+// Bounces whose errors accumulate until the energy balance requires shorter steps.
 TEST(ResumeWithASpentBudgetOfEnergy, GivesTheSameBits) {
   for (const std::string scheme : schemes) {
     SCOPED_TRACE(scheme);
@@ -245,7 +245,7 @@ TEST(ResumeWithASpentBudgetOfEnergy, GivesTheSameBits) {
   }
 }
 
-// Forces alone: a short one, one with corners, and one that stays.
+// Only forces: a short one, one with corners, and a permanent one.
 TEST(ResumeUnderForces, GivesTheSameBits) {
   for (const std::string scheme : schemes)
     for (const StopWhen when : {pressed, apart}) {
@@ -264,7 +264,7 @@ TEST(ResumeUnderForces, GivesTheSameBits) {
     }
 }
 
-// A record with corners, several links at once, storeys that yield.
+// A record with corners, several simultaneous links, yielding storeys.
 constexpr const char* buildings =
     "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
     "structures:\n"
@@ -277,7 +277,7 @@ constexpr const char* buildings =
 
 TEST(ResumeOfBuildings, GivesTheSameBits) { expect_to_go_on(buildings, touched); }
 
-// Dashpots inside dampers have lengths of their own, braces have slips.
+// Dashpots inside dampers have their own lengths, braces have slips.
 constexpr const char* with_devices =
     "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
     "structures:\n"
@@ -300,7 +300,7 @@ TEST(ResumeWithDevices, GivesTheSameBits) {
   }
 }
 
-// Isolators by two laws, friction that depends on the velocity, and walls whose backfill stays pressed in.
+// Isolators with two laws, velocity-dependent friction, and walls with permanently deformed backfill.
 constexpr const char* isolated =
     "ground_motion: {harmonic: {amplitude: 4 m/s^2, period: 1.2, duration: 4}}\n"
     "structures:\n"
@@ -321,7 +321,7 @@ TEST(ResumeOfIsolatedBuildings, GivesTheSameBits) {
   expect_to_go_on(isolated, touched);
 }
 
-// Extremes of members are followed over several steps; the column of the left frame is hit between its ends.
+// Extremes of members are tracked over several steps; the column of the left frame is hit between its ends.
 constexpr const char* frames =
     "ground_motion: {synthetic: {seed: 7, duration: 2 s, pga: 0.6 g}}\n"
     "structures:\n"
@@ -350,7 +350,7 @@ TEST(ResumeTwice, GivesTheSameBits) {
   stop(test::model_of(yaml), {.output = second.path(), .resume = first.path()}, apart);
   const Model model = test::model_of(yaml);
   expect_same(test::run_text(yaml), run(model, {.resume = second.path()}));
-  EXPECT_EQ(read_interrupted_run(first.path()).model_yaml, yaml) << "the first file stays as it was";
+  EXPECT_EQ(read_interrupted_run(first.path()).model_yaml, yaml) << "the first file is unchanged";
 }
 
 }  // namespace restart_test

@@ -1,4 +1,4 @@
-// Motions that begin by themselves: frames that are displaced and let go, bodies that fall, frames that nothing holds.
+// Free motions: frames released from a displacement, falling bodies, and unsupported frames.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace pounding {
 namespace starts_test {
 
-// Two storeys whose rotations and whose beams' ends have no mass of their own.
+// Two storeys with massless rotations and beam ends.
 std::string tower(const std::string& start, double duration, const std::string& damping = "0") {
   return fmt::format(
       "structures:\n"
@@ -48,7 +48,7 @@ Eigen::VectorXd let_go(const Structure& s, const Eigen::VectorXd& from, double t
 }
 
 TEST(DisplacedFrame, VibratesFreelyFromTheShapeThatForcesHold) {
-  test::Book book("Frames that are let go", "superposition of the modes of the condensed matrices",
+  test::Book book("Frames released from a displacement", "superposition of the modes of the condensed matrices",
                   "the tolerance of the run, for each period");
   for (const std::string start : {"initial_displacement: [4 mm, 10 mm]", "initial_displacement: 5 mm",
                                   "initial_node_displacements: {2.0: {ux: 10 mm}, 1.1: {ux: -3 mm}}"}) {
@@ -61,7 +61,7 @@ TEST(DisplacedFrame, VibratesFreelyFromTheShapeThatForcesHold) {
       EXPECT_NEAR(u[0], start.find('[') == start.npos ? 0.005 : 0.004, 1e-14);
       EXPECT_NEAR(u[1], start.find('[') == start.npos ? 0.005 : 0.010, 1e-14);
     }
-    // Forces act where displacements are given, and nowhere else.
+    // Forces act only where displacements are prescribed.
     const Eigen::VectorXd forces = s.stiffness * s.initial_displacement;
     EXPECT_EQ((forces.array().abs() > 1e-9 * forces.cwiseAbs().maxCoeff()).count(), 2);
     for (const double part : {0.5, 1.0}) {
@@ -76,7 +76,7 @@ TEST(DisplacedFrame, VibratesFreelyFromTheShapeThatForcesHold) {
   }
 }
 
-// At the start the shape is that of static loads.
+// The initial shape is that of static loads.
 TEST(DisplacedFrame, RestsAsUnderLoads) {
   const Outcome loaded = test::run_text(tower("loads: {2.0: {ux: 40 kN}}\n      gravity: false", 0.01));
   const double top = loaded.results.structures[0].displacement[1];
@@ -87,7 +87,7 @@ TEST(DisplacedFrame, RestsAsUnderLoads) {
     EXPECT_NEAR(a.node_displacement[i], b.node_displacement[i], 1e-12) << i;
 }
 
-// Large rotations: the energy that is put in swings and does not change.
+// Large rotations: the initial energy is conserved in the vibration.
 TEST(DisplacedFrame, MayTurnByLargeAngles) {
   const Outcome found = test::run_text(tower("geometry: corotational\n      initial_displacement: [10 cm, 25 cm]", 1));
   EXPECT_NEAR(found.results.structures[0].displacement[1], 0.25, 1e-12);
@@ -104,8 +104,8 @@ std::string ball(const std::string& gravity, const std::string& law, double dura
 }
 
 TEST(FallingBody, BouncesAsABallDoes) {
-  test::Book book("A ball that bounces", "closed form: times and speeds of the bounces, heights of the flights",
-                  "rounding of the located impacts");
+  test::Book book("A bouncing ball", "closed form: times and speeds of the bounces, heights of the flights",
+                  "round-off of the located impacts");
   constexpr double g = 9.80665, e = 0.8;
   const Outcome found = test::run_text(ball("-1 g", "stereomechanical, restitution: 0.8", 3));
   const double first = std::sqrt(2 / g);
@@ -116,7 +116,7 @@ TEST(FallingBody, BouncesAsABallDoes) {
     book.near("time of a bounce [s]", bounce.t_start, time, 1e-8);
     book.near("speed of a bounce [m/s]", bounce.v_approach, speed, 1e-7);
     speed *= e;
-    // Highest point of the next flight, which the outputs meet by 1.5 ms.
+    // Top of the next flight, which the outputs resolve to 1.5 ms.
     const double top = time + speed / g;
     if (top < 3) {
       const std::size_t at = static_cast<std::size_t>(std::lround(top / 0.003));
@@ -134,7 +134,7 @@ TEST(FallingBody, TakesAnyAccelerationAndComesToRest) {
       test::run_text("structures: {a: {body: {mass: 2 kg, gravity: 3 m/s^2}}}\nanalysis: {duration: 2}\n");
   EXPECT_NEAR(up.results.structures[0].displacement.back(), 6, 1e-12);
   EXPECT_NEAR(up.summary.energy.input, 36, 1e-9);
-  // Bounces pile up at 4.06 s; then the ball lies.
+  // Bounces accumulate at 4.06 s; then the ball is at rest.
   const Outcome lies = test::run_text(ball("-1 g", "stereomechanical, restitution: 0.8", 5));
   EXPECT_NEAR(lies.results.structures[1].displacement.back(), -1, 1e-6);
   EXPECT_NEAR(lies.results.structures[1].velocity.back(), 0, 1e-6);
@@ -143,7 +143,7 @@ TEST(FallingBody, TakesAnyAccelerationAndComesToRest) {
   EXPECT_LT(on_spring.summary.energy.error, 1e-7);
 }
 
-// A beam that stands upright at x without supports, of 20 parts.
+// An upright unsupported beam at x, with 20 parts.
 std::string free_beam(const std::string& name, double x, const std::string& more,
                       const std::string& beside = "damping: 0") {
   std::string nodes, members;
@@ -189,7 +189,7 @@ TEST(FreeFrame, KeepsItsVelocity) {
   }
 }
 
-// One beam flies into another at rest, not at its middle: both turn, and the sums of momentum and spin stay.
+// One beam hits another at rest off its middle: both rotate, and linear and angular momentum are conserved.
 TEST(FreeFrame, MeetsAnotherAndTheMomentumStays) {
   const Outcome found =
       test::run_text("structures:\n" + free_beam("a", 0, "      initial_velocity: 2 m/s\n") + free_beam("b", 0.1, "") +
@@ -213,7 +213,7 @@ TEST(FreeFrame, MeetsAnotherAndTheMomentumStays) {
   EXPECT_LT(found.summary.energy.error, 1e-6);
 }
 
-// The ground passes below it.
+// The ground moves below it.
 TEST(FreeFrame, StaysWhereItIsOnAShakingGround) {
   const Outcome found =
       test::run_text("ground_motion: {pulse: {shape: sine, amplitude: 3, duration: 1}}\nstructures:\n" +
@@ -224,7 +224,7 @@ TEST(FreeFrame, StaysWhereItIsOnAShakingGround) {
     EXPECT_NEAR(a.node_displacement[a.node_displacement.size() - 3 * (a.nodes.size() - node)], -ground, 1e-6);
 }
 
-// A force through its centre moves it as one mass.
+// A force through its centre moves it as a single mass.
 TEST(FreeFrame, IsMovedByAForce) {
   const Outcome found = test::run_text(
       "structures:\n" +
@@ -237,7 +237,7 @@ TEST(FreeFrame, IsMovedByAForce) {
   EXPECT_NEAR(mean, 20e3 * 0.5 * 2 / M_PI / (2500 * 0.04 * 6), 1e-6);
 }
 
-// A model without any is told so, and one that is let go, pushed or shaken is not.
+// A model without excitation gets a warning; one that is displaced, moving, forced or shaken does not.
 TEST(Starts, OfNothingAreTold) {
   const auto warnings = [](const std::string& start, const std::string& more = "") {
     return test::run_text("structures:\n  a: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %" + start + "}\n" +

@@ -1,4 +1,4 @@
-// Bodies that stay together: restitution 0, and contacts that press from the start.
+// Bodies that stay together: restitution 0, and contacts that are closed at the start.
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ using test::run_text;
 
 double energy_error(const Results& r) { return r.energy.error.back(); }
 
-// Plastic impact: common velocity by momentum, then one oscillator of both masses, until its spring pulls harder than
-// it pushes.
+// Plastic impact: the common velocity follows from momentum. Then both masses form one oscillator until its spring
+// pulls harder than it pushes.
 TEST(RestitutionZero, MovesTheBodiesAsOneAfterTheTouch) {
-  test::Book book("Bodies that stick",
+  test::Book book("Sticking bodies",
                   "momentum, and the free vibration of both masses on one spring until the contact force is zero",
                   "run at tolerance 1e-7");
   const double ball = 5e4, mass = 1e5, stiffness = 4e6, v = 1;
@@ -49,7 +49,7 @@ TEST(RestitutionZero, MovesTheBodiesAsOneAfterTheTouch) {
 
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
-// Both bodies move as one: F = m w V at the first quarter of the period, whatever the length of the steps.
+// Both bodies move together: F = m w V at the first quarter of the period, for any length of the steps.
 TEST(RestitutionZero, LocatesThePeakForceOfBodiesThatStick) {
   const double ball = 1e3, stiffness = 8e4, mass = 3e3, exact = ball * std::sqrt(stiffness / mass) / 3;
   for (const double tolerance : {1e-3, 1e-4, 1e-6})
@@ -70,7 +70,7 @@ TEST(RestitutionZero, LocatesThePeakForceOfBodiesThatStick) {
     }
 }
 
-// An oscillator on a wall does not move while the ground presses it: the force is m a(t) at every tolerance.
+// An oscillator at a wall is at rest while the ground motion presses it: the force is m a(t) at every tolerance.
 TEST(RestOnAWall, LocatesThePeakForceOfTheGround) {
   for (const double tolerance : {1e-3, 1e-6})
     for (const char* restitution : {"0", "0.5"}) {
@@ -87,7 +87,8 @@ TEST(RestOnAWall, LocatesThePeakForceOfTheGround) {
     }
 }
 
-// Three bodies in a row that the ground presses against a wall: each link carries the mass of all bodies before it.
+// Three bodies in a row that the ground motion presses against a wall: each link carries the inertia of all bodies
+// before it.
 TEST(RestOnAWall, LocatesThePeakForcesInARow) {
   const Outcome run = run_text(
       "ground_motion: {harmonic: {amplitude: -2.0, period: 0.7, duration: 0.35}}\n"
@@ -103,9 +104,9 @@ TEST(RestOnAWall, LocatesThePeakForcesInARow) {
   }
 }
 
-// Critical damping: d = v t exp(-w t), which never comes back to zero; the largest force is c v = 2 m w v at the touch.
+// Critical damping: d = v t exp(-w t), which never returns to zero; the largest force is c v = 2 m w v at the touch.
 TEST(RestitutionZero, IsCriticalDampingForKelvinVoigt) {
-  test::Book book("Bodies that stick",
+  test::Book book("Sticking bodies",
                   "critically damped oscillator: d_max = v/(w e) at t = 1/w, F = 2 m w v at the touch",
                   "run at tolerance 1e-7");
   const double m = 5e4, k = 5e7, w = std::sqrt(k / m), v = 0.5;
@@ -115,7 +116,7 @@ TEST(RestitutionZero, IsCriticalDampingForKelvinVoigt) {
       "analysis: {duration: 0.3, tolerance: 1e-7}\n");
   ASSERT_EQ(run.results.impacts.size(), 1u);
   const ImpactRow& row = run.results.impacts[0];
-  EXPECT_TRUE(std::isnan(row.t_end)) << "it is still pressed";
+  EXPECT_TRUE(std::isnan(row.t_end)) << "still in contact";
   book.near("peak penetration [m]", row.peak_penetration, v / w * std::exp(-1.0), 1e-9);
   book.near("peak force over 2 m w v [-]", row.peak_force / (2 * m * w * v), 1, 1e-7);
   const double t = 0.3 - 0.02;
@@ -154,7 +155,7 @@ TEST(Preload, StaysAtRestUntilTheGroundMoves) {
   }
 }
 
-// Three springs in line share the overlap: F = 2 mm/(1/k1 + 1/k2 + 1/k), and store half of F times the overlap.
+// Three springs in series share the overlap: F = 2 mm/(1/k1 + 1/k2 + 1/k), and store half of F times the overlap.
 TEST(Preload, OfALinearSpringIsThatOfThreeSpringsInLine) {
   const Outcome run = run_text(
       pressed + std::string("linear_spring, stiffness: 93.5 MN/m}]\nanalysis: {duration: 0.1, tolerance: 1e-6}\n"));
@@ -165,12 +166,12 @@ TEST(Preload, OfALinearSpringIsThatOfThreeSpringsInLine) {
   EXPECT_NEAR(run.results.energy.input.back(), 0.5 * force * 2e-3, 1e-9 * force);
 }
 
-// Linear structures and a linear contact that never opens: the preload adds to the motion of the system welded by the
-// contact.
+// Linear structures with a linear contact that never opens: the preload superposes on the motion of the system joined
+// by the contact.
 TEST(Preload, AddsToTheMotionOfALinearSystem) {
   test::Book book(
-      "Contacts that press from the start",
-      "superposition: a preload twice as large moves the same linear system alike, about an equilibrium twice as far",
+      "Contacts closed at the start",
+      "superposition: doubling the preload doubles the equilibrium and leaves the motion of the linear system about it",
       "runs at tolerance 1e-7");
   const auto moved = [](double overlap) {
     return run_text(fmt::format(
@@ -196,7 +197,7 @@ TEST(Preload, AddsToTheMotionOfALinearSystem) {
   EXPECT_NEAR(energy_error(one.results), 0, 1e-5 * one.results.energy.input.back());
 }
 
-// The contact opens, closes and the energy still closes, with what was stored at the start in the input.
+// The contact opens and closes, and the energy balance holds with the initially stored energy in the input.
 TEST(Preload, ClosesTheEnergyWhereTheContactOpens) {
   for (const std::string law : {"hertz, stiffness: 2.75e9", "elastoplastic, stiffness: 2.75e9, restitution: 0.5",
                                 "hertz_damped, stiffness: 2.75e9, restitution: 0.6, impact_velocity: 0.2"}) {

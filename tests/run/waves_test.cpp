@@ -1,5 +1,5 @@
-// A travelling wave reaches what has no place in plan where it is linked: walls at each face, structures along x at
-// theirs.
+// A travelling wave at structures without a location in plan: walls move with each linked face, structures along x with
+// their own faces.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::string link(const std::string& between, const std::string& more = "gap: 20 
 
 const std::string end = "analysis: {duration: 2 s, output_step: 10 ms}\n";
 
-// Delays of the ground under a structure along x, from the arrival at the first support of all [s].
+// Delays of the ground motion along x under a structure, from the arrival at the first support overall [s].
 std::vector<double> arrivals(const Model& model, int structure) {
   std::vector<double> all;
   for (const Support& support : model.structures[structure].supports)
@@ -53,7 +53,8 @@ TEST(Waves, ReachAWallAtTheFaceItIsLinkedTo) {
   };
   const Outcome at_zero = impacts(0), far = impacts(100), west = impacts(-400);
   ASSERT_GT(at_zero.results.impacts.size(), 0u);
-  EXPECT_EQ(far.results.impacts.size(), at_zero.results.impacts.size()) << "the place of the whole is no matter";
+  EXPECT_EQ(far.results.impacts.size(), at_zero.results.impacts.size())
+      << "the location of the whole model has no effect";
   EXPECT_EQ(west.results.impacts.size(), at_zero.results.impacts.size());
   EXPECT_NEAR(far.summary.links[0].peak_force, at_zero.summary.links[0].peak_force,
               1e-6 * at_zero.summary.links[0].peak_force);
@@ -68,9 +69,9 @@ TEST(Waves, ReachAWallAtEachOfItsFaces) {
                      "  wall: {wall: {}}\n  far: {wall: {}}\nlinks:\n" + link("[left.1, wall]") +
                      link("[wall, right.1]") + link("[wall, left.2]") + link("[right.2, far]") + end);
   EXPECT_EQ(arrivals(model, 2), (std::vector<double>{106.0 / 200, 108.0 / 200, 100.0 / 200}))
-      << "links of a typed gap are from face to face";
+      << "links with a given gap are from face to face";
   EXPECT_EQ(arrivals(model, 3), std::vector<double>{114.0 / 200});
-  // Each side moves as the ground there: as two walls do.
+  // Each side moves with the ground there, as two separate walls do.
   const std::string parts = moved() + frame("left", "100 m, 0") + frame("right", "108 m, 0");
   const Outcome one = test::run_text(parts + "  w: {wall: {}}\nlinks:\n" + link("[left.1, w]", "gap: 4 mm") +
                                      link("[w, right.1]", "gap: 4 mm") + end);

@@ -1,4 +1,4 @@
-// All unknowns of reduced structures, stepped through the impacts of a run: against runs in all natural modes from the
+// All unknowns of reduced structures, stepped through the impacts of a run, against runs in all natural modes from the
 // same state.
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ namespace window_steps_test {
 
 constexpr double tolerance = 1e-7;
 
-// Two plane frames of 96 unknowns with mass and as many rotations as nodes; the left one flies at the right one, which
-// it hits at two floors.
+// Two plane frames of 96 unknowns with mass and as many rotations as nodes; the left one moves towards the right one
+// and hits it at two floors.
 struct Pair {
   std::string name, inside = "", devices = "";
 
@@ -60,7 +60,7 @@ std::vector<Pair> pairs() {
 
 using Groups = std::vector<std::optional<ReducedGroup>>;
 
-// All natural modes, as blocks that take every unknown.
+// All natural modes, as blocks that span every unknown.
 ReducedGroup with_everything(const System& system, const Group& group) {
   const auto block = [&](const SparseMatrix& whole) {
     return SparseMatrix(whole.block(group.first, group.first, group.count, group.count));
@@ -78,9 +78,9 @@ struct Followed {
   std::unique_ptr<ModalSolver> solver;
   std::unique_ptr<Stepper> stepper;
   std::unique_ptr<ImpactWindows> windows;
-  std::vector<double> forces;           // largest of the contacts in each step [N]
+  std::vector<double> forces;           // maximum contact force in each step [N]
   double largest = 0;                   // displacement of all floors [m]
-  std::vector<Eigen::VectorXd> floors;  // at ends of steps
+  std::vector<Eigen::VectorXd> floors;  // at the ends of steps
   std::vector<double> times;
 
   explicit Followed(const Pair& pair) : model(test::model_of(pair.text())), system(assemble(model)) {}
@@ -103,7 +103,7 @@ struct Followed {
     windows = std::make_unique<ImpactWindows>(
         *stepper, std::vector<bool>(static_cast<std::size_t>(system.contact_count()), true));
   }
-  // Largest forces in the first impact of every contact [N].
+  // Maximum forces in the first impact of every contact [N].
   Eigen::VectorXd first_peaks() const {
     Eigen::VectorXd first(system.contact_count());
     for (int i = 0; i < system.contact_count(); ++i) {
@@ -141,8 +141,8 @@ std::vector<int> all_outputs(const System& system) {
 }
 
 struct Found {
-  Eigen::VectorXd forces;                    // largest differences of peaks, by contact [N]
-  double closing = 0, rate = 0, floors = 0;  // largest differences [m], [m/s], [m]
+  Eigen::VectorXd forces;                    // maximum differences of peaks, by contact [N]
+  double closing = 0, rate = 0, floors = 0;  // maximum differences [m], [m/s], [m]
 };
 
 Found differences(const Followed& run, const ImpactWindow& window) {
@@ -180,11 +180,12 @@ TEST_P(Windows, HoldNothingButRoundingWhereTheBasisHasEverything) {
   }
 }
 
-// The first impact, up to which all natural modes move as the run does but for what its basis lacks. In the window the
-// forces are given and the closings of the contacts differ; in truth the forces give way, too: the one is of the order
-// of the other.
+// The first impact, up to which all natural modes move as the run does, apart from the error of its basis. In the
+// window the forces are given and the closings differ; in the full model the forces change as well. The two errors are
+// of the same order of magnitude.
 TEST_P(Windows, TellTheErrorOfTheirImpact) {
-  constexpr double order = 10;  // a peak may err by little because it errs by as much before and behind it
+  constexpr double order =
+      10;  // a peak may have a small error because the errors before and after it are equally large
   double last = 1;
   for (const int links : {1, 2, 3}) {
     Followed run(GetParam()), exact(GetParam());
@@ -202,10 +203,10 @@ TEST_P(Windows, TellTheErrorOfTheirImpact) {
     ASSERT_NE(after, run.times.end());
     const double floors =
         (run.floors[static_cast<std::size_t>(after - run.times.begin())] - exact.floors.back()).cwiseAbs().maxCoeff();
-    RecordProperty(fmt::format("forces_{}", links), fmt::format("told {:.2e}, truth {:.2e}, ratio {:.2f}",
+    RecordProperty(fmt::format("forces_{}", links), fmt::format("reported {:.2e}, true {:.2e}, ratio {:.2f}",
                                                                 reported / peak, truth / peak, reported / truth));
     RecordProperty(fmt::format("floors_{}", links),
-                   fmt::format("told {:.2e}, truth at the end {:.2e}, ratio {:.2f}", found.floors / run.largest,
+                   fmt::format("reported {:.2e}, true at the end {:.2e}, ratio {:.2f}", found.floors / run.largest,
                                floors / run.largest, found.floors / floors));
     EXPECT_LT(reported, order * truth) << links;
     EXPECT_GT(reported, truth / order) << links;
@@ -241,7 +242,7 @@ TEST(ImpactWindowsOfARun, AreTheHardestOfAllInOrder) {
       if (holds(hardest[i], run.times[k])) force = std::max(force, run.forces[k]);
     EXPECT_EQ(hardest[i].force, force);
   }
-  // Every other force is smaller.
+  // All other forces are smaller.
   for (std::size_t k = 0; k < run.times.size(); ++k) {
     if (run.forces[k] <= hardest.back().force) continue;
     EXPECT_TRUE(std::ranges::any_of(hardest, [&](const ImpactWindow& window) { return holds(window, run.times[k]); }))
@@ -249,7 +250,7 @@ TEST(ImpactWindowsOfARun, AreTheHardestOfAllInOrder) {
   }
 }
 
-// Read back in the middle of an impact they go on as they were.
+// Windows restored in the middle of an impact continue unchanged.
 TEST(ImpactWindowsOfARun, GoOnFromAnArchive) {
   Followed whole(pairs()[0]), parts(pairs()[0]);
   for (Followed* run : {&whole, &parts}) {

@@ -1,4 +1,4 @@
-// The fixed-point iteration by itself, on maps of two unknowns.
+// The fixed-point iteration in isolation, on maps of two unknowns.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ Counted linear(const Matrix2d& a) {
 }
 
 TEST(FixedPoint, OfALinearMapOfTwoUnknownsNeedsTwoDifferences) {
-  const Matrix2d a{{0.9, 0.3}, {-0.2, 0.5}};  // repetition alone would take some 150
+  const Matrix2d a{{0.9, 0.3}, {-0.2, 0.5}};  // repetition alone would take about 150
   const Counted run = linear(a);
   ASSERT_TRUE(run.converged);
   EXPECT_LE(run.maps, 6);

@@ -1,4 +1,4 @@
-// The audit: input = kinetic + strain + damping + impact, for every law, to the tolerance of the run.
+// The energy balance: input = kinetic + strain + damping + impact, for every law, within the tolerance of the run.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST_P(Energy, ClosesBelowTheToleranceOfTheRun) {
   const Outcome fine = test::run_text(test::two_oscillators(GetParam(), 1e-6));
   book.below(test::law_of(GetParam()) + ": imbalance of the energies over the input [-]", fine.summary.energy.error,
              1e-6);
-  EXPECT_LT(fine.summary.energy.error, 0.1 * coarse) << "the imbalance falls with the tolerance";
+  EXPECT_LT(fine.summary.energy.error, 0.1 * coarse) << "the imbalance decreases with the tolerance";
   EXPECT_GE(fine.results.impacts.size(), 3u);
   EXPECT_GT(fine.summary.energy.input, 1e5);
 }
@@ -45,8 +45,8 @@ TEST(Energy, OfTheInitialVelocityIsPartOfTheInput) {
   EXPECT_DOUBLE_EQ(run.summary.energy.kinetic, 9000.0);
 }
 
-// A body, or an oscillator, that the ground presses on a wall 1 nm away, by an elastic contact: hundreds of bounces,
-// each of which gains or loses a tenth of the tolerance with the same sign.
+// A body, or an oscillator, pressed by the ground motion on an elastic contact with a wall 1 nm away: hundreds of
+// bounces, each of which gains or loses a tenth of the tolerance, always with the same sign.
 constexpr const char* bouncing[] = {
     "ground_motion: {pulse: {shape: rectangle, amplitude: -3.7245309099735495, duration: 2.5}}\n"
     "structures: {a: {body: {mass: 17133.6901071129}}, w: {wall: {}}}\n"
@@ -61,7 +61,7 @@ TEST(Energy, ClosesOverHundredsOfElasticBounces) {
     const Outcome run = test::run_text(model + "analysis: {duration: 2, tolerance: 1e-4}\n");
     EXPECT_GT(run.results.impacts.size(), 150u);
     EXPECT_LT(run.summary.energy.error, 1e-4);
-    EXPECT_LT(run.summary.solver.steps, 20000) << "2 to 3 times as many as without a look at the energies";
+    EXPECT_LT(run.summary.solver.steps, 20000) << "2 to 3 times as many as without control of the energy balance";
   }
 }
 
@@ -96,7 +96,7 @@ TEST(EnergyBudget, ComparesWithTheLargestInputOfTheRun) {
 
 TEST(EnergyBudget, LetsTheLeastEnergyCountLessWithEveryAudit) {
   EnergyBudget budget(1e-4, 4, 1024);
-  const Energies small = with_imbalance(1, 1e-4 * 1024 / 16);  // 64 tolerances of what there is
+  const Energies small = with_imbalance(1, 1e-4 * 1024 / 16);  // 64 tolerances of the energy present
   for (int audit = 1; audit <= 7; ++audit) {
     budget.audit(small);
     EXPECT_EQ(budget.share(), 1.0) << audit;
@@ -105,7 +105,7 @@ TEST(EnergyBudget, LetsTheLeastEnergyCountLessWithEveryAudit) {
   EXPECT_DOUBLE_EQ(budget.share(), std::pow(EnergyBudget::shortest_part, 4));
 }
 
-// A body of 1.8 t on a stiff spring at the wall, which the ground presses: 2,034 vibrations between 0 and 2 m a/k =
+// A body of 1.8 t on a stiff spring at the wall, pressed by the ground motion: 2,034 vibrations between 0 and 2 m a/k =
 // 0.23 um.
 TEST(Energy, ClosesOverThousandsOfSmallVibrations) {
   const double m = 1795.1043268305666, a = 4.618567519154774, k = 73382944985.9216;

@@ -1,4 +1,4 @@
-// Locating events on motions in closed form: the test plays the integrator, each trial is a formula.
+// Event location on closed-form motions: the test acts as the integrator, and each trial is a formula.
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@ namespace event_locator_test {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Relative displacement and rate of a link at a time after the beginning.
+/// Relative displacement and rate of a link as a function of the time since the beginning.
 using Path = std::function<LinkMotion(double)>;
 
 Path uniform(double at_begin, double rate) {
   return [=](double t) { return LinkMotion{at_begin + rate * t, rate}; };
 }
-/// As uniform, but accelerated.
+/// Like `uniform`, with an acceleration.
 Path thrown(double at_begin, double rate, double acceleration) {
   return
       [=](double t) { return LinkMotion{at_begin + rate * t + 0.5 * acceleration * t * t, rate + acceleration * t}; };
@@ -44,7 +44,7 @@ struct Formulas {
   Trial trial;
   int trials = 0;
   double unsolved_below = 0;                 // steps shorter than this fail
-  double wild_below = 0;                     // steps shorter than this have an error without measure
+  double wild_below = 0;                     // steps shorter than this have a huge error
   static constexpr double longest_step = 1;  // [s]
 
   Contact& add(double gap, Path path) {
@@ -99,12 +99,12 @@ TEST(EventLocator, FindsATouchToTheLastDigits) {
   EXPECT_EQ(f.trial.h, located->step) << "the trial ends there";
   ASSERT_EQ(located->events.size(), 1u);
   EXPECT_EQ(located->events[0].link, 0);
-  EXPECT_LE(f.trials, 3) << "its path knows where";
+  EXPECT_LE(f.trials, 3) << "located on its path";
 }
 
 TEST(EventLocator, FindsTheReversalAndTheSeparationOfAContact) {
   Formulas f;
-  Contact& contact = f.add(0, thrown(1e-3, 0.1, -2.0));  // turns after 50 ms
+  Contact& contact = f.add(0, thrown(1e-3, 0.1, -2.0));  // reverses after 50 ms
   contact.on_event(0, 0, {0, 0.1});
   const auto turn = f.locate(0.09);
   ASSERT_TRUE(turn);
@@ -130,7 +130,7 @@ TEST(EventLocator, TakesTheFirstOfSeveral) {
   Formulas f;
   f.add(0.02, uniform(0, 0.3));
   f.add(0.02, uniform(0, 0.5));
-  // Seems to be the first by its values at the ends, but is late.
+  // Appears to be first by its values at the ends, but occurs late.
   f.add(0.02, [](double t) { return LinkMotion{100 * t * t * t, 300 * t * t}; });
   const auto located = f.locate(0.1);
   ASSERT_TRUE(located);
@@ -146,11 +146,11 @@ TEST(EventLocator, GroupsEventsThatOnlyRoundOffKeepsApart) {
   f.add(0.02, uniform(-1e-4, 0.5));
   const auto located = f.locate(0.1);
   ASSERT_TRUE(located);
-  ASSERT_EQ(located->events.size(), 2u) << "the third comes 0.2 ms later";
+  ASSERT_EQ(located->events.size(), 2u) << "the third occurs 0.2 ms later";
   EXPECT_EQ(located->events[0].link + located->events[1].link, 1);
 }
 
-// Apart at both ends of the trial, overlapping in between.
+// Separated at both ends of the trial, overlapping in between.
 TEST(EventLocator, SeesATouchAndARebound) {
   Formulas f;
   f.add(0.02, thrown(0, 0.5, -6.0));  // highest at 20.8 mm
@@ -161,7 +161,7 @@ TEST(EventLocator, SeesATouchAndARebound) {
   miss.add(0.021, thrown(0, 0.5, -6.0));
   EXPECT_FALSE(miss.locate(0.2, std::nextafter(0.2, 1.0)));
   EXPECT_EQ(miss.trial.h, 0.2);
-  EXPECT_EQ(miss.trial.end.time, std::nextafter(0.2, 1.0)) << "its exact end is kept";
+  EXPECT_EQ(miss.trial.end.time, std::nextafter(0.2, 1.0)) << "its exact end is retained";
 }
 
 TEST(EventLocator, AnswersZeroForBodiesThatCloseFaceToFace) {
@@ -172,7 +172,7 @@ TEST(EventLocator, AnswersZeroForBodiesThatCloseFaceToFace) {
   EXPECT_EQ(located->step, 0);
 }
 
-// By round-off on the wrong side at the beginning, then apart, then the touch.
+// On the wrong side by round-off at the beginning, then separated, then a touch.
 TEST(EventLocator, WaitsForBodiesThatPartAndComeBack) {
   Formulas f;
   f.add(0.02, thrown(0.02 + 1e-15, -0.1, 4.0));  // back after 50 ms
@@ -181,8 +181,8 @@ TEST(EventLocator, WaitsForBodiesThatPartAndComeBack) {
   EXPECT_NEAR(located->step, 0.05, 1e-11);
 }
 
-// Apart by less than the round-off of the motion, then back: no step sees the bounce of a rigid contact there. A
-// compliant one would begin and end in place, and keep its speed.
+// Separated by less than the round-off of the motion, then closed again: no step resolves the bounce of a rigid contact
+// there. A compliant contact would end and begin in the same location and keep its speed.
 TEST(EventLocator, WaitsInRoundOffForCompliantContactsOnly) {
   const auto hop = thrown(0, -1e-8, 1e-2);  // 5e-15 m wide, over after 2 us
   Formulas f;
@@ -198,7 +198,7 @@ TEST(EventLocator, WaitsInRoundOffForCompliantContactsOnly) {
   EXPECT_EQ(in_place->step, 0);
 }
 
-// A rest that ends and begins again after 2 us, 6e-15 m wide: in place it would end and begin without end.
+// A rest that ends and begins again after 2 us, 6e-15 m wide: without the wait it would end and begin indefinitely.
 TEST(EventLocator, WaitsInRoundOffForRigidBodiesThatPartFromARest) {
   Formulas f;
   f.contacts.push_back(make_gap_link(laws::Stereomechanical{.restitution = 0.5}, 0));
@@ -212,7 +212,7 @@ TEST(EventLocator, ShortensATrialToTheCornerOfASpring) {
   Formulas f;
   f.springs.push_back(std::make_unique<BilinearSpring>(BilinearSpring::Parameters{1e6, 1e3, 0.1}));  // yields at 1 mm
   f.paths.push_back(uniform(0, 0.02));
-  EXPECT_FALSE(f.locate(0.2)) << "a corner is no event";
+  EXPECT_FALSE(f.locate(0.2)) << "a corner is not an event";
   EXPECT_NEAR(f.trial.h, 0.05, 1e-3 * 0.2);
 }
 
@@ -223,7 +223,7 @@ TEST(EventLocator, FailsWithoutATrialThatCanBeKept) {
   EXPECT_THROW(f.locate(0.1), SolverError);
 }
 
-// A hop of a millionth of the trial: the false position alone would crawl.
+// A hop of 1e-6 of the trial: the false position method alone would converge too slowly.
 TEST(EventLocator, FindsTheEndOfATinyHop) {
   Formulas f;
   f.add(0, thrown(0, -5e-6, 10));  // back after 1 us
@@ -233,8 +233,8 @@ TEST(EventLocator, FindsTheEndOfATinyHop) {
   EXPECT_LE(f.trials, 40);
 }
 
-// Stage equations with several solutions: a part of a good step that is far off is none. Of fixed steps nobody says
-// what is good.
+// Stage equations with several solutions: if a fraction of an accepted step is far off, it belongs to another solution.
+// Fixed steps have no error estimate to judge this.
 TEST(EventLocator, DoesNotTakeAnotherSolutionForTheMotion) {
   Formulas f;
   f.add(0.02, uniform(0, 0.5));

@@ -1,4 +1,4 @@
-// Contacts that a fixed step would miss, or that would make an integrator stumble.
+// Contacts that a fixed step would miss or that challenge an integrator.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ TEST(ShortContact, IsFoundByAStepMuchLongerThanIt) {
   EXPECT_NEAR(run.results.impacts[0].peak_force, 20 * std::sqrt(1e9 * 10.0), 1e-5 * 2e6);
 }
 
-// A light body: the contact lasts pi sqrt(m/k) = 10 us whatever the speed, a free step half a second.
+// A light body: the contact lasts pi sqrt(m/k) = 10 us at any speed, a free step half a second.
 class ShortContactAtSpeed : public testing::TestWithParam<double> {};
 
 TEST_P(ShortContactAtSpeed, GivesBackTheSpeedOfALightBody) {
@@ -48,7 +48,7 @@ TEST_P(ShortContactAtSpeed, GivesBackTheSpeedOfALightBody) {
 
 INSTANTIATE_TEST_SUITE_P(Speeds, ShortContactAtSpeed, testing::Values(0.01, 1.0, 30.0, 1000.0));
 
-// An undamped oscillator whose amplitude is the gap and a little more, or a little less.
+// An undamped oscillator with an amplitude slightly above or below the gap.
 Outcome grazing(double excess) {
   const double w = 2 * M_PI / 0.5;
   return run_text("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}, initial_velocity: " +
@@ -67,9 +67,9 @@ TEST(Grazing, TouchesOnceWhenTheGapIsAHairTooSmall) {
 
 TEST(Grazing, DoesNotTouchWhenTheGapIsAHairTooLarge) { EXPECT_TRUE(grazing(-1e-4).results.impacts.empty()); }
 
-// A rigid ball that a constant ground acceleration presses on a wall bounces ever lower: with e = 0.5 and a = 2 m/s^2
-// from rest 10 mm away the touch comes at t1 = sqrt(2 g/a) at v1 = a t1, and all bounces end at t1 + 2 (v1/a) e/(1 - e)
-// = 3 t1.
+// A rigid ball pressed on a wall by a constant ground acceleration has ever lower bounces. With e = 0.5 and a = 2
+// m/s^2, from rest 10 mm away, the touch is at t1 = sqrt(2 g/a) with v1 = a t1, and all bounces end at t1 + 2 (v1/a)
+// e/(1 - e) = 3 t1.
 TEST(RestingContact, FollowsInfinitelyManyBounces) {
   const Outcome run = run_text(
       "ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 2 s}}\n"
@@ -85,7 +85,7 @@ TEST(RestingContact, FollowsInfinitelyManyBounces) {
   EXPECT_NEAR(run.results.structures[0].velocity.back(), 0, 1e-9);
   double impulse = 0;
   for (const ImpactRow& row : run.results.impacts) impulse += row.impulse;
-  EXPECT_NEAR(impulse, 1e5 * 2.0 * 2.0, 1e-3 * 4e5) << "the wall took all the momentum of the ground";
+  EXPECT_NEAR(impulse, 1e5 * 2.0 * 2.0, 1e-3 * 4e5) << "the wall took all momentum of the ground motion";
 }
 
 TEST(RestingContact, OpensWhenTheGroundTurns) {
@@ -99,7 +99,7 @@ TEST(RestingContact, OpensWhenTheGroundTurns) {
   EXPECT_NEAR(run.results.impacts.back().t_end, 1.0, 1e-5);
 }
 
-// A compliant contact settles at the penetration that carries the push.
+// A compliant contact settles at the static penetration.
 TEST(RestingContact, SettlesAtTheStaticPenetration) {
   const Outcome run = run_text(
       "ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 5 s}}\n"
@@ -109,7 +109,7 @@ TEST(RestingContact, SettlesAtTheStaticPenetration) {
   EXPECT_NEAR(run.results.structures[0].displacement.back(), 1e5 * 2.0 / 50e6, 1e-7);
 }
 
-// Eight links with gaps that differ by a micrometre, or not at all.
+// Eight links with gaps that are equal or differ by a micrometre.
 class NearlySimultaneousContacts : public testing::TestWithParam<const char*> {
  protected:
   static long steps(double difference) {
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, NearlySimultaneousContacts,
                                          "stereomechanical, restitution: 0.65"),
                          test::law_name);
 
-// Forty bodies that touch their walls when the run begins: one landing takes them all, not one after the other.
+// Forty bodies that touch their walls at the start: a single landing includes all of them.
 TEST(TouchesAtTheStart, AreOneLanding) {
   const auto run = [](int count) {
     std::string structures = "structures:\n  w: {wall: {}}\n", links = "links:\n";
@@ -173,10 +173,10 @@ TEST(ZeroGap, StaysUnilateral) {
     EXPECT_GE(link.force[i], 0) << "at " << link.time[i];
     widest = std::min(widest, link.penetration[i]);
   }
-  EXPECT_LT(widest, -1e-2) << "the buildings part";
+  EXPECT_LT(widest, -1e-2) << "the buildings separate";
 }
 
-// Two links between the same bodies touch at the same instant: the first impulse parts both, and nothing is held.
+// Two links between the same bodies touch simultaneously: the first impulse separates both, and no contact persists.
 TEST(RigidContactsAtOneInstant, AreAsOne) {
   const std::string one = test::two_oscillators("stereomechanical, restitution: 0.65", 1e-4);
   std::string two = one;
@@ -188,7 +188,7 @@ TEST(RigidContactsAtOneInstant, AreAsOne) {
   EXPECT_GE(both.summary.energy.impact, 0);
 }
 
-// A body that hits another and a wall at the same instant leaves both.
+// A body that simultaneously hits another body and a wall separates from both.
 TEST(RigidContactsAtOneInstant, LetABodyLeaveAWallAndAnotherBody) {
   const Outcome run = run_text(
       "structures:\n"
@@ -204,7 +204,7 @@ TEST(RigidContactsAtOneInstant, LetABodyLeaveAWallAndAnotherBody) {
   EXPECT_LT(run.summary.energy.error, 1e-12);
 }
 
-// A row of four equal bodies, the first one moving: rigid contacts at zero gap hand the impulse on.
+// A row of four equal bodies, the first one moving: rigid contacts at zero gap transmit the impulse.
 TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
   std::string structures = "structures:\n", links = "links:\n";
   for (int i = 0; i < 4; ++i) {
@@ -218,8 +218,8 @@ TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
   EXPECT_NEAR(run.results.structures[3].velocity.back(), 1, 1e-12);
 }
 
-// Problems as small as they get at which an engine stumbled: light bodies between heavy ones, contacts at rest, and
-// jumps of the velocity beside pressed contacts.
+// Minimal problems at which an engine once failed: light bodies between heavy ones, contacts at rest, and velocity
+// jumps next to closed contacts.
 
 constexpr const char* push = "ground_motion: {pulse: {shape: rectangle, amplitude: -4.0, duration: 1.0}}\n";
 
@@ -235,7 +235,7 @@ void expect_sound(const Outcome& run, double tolerance) {
     }
 }
 
-// STEP falls faster than the spring: a released contact presses again before the bodies part.
+// STEP decreases faster than the spring force: a released contact presses again before the bodies part.
 TEST(ReleasedContact, PressesAgainBeforeItParts) {
   const Outcome run = run_text(
       "structures:\n  a: {body: {mass: 1e5}, initial_velocity: 2.0}\n  b: {body: {mass: 1e5}}\n"
@@ -245,8 +245,8 @@ TEST(ReleasedContact, PressesAgainBeforeItParts) {
   EXPECT_NEAR(run.results.impacts[0].restitution, 0.05, 1e-4);
 }
 
-// A released contact presses again: a trial long enough to pass over that sees nothing of it, until another touch
-// shortens it.
+// A released contact presses again. A trial long enough to pass over this does not detect it until another touch
+// shortens the trial.
 TEST(ReleasedContact, PressesAgainThoughALongTrialPassesOverIt) {
   const Outcome run = run_text(
       "structures:\n  b0: {body: {mass: 2930.792081235971}, initial_velocity: 0.9069193061762009}\n"
@@ -271,10 +271,10 @@ TEST(ReleasedContact, PressesAgainThoughALongTrialPassesOverIt) {
     if (row.link == 2) given -= row.impulse;
     total += row.impulse;
   }
-  EXPECT_NEAR(gained, given, 1e-5 * total) << "a body gains the impulses of its contacts";
+  EXPECT_NEAR(gained, given, 1e-5 * total) << "a body gains the sum of the impulses of its contacts";
 }
 
-// A contact that a rigid one tears apart would pull if it went on as in the approach.
+// A contact that is opened by a rigid one would pull if the law of the approach still applied.
 TEST(JumpOfTheVelocity, ReversesAPressedContactBesideIt) {
   const Outcome run = run_text(
       "structures:\n  a: {body: {mass: 1.0}, initial_velocity: 1.0}\n  b: {body: {mass: 1.0}}\n"
@@ -288,7 +288,7 @@ TEST(JumpOfTheVelocity, ReversesAPressedContactBesideIt) {
   expect_sound(run, 1e-4);
 }
 
-// The last hops are lower than the rounding of the motion.
+// The last hops are lower than the round-off of the motion.
 TEST(RestingContact, EndsHopsThatNoStepCouldSee) {
   const Outcome run = run_text(push + std::string("structures:\n  a: {body: {mass: 1.0}}\n  w: {wall: {}}\n"
                                                   "links: [{between: [a, w], gap: 1e-6, law: stereomechanical, "
@@ -299,8 +299,7 @@ TEST(RestingContact, EndsHopsThatNoStepCouldSee) {
   EXPECT_NEAR(impulse, 4.0, 1e-6);
 }
 
-// Rows that come to rest: they touch, and part, at speeds that leave no penetration beside the round-off of their
-// motion.
+// Rows that come to rest: they touch and part at speeds that leave no penetration above the round-off of their motion.
 class TouchesInRoundOff : public testing::TestWithParam<const char*> {};
 
 TEST_P(TouchesInRoundOff, TakeTime) {
@@ -359,7 +358,7 @@ TEST(LightBody, IsHeldBetweenACompliantContactAndARigidOne) {
   expect_sound(run, 1e-4);
 }
 
-// Newton's impacts one after the other converge as slowly as the masses differ: by a part of 1e-2, or 1e-6, a round.
+// Sequential Newton impacts converge with the mass ratio: a factor of 1 - 1e-2, or 1 - 1e-6, per sweep.
 TEST(LightBody, HandsAnImpulseBetweenTwoRigidContacts) {
   for (const double light : {1e3, 0.1}) {
     const Outcome run =
@@ -372,16 +371,16 @@ TEST(LightBody, HandsAnImpulseBetweenTwoRigidContacts) {
     const double a = run.results.structures[0].velocity.back(), b = run.results.structures[1].velocity.back(),
                  c = run.results.structures[2].velocity.back();
     EXPECT_NEAR(1e5 * a + light * b + 1e5 * c, -0.2e5, 1e-10 * 0.2e5);
-    // Slower than the tolerance times the largest speed a bounce is not resolved.
+    // Below the tolerance times the largest speed a bounce is not resolved.
     EXPECT_LE(a, b + 1e-3 * 0.2) << light;
     EXPECT_LE(b, c + 1e-3 * 0.2) << light;
     EXPECT_GE(run.summary.energy.impact, 0);
-    EXPECT_LT(run.summary.energy.error, 1e-10) << "rounding of speeds, times the ratio of the masses";
-    EXPECT_LE(run.results.impacts.size(), 4u) << "what happens at one instant is one impact of a link";
+    EXPECT_LT(run.summary.energy.error, 1e-10) << "round-off of speeds, times the mass ratio";
+    EXPECT_LE(run.results.impacts.size(), 4u) << "simultaneous impulses are one impact of a link";
   }
 }
 
-// Damping that is calibrated at the slowest speed that counts, 1e-6 m/s, makes the weakest pull a strong one.
+// Damping calibrated at the lowest resolved speed, 1e-6 m/s, turns the weakest pull into a strong one.
 TEST(TouchAtRest, LosesItsForceWhereTheBodiesPart) {
   const Outcome run = run_text(
       "ground_motion: {harmonic: {amplitude: 2.5, period: 1.2350790576384953, duration: 1.0}}\nstructures:\n"
@@ -419,7 +418,7 @@ TEST(TouchAtRest, DoesNotBeginWhileTheBodiesPart) {
   expect_sound(run, 1e-3);
 }
 
-// The end of a touch whose damping outweighs everything: the sign of its force is noise unless compared with its terms.
+// The end of a touch with dominant damping: the sign of its force is noise unless compared with the terms of the force.
 TEST(TouchAtRest, DoesNotSwitchWithTheRoundingOfItsForce) {
   const Outcome run = run_text(
       "ground_motion: {pulse: {shape: sine, amplitude: -4.347324437979877, start: 0.0, duration: 1.0}}\nstructures:\n"
@@ -435,7 +434,8 @@ TEST(TouchAtRest, DoesNotSwitchWithTheRoundingOfItsForce) {
   expect_sound(run, 1e-5);
 }
 
-// Where the ground jumps, the absolute acceleration does not: m a = -(c v + k u) at every output time.
+// At a jump of the ground acceleration, the absolute acceleration is continuous: m a = -(c v + k u) at every output
+// time.
 TEST(JumpOfTheGround, LeavesTheAbsoluteAccelerationInBalance) {
   const Outcome run = run_text(
       "ground_motion: {pulse: {shape: rectangle, amplitude: 2.0, start: 0.5, duration: 1}}\n"
@@ -448,7 +448,7 @@ TEST(JumpOfTheGround, LeavesTheAbsoluteAccelerationInBalance) {
         << run.results.time[i];
 }
 
-// A first step over whole periods would see no motion at all.
+// A first step over whole periods would miss the motion.
 TEST(GroundMotion, IsNotSteppedOver) {
   const Outcome run = run_text(
       "ground_motion: {harmonic: {amplitude: 3.0, period: 0.1, duration: 1.6}}\n"
@@ -466,11 +466,11 @@ TEST(LinkHistory, RisesFromZeroAtTheTouch) {
   double impulse = 0;
   for (std::size_t i = 1; i < link.time.size(); ++i)
     impulse += 0.5 * (link.time[i] - link.time[i - 1]) * (link.force[i] + link.force[i - 1]);
-  // Trapezoids over some hundred samples; a ramp from the last output before the touch would add a per cent.
+  // Trapezoidal rule over about a hundred samples; a ramp from the last output before the touch would add one per cent.
   EXPECT_NEAR(impulse, run.results.impacts[0].impulse, 1e-4 * impulse);
 }
 
-// Steps are as long as their error allows; the samples follow the force inside of them.
+// Steps are limited only by their error; the samples resolve the force inside them.
 TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
   const Outcome run = run_text(
       "structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
@@ -492,10 +492,10 @@ TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
                 1e-9 * impact.peak_force)
         << i;
   }
-  EXPECT_GT(pressed, 3 * run.summary.solver.steps / 2) << "steps are long here";
+  EXPECT_GT(pressed, 3 * run.summary.solver.steps / 2) << "steps are long in this run";
 }
 
-// Straight lines between the samples miss the force by a thousandth of its peak at most.
+// Linear interpolation between the samples has an error of at most a thousandth of the peak force.
 TEST(LinkHistory, IsAsDenseAsAPictureNeeds) {
   for (const double tolerance : {1e-3, 1e-4}) {
     const Outcome run = run_text(fmt::format(
@@ -518,7 +518,7 @@ TEST(LinkHistory, IsAsDenseAsAPictureNeeds) {
       missed = std::max(missed, std::abs(force - 0.5 * (link.force[i - 1] + link.force[i])));
     }
     EXPECT_LT(missed, 1e-3 * run.results.impacts[0].peak_force) << tolerance;
-    EXPECT_GT(missed, 0.2e-3 * run.results.impacts[0].peak_force) << "no denser than that at " << tolerance;
+    EXPECT_GT(missed, 0.2e-3 * run.results.impacts[0].peak_force) << "not denser than at " << tolerance;
   }
 }
 

@@ -1,4 +1,4 @@
-// Friction where a contact presses: against closed forms of sliding blocks and an independent integrator.
+// Friction at closed contacts, against closed forms of sliding blocks and an independent integrator.
 
 #include <gtest/gtest.h>
 
@@ -63,11 +63,11 @@ TEST(FrictionForce, HasTheSlopesOfItsFormula) {
               1e-6 * by_sliding.norm());
   }
   EXPECT_EQ(friction_force(friction, {.force = -3.0, .by_penetration = 1.0}, {rates[0], rates[1]}).force, Sliding{})
-      << "a contact that pulls";
+      << "a contact in tension";
 }
 
-// A block that a spring presses on a wall with a steady force, and that slides along it, in one or two directions. The
-// wall may move along itself.
+// A block that a spring presses on a wall with a constant force and that slides along it in one or two directions. The
+// wall may also move along itself.
 struct Block {
   static constexpr double mass = 2e3, held_by = 1e7, stiffness = 4e7, closed = 1e-3, coefficient = 0.3;
   static constexpr double pressed = stiffness * held_by * closed / (held_by + stiffness);  // 8 kN
@@ -92,7 +92,7 @@ struct Block {
   }
 };
 
-// Until it rests, from the speed v; where the force is that of the formula.
+// Distance until rest from the speed v, for the force of the formula.
 double way_to_rest(double v, double sliding) {
   return Block::mass / (2 * Block::coefficient * Block::pressed) *
          (v * std::hypot(v, sliding) + sliding * sliding * std::asinh(v / sliding));
@@ -105,7 +105,7 @@ double time_between(double v0, double v, double sliding) {
 }
 
 TEST_P(WithFriction, ABlockSlidesToRest) {
-  test::Book book("Friction where a contact presses", "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
+  test::Book book("Friction at closed contacts", "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
                   "run at tolerance 1e-5");
   const double v0 = 1.0, stop = Block::mass * v0 / (Block::coefficient * Block::pressed);
   double last = 1e300;
@@ -116,19 +116,19 @@ TEST_P(WithFriction, ABlockSlidesToRest) {
     Stepper stepper(block.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.05});
     stepper.start(0, block.u, v0 * Eigen::VectorXd::Unit(2, 1));
     long tries = test::march(stepper, 0.5 * stop, 0.05);
-    book.near("time to a speed on the way [s]", time_between(v0, stepper.state().v[1], sliding), 0.5 * stop,
+    book.near("time to an intermediate speed [s]", time_between(v0, stepper.state().v[1], sliding), 0.5 * stop,
               1e-5 * stop);
     book.near("friction force [N]", stepper.state().force[1],
               Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.state().v[1]),
               1e-4 * Block::pressed);
     tries += test::march(stepper, 3 * stop, 0.05);
-    book.near("way to rest [m]", stepper.state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
+    book.near("distance to rest [m]", stepper.state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
     book.below("speed after that [m/s]", std::abs(stepper.state().v[1]), 1e-5);
     const double coulomb = 0.5 * v0 * stop, off = std::abs(stepper.state().u[1] - coulomb);
-    EXPECT_LT(off, last) << "nearer to Coulomb's law the smaller the sliding velocity is";
+    EXPECT_LT(off, last) << "closer to Coulomb's law for a smaller sliding velocity";
     last = std::max(off, 2e-5 * coulomb);
     book.near("work of the friction [J]", stepper.friction_work()[0], 0.5 * Block::mass * v0 * v0, 1e-4 * Block::mass);
-    EXPECT_LT(tries, 20000) << "the change to rest must not stall the steps";
+    EXPECT_LT(tries, 20000) << "the transition to rest must not stall the steps";
   }
 }
 
@@ -149,10 +149,10 @@ TEST_P(WithFriction, SlidingInTwoDirectionsKeepsItsDirection) {
   EXPECT_NEAR(two.v[2], -0.8 * one.v[1], 1e-6);
 }
 
-// A wall that slides along the block takes it along; the force works on the ground.
+// A wall that slides along the block drags it; the force does work on the ground.
 TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
-  test::Book book("Friction where a contact presses", "a wall that slides takes a block along: F t/m, then its speed",
-                  "the wall gains its speed in a moment, not at once; then the tolerance 1e-6");
+  test::Book book("Friction at closed contacts", "a sliding wall drags a block: F t/m, then its speed",
+                  "the wall accelerates over a short time; then the tolerance 1e-6");
   const double sliding = 1e-3, speed = 0.5, acceleration = 10;
   Block block(sliding);
   block.system.grounds = {GroundMotion(Pulse{Pulse::Shape::rectangle, -acceleration, speed / acceleration})};
@@ -162,19 +162,19 @@ TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
   Stepper stepper(block.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.02});
   stepper.start(0, block.u, Eigen::Vector2d::Zero());
   test::march(stepper, 0.2, 0.02);
-  // From a wall that is faster at once it would be F t / m; the wall gains its speed in a moment.
+  // For a wall with a sudden velocity it would be F t / m; here the wall accelerates over a short time.
   const double force = Block::coefficient * Block::pressed;
-  book.near("speed on the way [m/s]", stepper.state().v[1], force / Block::mass * 0.2,
+  book.near("intermediate speed [m/s]", stepper.state().v[1], force / Block::mass * 0.2,
             0.01 * force / Block::mass * 0.2);
   test::march(stepper, 2, 0.02);
-  book.near("speed in the end [m/s]", stepper.state().v[1], speed, 1e-6);
+  book.near("final speed [m/s]", stepper.state().v[1], speed, 1e-6);
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.impact, 1e-5 * e.kinetic);
   EXPECT_GT(stepper.friction_work()[0], 0.4 * e.kinetic);
 }
 
-// Two masses in the plane that strike each other obliquely: the normal leans, so that normal and sliding forces act on
-// each other through both springs of each mass.
+// An oblique impact of two masses in the plane: the normal is inclined, so that normal and friction forces are coupled
+// through both springs of each mass.
 struct Oblique {
   static constexpr double mass[] = {1e5, 1.3e5}, period_x[] = {0.8, 0.5}, period_z[] = {0.3, 0.17}, gap = 0.02,
                           angle = 0.4;
@@ -214,7 +214,7 @@ struct Oblique {
     system.gap_by_ground << c, -c, -s, s;
   }
 
-  // u v of the four unknowns, d v of both grounds, work of the friction.
+  // u and v of the four unknowns, d and v of both grounds, work of the friction.
   static Eigen::VectorXd direct(double end) {
     const Oblique problem;
     const Eigen::MatrixXd closing = problem.system.gap_jacobian;
@@ -222,7 +222,7 @@ struct Oblique {
     const auto f = [&](double t, const Eigen::VectorXd& y) {
       Eigen::VectorXd out(13);
       const double a[] = {ground(t), ground(t - delay)};
-      // Absolute, from relative: x moves with the ground of its mass.
+      // Absolute from relative: x moves with the ground of its mass.
       Eigen::Vector4d x = y.head(4), v = y.segment(4, 4);
       for (int i = 0; i < 2; ++i) x[2 * i] += y[8 + i], v[2 * i] += y[10 + i];
       const double overlap = closing.col(0).dot(x) - gap, slip = closing.col(1).dot(v);
@@ -244,9 +244,8 @@ struct Oblique {
 };
 
 TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
-  test::Book book("Friction where a contact presses",
-                  "independent integration of an oblique impact in absolute coordinates",
-                  "run at tolerance 1e-6, ten times as much after three impacts");
+  test::Book book("Friction at closed contacts", "independent integration of an oblique impact in absolute coordinates",
+                  "run at tolerance 1e-6, error ten times as large after three impacts");
   const double end = 1.5;
   static const Eigen::VectorXd expected = Oblique::direct(end);
   Oblique problem;
@@ -267,9 +266,9 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   EXPECT_DOUBLE_EQ(e.impact, stepper.friction_work()[0] + problem.link.work());
 }
 
-// Steady normal force, so that friction is smooth: the block on a spring is slowed down.
+// Constant normal force, so that friction is smooth: the block on a spring decelerates.
 TEST_P(WithFriction, StepsKeepTheirOrder) {
-  test::Book book("Friction where a contact presses", "order of the scheme, against an independent integration",
+  test::Book book("Friction at closed contacts", "order of the scheme, against an independent integration",
                   "the next order of the error");
   const double sliding = 0.3, k = 8e4, end = 0.8;
   const auto f = [&](double, const Eigen::VectorXd& y) {

@@ -1,4 +1,4 @@
-// Springs at unknowns without mass, which give way to their forces at once: hinges of a frame.
+// Springs at massless degrees of freedom, which respond to their forces without inertia: hinges of a frame.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ constexpr Scheme esdirk{.kind = Scheme::Kind::esdirk4};
 constexpr Scheme alpha{.kind = Scheme::Kind::generalized_alpha};
 constexpr Scheme damped{.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 0.8};
 
-// Some three periods, all hinges yield.
+// About three periods in which all hinges yield.
 const GroundMotion shake(Harmonic{4.0, 0.7, 2.0});
 constexpr double end = 2.5;
 
@@ -42,8 +42,7 @@ class Hinges : public testing::TestWithParam<Scheme> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, Hinges, testing::Values(esdirk, alpha, damped),
                          [](const auto& test) { return "scheme" + std::to_string(test.index); });
 
-// K, with the springs that yield softened, against K with forces: the same deformations and displacements under the
-// same load.
+// K with softened yielding springs against K with forces: the same deformations and displacements under the same load.
 TEST(HingesAtRest, GiveWayAsASofterStiffnessSays) {
   HingeFrame frame;
   const System& system = frame.system;
@@ -58,11 +57,11 @@ TEST(HingesAtRest, GiveWayAsASofterStiffnessSays) {
   const Eigen::MatrixXd softer = k + b * slope.asDiagonal() * b.transpose();
   const Eigen::VectorXd expected = test::dense::solve(softer, load), deformation = b.transpose() * expected;
   const Eigen::VectorXd force = slope.cwiseProduct(deformation);
-  // Unknowns with mass alone follow from K and the forces; what those without give way is relief().
+  // The coordinates contain the unknowns with mass only; relief() adds the deflection of the massless ones.
   Eigen::VectorXd x = solver.coordinates(expected), u, push = Eigen::VectorXd::Zero(solver.size());
   solver.physical(x, u);
   EXPECT_LT((u - expected).norm(), 2 * expected.norm());
-  EXPECT_GT((u - expected).norm(), 1e-3 * expected.norm()) << "else nothing would give way";
+  EXPECT_GT((u - expected).norm(), 1e-3 * expected.norm()) << "otherwise no spring would yield";
   Eigen::MatrixXd relative;
   solver.gather(x, relative);
   EXPECT_LT((relative.col(0) - s * force - deformation).norm(), 1e-12 * deformation.norm());
@@ -86,7 +85,7 @@ TEST_P(Hinges, CloseTheirEnergies) {
   }
 }
 
-// The answer at a tiny tolerance by the other scheme.
+// The reference is the other scheme at a very small tolerance.
 TEST_P(Hinges, KeepTheTolerance) {
   HingeFrame exact_frame({}, shake);
   const bool by_alpha = GetParam().kind == esdirk.kind;
@@ -112,8 +111,8 @@ TEST_P(Hinges, ThatNeverYieldCostNoBit) {
   EXPECT_EQ(a.iterations, 0);
 }
 
-// Steps in which every hinge stays in its elastic range, before the first yield and between two of them, at rest under
-// gravity too.
+// Steps in which every hinge stays in its elastic range, before the first yield and between two yields, with and
+// without gravity.
 TEST_P(Hinges, ThatStayInTheirRangesMoveToTheBitAsByTheLongWay) {
   for (const bool bears : {false, true}) {
     HingeFrame quick({.frames = 2, .mirrored = true}, shake), slow({.frames = 2, .mirrored = true}, shake);
@@ -169,7 +168,7 @@ TEST_P(Hinges, OfTwoMirroredFramesMoveAlike) {
   const Eigen::VectorXd& u = done.end.u;
   for (int i = 0; i < frames.unknowns; i += 6)
     for (int j = 0; j < 6 && i + j < 18; ++j) {
-      // Across the bay: x and turns change their signs, z does not.
+      // Mirrored across the bay: x and rotations change sign, z does not.
       const int across = frames.unknowns + i + (j + 3) % 6;
       const double sign = j % 3 == 1 ? 1 : -1;
       EXPECT_NEAR(u[i + j], sign * u[across], 1e-9 * u.cwiseAbs().maxCoeff());
@@ -187,7 +186,7 @@ TEST_P(Hinges, BesideAContactCloseTheirEnergies) {
   EXPECT_LT(std::abs(done.imbalance()), 1e-5);
 }
 
-// Static equilibrium of the unknowns without mass, springs included, inside steps too.
+// Static equilibrium of the massless unknowns including springs, also inside steps.
 TEST_P(Hinges, AreInEquilibriumInsideSteps) {
   HingeFrame frame({}, shake);
   ModalSolver solver(frame.system);
@@ -260,13 +259,13 @@ TEST_P(Hinges, MoveAlikeInModesAndInSparseMatrices) {
     return stepper.state();
   };
   const State a = march(of_modes, modal), b = march(of_factors, sparse);
-  // Corners are located to a millionth of a step.
+  // Corners are located within 1e-6 times the step.
   EXPECT_LT((a.u - b.u).norm(), 1e-8 * a.u.norm());
   EXPECT_LT((a.v - b.v).norm(), 1e-6 * a.v.norm());
   EXPECT_LT((a.force - b.force).norm(), 1e-8 * a.force.norm());
 }
 
-// A step that ended at a corner would need a factor of its own: the error alone says how long steps are there.
+// A step that ends at a corner would need its own factorization: here the error alone limits the steps.
 TEST_P(Hinges, OfFramesWithFactorsKeepTheToleranceWithoutStepsThatEndAtCorners) {
   constexpr double longest = 0.016;
   const auto run_with = [&](auto&& make, double tolerance) {

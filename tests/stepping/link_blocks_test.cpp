@@ -1,4 +1,4 @@
-// Blocks of links that do not act on one another, found in a flexibility with zeros outside of them.
+// Blocks of uncoupled links, found in a flexibility with zeros outside the blocks.
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace link_blocks_test {
 
 using Eigen::Index;
 
-/// As in a row of bodies, where each link acts on its neighbours in the same block; blocks of one to five links. Random
-/// numbers, symmetric, positive definite.
+/// As in a row of bodies, in which each link is coupled to its neighbours in the same block; blocks of one to five
+/// links. Random, symmetric, positive definite.
 struct Row {
   std::vector<Index> ends;
   Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(count, count);
@@ -39,7 +39,7 @@ struct Row {
     blocks.find(flexibility);
   }
 
-  /// Ends where those from `first` up to `last` are none.
+  /// Block ends with those from `first` up to `last` removed.
   std::vector<Index> joined(std::size_t first, std::size_t last) const {
     std::vector<Index> left = ends;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(first), left.begin() + static_cast<std::ptrdiff_t>(last));
@@ -68,7 +68,7 @@ TEST(LinkBlocks, EndWhereNoLinkActsOnOneBefore) {
   }
 }
 
-// Whichever half of the matrix tells it, and over blocks in between that have no part in it.
+// From either half of the matrix, and across uncoupled blocks in between.
 TEST(LinkBlocks, HoldAllLinksThatActOnEachOther) {
   for (const bool upper : {false, true})
     for (const auto& [first, last] : std::vector<std::pair<std::size_t, std::size_t>>{{3, 4}, {3, 9}, {0, 60}}) {

@@ -1,4 +1,4 @@
-// The equations of the link forces by themselves: the test gives free motions and a flexibility, no structure is there.
+// The equations of the link forces in isolation: the test supplies free motions and a flexibility without a structure.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ struct Linear {
   }
 };
 
-/// A thousand times stiffer beyond 1 mm: full Newton steps jump back and forth over the corner.
+/// A thousand times stiffer beyond 1 mm: full Newton steps jump back and forth across the corner.
 struct Kinked {
   static constexpr std::string_view name = "kinked";
   static double force(double d) { return 1e3 * d + 1e9 * std::max(0.0, d - 1e-3); }
@@ -50,7 +50,7 @@ struct Lost {
   laws::Response contact(double, double, const laws::Impact&) const noexcept { return {std::nan(""), 0, 0}; }
 };
 
-/// Links that press, what they are given, and the forces found.
+/// Closed links, their data, and the computed forces.
 struct Few {
   std::vector<std::unique_ptr<Contact>> contacts;
   std::vector<std::unique_ptr<Spring>> springs;
@@ -95,8 +95,7 @@ struct Few {
     blocks.find(flexibility);
     return solver->solve({active, free, free_acceleration, flexibility, by_u, by_v, weight, nullptr, &blocks}, force);
   }
-  /// The largest difference between the answer of a law, at the motion that all forces leave, and its force, as a part
-  /// of all forces.
+  /// Maximum difference between a force and its law at the motion under all forces, relative to all forces.
   double worst() const {
     double largest = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -105,7 +104,7 @@ struct Few {
                                       force.norm());
     return largest;
   }
-  /// Motion that the forces leave.
+  /// Motion under the forces.
   LinkMotion motion(int i) const {
     const double relief = weight * flexibility.row(i).dot(force);
     return {free[i].penetration - by_u * relief, free[i].rate - by_v * relief};
@@ -134,7 +133,7 @@ TEST(LinkSolver, SolvesLinksThatShareABodyTogether) {
   few.flexibility.resize(3, 3);
   few.flexibility << 2, -1, 0, -1, 2, -1, 0, -1, 3;
   ASSERT_TRUE(few.solve());
-  // k_i u_i + c_i v_i = F_i with the motion that the forces leave.
+  // k_i u_i + c_i v_i = F_i at the motion under the forces.
   Eigen::Matrix3d a = Eigen::Matrix3d::Identity();
   Eigen::Vector3d b;
   for (int i = 0; i < 3; ++i) {
@@ -164,7 +163,7 @@ TEST(LinkSolver, LeavesEveryNonlinearLinkInBalanceFromAnyGuess) {
     }
 }
 
-// The corner lies on the way of every full step, so that the bracketed solve must take over.
+// The corner lies on the path of every full step, so that the bracketed solve must take over.
 TEST(LinkSolver, FindsForcesOnBothSidesOfACorner) {
   for (const double free : {0.9e-3, 1.0001e-3, 2e-3, 0.5}) {
     Few few;
@@ -191,7 +190,7 @@ TEST(LinkSolver, LetsAHeldContactCloseNoFaster) {
   EXPECT_GT(few.force[0], 0);
 }
 
-// Two held contacts between the same two bodies: G is singular, only the sum of the forces is known.
+// Two rigid contacts between the same two bodies: G is singular and only the sum of the forces is determined.
 TEST(LinkSolver, SharesAForceAmongContactsThatHoldTheSameBodies) {
   Few few;
   few.rest();
@@ -204,7 +203,7 @@ TEST(LinkSolver, SharesAForceAmongContactsThatHoldTheSameBodies) {
   EXPECT_NEAR(few.force[0], few.force[1], 1e-12);
 }
 
-// A spring that yields answers less than its elastic force: the force lies beyond the answer to the free motion.
+// A yielding spring has less than its elastic force: the solution lies beyond the force at the free motion.
 TEST(LinkSolver, FollowsASpringThatYields) {
   Few few;
   few.springs.push_back(std::make_unique<BilinearSpring>(BilinearSpring::Parameters{1e6, 1e3, 0.1}));
@@ -216,18 +215,18 @@ TEST(LinkSolver, FollowsASpringThatYields) {
   // Excess force -(1 - a)(k d - Fy) at d = free - c f with c = weight by_u g.
   const double c = few.weight * few.by_u * 0.8, expected = -0.9 * (1e6 * 5e-3 - 1e3) / (1 - 0.9 * 1e6 * c);
   EXPECT_NEAR(few.force[0], expected, 1e-12 * std::abs(expected));
-  EXPECT_LT(expected, -0.9 * (1e6 * 5e-3 - 1e3)) << "beyond the answer to the free motion";
+  EXPECT_LT(expected, -0.9 * (1e6 * 5e-3 - 1e3)) << "beyond the force at the free motion";
 }
 
-// A joint without mass, but for 1e-6 of the stiffness, with sharp and stiff hinges at the four members that meet in it.
-// Their other ends turn so far that all hinges yield at first: the joint is loose then and the first directions of
-// Newton's method are far too long.
+// A joint with negligible mass (1e-6 of the stiffness) and sharp, stiff hinges at its four members. Their other ends
+// rotate so far that all hinges yield at first: the joint is then loose and the first Newton directions are far too
+// long.
 TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
   constexpr int members = 4;
   const double member = 6e6, hinge = 100 * member, turned = 0.02;
   const double yield[members] = {5e4, 3e4, 6e4, 1.5e4};
   Few few;
-  // The joint, then the ends of the members beyond their hinges.
+  // The joint, then the member ends beyond their hinges.
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(1 + members, 1 + members),
                   way = Eigen::MatrixXd::Zero(members, 1 + members);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(1 + members);
@@ -235,7 +234,7 @@ TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
   for (int i = 0; i < members; ++i) {
     few.springs.push_back(std::make_unique<HystereticSpring<hysteresis::BoucWen>>(
         hysteresis::BoucWen{.initial_stiffness = hinge, .yield_force = yield[i], .exponent = 5}));
-    way(i, 0) = -1, way(i, 1 + i) = 1;  // penetration: how far the end runs ahead of the joint
+    way(i, 0) = -1, way(i, 1 + i) = 1;  // penetration: rotation of the end relative to the joint
     stiffness(1 + i, 1 + i) = member;
     load[1 + i] = (i % 2 == 0 ? 1 : -1) * member * turned * (1 + 0.1 * i);
   }
@@ -260,11 +259,11 @@ TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
   EXPECT_NEAR(sum, 0, 1e-2 * yield[3]);
 }
 
-// Sixty springs of two structures, most of which yield, beside three contacts that join them: as by Newton's method on
-// all equations at once, which the springs of each structure leave the contacts alone.
+// Sixty springs of two structures, most of which yield, and three contacts between them. Eliminating the springs of
+// each structure first must agree with Newton's method for all equations.
 TEST(SoftSprings, OfEachStructureAreEliminatedBeforeTheOtherLinks) {
   constexpr int contacts = 3, of_one = 30, springs = 2 * of_one, count = contacts + springs;
-  Eigen::MatrixXd way = Eigen::MatrixXd::Zero(count, 2 * 40);  // of the links by the unknowns of two structures
+  Eigen::MatrixXd way = Eigen::MatrixXd::Zero(count, 2 * 40);  // links by the unknowns of two structures
   for (int i = 0; i < contacts; ++i)
     for (int j = 0; j < 80; ++j) way(i, j) = std::sin(1 + 7 * i + 3 * j);
   for (int i = 0; i < springs; ++i)
@@ -317,7 +316,7 @@ TEST(SoftSprings, OfEachStructureAreEliminatedBeforeTheOtherLinks) {
   const Eigen::VectorXd by_themselves = matrix.bottomRightCorner(springs, springs).partialPivLu().solve(left);
   ASSERT_TRUE(solver.solve(alone, own, left, direction));
   EXPECT_LT((direction - by_themselves).norm(), 1e-11 * by_themselves.norm());
-  // Springs that soften more than the structure can bear have no factor.
+  // Springs that soften more than the structure can bear have no factorization.
   EXPECT_FALSE(solver.solve_beside(links, others, matrix, 1e6 * only_springs, residual, direction));
 }
 
@@ -337,7 +336,7 @@ TEST(LinkSolver, FindsTheFrictionOfTheForceThatPresses) {
   }
 }
 
-// So many that a symmetric factor takes the place of the slopes, and stays while they do.
+// Enough links that a symmetric factorization replaces the slopes and is reused while they do not change.
 TEST(LinkSolver, FindsTheForcesOfAHundredLinksThatPressTogether) {
   constexpr int count = 100;
   Few few;
@@ -360,10 +359,10 @@ TEST(LinkSolver, FindsTheForcesOfAHundredLinksThatPressTogether) {
   const Eigen::VectorXd second = few.force;
   few.force.setConstant(few.force.mean());
   ASSERT_TRUE(few.solver->solve(softer, few.force));
-  EXPECT_LT((few.force - second).norm(), 1e-10 * second.norm()) << "from another guess";
+  EXPECT_LT((few.force - second).norm(), 1e-10 * second.norm()) << "from another initial guess";
 }
 
-// As in a row of bodies: links on the same body act on each other, three at most in a chain, and then a body is free.
+// As in a row of bodies: links on the same body are coupled, at most three in a chain, followed by a free body.
 TEST(LinkSolver, FindsTheForcesOfLinksInBlocksAsThoseOfAll) {
   constexpr int count = 150;
   Few few;

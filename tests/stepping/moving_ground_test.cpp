@@ -1,5 +1,5 @@
-// Supports that the ground moves one by one, and relative displacements that the ground and gravity give: against
-// integration in absolute coordinates and closed forms.
+// Multiple-support excitation, and relative displacements from ground motion and gravity, against integration in
+// absolute coordinates and closed forms.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class MovingGround : public testing::TestWithParam<NamedScheme> {
 INSTANTIATE_TEST_SUITE_P(Schemes, MovingGround, testing::ValuesIn(schemes),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Two oscillators with a Hertz link; a harmonic motion arrives later at the right one.
+// Two oscillators with a Hertz link; a harmonic motion arrives at the right one with a delay.
 struct Delayed {
   static constexpr double mass[] = {1e5, 1.5e5}, period[] = {0.8, 0.4}, ratio = 0.05, gap = 0.02, stiffness = 2.75e9;
   static constexpr double amplitude = 3, ground_period = 0.6, duration = 1.5, delay = 0.13, end = 3;
@@ -60,7 +60,7 @@ struct Delayed {
     system.outputs = diagonal({1, 1});
   }
 
-  // x1 x2 v1 v2 of the masses and of their grounds, absolute, at the end.
+  // Absolute x1 x2 v1 v2 of the masses and of their grounds at the end.
   static Eigen::VectorXd direct() {
     const auto ground = [](double t) {
       return t >= 0 && t < duration ? amplitude * std::sin(2 * pi * t / ground_period) : 0.0;
@@ -81,7 +81,7 @@ struct Delayed {
 };
 
 TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
-  test::Book book("Supports that the ground moves one by one",
+  test::Book book("Multiple-support excitation",
                   "independent integration in absolute coordinates of two oscillators, the motion delayed at one",
                   "run at tolerance 1e-6");
   static const Eigen::VectorXd expected = Delayed::direct();
@@ -119,7 +119,7 @@ TEST(OneMotion, GivenAsTwoIsTheSame) {
   EXPECT_LT((two.v - one.v).norm(), 1e-9 * one.v.norm());
 }
 
-// 0.07 + 0.08 is the number after 0.15: between the two jumps no step fits, and none is needed.
+// 0.07 + 0.08 is the next floating-point number after 0.15: no step fits between the two jumps, and none is needed.
 TEST_P(MovingGround, JumpsThatOnlyRoundingKeepsApartAreOne) {
   const GroundMotion motion(Pulse{Pulse::Shape::rectangle, 3, 0.4});
   const GroundMotion once = motion.delayed(0.15), twice = motion.delayed(0.07).delayed(0.08);
@@ -140,7 +140,7 @@ TEST_P(MovingGround, JumpsThatOnlyRoundingKeepsApartAreOne) {
   }
 }
 
-// A mass at rest on firm ground; a wall at its right stands on other ground.
+// A mass at rest on fixed ground; a wall on its right moves with other ground.
 struct BeforeWall {
   static constexpr double mass = 6e4;
   std::unique_ptr<Contact> contact;
@@ -160,14 +160,14 @@ struct BeforeWall {
   }
 };
 
-// A pulse of 0.1 s gives the wall 0.1 m/s towards the mass; it covers the gap of 20 mm at 0.25 s.
+// A pulse of 0.1 s gives the wall 0.1 m/s towards the mass; it closes the gap of 20 mm at 0.25 s.
 const GroundMotion towards(Pulse{Pulse::Shape::rectangle, -1, 0.1});
 
 TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
-  test::Book book("Supports that the ground moves one by one",
+  test::Book book("Multiple-support excitation",
                   "a wall that drifts at 0.1 m/s throws a rigid mass ahead, e = 0.6: impulse times the velocity of "
                   "the wall",
-                  "nothing but rounding");
+                  "round-off");
   const double restitution = 0.6;
   BeforeWall problem(std::make_unique<RigidGapLink>(restitution, 0.02), towards);
   ModalSolver base(problem.system);
@@ -187,7 +187,7 @@ TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
 }
 
 TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
-  test::Book book("Supports that the ground moves one by one",
+  test::Book book("Multiple-support excitation",
                   "a wall that drifts at 0.1 m/s throws a mass ahead by a linear spring: half a period of contact",
                   "run at tolerance 1e-6");
   const double stiffness = 9.35e7;
@@ -209,10 +209,10 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
   EXPECT_NEAR(e.input, e.kinetic + e.impact, 1e-6 * e.input);
 }
 
-// The wall pushes the mass while it gains speed, and leaves it when it slows down.
+// The wall pushes the mass while it accelerates and separates from it when it decelerates.
 TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
-  test::Book book("Supports that the ground moves one by one",
-                  "a mass that a wall pushes while it gains speed: m a, then A T/pi", "run at tolerance 1e-5");
+  test::Book book("Multiple-support excitation", "a mass that a wall pushes while it gains speed: m a, then A T/pi",
+                  "run at tolerance 1e-5");
   const double amplitude = 2, duration = 0.8, half = duration / 2;
   BeforeWall problem(std::make_unique<RigidGapLink>(0.5, 0.0),
                      GroundMotion(Pulse{Pulse::Shape::sine, -amplitude, duration}));
@@ -253,10 +253,11 @@ TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
   EXPECT_NEAR(touch, expected_touch, 1e-12);
 }
 
-// A mass on a spring that gravity presses on a spring at the wall, which moves harmonically: linear while they press.
+// A mass on a spring that gravity presses on a spring at the wall, which moves harmonically: linear while they are in
+// contact.
 TEST_P(MovingGround, StepsKeepTheirOrder) {
-  test::Book book("Supports that the ground moves one by one",
-                  "order of the scheme, against an independent integration", "the next order of the error");
+  test::Book book("Multiple-support excitation", "order of the scheme, against an independent integration",
+                  "the next order of the error");
   const double k = 4e6, contact = 6e6, closed = 0.05, amplitude = 0.4, period = 0.5, end = 0.45;
   const double rest = -contact * closed / (k + contact);
   const auto expected = [&] {
@@ -284,7 +285,7 @@ TEST_P(MovingGround, StepsKeepTheirOrder) {
             GetParam().order, 0.25);
 }
 
-// Everywhere a report may ask.
+// At every time that a report may need.
 TEST_P(MovingGround, ObservedIsThatOfTheWholeState) {
   Delayed problem;
   Eigen::MatrixXd rows(2, 3);
@@ -304,7 +305,8 @@ TEST_P(MovingGround, ObservedIsThatOfTheWholeState) {
   FixedSteps policy;
   long events = 0;
   for (int step = 0; step < 400; ++step) {
-    if (step % 3 == 0) expect_same(stepper.outputs(), stepper.state());  // not at each, so that nothing old is shown
+    if (step % 3 == 0)
+      expect_same(stepper.outputs(), stepper.state());  // not at each step, so that stale values would be noticed
     controller.advance(2e-3, 1e9, policy);
     if (step % 2 == 1 && stepper.events() == events) continue;
     events = stepper.events();

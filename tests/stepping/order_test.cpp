@@ -1,6 +1,6 @@
-// The observed orders of generalized-alpha and ESDIRK4. Of the former: halving the step divides the error by four, at
-// rest or not, with contacts whose force is smooth (Hertz) or jumps at the touch (Kelvin-Voigt), because steps end at
-// the located instants.
+// The observed orders of generalized-alpha and ESDIRK4. For generalized-alpha, halving the step divides the error by
+// four, from rest or not, with contacts whose force is smooth (Hertz) or jumps at the touch (Kelvin-Voigt), because
+// steps end at the located instants.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ struct Problem {
   double end = 0;
 };
 
-// u'' + 2 z w u' + w^2 u = 0 from u = 1, v = 0: the initial acceleration is not zero.
+// u'' + 2 z w u' + w^2 u = 0 from u = 1, v = 0: the initial acceleration is nonzero.
 Problem damped_oscillator(double w, double z) {
   Problem p;
   p.system.mass = one(2.0);
@@ -89,7 +89,7 @@ TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
   book.near("generalized-alpha: order in free vibration [-]", observed_order(errors), 2.0, 0.06);
 }
 
-// Error of position and speed after an impact that parts at `parting` with the speed `speed`; a single one of them may
+// Error of position and speed after an impact that ends at `parting` with the speed `speed`; only one of the two may
 // pass through zero between two steps.
 template <class Law>
 double error_after_impact(const Law& law, double parting, double speed, double h, const Scheme& scheme) {
@@ -103,7 +103,7 @@ double error_after_impact(const Law& law, double parting, double speed, double h
   return std::hypot(stepper.state().v[0] + speed, (stepper.state().u[0] - position) / parting);
 }
 
-// Least squares through log error against log step.
+// Slope of a linear fit of log error against log step.
 double order_of(const std::vector<double>& errors) {
   const double n = static_cast<double>(errors.size());
   double x = 0, y = 0, xx = 0, xy = 0;
@@ -122,7 +122,7 @@ TEST_P(SpectralRadius, AHertzImpactIsSecondOrder) {
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2)
     errors.push_back(error_after_impact(law, duration, 1.0, h, alpha(GetParam())));
-  book.near("generalized-alpha: order through a Hertz impact, least squares [-]", order_of(errors), 2.0, 0.15);
+  book.near("generalized-alpha: order through a Hertz impact, linear fit [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Hertz impact, last two steps [-]", observed_order(errors), 2.0, 0.2);
 }
 
@@ -136,15 +136,15 @@ TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2)
     errors.push_back(error_after_impact(law, duration, requested, h, alpha(GetParam())));
-  book.near("generalized-alpha: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 2.0, 0.15);
+  book.near("generalized-alpha: order through a Kelvin-Voigt impact, linear fit [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]", observed_order(errors), 2.0,
             0.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(GeneralizedAlpha, SpectralRadius, testing::Values(1.0, 0.8, 0.0));
 
-// The acceleration that the scheme carries belongs to a time that moves with the step; were it left behind when the
-// step changes, the error estimate would ask for six times as many steps.
+// The acceleration of the scheme belongs to a time that moves with the step. Without that shift at a change of the
+// step, the error estimate would require six times as many steps.
 TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
   const auto steps = [](const char* radius) {
     std::string yaml = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-5);
@@ -156,7 +156,7 @@ TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
   EXPECT_LT(steps("0.8"), 1.1 * steps("1"));
 }
 
-// The scheme of order four.
+// The fourth-order scheme.
 
 TEST(Esdirk4, MeetsTheConditionsOfItsOrder) {
   test::Book book("Orders of the time schemes",
@@ -224,11 +224,11 @@ TEST(Esdirk4, AKelvinVoigtImpactIsOfOrderFour) {
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
   for (double h = 1.6e-2; h > 1e-3; h /= 2) errors.push_back(error_after_impact(law, duration, requested, h, fourth));
-  book.near("ESDIRK4: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 4.0, 0.3);
+  book.near("ESDIRK4: order through a Kelvin-Voigt impact, linear fit [-]", order_of(errors), 4.0, 0.3);
   book.below("ESDIRK4: error after a Kelvin-Voigt impact, shortest step [-]", errors.back(), 1e-6);
 }
 
-// d^(3/2) has no second derivative at the touch: of order 5/2 and better, however high that of the scheme.
+// d^(3/2) has no second derivative at the touch: at least order 5/2, but not the order of the scheme.
 TEST(Esdirk4, AHertzImpactIsOfTheOrderOfItsForce) {
   const laws::Hertz law{.stiffness = 2.75e9};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
@@ -261,7 +261,7 @@ TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
   book.near("generalized-alpha: order of the error estimate [-]", std::log2(coarse / stepper.error_ratio()), 3.0, 0.15);
 }
 
-// The estimate is the error that the step really makes, within a small factor.
+// The estimate agrees with the actual error of the step within a small factor.
 TEST(ErrorEstimate, IsTheErrorOfTheStep) {
   const double w = 7.0, z = 0.05, tolerance = 1e-3, h = 2e-3;
   Problem p = damped_oscillator(w, z);

@@ -1,4 +1,4 @@
-// Trial steps leave no trace, and the same input gives the same bits.
+// Trial steps have no side effects, and equal input gives bitwise identical results.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0;
 }
 
-// One run asks for many steps that it throws away, the other for none.
+// One run computes many steps that it discards, the other none.
 TEST(TrialSteps, LeaveNoTrace) {
   const auto end_state = [](bool with_trials) {
     const Model model =
@@ -52,8 +52,8 @@ TEST(TrialSteps, LeaveNoTrace) {
   EXPECT_TRUE(same_bits(quiet.force, busy.force));
 }
 
-// Displacements and velocities alone are those of the states, asked for before these exist and after. A blow changes
-// the velocity in no time: the state before it is another one than the present.
+// Displacements and velocities alone equal those of the states, before and after these are computed. An impulse changes
+// the velocity instantaneously: the state before it differs from the present one.
 TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
   const Model model = test::model_of(
       "structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
@@ -84,8 +84,8 @@ TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
   EXPECT_GE(blows, 2);
 }
 
-// Looking between the ends of a trial for a touch that is not there leaves the trial as it was, its exact end included:
-// a time one rounding short of a corner of the ground motion would ask for a step of that length.
+// A search for a touch inside a trial must leave the trial unchanged if there is none, including its exact end: a time
+// one rounding error before a corner of the ground motion would require a step of that length.
 TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {
   const Model model = test::model_of(
       "structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"

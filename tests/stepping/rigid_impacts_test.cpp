@@ -1,4 +1,4 @@
-// Impulses between rigid bodies by themselves: closed forms of collisions, no time and no structure.
+// Impulses between rigid bodies in isolation: closed forms of collisions, without time or structures.
 
 #include <gtest/gtest.h>
 
@@ -70,14 +70,14 @@ TEST(Bounce, LosesWhatIsTooSlowToResolve) {
   strikes.slowest[0] = 1.5;
   const RigidBounce result = bounce(strikes);
   EXPECT_NEAR(result.rate[0], 0, 1e-15);
-  EXPECT_NEAR(row.after(result.impulse)[1], 0.25, 1e-15) << "they go on together";
+  EXPECT_NEAR(row.after(result.impulse)[1], 0.25, 1e-15) << "they continue together";
   EXPECT_NEAR(result.work[0], 0.375, 1e-15);
 }
 
 TEST(Bounce, BringsBodiesToRestThatPartAsTheyTouch) {
   const Row row{Eigen::Vector2d(1, 1), Eigen::Vector2d(0, 1e-3)};
   Strikes strikes = row.strikes(0.5);
-  EXPECT_EQ(bounce(strikes).impulse[0], 0) << "else they part";
+  EXPECT_EQ(bounce(strikes).impulse[0], 0) << "otherwise they separate";
   strikes.parting = 1;
   EXPECT_NEAR(bounce(strikes).rate[0], 0, 1e-18);
   EXPECT_LT(bounce(strikes).impulse[0], 0);
@@ -91,7 +91,7 @@ TEST(PlasticImpulses, MakeBallsGoOnTogether) {
 }
 
 TEST(PlasticImpulses, NeverPull) {
-  // The middle ball is pressed away from the last one, which flies off.
+  // The middle ball is pressed away from the last one, which moves off.
   const Row row{VectorXd::Ones(3), Eigen::Vector3d(2, 0, 5)};
   const VectorXd f = plastic_impulses(row.flexibility(), row.jacobian().transpose() * row.velocity, 1e-12);
   EXPECT_NEAR(f[0], 1, 1e-14);
@@ -106,12 +106,12 @@ TEST(PlasticImpulses, SatisfyTheConditionsOfTheLeast) {
     for (int i = 0; i < 3; ++i) {
       EXPECT_GE(f[i], 0);
       EXPECT_LT(left[i], 1e-12);
-      EXPECT_NEAR(f[i] * left[i], 0, 1e-13) << "a contact that parts takes no impulse";
+      EXPECT_NEAR(f[i] * left[i], 0, 1e-13) << "a separating contact takes no impulse";
     }
   }
 }
 
-// The first contact closes fastest and is pressed first, but the other two together make it part.
+// The first contact closes fastest and is pressed first, but the other two together separate it.
 TEST(PlasticImpulses, LetAContactGoThatOthersRelieve) {
   MatrixXd g(3, 3);
   g << 1.02, 0.7, 0.7, 0.7, 1, 0, 0.7, 0, 1;
@@ -128,8 +128,8 @@ TEST(SlowestBounce, LeavesAHopThatAStepCanSee) {
   const double press = 4, e = 0.6, displacement = 0.1;
   const double rate = e * slowest_bounce(press, e, displacement, 0);  // after the bounce
   EXPECT_NEAR(rate * rate / (2 * press), 4 * motion_noise * displacement, 1e-25);
-  EXPECT_NEAR(2 * e * slowest_bounce(1e6, e, 1e-30, 50.0) / 1e6, 1e-13 * 50, 1e-20) << "or one that lasts";
-  EXPECT_EQ(slowest_bounce(-1, e, displacement, 0), 0) << "bodies that nothing presses part for good";
+  EXPECT_NEAR(2 * e * slowest_bounce(1e6, e, 1e-30, 50.0) / 1e6, 1e-13 * 50, 1e-20) << "or one that persists";
+  EXPECT_EQ(slowest_bounce(-1, e, displacement, 0), 0) << "bodies without a pressing force separate permanently";
 }
 
 TEST(HoldContacts, TakesTheDriftOfAHeldContactOut) {

@@ -1,5 +1,5 @@
-// Short motions of the ground: closed forms of undamped structures, the energies, and steps that recover when the
-// motion is over.
+// Short ground motions: closed forms of undamped structures, the energy balance, and steps that grow again after the
+// motion.
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,10 @@ namespace short_motions_test {
 constexpr double pi = std::numbers::pi;
 constexpr double amplitude = 3, period = 0.43, durations[] = {1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1};
 
-// A motion of the ground by its length.
+// A ground motion by its duration.
 struct Kind {
   const char* name;
-  double cycles;  // sines in the duration; 0: the acceleration is constant
+  double cycles;  // number of sine cycles; 0: constant acceleration
 };
 
 constexpr double harmonic_cycles = 2.6;
@@ -37,8 +37,8 @@ struct Motion {
   double u = 0, v = 0;
 };
 
-// u'' + w^2 u = -ag from rest, at the end of the motion and `later` after it. sin(p d) and cos(p d) - cos(w d) in forms
-// without cancellation.
+// u'' + w^2 u = -ag from rest, at the end of the motion and `later` after it. sin(p d) and cos(p d) - cos(w d) are
+// written without cancellation.
 Motion exact(const Kind& kind, double duration, double w, double later) {
   Motion end;
   const double p = 2 * pi * kind.cycles / duration;
@@ -79,8 +79,8 @@ struct Case {
 
 class ShortMotions : public testing::TestWithParam<Case> {};
 
-// Without damping an error of phase grows in every period by a part of the tolerance, whatever has set off the motion:
-// 0.6 of it at most. So errors are those of one period.
+// Without damping the phase error grows in every period by a fraction of the tolerance, at most 0.6 of it, for any
+// motion. Errors are therefore per period.
 double periods(double length, double w) { return std::max(1.0, length * w / (2 * pi)); }
 
 TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
@@ -111,10 +111,10 @@ TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
     }
 }
 
-// Most steps are those of the free vibration, the same after every motion.
+// The free vibration, which is the same after every motion, takes the majority of the steps.
 TEST_P(ShortMotions, TakeAtMostTwiceTheStepsOfARectangle) {
   const auto [scheme, tolerance] = GetParam();
-  const double length = std::string(scheme) == "generalized_alpha" && tolerance < 1e-5 ? 4 : 20;  // its steps are many
+  const double length = std::string(scheme) == "generalized_alpha" && tolerance < 1e-5 ? 4 : 20;  // it needs many steps
   for (const double duration : durations) {
     long of_rectangle = 0;
     for (const Kind& kind : kinds) {
@@ -127,7 +127,7 @@ TEST_P(ShortMotions, TakeAtMostTwiceTheStepsOfARectangle) {
   }
 }
 
-// Before a pulse that comes late nothing moves, and a structure that it reaches later meets the same pulse.
+// The motion is zero before a late pulse, and a structure with a delay receives the same pulse.
 TEST_P(ShortMotions, MayComeLateAndWithADelay) {
   const auto [scheme, tolerance] = GetParam();
   const double w = 2 * pi / period, start = 5, delay = 0.3, duration = 1e-3;
@@ -150,7 +150,8 @@ TEST_P(ShortMotions, MayComeLateAndWithADelay) {
   }
 }
 
-// Masses on storeys and members: the sum of the modes, each an oscillator. The error of one period of the first one.
+// Masses on storeys and members: the sum of the modes, each an oscillator. Returns the error per period of the first
+// mode.
 double error_of_modes(const Kind& kind, double duration, const std::string& structure, double tolerance,
                       const std::string& scheme, double later, double* imbalance) {
   const std::string yaml = text(pulse_text(kind.name, duration), structure, tolerance, scheme, duration + later);
@@ -182,7 +183,7 @@ double error_of_modes(const Kind& kind, double duration, const std::string& stru
 }
 
 const std::string building = "  a: {shear_building: {storeys: 5, mass: 20 t, stiffness: 4e4 kN/m, damping: 0}}\n";
-// A portal whose beam may turn at its ends: two unknowns with mass along x, the others without.
+// A portal whose beam may rotate at its ends: two unknowns with mass along x, the others massless.
 const std::string portal =
     "  a: {frame: {material: {E: 30 GPa}, sections: {s: {area: 0.2, inertia_y: 4e-3}},\n"
     "    nodes: {a: [0, 0], b: [0, 3], c: [5, 3], d: [5, 0]},\n"
@@ -208,8 +209,8 @@ TEST_P(ShortMotions, MoveBuildingsAndFramesByTheirModes) {
       }
 }
 
-// The motion is short for the body on the soft spring alone, and the rule of integration would press it into the other
-// or part them. Together they are one oscillator, in closed form.
+// The motion is short only for the body on the soft spring, and the quadrature rule would press it into the other body
+// or separate them. Together they are one oscillator in closed form.
 TEST_P(ShortMotions, HoldRigidBodiesTogetherThatFeelThemDifferently) {
   const auto [scheme, tolerance] = GetParam();
   const double ground_period = 0.11, stiff = 0.063, soft = 0.47, length = 0.06;

@@ -1,4 +1,4 @@
-// The driver of steps without PETSc's TS, beside the TS; and what it does when steps are refused.
+// The step driver without PETSc's TS, against the TS; and its behaviour if steps are rejected.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ struct Oscillators {
   std::span<const ImpactRow> impacts() const { return model.links[0].contact->impacts(); }
 };
 
-// With this type of TSAdapt; null for the default one.
+// With this type of TSAdapt; null for the default.
 void solve_with_ts(Oscillators& run, double first, TSAdaptType type) {
   petsc::Handle<TS> ts;
   petsc::Handle<Vec> u, v;
@@ -100,7 +100,7 @@ TEST_P(DriverWithScheme, MakesTheStepsThatPetscMakesWithoutAdaptivity) {
   expect_same_bits(with_ts, alone);
 }
 
-// The memory of the controller goes along with the state of the stepper.
+// The memory of the controller is saved with the state of the stepper.
 TEST_P(DriverWithScheme, GoesOnFromASavedStateWithTheSameBits) {
   Oscillators whole(GetParam().scheme), halves(GetParam().scheme), rest(GetParam().scheme);
   const auto march = [](StepController& controller, double h, double end) {
@@ -147,18 +147,18 @@ TEST(Driver, RemembersTheStepsOfContactsApart) {
   EXPECT_LT(h, 0.2 * before) << "a first contact starts with short steps";
   double pressed = h;
   while (run.stepper.in_contact()) pressed = h, h = controller.advance(h, duration, policy);
-  EXPECT_GT(h, 2 * pressed) << "the steps before the contact return after it";
+  EXPECT_GT(h, 2 * pressed) << "steps return to their length before the contact";
 }
 
-// Rejects everything.
+// Rejects every step.
 struct Impatient : StepSizePolicy {
   int rejected = 0;
   Verdict judge(const Stepper&, double step) override { return {false, 0.9 * step}; }
-  std::string on_reject() override { return ++rejected == 3 ? "three are enough" : ""; }
+  std::string on_reject() override { return ++rejected == 3 ? "three are sufficient" : ""; }
 };
 
-// A trial that passes the end of an impact has a large error, for the force bends there. Steps that become short before
-// it would creep.
+// A trial across the end of an impact has a large error because the force has a kink there. Steps that shrink before it
+// would approach it only slowly.
 TEST(Driver, DoesNotCreepToTheEndsOfImpacts) {
   Oscillators run({.kind = Scheme::Kind::esdirk4}, 1e-4);
   run.start();
@@ -182,7 +182,7 @@ TEST(Driver, StopsWithTheReasonOfThePolicy) {
     EXPECT_TRUE(test::mentions(std::string(error.what()), {"0 s", "0.00195 s"}));
   }
   EXPECT_EQ(controller.trials(), 3);
-  EXPECT_EQ(run.stepper.time(), 0) << "nothing was kept";
+  EXPECT_EQ(run.stepper.time(), 0) << "no step was accepted";
 }
 
 struct Never : StepSizePolicy {
@@ -202,9 +202,8 @@ TEST(Driver, StopsWhereNoStepIsShortEnough) {
   }
 }
 
-// Two heavy bodies press a light one between them, by a dashpot that magnifies the round-off of their forces. A stage
-// that Newton's method has solved to that round-off is solved; were such stages tried again, it would take 8,420
-// trials.
+// Two heavy bodies press a light one between them through a dashpot that amplifies the round-off of their forces. A
+// stage whose Newton iteration has reached that round-off is converged; repeating such stages would take 8,420 trials.
 TEST(RestingRow, IsSolvedThoughADashpotMagnifiesRoundOff) {
   const Outcome found = test::run_text(R"(
 ground_motion: {pulse: {shape: half_sine, amplitude: -0.49089660325450835, start: 0.0, duration: 1.0}}

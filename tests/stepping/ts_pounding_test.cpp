@@ -1,4 +1,4 @@
-// The type `pounding` as a TS among others: events of a host program, rollback, interpolation, restart, options.
+// The type `pounding` as a regular TS: events of a host program, rollback, interpolation, restart, options.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ double value(Vec x, PetscInt i) {
 
 constexpr const char* law = "jankowski, stiffness: 2.75e9, restitution: 0.65";
 
-// A host's event: the left oscillator passes -10 mm. PETSc rolls steps back and repeats shorter ones to find it.
+// An event of a host: the left oscillator passes -10 mm. PETSc rolls steps back and repeats shorter ones to locate it.
 struct Passing {
   std::vector<double> times, values;
 };
@@ -83,7 +83,7 @@ TEST(TsPounding, LetsPetscLocateAnEventOfItsHost) {
   check(TSSolve(watched.ts, nullptr));
   ASSERT_GT(passing.times.size(), 4u);
   for (const double at : passing.values) EXPECT_NEAR(at, -0.01, 1e-9);
-  // Steps that were rolled back have left no trace in the contact.
+  // Rolled-back steps have no effect on the contact.
   ASSERT_EQ(watched.impacts().size(), plain.impacts().size());
   for (std::size_t i = 0; i < plain.impacts().size(); ++i) {
     EXPECT_NEAR(watched.impacts()[i].t_start, plain.impacts()[i].t_start, 1e-6);
@@ -91,7 +91,7 @@ TEST(TsPounding, LetsPetscLocateAnEventOfItsHost) {
   }
 }
 
-// Every step is taken, rolled back and taken again: the same bits as without.
+// Every step is taken, rolled back and taken again, with bitwise identical results.
 TEST(TsPounding, RollsBackContactsAndAll) {
   Driven plain(law, 1e-4), back(law, 1e-4);
   check(petsc::set_rollback(back.ts, PETSC_TRUE));
@@ -125,7 +125,7 @@ TEST(TsPounding, SaysWhatARollbackNeeds) {
   check(TSStep(run.ts));
   try {
     check(TSRollBack(run.ts));
-    FAIL() << "nothing was kept to roll back to";
+    FAIL() << "no accepted step to roll back to";
   } catch (const SolverError& error) {
     EXPECT_NE(std::string(error.what()).find("set_rollback()"), std::string::npos) << error.what();
   }
@@ -145,7 +145,7 @@ TEST(TsPounding, InterpolatesInsideTheLastStep) {
   EXPECT_NE(value(middle, 1), y.u[1]);
 }
 
-// A host doubles a velocity between two steps and says so: what that adds to the energy is input.
+// A host doubles a velocity between two steps and reports it: the added energy is input.
 TEST(TsPounding, GoesOnFromAMotionThatItsHostChanged) {
   Driven run(law, 1e-6);
   check(TSSetUp(run.ts));
@@ -170,7 +170,7 @@ TEST(TsPounding, WritesItsVectorsLazilyOnlyWhenAsked) {
   EXPECT_EQ(value(eager.u, 0), eager.stepper.state().u[0]);
   EXPECT_EQ(value(lazy.u, 0), 0);
   check(TSSolve(lazy.ts, nullptr));
-  EXPECT_EQ(value(lazy.u, 0), lazy.stepper.state().u[0]) << "the end is written";
+  EXPECT_EQ(value(lazy.u, 0), lazy.stepper.state().u[0]) << "the end is recorded";
 }
 
 }  // namespace ts_pounding_test

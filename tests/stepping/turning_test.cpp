@@ -1,5 +1,4 @@
-// Frames that turn by large angles in time: closed forms, integration of their energy by other means, and the limits of
-// linear frames.
+// Large rotations of frames in time: closed forms, energy integrals, and the limit of linear frames.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +57,7 @@ struct Motion {
   }
 };
 
-// A rod that hardly strains on a rotational spring, a mass on top.
+// A nearly rigid rod on a rotational spring with a mass on top.
 constexpr double rod_length = 2, rod_mass = 100, rod_spring = 4e3, rod_turn = 1.2;
 
 std::string pendulum(bool heavy, double velocity, bool in_space = false) {
@@ -73,12 +72,13 @@ std::string pendulum(bool heavy, double velocity, bool in_space = false) {
       heavy, y, y, rod_length, in_space ? "uy, " : "", in_space ? ", rx, rz" : "", rod_spring, rod_mass, velocity);
 }
 
-// Energy without the kinetic part, at this turn: m L^2 w^2/2 + k t^2/2 - m g L (1 - cos t) is constant.
+// Energy without the kinetic part at this rotation: m L^2 w^2/2 + k t^2/2 - m g L (1 - cos t) is constant.
 double pendulum_energy(double turn, double g) {
   return 0.5 * rod_spring * turn * turn - rod_mass * g * rod_length * (1 - std::cos(turn));
 }
 
-// A quarter of the period by the midpoint rule over s, turn = rod_turn sin s, which is smooth and so exact to rounding.
+// A quarter of the period by the midpoint rule over s with the rotation rod_turn sin s: smooth and periodic, so exact
+// up to round-off.
 double pendulum_quarter(double g) {
   constexpr int points = 400;
   double sum = 0;
@@ -110,7 +110,7 @@ TEST(Turning, PendulumSwingsWithItsExactPeriod) {
       }
 }
 
-// The mast of tests/verification/turning_mast.py, which is where the numbers come from.
+// The mast of tests/verification/turning_mast.py, the source of the reference values.
 std::string mast(bool heavy, double velocity = 6, const std::string& damping = "0",
                  const std::string& geometry = "corotational") {
   return fmt::format(
@@ -166,7 +166,7 @@ TEST(Turning, HalvingTheStepShowsTheOrderOfTheScheme) {
   }
 }
 
-// Beside the linear frame of the same stiffness at rest: terms of the square of the amplitude remain.
+// Compared with the linear frame of the same stiffness at rest: terms of second order in the amplitude remain.
 TEST(Turning, SmallMotionIsThatOfTheStiffnessAtRest) {
   for (const bool heavy : {false, true}) {
     std::vector<double> apart;
@@ -183,8 +183,8 @@ TEST(Turning, SmallMotionIsThatOfTheStiffnessAtRest) {
   }
 }
 
-// A column of n members under a third of its buckling load: P-Delta bows each member, corotational ones are straight
-// between their nodes, and what that leaves falls with the square of their length.
+// A column of n members under a third of its buckling load. P-Delta bends each member; corotational ones are straight
+// between their nodes, and the difference is of second order in their length.
 double frequency_of_column(int members, const std::string& geometry) {
   std::string nodes = "n0: [0, 0]", between;
   for (int i = 1; i <= members; ++i) {
@@ -212,7 +212,7 @@ TEST(Turning, FrequenciesUnderWeightsAreThoseOfPDelta) {
   EXPECT_GT(std::abs(frequency_of_column(8, "linear") / exact - 1), 0.1);
 }
 
-// Between the reports: what crosses a storey accelerates the masses above it, and the tip hangs on its member alone.
+// Consistency of the reports: the storey shear accelerates the masses above, and the tip is held by its member alone.
 TEST(Turning, ShearsAndEndForcesMoveTheMasses) {
   for (const std::string scheme : {"generalized_alpha", "esdirk4"}) {
     std::string text = mast(true);
@@ -234,7 +234,7 @@ TEST(Turning, ShearsAndEndForcesMoveTheMasses) {
           << scheme << i;
       ASSERT_NEAR(end[2], 0, 1e-3 * 1e4) << scheme << i;
     }
-    // Rotations have no mass; theirs is the rate of what is reported of them.
+    // Rotations have no mass; their velocity is the rate of the reported rotations.
     for (std::size_t i = 2; i + 2 < times; ++i) {
       const auto value = [&](const std::vector<double>& of, int shift) { return of[((i + shift) * 5 + 4) * 3 + 2]; };
       const auto slope = [&](const std::vector<double>& of) {
@@ -246,7 +246,7 @@ TEST(Turning, ShearsAndEndForcesMoveTheMasses) {
   }
 }
 
-// Two masts, one thrown against the other.
+// Two masts, one launched at the other.
 std::string two_masts(const std::string& analysis) {
   std::string text = mast(true, 6, "1 %");
   const std::size_t from = text.find("  mast:"), to = text.find("links:");

@@ -1,5 +1,5 @@
-// Steps of one length through yielding and reversals: the schemes keep their orders, because steps end at the corners
-// of the force.
+// Equal steps through yielding and reversals: the schemes keep their orders because steps end at the corners of the
+// force.
 
 #include <gtest/gtest.h>
 
@@ -26,19 +26,19 @@ namespace yielding_order_test {
 struct Case {
   const char *name, *spring;
   double end;
-  double order = 3.5;  // of ESDIRK4, at least
+  double order = 3.5;  // minimum for ESDIRK4
 };
-constexpr double scale = 0.04;  // of its largest displacement [m]
+constexpr double scale = 0.04;  // its peak displacement [m]
 
 constexpr Case cases[] = {
     {"bilinear", "{bilinear: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.0201000705717963},
     {"menegotto_pinto", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %, memory: last}}",
      0.016508374693477594},
     {"bouc_wen", "{bouc_wen: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.01997692930908247,
-     3.0},  // where z changes its sign the slope has a kink, which nothing locates
+     3.0},  // the slope has a kink, which is not located, where z changes sign
     {"peak_oriented", "{peak_oriented: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.011872721192803607}};
 
-// Steps end also at the corners and turns of the force, or nowhere but at their own ends.
+// Steps also end at the corners and reversals of the force, or only at their own ends.
 enum class Ends { at_corners, alone };
 
 double error_after(const Case& c, const Scheme& scheme, int steps, Ends ends = Ends::at_corners) {
@@ -63,7 +63,7 @@ double error_after(const Case& c, const Scheme& scheme, int steps, Ends ends = E
   return std::abs(stepper.state().u[0] - c.end) / scale;
 }
 
-// Errors of neighbouring lengths vary with the places of the corners; means over an octave do not.
+// Errors of neighbouring lengths depend on the locations of the corners; means over an octave do not.
 double order(const std::vector<double>& errors) {
   return std::log2((errors[0] + errors[1]) / (errors[2] + errors[3])) / 2;
 }
@@ -71,9 +71,9 @@ double order(const std::vector<double>& errors) {
 class ThroughCorners : public testing::TestWithParam<Case> {};
 
 TEST_P(ThroughCorners, TheSchemesKeepTheirOrders) {
-  test::Book book("Laws of yielding: orders of the schemes with steps of one length",
+  test::Book book("Hysteretic laws: orders of the schemes with equal steps",
                   "independent integration by DOP853, restarted at every yield and reversal",
-                  "half an order, for bouc_wen one; where nothing is located ESDIRK4 has order 1");
+                  "half an order, for bouc_wen one; without event location ESDIRK4 has order 1");
   std::vector<double> fourth, second;
   for (const int steps : {300, 600, 1200, 2400}) {
     fourth.push_back(error_after(GetParam(), {.kind = Scheme::Kind::esdirk4}, steps));
@@ -85,7 +85,7 @@ TEST_P(ThroughCorners, TheSchemesKeepTheirOrders) {
   book.near(fmt::format("{}: order of generalized-alpha [-]", GetParam().name), order(second), 2.0, 0.5);
 }
 
-// Errors over the peak of a prototype that shares nothing with this project, at 600 and 2400 steps: average
+// Errors, relative to the peak, of a prototype that is independent of this project, at 600 and 2400 steps: average
 // acceleration and ESDIRK4.
 struct Prototype {
   const char* name;
@@ -95,9 +95,9 @@ constexpr Prototype prototypes[] = {{"bilinear", {1.968e-4, 1.283e-5}, {7.073e-9
                                     {"menegotto_pinto", {1.992e-4, 1.258e-5}, {2.764e-10, 1.985e-11}}};
 
 TEST(OverCorners, TheSchemesHaveTheErrorsOfAPrototype) {
-  test::Book book(
-      "Laws of yielding: errors of the schemes with steps of one length", "a prototype of both schemes in Python",
-      "a twentieth for average acceleration; of ESDIRK4 the size, as its constants hang on the places of the corners");
+  test::Book book("Hysteretic laws: errors of the schemes with equal steps", "a prototype of both schemes in Python",
+                  "a twentieth for average acceleration; for ESDIRK4 the order of magnitude, as its constants depend "
+                  "on the locations of the corners");
   const Scheme second{.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 1},
       fourth{.kind = Scheme::Kind::esdirk4};
   for (const Prototype& of : prototypes) {
@@ -110,11 +110,11 @@ TEST(OverCorners, TheSchemesHaveTheErrorsOfAPrototype) {
       book.below(fmt::format("{}: ESDIRK4, error over the peak [-]", of.name), error_after(c, fourth, steps),
                  2 * of.fourth[i]);
     }
-    // Steps over the corners cost the order.
+    // Steps across the corners reduce the order.
     EXPECT_GT(error_after(c, fourth, 2400, Ends::alone), 1e3 * error_after(c, fourth, 2400)) << of.name;
   }
-  // The prototype has this error where it ends steps at turns and not at yields: a kept step follows the turns inside
-  // it.
+  // The prototype has this error if it ends steps at reversals but not at yields: an accepted step follows the
+  // reversals inside it.
   book.near("bilinear: ESDIRK4 over corners, error over the peak [-]", error_after(cases[0], fourth, 2400, Ends::alone),
             1.6087e-5, 0.05 * 1.6087e-5);
 }

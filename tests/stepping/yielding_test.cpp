@@ -1,5 +1,4 @@
-// Storeys that yield, in whole runs: against closed forms and an independent integrator, the energy audit, and beside
-// contacts.
+// Yielding storeys in complete runs: closed forms, an independent integrator, the energy balance, and contacts.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +17,8 @@
 namespace pounding {
 namespace yielding_test {
 
-// One storey under a harmonic ground motion, written without the library: Runge-Kutta of order four on the linear
-// branches of the force, which meet at located instants.
+// One storey under a harmonic ground motion, independent of the library: fourth-order Runge-Kutta on the linear
+// branches of the force, which are joined at located instants.
 struct Reference {
   double mass, stiffness, damping, yield_force, hardening;
   double amplitude, period, duration;  // of the ground motion
@@ -28,11 +27,11 @@ struct Reference {
     double time, u, force, lost;
   };
 
-  // Every `every` seconds until `end`.
+  // Output every `every` seconds until `end`.
   std::vector<Point> run(double end, double every) const {
     const double yield = yield_force / stiffness, longest = 2e-5;
     double t = 0, u = 0, v = 0, slip = 0, lost = 0;
-    int branch = 0;  // -1, 1: yields in this direction
+    int branch = 0;  // -1, 1: yielding in this direction
     const auto force = [&](double x) {
       const double stretch = branch == 0 ? x - slip : branch * yield;
       return hardening * stiffness * x + (1 - hardening) * stiffness * stretch;
@@ -48,7 +47,7 @@ struct Reference {
       const double v4 = v + h * a3, a4 = acceleration(t + h * (1 - 1e-15), u + h * v3, v4);
       return std::array{u + h / 6 * (v1 + 2 * v2 + 2 * v3 + v4), v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
     };
-    // Positive while the branch lasts.
+    // Positive while the branch applies.
     const auto margin = [&](const std::array<double, 2>& x) {
       return branch == 0 ? yield - std::abs(x[0] - slip) : branch * x[1];
     };
@@ -88,7 +87,7 @@ struct Reference {
   }
 };
 
-// Yields in eleven half-cycles and comes to rest 8 mm off the plumb line.
+// Yields in eleven half-cycles and comes to rest 8 mm out of plumb.
 constexpr double w = 2 * M_PI / 0.5;
 constexpr Reference yielding_tower{.mass = 1e5,
                                    .stiffness = 1e5 * w * w,
@@ -122,8 +121,8 @@ double largest(const std::vector<double>& values) {
   return largest;
 }
 
-// Largest errors of a run. Displacements as parts of the peak, forces of what the initial stiffness makes of it, the
-// lost energy of itself.
+// Maximum errors of a run: displacements relative to the peak, forces relative to the initial stiffness times the peak,
+// the lost energy relative to itself.
 struct Errors {
   double displacement = 0, force = 0, peak = 0, residual = 0, lost = 0, energy = 0;
 };
@@ -142,7 +141,7 @@ Errors errors_of(const Reference& tower, const std::vector<Reference::Point>& ex
     const double error = history.displacement[i] - exact[i].u;
     e.displacement = std::max(e.displacement, std::abs(error) / peak);
     e.force = std::max(e.force, std::abs(history.storey_shear[i] - exact[i].force) / (tower.stiffness * peak));
-    // Over a last period the oscillation averages out: the residual displacement.
+    // Averaged over the last period the oscillation vanishes and leaves the residual displacement.
     if (exact[i].time > tower_end - 0.5 + tower_output / 2) off_centre += error * tower_output / 0.5;
   }
   e.peak = std::abs(largest(history.displacement) - peak) / peak;
@@ -164,13 +163,13 @@ const std::vector<Reference::Point>& elastic_reference() {
 
 class YieldingTower : public testing::TestWithParam<const char*> {};
 
-// From one instant to another the phase drifts by a little more than the tolerance, as it does in an elastic tower; the
-// corners of the force add nothing to that.
+// The phase drifts by slightly more than the tolerance, as in an elastic tower; the corners of the force add no error.
 TEST_P(YieldingTower, IsAsAccurateAsAnElasticOne) {
-  test::Book book("Storeys that yield",
-                  "independent integration: Runge-Kutta of order four on the linear branches, which meet at located "
-                  "instants",
-                  "the tolerance of the run, 1e-3 to 1e-6");
+  test::Book book(
+      "Yielding storeys",
+      "independent integration: Runge-Kutta of order four on the linear branches, which are joined at located "
+      "instants",
+      "the tolerance of the run, 1e-3 to 1e-6");
   const double tolerance = std::stod(GetParam());
   const std::string analysis = std::string("tolerance: ") + GetParam();
   const Errors e = errors_of(yielding_tower, yielding_reference(), analysis);
@@ -191,15 +190,16 @@ TEST(YieldingTower, ComesToRestOffThePlumbLine) {
   double mean = 0;
   for (const Reference::Point& point : exact)
     if (point.time > tower_end - 0.5 + tower_output / 2) mean += point.u * tower_output / 0.5;
-  EXPECT_GT(std::abs(mean), 5e-3) << "else nothing would be said about the residual displacement";
+  EXPECT_GT(std::abs(mean), 5e-3) << "otherwise the residual displacement would not be tested";
   EXPECT_GT(exact.back().lost, 20 * yielding_tower.yield_force * yielding_tower.yield_force / yielding_tower.stiffness);
 }
 
 TEST(PerfectlyPlasticOscillator, FollowsItsClosedForm) {
-  test::Book book("Storeys that yield",
-                  "elastic-perfectly-plastic oscillator from a velocity v: elastic to uy = Fy/k at v1^2 = v^2 - (w "
-                  "uy)^2, braked by Fy to uy + m v1^2/(2 Fy), then swinging by uy about what remains",
-                  "the tolerance 1e-6 of the run; half a turn of phase drifts by it");
+  test::Book book(
+      "Yielding storeys",
+      "elastic-perfectly-plastic oscillator from a velocity v: elastic to uy = Fy/k at v1^2 = v^2 - (w "
+      "uy)^2, decelerated by Fy to uy + m v1^2/(2 Fy), then oscillating by uy about the residual displacement",
+      "the tolerance 1e-6 of the run, by which half a cycle of phase drifts");
   const double m = 1e5, k = m * w * w, fy = 4e5, uy = fy / k, v = 1.2, end = 3, tolerance = 1e-6;
   const Outcome run =
       test::run_text(fmt::format("structures: {{a: {{oscillator: {{mass: {}, stiffness: {}, damping: 0, yield_force: "
@@ -266,7 +266,7 @@ TEST(YieldingBuildings, KeepTheirEnergiesWhileTheyPound) {
   EXPECT_GT(run.summary.energy.hysteretic, 0.1 * run.summary.energy.input);
   EXPECT_GT(run.summary.energy.impact, 0.01 * run.summary.energy.input);
   const std::vector<double>& lost = run.results.energy.hysteretic;
-  EXPECT_TRUE(std::is_sorted(lost.begin(), lost.end())) << "what is lost does not come back";
+  EXPECT_TRUE(std::is_sorted(lost.begin(), lost.end())) << "lost energy does not return";
 }
 
 TEST(YieldingBuildings, DoNotMoveAsElasticOnesDo) {
@@ -281,7 +281,7 @@ TEST(YieldingBuildings, GiveTheSameBitsTwice) {
   EXPECT_TRUE(same_histories(test::run_text(yaml), test::run_text(yaml)));
 }
 
-// The run without links must leave nothing in the springs of the one with links.
+// The run without links must leave no state in the springs of the run with links.
 TEST(YieldingBuildings, StartUndeformedInBothRunsOfAComparison) {
   const Outcome compared = test::run_text(two_buildings(true, true, "compare: no_pounding\n"));
   EXPECT_TRUE(same_histories(compared, test::run_text(two_buildings(true, true, ""))));
@@ -300,7 +300,7 @@ TEST(YieldingBuildings, StartUndeformedWhenTheyAreRunAgain) {
   EXPECT_TRUE(same_histories(first, run(model)));
 }
 
-// Storeys that never reach their yield force are those of the elastic building, to the rounding of one more product.
+// Storeys that never reach their yield force match the elastic building, up to the round-off of one more product.
 TEST(YieldingBuildings, AreElasticBelowTheirYieldForce) {
   std::string elastic = two_buildings(false, true, "");
   elastic.insert(elastic.rfind("}"), ", integrator: generalized_alpha");
@@ -314,12 +314,13 @@ TEST(YieldingBuildings, AreElasticBelowTheirYieldForce) {
                   1e-9 * b.summary.structures[i].peak_displacement[floor]);
 }
 
-// Steps of order four are long; they end where a storey yields or turns.
+// Fourth-order steps are long; they end at yields and reversals of a storey.
 TEST(YieldingTower, IsTheSameByEsdirk4) {
-  test::Book book("Storeys that yield",
-                  "independent integration: Runge-Kutta of order four on the linear branches, which meet at located "
-                  "instants",
-                  "the tolerance of the run");
+  test::Book book(
+      "Yielding storeys",
+      "independent integration: Runge-Kutta of order four on the linear branches, which are joined at located "
+      "instants",
+      "the tolerance of the run");
   const Errors e = errors_of(yielding_tower, yielding_reference(), "tolerance: 1e-4, integrator: esdirk4");
   book.below("ESDIRK4: peak displacement, error over peak [-]", e.peak, 1e-4);
   book.below("ESDIRK4: residual displacement, error over peak [-]", e.residual, 1e-4);

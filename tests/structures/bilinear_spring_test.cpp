@@ -1,4 +1,4 @@
-// A bilinear spring by itself, the test playing the integrator, and the storeys that an input lets yield.
+// A bilinear spring in isolation, with the test as integrator, and the yielding storeys of an input.
 
 #include <gtest/gtest.h>
 
@@ -31,14 +31,15 @@ double stored(const BilinearSpring& spring, double u) { return 0.5 * k * u * u +
 
 LinkStep to(double u) { return {.begin = 0, .end = 1, .motion_begin = {}, .motion_middle = {}, .motion_end = {u, 0}}; }
 
-// Deforms the spring evenly from `from` to `to_u`, keeping every state. Work done on it, by trapezia.
+// Deforms the spring evenly from `from` to `to_u` and accepts every state. Returns the work done on it by the
+// trapezoidal rule.
 double drive(BilinearSpring& spring, double from, double to_u, int steps) {
   double work = 0;
   for (int i = 1; i <= steps; ++i) {
     const double u0 = from + (to_u - from) * (i - 1) / steps, u1 = from + (to_u - from) * i / steps;
     const double before = force(spring, u0), at_end = force(spring, u1);
     spring.accept(to(u1));
-    EXPECT_NEAR(force(spring, u1), at_end, 1e-12 * yield_force) << "keeping a state does not change its force";
+    EXPECT_NEAR(force(spring, u1), at_end, 1e-12 * yield_force) << "accepting a state does not change its force";
     work += 0.5 * (before + at_end) * (u1 - u0);
   }
   return work;
@@ -53,7 +54,7 @@ TEST(BilinearSpring, LoadsAlongTheStiffnessAndThenAlongTheHardening) {
       const double expected = u <= yield ? k * u : yield_force + hardening * k * (u - yield);
       EXPECT_NEAR(force(jumped, sign * u), sign * expected, 1e-12 * expected);
       drive(driven, sign * last, sign * u, 7);
-      EXPECT_NEAR(force(driven, sign * u), sign * expected, 1e-12 * expected) << "however many steps lead there";
+      EXPECT_NEAR(force(driven, sign * u), sign * expected, 1e-12 * expected) << "for any number of steps";
       last = u;
     }
   }
@@ -97,7 +98,7 @@ TEST(BilinearSpring, StoresAndLosesTheWorkDoneOnIt) {
     work += drive(spring, u, next, 4000);
     u = next;
     EXPECT_NEAR(stored(spring, u) + spring.lost(), work, 1e-6 * yield_force * yield) << "at " << u;
-    EXPECT_GE(spring.lost(), lost) << "what is lost does not come back";
+    EXPECT_GE(spring.lost(), lost) << "lost energy does not return";
     EXPECT_GE(stored(spring, u), 0);
     lost = spring.lost();
   }
@@ -117,7 +118,7 @@ TEST(BilinearSpring, AnswersWithTheSlopeOfItsForce) {
       EXPECT_LE(here.by_penetration, 0);
       EXPECT_GE(here.by_penetration, -k);
       EXPECT_EQ(here.by_rate, 0);
-      EXPECT_EQ(spring.evaluate({u, -7.0}).force, here.force) << "the rate does not count";
+      EXPECT_EQ(spring.evaluate({u, -7.0}).force, here.force) << "the rate has no effect";
       yielded += here.by_penetration < 0;
     }
     EXPECT_GT(yielded, 20);
@@ -136,7 +137,7 @@ TEST(BilinearSpring, IsNotMovedByBeingAsked) {
   EXPECT_EQ(spring.stored_correction(), correction);
 }
 
-// A parabola with its top at t = 0.6, in one step and in two that meet at the top.
+// A parabola with its maximum at t = 0.6, in one step and in two that meet there.
 TEST(BilinearSpring, YieldsUpToTheTurningPointInsideAStep) {
   for (const double sign : {1.0, -1.0})
     for (const double end : {1.0, 0.7, 0.6001}) {
@@ -257,7 +258,7 @@ TEST(YieldingStoreys, AreRefusedWithAReason) {
                 test::mentions({"yield_force", "mass", "gravity", "initial_velocity"}));
 }
 
-// An initial displacement beyond yield is refused: the yielding before the start is not known.
+// An initial displacement beyond yield is rejected: the yielding before the start is unknown.
 TEST(YieldingStoreys, AreNotYieldedAtTheStart) {
   const std::string building =
       "{shear_building: {storeys: 2, mass: 1, stiffness: 1 MN/m, yield_force: 20 kN}, damping: 0, ";

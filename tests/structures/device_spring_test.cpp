@@ -1,4 +1,4 @@
-// A device by itself, the test playing the integrator.
+// A device in isolation, with the test as integrator.
 
 #include <gtest/gtest.h>
 
@@ -38,10 +38,10 @@ TEST(DeviceSpring, PullsWhereItGetsLongerAndPushesWhereItGetsShorter) {
   EXPECT_EQ(bar.evaluate({-0.01, 5}).force, -0.01 * k);
   EXPECT_EQ(damper.evaluate({7, 0}).force, 0);
   EXPECT_EQ(damper.evaluate({7, 0.2}).force, -damper.evaluate({7, -0.2}).force);
-  EXPECT_NEAR(damper.evaluate({0, 0.1}).force / (c * std::pow(0.1, 0.35)), 1, 4e-5) << "the rounding of 1 mm/s";
+  EXPECT_NEAR(damper.evaluate({0, 0.1}).force / (c * std::pow(0.1, 0.35)), 1, 4e-5) << "round-off of 1 mm/s";
 }
 
-// One period of d = D sin(w t): a linear damper takes pi c w D^2.
+// One period of d = D sin(w t): a linear damper dissipates pi c w D^2.
 TEST(DeviceSpring, TakesTheEnergyOfItsForceAndNothingInTheBar) {
   DeviceSpring both({.bar = Bar{k}, .damper = Damper{.coefficient = c}});
   constexpr double amplitude = 0.02, w = 7;
@@ -90,7 +90,7 @@ TEST(DeviceSpring, RefusesNumbersThatCannotBe) {
     EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = wrong}}), std::invalid_argument);
 }
 
-// Its number of steps would be inversely proportional to the relaxation time.
+// The number of steps would be inversely proportional to the relaxation time.
 TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
   for (const double exponent : {0.2, 0.5, 1.0}) {
     const double stiffest = exponent * 2e6 / Damper::shortest_relaxation;
@@ -102,7 +102,7 @@ TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
   }
 }
 
-// s + lag g(s) = length: g is a power of the stretch from 1 to 5, and the lag anything from no time to rest.
+// s + lag g(s) = length: g is a power of the stretch from 1 to 5, and the lag ranges from zero to infinity.
 TEST(DeviceSpring, SolvesTheStretchBesideItsDashpot) {
   for (const double exponent : {0.2, 0.35, 0.7, 1.0}) {
     const Damper damper{.coefficient = c, .exponent = exponent, .stiffness = 8 * k};
@@ -115,7 +115,7 @@ TEST(DeviceSpring, SolvesTheStretchBesideItsDashpot) {
         EXPECT_NEAR(damper.stretch_slope(s, lag) / slope, 1, 1e-6) << exponent << " " << lag << " " << length;
       }
     EXPECT_EQ(damper.stretch(0.01, std::numeric_limits<double>::infinity()), 0)
-        << "at rest the dashpot carries nothing";
+        << "at rest the force of the dashpot is zero";
     EXPECT_EQ(damper.stretch(0.01, 0), 0.01);
   }
 }
@@ -129,8 +129,8 @@ TEST(DeviceSpring, BeginsWithADamperAtRestAndLosesWhatItsDashpotTakes) {
   EXPECT_EQ(maxwell.evaluate(motion).force, 0);
   maxwell.start(motion);
   EXPECT_EQ(maxwell.stored_correction(), 0);
-  // Pulled at once by 100 mm and held: the force k s falls as the dashpot takes the stretch, and all that was stored is
-  // lost.
+  // Stretched suddenly by 100 mm and held: the force k s decreases as the dashpot takes up the stretch, and all stored
+  // energy is lost.
   double slip = motion.slip, stretch = 0.1;
   constexpr int steps = 4000;
   constexpr double h = 2.5e-4;
@@ -145,19 +145,20 @@ TEST(DeviceSpring, BeginsWithADamperAtRestAndLosesWhatItsDashpotTakes) {
   EXPECT_LT(maxwell.stored_correction(), 0.01 * maxwell.damped());
 }
 
-// One cycle of a bilinear law beside a bar would be two bars: the law replaces it, and its loop is 4 (1-b) Fy (D - Dy).
+// The law replaces the bar, whose stiffness is not added; one cycle of a bilinear law has a loop of 4 (1-b) Fy (D -
+// Dy).
 TEST(DeviceSpring, YieldsByItsLawAndGivesAllOfItsForce) {
   DeviceSpring brace(
       {.law = hysteresis::Settings{.law = "bilinear",
                                    .values = {{"stiffness", k}, {"yield_force", 0.01 * k}, {"hardening", 0.1}}}});
-  EXPECT_EQ(brace.stiffness(), 0) << "no structure is assembled with it";
+  EXPECT_EQ(brace.stiffness(), 0) << "not assembled into a structure";
   EXPECT_DOUBLE_EQ(brace.first_slope(), k);
   EXPECT_DOUBLE_EQ(brace.yield_deformation(), 0.01);
   EXPECT_DOUBLE_EQ(brace.evaluate({0.005, 0}).force, 0.005 * k);
   EXPECT_DOUBLE_EQ(brace.evaluate({0.03, 0}).force, (0.01 + 0.1 * 0.02) * k);
   EXPECT_NEAR(brace.evaluate({0.03, 0}).by_penetration / (0.1 * k), 1, 1e-12);
   EXPECT_NEAR(brace.slope_lost(0.03) / (0.9 * k), 1, 1e-12);
-  EXPECT_EQ(brace.slope_lost(0.005), 0) << "elastic, it turns back as it came";
+  EXPECT_EQ(brace.slope_lost(0.005), 0) << "elastic: unloading follows the loading line";
   const double turns[] = {0, 0.03, -0.03, 0.03};
   double lost = 0, time = 0;
   for (int i = 1; i < 4; ++i, time += 1) {

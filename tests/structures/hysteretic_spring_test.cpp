@@ -1,4 +1,4 @@
-// Springs that follow the laws of yielding, by name, the test playing the integrator.
+// Springs with hysteretic laws, by name, with the test as integrator.
 
 #include <gtest/gtest.h>
 
@@ -26,14 +26,14 @@ LinkStep step(const LinkMotion& begin, const LinkMotion& end) {
   return {.begin = 0, .end = 0.01, .motion_begin = begin, .motion_middle = {}, .motion_end = end};
 }
 
-/// Motion of some decaying harmonics about a drift, over the yield deformation.
+/// Some decaying harmonics about a drift, over the yield deformation.
 LinkMotion motion(double t, double dy) {
   const double u = 2.5 * std::sin(7 * t) + 1.2 * std::sin(23 * t + 0.4) - 1.2 * std::sin(0.4),
                v = 17.5 * std::cos(7 * t) + 27.6 * std::cos(23 * t + 0.4);
   return {dy * u, dy * v};
 }
 
-// Formulas of the return mapping as they were before laws had a contract; results of runs have these bits.
+// The original formulas of the return mapping, which results of runs match bitwise.
 TEST(HystereticSpring, ABilinearOneHasTheBitsOfItsReturnMapping) {
   const double k = 1.7e6, fy = 2.3e4, a = 0.07, yielding = (1 - a) * k, yield = fy / k;
   double slip = 0, kept = 0, lost = 0;
@@ -68,7 +68,7 @@ TEST(HystereticSpring, ABilinearOneHasTheBitsOfItsReturnMapping) {
   EXPECT_GT(yielded, 300);
 }
 
-// Work by trapezia of a fine path; the spring takes each of its steps.
+// Work by the trapezoidal rule on a fine path; the spring takes each of its steps.
 TEST(HystereticSpring, StoresAndLosesTheWorkDoneOnItByEveryLaw) {
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
     const std::unique_ptr<Spring> spring = make_spring(hysteresis::typical_settings(entry));
@@ -100,7 +100,7 @@ TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
     };
     drive(*spring, 0, 137);
     const YieldingPart kept("storey 1", Row(1), settings.law, {},
-                            std::move(spring));  // keeps what it is given in `fresh`
+                            std::move(spring));  // `fresh` keeps its value
     Archive read(kept.fresh);
     copy->archive(read);
     read.expect_end();
@@ -114,7 +114,7 @@ TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
   }
 }
 
-// Beside differences of its force before and behind the turn, which a copy of the spring keeps.
+// Compared with differences of the force before and after the reversal, which a copy of the spring retains.
 TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
   std::vector<hysteresis::Settings> all;
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) all.push_back(hysteresis::typical_settings(entry));
@@ -134,7 +134,7 @@ TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
         };
         const double before = slope(*spring, d - direction * way, d), behind = slope(*turned, d, d - direction * way);
         const double earlier = slope(*spring, d - 2 * direction * way, d - direction * way);
-        // No corner lies there.
+        // Without a corner.
         if (std::abs(before - earlier) < 1e-4 * k) {
           EXPECT_NEAR(spring->slope_lost(d), behind - before, 2e-4 * k) << settings.law << " step " << i;
           ++compared;
@@ -148,16 +148,16 @@ TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
   }
 }
 
-// Pressed back elastically with half of its force left, Bouc-Wen's spring falls off at once where it is pressed again.
+// After elastic unloading to half of its force, the stiffness of a Bouc-Wen spring drops immediately on reloading.
 TEST(HystereticSpring, ASmallExcursionOfBoucWenTurnsSharplyTwice) {
   const double k = 1e7, fy = 1e5;
   const auto spring =
       make_spring({.law = "bouc_wen", .values = {{"stiffness", k}, {"yield_force", fy}, {"hardening", 0}}});
   const double yielding = 2 * fy / k, y = std::tanh(2);
   spring->accept(step({0, 1}, {yielding, 1}));
-  EXPECT_NEAR(spring->slope_lost(yielding + 1e-12) / k, y * y, 1e-6) << "it turns back with k";
+  EXPECT_NEAR(spring->slope_lost(yielding + 1e-12) / k, y * y, 1e-6) << "it unloads with k";
   const double back = yielding - 0.3 * fy / k;
-  EXPECT_NEAR(spring->slope_lost(back) / k, -(y - 0.3) * (y - 0.3), 1e-6) << "it came back with k";
+  EXPECT_NEAR(spring->slope_lost(back) / k, -(y - 0.3) * (y - 0.3), 1e-6) << "it had unloaded with k";
 }
 
 TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {

@@ -1,4 +1,4 @@
-// Buildings on isolators: their matrices, their damping, their periods.
+// Base-isolated buildings: matrices, damping and periods.
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ TEST(Isolators, LetTheStoreysAboveThemYieldToo) {
   EXPECT_THROW(let_storeys_yield(s, {2e6, 1e6, 1e6}, {0, 0, 0}), std::invalid_argument);
 }
 
-// One floor on a slab: on a fixed base an oscillator.
+// One floor on a slab: an oscillator on a fixed base.
 TEST(Isolators, TakeNoPartInTheDamping) {
   Structure s = make_shear_building(
       {.storeys = 2, .mass = {200e3, 300e3}, .stiffness = 75e6, .isolator = IsolatorOptions{.law = slider}});
@@ -87,7 +87,7 @@ TEST(Isolators, AreNotBrakedByModalDamping) {
   const Eigen::MatrixXd damping = s.whole_damping();
   EXPECT_GT(damping(2, 2), 1e5);
   EXPECT_LT((damping * Eigen::Vector3d::Ones()).cwiseAbs().maxCoeff(), 1e-6 * damping(2, 2));
-  // 5 % of the first mode that bends the building while nothing holds it.
+  // 5 % in the first mode that bends the building without isolators.
   const Eigenmodes free = dense_modes(s.mass, s.stiffness - stiffness_of_isolators(s), 3);
   EXPECT_NEAR(free.shapes.col(1).dot(damping * free.shapes.col(1)), 2 * 0.05 * free.frequencies[1],
               1e-9 * free.frequencies[1]);
@@ -114,8 +114,7 @@ TEST(Isolators, HaveThePeriodOfTheBuildingAsOneBody) {
   EXPECT_EQ(isolated_period(building(flat)), std::numeric_limits<double>::infinity());
 }
 
-// Held isolators leave the motions of the floors above, and a slab whose isolators are tied by the same unknowns is
-// held once.
+// Fixed isolators leave the motions of the floors above. A slab whose isolators share its unknowns is fixed only once.
 TEST(Isolators, LeaveTheMotionsOnAFixedBase) {
   Structure s = building(lead_rubber);
   const Eigen::MatrixXd motions = motions_on_fixed_base(s);
@@ -142,7 +141,7 @@ TEST(Isolators, RefuseWhatCannotBe) {
   EXPECT_TRUE(test::mentions(refusal_of([&] { building(rough); }), {"-0.06", "friction"}));
 }
 
-// Pulled at a constant velocity it sticks over u_y mu(v)/mu_fast and then slides at mu(v) W; what it loses is that
+// Pulled at a constant velocity it sticks over u_y mu(v)/mu_fast and then slides at mu(v) W. The energy lost is this
 // force times the slip.
 TEST(SlidingSpring, SlidesAtTheFrictionOfItsVelocity) {
   const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
@@ -165,12 +164,13 @@ TEST(SlidingSpring, SlidesAtTheFrictionOfItsVelocity) {
               0.5 * 2.5e6 * 1e-4 + 0.5 * k0 * until * until, 1e-6);
 }
 
-// There and back: at the turn it slides at mu_slow, and sticks over twice the way of its spring.
+// There and back: at the reversal it slides at mu_slow, then sticks over twice the yield deformation of its spring.
 TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
   const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
   const double k0 = 0.08 * 5e6 / 0.5e-3;
   SlidingSpring spring(law);
-  // d = 0.1 sin t from t = 0 to pi: one step that turns in its middle would be too coarse, so thousand of them.
+  // d = 0.1 sin t from t = 0 to pi: a single step with a reversal in its middle would be too coarse, hence a thousand
+  // steps.
   const int steps = 1000;
   const auto at = [](double t) { return LinkMotion{0.1 * std::sin(t), 0.1 * std::cos(t)}; };
   for (int i = 0; i < steps; ++i) {
@@ -183,17 +183,17 @@ TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
                    .acceleration_begin = -0.1 * std::sin(t0),
                    .acceleration_end = -0.1 * std::sin(t1)});
     if (i == steps / 2 - 1) {
-      EXPECT_NEAR(spring.evaluate(at(t1)).force + k0 * 0.1, 0.04 * 5e6, 1) << "at the turn";
+      EXPECT_NEAR(spring.evaluate(at(t1)).force + k0 * 0.1, 0.04 * 5e6, 1) << "at the reversal";
     }
   }
   EXPECT_NEAR(spring.evaluate(at(M_PI)).force, -(0.08 - 0.04 * std::exp(-6)) * 5e6, 1e-3);
-  // Slides twice over 0.1 m less what it sticks, at mu(v): by Simpson's rule over the velocity.
+  // Two slides of 0.1 m less the sticking range, at mu(v): Simpson's rule over the velocity.
   EXPECT_GT(spring.lost(), 0.04 * 5e6 * 0.19);
   EXPECT_LT(spring.lost(), 0.08 * 5e6 * 0.2);
 }
 
-// Slow, but not at rest, it is pushed on: friction rises faster than the spring behind it, which sticks from where its
-// slip was largest. The slip is d - mu(v) W/k0, whose maximum a search over the step finds.
+// Pushed on from a low but nonzero velocity: friction rises faster than the spring force, and it sticks from the
+// maximum slip on. The slip is d - mu(v) W/k0, whose maximum a search over the step finds.
 TEST(SlidingSpring, SticksWhereItsSlipStops) {
   const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
   const double k0 = 0.08 * 5e6 / 0.5e-3, h = 0.005, minimum = 5e-4, bend = 50;
@@ -213,7 +213,7 @@ TEST(SlidingSpring, SticksWhereItsSlipStops) {
   const std::optional<double> found = spring.bend({at(0), at(1), h}, 1e-6);
   ASSERT_TRUE(found.has_value());
   EXPECT_NEAR(*found, where, 2e-6);
-  EXPECT_FALSE(spring.bend({at(0), at(0.9 * where), 0.9 * where * h}, 1e-6).has_value()) << "it still slides";
+  EXPECT_FALSE(spring.bend({at(0), at(0.9 * where), 0.9 * where * h}, 1e-6).has_value()) << "still sliding";
   const double work = spring.lost();
   spring.accept({.begin = 0,
                  .end = h,
@@ -222,7 +222,7 @@ TEST(SlidingSpring, SticksWhereItsSlipStops) {
                  .motion_end = end,
                  .acceleration_begin = at(0).a,
                  .acceleration_end = at(1).a});
-  ASSERT_LT(slip(1), largest - 1e-7) << "what the motion at the end alone says";
+  ASSERT_LT(slip(1), largest - 1e-7) << "value from the motion at the end alone";
   EXPECT_NEAR(spring.evaluate(end).force, -k0 * largest, 1e-13 * k0);
   EXPECT_GT(spring.lost(), work);
 }

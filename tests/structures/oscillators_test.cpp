@@ -1,4 +1,4 @@
-// Structures made from numbers and from inputs, against closed forms.
+// Structures built from numbers and from inputs, against closed forms.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using test::model_of;
 
 double damping_ratio(const Structure& s, int mode) { return modes(s)[mode].damping_ratio; }
 
-// Eigen 3.4 copies a sparse matrix where others move theirs. Where that throws in what must not, the process ends.
+// Eigen 3.4 copies a sparse matrix on a move. An exception thrown from a noexcept move would terminate the process.
 static_assert(!std::is_nothrow_move_constructible_v<Structure> || std::is_nothrow_move_constructible_v<SparseMatrix>);
 static_assert(!std::is_nothrow_move_assignable_v<Structure> || std::is_nothrow_move_assignable_v<SparseMatrix>);
 
@@ -73,7 +73,7 @@ TEST(ShearBuilding, HasTheMatricesOfItsStoreysFromTheGroundUp) {
 TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
   test::Book book("Oscillators and shear buildings",
                   "Chopra, Dynamics of Structures: w_j = 2 sqrt(k/m) sin((2j-1) pi/(2(2N+1)))",
-                  "an eigenvalue carries rounding of the largest one");
+                  "round-off of the largest eigenvalue");
   for (const int storeys : {1, 2, 7, 40}) {
     const double m = 2.5e5, k = 2.2e8;
     const Structure s = make_shear_building({.storeys = storeys, .mass = m, .stiffness = k});
@@ -89,7 +89,7 @@ TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
 
 TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
   test::Book book("Oscillators and shear buildings",
-                  "completeness of the modes: effective masses add up to the mass, participations rebuild a unit "
+                  "completeness of the modes: effective masses add up to the mass, participations reproduce a unit "
                   "displacement",
                   "rounding");
   const Structure s =
@@ -99,10 +99,10 @@ TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
   for (const Mode& mode : modes(s)) {
     effective += mode.effective_mass[0];
     moved += mode.participation[0] * mode.shape.col(0);
-    EXPECT_DOUBLE_EQ(mode.shape(3, 0), 1) << "shapes are told by the top floor";
+    EXPECT_DOUBLE_EQ(mode.shape(3, 0), 1) << "shapes are normalized at the top floor";
   }
   book.near("sum of the effective masses [kg]", effective, 8.5e5, 1e-9 * 8.5e5);
-  // Participation factors times shapes rebuild the unit displacement of every floor.
+  // Participation factors times shapes reproduce the unit displacement of every floor.
   for (const double floor : moved) book.near("sum of participation times shape [-]", floor, 1, 1e-11);
 }
 
@@ -121,7 +121,7 @@ Structure building(const std::string& damping) {
 }
 
 TEST(RayleighDamping, HasItsRatioInItsTwoModes) {
-  test::Book book("Oscillators and shear buildings", "Rayleigh damping: the ratio that was asked in modes 1 and 3",
+  test::Book book("Oscillators and shear buildings", "Rayleigh damping: the requested ratio in modes 1 and 3",
                   "rounding");
   const Structure s = building("{rayleigh: {ratio: 3 %, modes: [1, 3]}}");
   book.near("damping ratio of mode 1 [-]", damping_ratio(s, 0), 0.03, 1e-12);
@@ -150,8 +150,7 @@ TEST(RayleighDamping, MayBeGivenByPeriods) {
 }
 
 TEST(ModalDamping, HasItsRatioInEveryMode) {
-  test::Book book("Oscillators and shear buildings", "modal damping: the ratio that was asked in every mode",
-                  "rounding");
+  test::Book book("Oscillators and shear buildings", "modal damping: the requested ratio in every mode", "rounding");
   const Structure s = building("{modal: {ratio: 3 %}}");
   for (int i = 0; i < 4; ++i) book.near("damping ratio of each mode [-]", damping_ratio(s, i), 0.03, 1e-12);
   const Eigen::MatrixXd damping = s.whole_damping();
@@ -175,7 +174,7 @@ TEST(ModalDamping, OfTooManyModesHasNoMatrix) {
   one.setIdentity();
   try {
     modal_damping_matrix(one, one, 0.05);
-    ADD_FAILURE() << "a matrix of 1501 modes was formed";
+    ADD_FAILURE() << "a dense matrix of 1501 modes was formed";
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(
         test::mentions(std::string(error.what()), {"damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}", "1501"}));
@@ -242,13 +241,13 @@ double reduced_mass(const std::string& link) {
 TEST(ReducedMass, IsThatOfTheTwoFloorsUnlessItIsGiven) {
   EXPECT_DOUBLE_EQ(reduced_mass("between: [left.2, right]"), 20.0 * 40 / 60);
   EXPECT_DOUBLE_EQ(reduced_mass("between: [left.1, right]"), 10.0 * 40 / 50);
-  EXPECT_DOUBLE_EQ(reduced_mass("between: [w, right]"), 40) << "a wall is infinitely heavy";
+  EXPECT_DOUBLE_EQ(reduced_mass("between: [w, right]"), 40) << "a wall has infinite mass";
   EXPECT_DOUBLE_EQ(reduced_mass("between: [left.1, w]"), 10);
   EXPECT_DOUBLE_EQ(reduced_mass("between: [left.1, right], reduced_mass: 7 kg"), 7);
 }
 
 TEST(ReducedMass, CalibratesTheDamping) {
-  // c = 2 zeta sqrt(k m) with the mass that was given, not with that of the floors.
+  // c = 2 zeta sqrt(k m) with the given mass, not with that of the floors.
   const Model model = model_of(two_structures +
                                "links:\n  - {between: [left.1, right], gap: 0, law: kelvin_voigt, stiffness: 100, "
                                "damping_ratio: 0.25, reduced_mass: 9}\nanalysis: {duration: 1}\n");
@@ -276,7 +275,7 @@ TEST(ResolvedInput, SaysEveryDefaultAndCalibratedValue) {
   EXPECT_EQ(link["reduced_mass"].as<double>(), 1e5);
   EXPECT_NE(link["reduced_mass_from"].as<std::string>(), "");
   EXPECT_EQ(link["parameters"]["stiffness"].as<double>(), 9.35e7);
-  // With contact until F = 0 the damping ratio z gives e = exp(-2 z arccos z/sqrt(1 - z^2)).
+  // For contact until F = 0 a damping ratio z gives e = exp(-2 z arccos z/sqrt(1 - z^2)).
   const double z = link["parameters"]["damping_ratio"].as<double>();
   EXPECT_NEAR(std::exp(-2 * z * std::acos(z) / std::sqrt(1 - z * z)), 0.65, 1e-12);
   EXPECT_EQ(resolved["analysis"]["tolerance"].as<double>(), 1e-4);

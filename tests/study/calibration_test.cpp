@@ -1,4 +1,4 @@
-// Calibrations that the kernel keeps, and events that rounding nearly hides.
+// Cached calibrations of the kernel, and events near the level of round-off.
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ TEST(TheTableOfAdamsImpact, GivesTheSameBitsWhateverWasAskedBefore) {
   EXPECT_EQ(tabled_adams_impact(one), alone);
 }
 
-// The bodies come just as deep as the depth of full damping here. Steps that passed it on the way in and out moved
-// numbers by 5e-6, and no table held them.
+// Here the bodies just reach the depth of full damping. Steps that missed it on the way in and out changed results by
+// 5e-6, irregularly enough to spoil a table.
 TEST(TheTableOfAdamsImpact, IsSmoothWhereBodiesJustReachTheDepthOfFullDamping) {
   std::vector<double> numbers;
   for (int i = 0; i <= 20; ++i)
@@ -58,19 +58,19 @@ TEST(TheCurveOfOneImpact, AnswersAsTheLaw) {
 }
 
 TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
-  // The dashpot pulls as much as the spring pushes at d0; behind d0 the force is cut, and nearer to the separation it
-  // presses again.
+  // The pull of the dashpot equals the push of the spring at d0; behind d0 the force is cut off, and nearer to the
+  // separation it is positive again.
   const laws::AdamsImpact law{.stiffness = 2.75e9, .depth = 0.001, .damping_coefficient = 1e6, .reduced_mass = 6e4};
   const double rate = -0.2;
   LinkContact<laws::AdamsImpact> link(law, 0);
   link.apply(LinkEvent::touch, 0, 0.3);
   double low = 1e-5, high = 1e-3;
   ASSERT_LT(link.uncut(1e-3, rate).force, 0);
-  // The uncut force has a zero below where the dashpot wins.
+  // The uncut force has a zero below the range in which the dashpot dominates.
   while (link.uncut(low, rate).force < 0) low /= 2;
   for (int i = 0; i < 200; ++i) (link.uncut(0.5 * (low + high), rate).force > 0 ? low : high) = 0.5 * (low + high);
   const double again = low;
-  // It wins up to here.
+  // The dashpot dominates up to here.
   low = 1e-3, high = 0.1;
   while (link.uncut(high, rate).force < 0) high *= 2;
   for (int i = 0; i < 200; ++i) (link.uncut(0.5 * (low + high), rate).force < 0 ? low : high) = 0.5 * (low + high);
@@ -87,7 +87,7 @@ TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
 }
 
 TEST(APenetrationThatIsNegativeInsideAStep, EndsTheContactAtItsFirstZero) {
-  // A parabola with its bottom a ten-thousandth below zero. The dashpot makes the force rise at both ends of the step.
+  // A parabola with its minimum at -1e-7. The dashpot makes the force increase at both ends of the step.
   const double h = 1e-3, bend = 8e3, below = 1e-7, zero = 0.5 - std::sqrt(2 * below / bend) / h;
   const laws::ModifiedKelvin law{.stiffness = 1e9, .damping_coefficient = 0.8e9 / (0.5 * bend * h)};
   std::vector<LinkContact<laws::ModifiedKelvin>> links;

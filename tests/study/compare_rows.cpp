@@ -1,11 +1,11 @@
-// Many random rows by the kernel of studies and by the solver of runs.
+// Compares many random rows of the study kernel and of the solver of runs.
 //
 //   compare_rows LOG.txt ROWS [SEED]
 //
-// Goes on behind the rows that LOG has until it has ROWS of them: a line for each with number, law, largest differences
-// of displacements, forces, impulse, energy lost and accelerations, impacts and how many of them differ. Then prints
-// quantiles, and every row in which something differs by more than 1e-3 together with both engines' differences from
-// the kernel at a tolerance of 1e-12, and those of the solver at 1e-9: a row is explained where these vanish.
+// Continues after the rows in LOG until it has ROWS of them. Each line has number, law, maximum differences of
+// displacements, forces, impulse, energy lost and accelerations, the impacts, and how many of them differ. Then prints
+// quantiles, and every row with a difference above 1e-3, together with the differences of both from the kernel at a
+// tolerance of 1e-12, and those of the solver at 1e-9: a row is explained if these vanish.
 
 #include <cstdlib>
 #include <exception>

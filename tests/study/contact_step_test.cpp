@@ -1,4 +1,4 @@
-// Steps in contact after a touch, where the force of Hertz grows by d^1.5: their order by time and by a root of the
+// Steps in contact after touch, where a Hertz force grows as d^1.5: their order with steps in time and in a root of
 // time.
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@
 namespace pounding::study {
 namespace contact_step_test {
 
-/// Error of the rate after a part of an impact of unit mass, speed and stiffness, in `count` equal steps by t or by a
-/// root of it.
+/// Error of the rate after a fraction of an impact of unit mass, speed and stiffness, in `count` equal steps in t or in
+/// a root of t.
 template <class Law>
 class Impact {
  public:
@@ -46,7 +46,7 @@ class Impact {
     return begin.v[0];
   }
 
-  /// Powers of the step by which the error falls from 32 to 64 steps.
+  /// Observed order of the error from 32 to 64 steps.
   double order(int root) const {
     const double exact = rate(4096, root_);
     return std::log2(std::abs(rate(32, root) - exact) / std::abs(rate(64, root) - exact));
@@ -72,7 +72,7 @@ TEST(AStepInContact, GoesExactlyOverABendOfTheGround) {
   const Ground ground{.at = 2, .slope = -3, .corner = 0.37, .bend = 50};
   step.complete(links, ground, begin);
   const double u = 1 - 0.37, error = step.take(links, ground, Clock(), begin, 0, 1, 1, 1, end);
-  // q'' = -ag, and the step knows that it has missed nothing.
+  // q'' = -a g; the step detects no missed event.
   EXPECT_NEAR(end.v[0], -(2 - 3 / 2.0 + 50 * u * u / 2), 1e-13);
   EXPECT_NEAR(end.q[0], -(2 / 2.0 - 3 / 6.0 + 50 * u * u * u / 6), 1e-13);
   EXPECT_NEAR(end.a[0], -(2 - 3 + 50 * u), 1e-13);
@@ -81,7 +81,7 @@ TEST(AStepInContact, GoesExactlyOverABendOfTheGround) {
 
 TEST(TheFirstStepsOfAnImpact, HaveOrderTwoAndAHalfByTimeAndFiveByItsRoot) {
   const Impact impact(laws::Hertz{.stiffness = 1});
-  // The force is smooth but for t^1.5 at the touch: its integral over a first step of h is wrong by h^2.5.
+  // The force is smooth except for t^1.5 at the touch: its integral over a first step h has an error of h^2.5.
   EXPECT_NEAR(impact.order(1), 2.5, 0.2);
   EXPECT_GT(impact.order(2), 4.5);
 }
@@ -100,8 +100,8 @@ TEST(TheFirstStepsOfAnImpact, GoByTimeForALinearLaw) {
   EXPECT_GT(impact.order(1), 4.5);
 }
 
-/// A free body of unit mass that meets a wall by a linear law at unit speed, by the series of its motion in steps of
-/// one length.
+/// A free body of unit mass that hits a wall with a linear law at unit speed, integrated by the series of its motion in
+/// equal steps.
 template <class Law>
 LinkPeaks series_impact(const Law& law, double end, int count, double& d, double& rate, double tolerance) {
   LinearModel model;
@@ -138,13 +138,13 @@ TEST(TheSeriesOfALinearLaw, IsTheDampedVibration) {
     const double expected_rate = std::exp(-c / 2 * end) * (std::cos(w * end) - c / 2 * std::sin(w * end) / w);
     EXPECT_NEAR(d, expected, 10 * bound);
     EXPECT_NEAR(rate, expected_rate, 10 * bound);
-    // The link takes the momentum and the energy of the body.
+    // The link takes the momentum and energy of the body.
     EXPECT_NEAR(peaks.impulse, 1 - expected_rate, 10 * bound);
     EXPECT_NEAR(peaks.energy_lost, 0.5 * (1 - expected_rate * expected_rate), 1e-7);
   }
 }
 
-/// Whether the force is k d + c d' with the same numbers at all penetrations and rates of one sign.
+/// True if the force is k d + c d' with constant coefficients at all penetrations and rates of one sign.
 template <class Law>
 bool looks_linear() {
   const auto law = std::get<Law>(laws::make_law([] {
@@ -186,8 +186,7 @@ TEST(TheTermsOfAFlight, AreAsManyAsTheErrorWants) {
     const Jet jet = motion(order, 1, 0, 1, 0, 0, 0).at(reach);
     EXPECT_NEAR(jet.x, std::cos(reach), 1e-12) << reach;
     EXPECT_NEAR(jet.v, -std::sin(reach), 2e-11) << reach;
-    EXPECT_TRUE(order == 4 || std::pow(reach, order) / std::tgamma(order + 1) > 1e-13)
-        << reach << ": terms for nothing";
+    EXPECT_TRUE(order == 4 || std::pow(reach, order) / std::tgamma(order + 1) > 1e-13) << reach << ": unexpected terms";
   }
   EXPECT_EQ(taylor_order_for(1), taylor_order);
 }

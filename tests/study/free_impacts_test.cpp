@@ -1,4 +1,4 @@
-// Two free bodies that meet once, by every penalty law, beside the free impact that the laws' own integrator finds.
+// Two free bodies that collide once, with every penalty law, against the free impact of the integrator of the laws.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ class FreeBodies : public testing::TestWithParam<std::string> {
     return laws::make_law(settings);
   }
 
-  // The left body moves, the right one rests: 100 mm apart.
+  // The left body moves and the right one is at rest, 100 mm apart.
   static LinearModel bodies() {
     LinearModel model;
     const double r1 = std::sqrt(m1), r2 = std::sqrt(m2);
@@ -39,7 +39,7 @@ class FreeBodies : public testing::TestWithParam<std::string> {
 
 TEST_P(FreeBodies, MeetAsTheFreeImpactOfTheLaw) {
   test::Book book("The kernel of studies", "free impacts in closed form or integrated to 1e-10, every penalty law",
-                  "tolerance 1e-8 a step, some 50 steps: 1e-6");
+                  "tolerance 1e-8 per step, about 50 steps: 1e-6");
   const std::vector<double> still(60, 0.0);
   const Peaks found = run(bodies(), {.accelerations = still, .step = 0.01}, {.tolerance = 1e-8});
   const laws::FreeImpact expected = laws::free_impact(law(), m, v);
@@ -51,7 +51,7 @@ TEST_P(FreeBodies, MeetAsTheFreeImpactOfTheLaw) {
             1e-6 * expected.peak_penetration);
   book.near("impulse of a free impact [N s]", found.links[0].impulse, m * v * (1 + expected.restitution), 1e-6 * m * v);
   book.near("energy lost in a free impact [J]", found.links[0].energy_lost, loss, 1e-6 * 0.5 * m * v * v);
-  // Nothing but the contact accelerates the body.
+  // Only the contact accelerates the body.
   EXPECT_NEAR(found.outputs[0], found.links[0].peak_force / m1, 1e-5 * found.outputs[0]);
 }
 

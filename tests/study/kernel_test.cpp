@@ -1,4 +1,5 @@
-// Promises of the kernel whatever the law: exact flight, the gap that is enough, equal bits, refusals.
+// Guarantees of the kernel for every law: exact free flight, a sufficient gap, bitwise identical results, error
+// messages.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@
 namespace pounding::study {
 namespace kernel_test {
 
-/// Twenty seconds of ground that shakes at several frequencies, at 0.02 s.
+/// Twenty seconds of ground motion with several frequencies, at 0.02 s.
 std::vector<double> shaking() {
   std::vector<double> a;
   for (int i = 0; i <= 1000; ++i) {
@@ -46,7 +47,7 @@ class Pairs {
   std::mt19937 engine_{20};
 };
 
-/// Peak absolute accelerations of a pair with a linear spring, by the classical method of Runge and Kutta at 0.05 ms.
+/// Peak absolute accelerations of a pair with a linear spring, by the classical Runge-Kutta method at 0.05 ms.
 std::array<double, 2> fine_accelerations(const LinearModel& model, double stiffness, double duration) {
   using State = std::array<double, 4>;
   const auto& b = model.links[0].closing;
@@ -90,7 +91,7 @@ TEST(AFlight, HasThePeakOfTheElasticSpectrum) {
     const double w = 2 * M_PI / periods[i];
     model.stiffness = {w * w}, model.damping = {0.04 * w}, model.load = {1};
     model.outputs = {{.kind = Output::Kind::displacement, .factors = {1}}};
-    // The spectrum goes on after the record.
+    // The spectrum continues after the record.
     const Peaks found = run(model, record, {.duration = 20 + 3 * periods[i]});
     // The spectrum finds its peaks on cubics.
     EXPECT_NEAR(found.outputs[0], spectrum[i].sd, 1e-6 * spectrum[i].sd) << periods[i];
@@ -118,8 +119,8 @@ TEST(OscillatorsOfOnePeriodAndDamping, NeverTouch) {
 }
 
 TEST(AWall, IsThePlaneOfSymmetryOfTwoMirroredOscillators) {
-  // Two oscillators that the ground moves apart and together, and one of them before a wall at half the gap, of twice
-  // the stiffness.
+  // Two oscillators moved apart and together by the ground, and one of them in front of a wall at half the gap with
+  // twice the stiffness.
   LinearModel both = pair_of({1e5, 0.6, 0.05}, {1e5, 0.6, 0.05}, 0.04, laws::Hertz{.stiffness = 1e9});
   both.load[1] *= -1;
   LinearModel one;
@@ -137,7 +138,7 @@ TEST(AWall, IsThePlaneOfSymmetryOfTwoMirroredOscillators) {
 }
 
 TEST(ThePeakOfAForce, IsFoundJustBeforeTheBodiesTurn) {
-  // A dashpot that acts in the approach only: the force is largest there, and its slope jumps where the bodies turn.
+  // A dashpot that acts during approach only: the force has its maximum there, and its slope jumps at the reversal.
   for (const double c : {0.05, 0.3, 0.8}) {
     LinearModel model;
     model.stiffness = model.damping = model.load = {0};
@@ -180,7 +181,7 @@ TEST(TheBitsOfARow, DependOnNothingButTheRow) {
 }
 
 TEST(ThePeakOfAnAcceleration, IsThatOfAFineIntegrationWithContactsThatLast) {
-  // Soft contacts that reach over many samples.
+  // Soft contacts that last for many samples.
   Pairs pairs;
   for (int i = 0; i < 6; ++i) {
     const double k = 4e6;
@@ -193,7 +194,7 @@ TEST(ThePeakOfAnAcceleration, IsThatOfAFineIntegrationWithContactsThatLast) {
 }
 
 TEST(AThirdStructureFarAway, ChangesNothingBesideIt) {
-  // A pair by the code for any number of modes and links.
+  // A pair, by the code path for any number of modes and links.
   Pairs pairs;
   for (int i = 0; i < 20; ++i) {
     const LinearModel pair = pairs.next(0.04, hertz());
@@ -239,7 +240,7 @@ TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
     const Peaks found = run(pair_of({1e5, 0.5, 0.05}, {1.5e5, 0.3, 0.05}, 0, law), record);
     EXPECT_GT(found.links[0].impacts, 5) << entry.name;
     EXPECT_TRUE(std::isfinite(found.links[0].peak_force)) << entry.name;
-    // A spring loses nothing; the steps make an error of their tolerance of what passes through it.
+    // A spring loses no energy; the error of the steps is their tolerance times the energy transferred.
     EXPECT_GT(found.links[0].energy_lost, -1e-5 * found.links[0].peak_force * found.links[0].peak_penetration)
         << entry.name;
   }
@@ -247,12 +248,12 @@ TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
 
 TEST(ATouchAtRest, IsRefusedByALawThatNeedsAClosingSpeed) {
   laws::BilinearHertz law{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4};
-  const std::vector<double> push(200, -1.0);  // presses the flexible left one to the right for good
+  const std::vector<double> push(200, -1.0);  // presses the flexible left one to the right permanently
   const EvenRecord pressed{.accelerations = push, .step = 0.02};
   const auto model = [&] { return pair_of({1e5, 2, 0.05}, {1.5e5, 0.3, 0.05}, 1e-9, law); };
   try {
     run(model(), pressed);
-    ADD_FAILURE() << "not refused";
+    ADD_FAILURE() << "not rejected";
   } catch (const SolverError& error) {
     EXPECT_TRUE(test::mentions(error.what(), {"bilinear_hertz"}));
     EXPECT_NE(std::string(error.what()).find("impact_velocity: 0.5 m/s"), std::string::npos) << error.what();
@@ -261,8 +262,8 @@ TEST(ATouchAtRest, IsRefusedByALawThatNeedsAClosingSpeed) {
   EXPECT_GE(run(model(), pressed).links[0].impacts, 1);
 }
 
-/// A mass of 1 kg, pressed by 1 m/s^2, that falls with speed v onto a spring and a dashpot that pull, too, in closed
-/// form: d'' + c d' + w^2 d = 1.
+/// A mass of 1 kg, pressed by 1 m/s^2, that falls with speed v onto a spring and a dashpot that may pull. Closed form:
+/// d'' + c d' + w^2 d = 1.
 struct Fall {
   double w, c, v;
   double fast = std::sqrt(w * w - 0.25 * c * c);
@@ -273,7 +274,7 @@ struct Fall {
   double rate(double t) const {
     return std::exp(-0.5 * c * t) * (v * std::cos(fast * t) + (1 - 0.5 * c * v) / fast * std::sin(fast * t));
   }
-  /// The smallest value that `of(*this, t)` comes to in the first period.
+  /// Minimum of `of(*this, t)` in the first period.
   template <class Of>
   double minimum(const Of& of) const {
     const double period = 2 * M_PI / fast;
@@ -289,7 +290,7 @@ struct Fall {
   }
 };
 
-/// Impacts in 0.3 s of falls that are a millionth too slow and too fast for a second impact, whatever the frequency.
+/// Impacts in 0.3 s of falls whose speed is 1e-6 below and above the threshold of a second impact, for any frequency.
 template <class Of, class Law>
 void expect_a_second_touch(double damping, const Of& of, const Law& law) {
   const std::vector<double> pressing(7, -1.0);

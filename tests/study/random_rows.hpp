@@ -1,5 +1,5 @@
 #pragma once
-/// Random pairs of oscillators by every penalty law, run by the kernel of studies and by the solver of runs.
+/// Random pairs of oscillators with every penalty law, by the study kernel and by the solver of runs.
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,15 @@
 
 namespace pounding::study {
 
-/// Largest relative differences of two answers to one model.
+/// Maximum relative differences of two results for the same model.
 struct Differences {
   double displacement = 0, force = 0, impulse = 0, energy = 0,
-         acceleration = 0;  ///< drifts are displacements, penetrations are forces
+         acceleration = 0;  ///< drifts are compared as displacements, penetrations as forces
   int impacts = 0, more_impacts = 0;
   double worst() const { return std::max({displacement, force, impulse, energy, acceleration}); }
 };
 
-/// One answer, as much of it as both give: displacements, drifts and accelerations of all structures, and links.
+/// The quantities common to both results: displacements, drifts and accelerations of all structures, and links.
 struct Answer {
   std::vector<double> displacements, accelerations;
   std::vector<LinkPeaks> links;
@@ -36,7 +36,7 @@ inline double apart(double a, double b) { return a == b ? 0 : std::abs(a - b) / 
 inline Differences differences(const Answer& a, const Answer& b) {
   if (a.displacements.size() != b.displacements.size() || a.accelerations.size() != b.accelerations.size() ||
       a.links.size() != b.links.size())
-    throw std::logic_error("two answers to one model have different numbers of quantities");
+    throw std::logic_error("two results for the same model have different numbers of quantities");
   Differences all;
   for (std::size_t i = 0; i < a.displacements.size(); ++i)
     all.displacement = std::max(all.displacement, apart(a.displacements[i], b.displacements[i]));
@@ -47,7 +47,7 @@ inline Differences differences(const Answer& a, const Answer& b) {
     all.impacts += q.impacts, all.more_impacts += std::abs(p.impacts - q.impacts);
     all.force = std::max({all.force, apart(p.peak_force, q.peak_force), apart(p.peak_penetration, q.peak_penetration)});
     all.impulse = std::max(all.impulse, apart(p.impulse, q.impulse));
-    // A spring loses nothing but rounding.
+    // A spring loses no energy beyond round-off.
     if (std::max(std::abs(p.energy_lost), std::abs(q.energy_lost)) > 1e-3 * p.peak_force * p.peak_penetration)
       all.energy = std::max(all.energy, apart(p.energy_lost, q.energy_lost));
   }
@@ -66,7 +66,7 @@ inline Answer by_kernel(const Model& model, double tolerance) {
   return answer;
 }
 
-/// At the tolerance of the model, which is complete.
+/// At the tolerance of the model, which must be complete.
 inline Answer by_solver(const Model& model) {
   const Summary summary = pounding::run(model, {.numbers_only = true}).summary;
   Answer answer;
@@ -84,7 +84,7 @@ inline Answer by_solver(const Model& model) {
   return answer;
 }
 
-/// Ten seconds of ground at 0.02 s, shaking at several frequencies with phases of its own.
+/// Ten seconds of ground motion at 0.02 s, with several frequencies and phases from `phase`.
 inline Samples shaking(double phase) {
   Samples samples;
   for (int i = 0; i <= 500; ++i) {
@@ -97,7 +97,7 @@ inline Samples shaking(double phase) {
   return samples;
 }
 
-/// One row: the laws follow each other, and all else depends on seed and number alone.
+/// One row: laws take turns; the rest depends on seed and number only.
 class RandomRow {
  public:
   RandomRow(unsigned seed, unsigned number) : entry_(entry(number)) {
@@ -110,8 +110,8 @@ class RandomRow {
     settings_.reduced_mass = m1_ * m2_ / (m1_ + m2_);
     settings_.values.at(entry_.parameters[0].name.data()) *= std::pow(4, u() - 0.5);
     if (settings_.restitution) settings_.restitution = 0.4 + 0.5 * u();
-    // adams_impact integrates impacts at every touch to meet a restitution, a hundred times the cost of all else: one
-    // row in twenty does.
+    // adams_impact integrates impacts at every touch to meet a restitution, which costs a hundred times the rest: one
+    // row in twenty does so.
     if (entry_.name == "adams_impact" && u() < 0.95) {
       settings_.restitution.reset();
       settings_.values.emplace("damping_coefficient", 6e5 * std::pow(4, u() - 0.5));
@@ -120,7 +120,7 @@ class RandomRow {
 
   std::string_view law() const { return entry_.name; }
 
-  /// Complete, and not yet run.
+  /// A complete model that has not been run.
   Model model(double tolerance) const {
     Model model;
     const auto left = model.add("left", make_oscillator({.mass = m1_, .period = t1_, .damping_ratio = 0.05}));
@@ -148,7 +148,7 @@ class RandomRow {
   laws::Settings settings_;
 };
 
-/// The number behind this part of them.
+/// The value below which this fraction of the values lies.
 inline double quantile(std::vector<double> values, double part) {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];

@@ -1,4 +1,4 @@
-// The kernel beside the solver of runs: random rows by every penalty law, buildings, rows, walls and frames.
+// The kernel against the solver of runs: random rows with every penalty law, buildings, rows, walls and frames.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace pounding::study {
 namespace solver_test {
 
-/// A number that the environment may ask for.
+/// A number that an environment variable may replace.
 int requested(const char* name, int usual) {
   const char* text = std::getenv(name);
   return text ? std::atoi(text) : usual;
@@ -50,15 +50,15 @@ TEST(TheKernel, AgreesWithTheSolverOnRandomPairsByEveryPenaltyLaw) {
   const auto impulse = show("impulse", &Differences::impulse);
   const auto energy = show("energy", &Differences::energy);
   const auto acceleration = show("acceleration", &Differences::acceleration);
-  // The solver's error at 1e-6, grown by the impacts; one row in some hundred hangs on a contact that just happens or
-  // just does not, and the limited damper has a corner at its peak force.
+  // The solver's error at 1e-6, amplified by the impacts. About one row in a few hundred depends on a contact that
+  // barely happens or not, and the limited damper has a corner at its peak force.
   for (const auto& values : {displacement, force, impulse, energy, acceleration}) {
     EXPECT_LT(quantile(values, 0.5), 1e-5);
     EXPECT_LT(quantile(values, 0.95), 1e-4);
   }
 }
 
-/// Expects that a model answers alike by both.
+/// Expects both to give the same results for a model.
 void expect_alike(Model& model, double bound) {
   model.complete();
   const Differences row = differences(by_kernel(model, 1e-7), by_solver(model));

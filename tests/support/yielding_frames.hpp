@@ -1,6 +1,6 @@
 #pragma once
 /// Plane frames with hinges, assembled by hand: explicit springs between a joint and the end of a member, or hinges in
-/// series that the structure knows by its flexibility alone.
+/// series condensed into the structure.
 
 #include <Eigen/Dense>
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace pounding::test {
 
-/// Stiffness of a straight beam between two points of the plane, without shear deformation: x, z, rotation at each end.
+/// Stiffness of a straight plane beam without shear deformation: x, z, rotation at each end.
 inline Eigen::Matrix<double, 6, 6> plane_beam(double e, double a, double i, const Eigen::Vector2d& from,
                                               const Eigen::Vector2d& to) {
   const double length = (to - from).norm(), c = (to - from).x() / length, s = (to - from).y() / length;
@@ -39,11 +39,11 @@ inline Eigen::Matrix<double, 6, 6> plane_beam(double e, double a, double i, cons
 struct TestHinge {
   std::string name;
   double yield = 0;      ///< [N m]
-  double hardening = 0;  ///< after over before yield, of the law
+  double hardening = 0;  ///< ratio of the slopes after and before yield, of the law
   double stiffness = 0;  ///< of the spring [N m/rad]; infinite for a rigid-plastic hinge
 };
 
-/// Collects members, hinged or not, over unknowns that are numbered by hand; -1 is held.
+/// Collects members, hinged or not, over unknowns numbered by hand; -1 is fixed.
 class HandMadeFrame {
  public:
   explicit HandMadeFrame(int unknowns) : stiffness_(Eigen::MatrixXd::Zero(unknowns, unknowns)) {}
@@ -54,7 +54,7 @@ class HandMadeFrame {
         if (at[i] >= 0 && at[j] >= 0) stiffness_(at[i], at[j]) += k(i, j);
   }
 
-  /// A spring between two rotations that are both unknowns, or one held.
+  /// A spring between two rotations that are both unknowns, or one of them fixed.
   void spring(const TestHinge& hinge, int inner, int outer) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(stiffness_.rows());
     row[inner] = 1;
@@ -63,8 +63,8 @@ class HandMadeFrame {
     add(hinge, row, hinge.stiffness, hinge.hardening);
   }
 
-  /// A member with hinges in series at its ends, whose rotations are not unknowns. Rigid-plastic hinges take the
-  /// member's own moment by a unit rotation as their k. `hinges` at the start and at the end, null for none.
+  /// A member with hinges in series at its ends, whose rotations are not unknowns. The k of a rigid-plastic hinge is
+  /// the moment of the member per unit rotation. `hinges` are those at the start and at the end, null if absent.
   void hinged_member(Eigen::Matrix<double, 6, 6> k, const std::array<int, 6>& at, const TestHinge* start,
                      const TestHinge* end) {
     const std::array<const TestHinge*, 2> ends{start, end};
@@ -96,7 +96,7 @@ class HandMadeFrame {
     }
   }
 
-  /// Gravity strains the hinge with this number.
+  /// Deformation of this hinge under gravity.
   void strain(int hinge, double deformation) { parts_[hinge].at_rest = deformation; }
 
   Structure structure() {
@@ -122,7 +122,7 @@ class HandMadeFrame {
   std::vector<Eigen::Triplet<double>> relief_;
 };
 
-/// A row with one entry.
+/// A row with one nonzero entry.
 inline Row unit_row(int size, int at) {
   Row row(size);
   row.insert(at) = 1;
@@ -131,14 +131,14 @@ inline Row unit_row(int size, int at) {
 
 /// Storeys of 3.2 m, one bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m; springs of 10 times 6 E I/L with
 /// a hardening of 0.003 at the feet (250 kN m) and the ends of the beams (180 kN m). Unknowns of storey s (from 0),
-/// node i: 6 s + 3 i on, x, z, turn.
+/// node i: x, z, rotation, from index 6 s + 3 i.
 struct HingedFrame {
   int storeys = 3;
   double foot_moment = 250e3, beam_moment = 180e3, hardening = 0.003;
 
   static constexpr double height = 3.2, bay = 6, young = 30e9;
 
-  /// Rotations of feet and ends of beams are unknowns behind those of the nodes.
+  /// Rotations of feet and beam ends are unknowns after those of the nodes.
   Structure with_springs() const {
     HandMadeFrame frame(6 * storeys + 2 + 2 * storeys);
     int next = 6 * storeys;
@@ -176,7 +176,7 @@ struct HingedFrame {
     return frame.structure();
   }
 
-  /// Forces 1:2:3 ... on the floors, half on each node, that add up to one.
+  /// Forces 1:2:3 ... on the floors, half on each node, with a sum of one.
   Eigen::VectorXd triangular(int unknowns) const {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns);
     const double whole = 0.5 * storeys * (storeys + 1);

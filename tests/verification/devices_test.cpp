@@ -1,7 +1,7 @@
-// Devices in the El Centro earthquake of 1940: dampers by a power of the velocity, rigid and behind a spring, and
-// braces that yield. The expected numbers are those of an integration that shares nothing with this project: DOP853
-// with the force of the Maxwell element as an unknown of its own, restarted at every yield, reversal and corner of the
-// record; two runs at tolerances a factor of 100 apart agree to 3e-11.
+// Devices in the El Centro earthquake of 1940: power-law dampers, rigid and in series with a spring, and yielding
+// braces. The reference is an independent integration: DOP853 with the force of the Maxwell element as an additional
+// unknown, restarted at every yield, reversal and corner of the record; two runs with tolerances a factor of 100 apart
+// agree to 3e-11.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace pounding {
 namespace devices_test {
 
-// Largest and last displacement [m], largest force of the device [N], its work [J].
+// Peak and final displacement [m], peak force of the device [N], its work [J].
 struct Reference {
   const char *name, *oscillator, *device;
   double duration, peak, end, force, work;
@@ -27,8 +27,7 @@ struct Reference {
 
 // 100 t, 0.5 s, 2 %, 15 s.
 constexpr const char* damped = "{mass: 100 t, period: 0.5 s, damping: 2 %";
-// The oscillators of yielding_laws_test.cpp, with all of their stiffness and damping (5 % of 0.5 s) in the device, 20
-// s.
+// The oscillators of yielding_laws_test.cpp with their entire stiffness and damping (5 % of 0.5 s) in the device, 20 s.
 constexpr const char* bare = "{mass: 100 t, stiffness: 1e-3 N/m, damping: 0 %";
 #define BESIDE_A_DASHPOT ", damper: {coefficient: 125663.70614359173 N s/m}"
 
@@ -62,7 +61,7 @@ Outcome run_oscillator(const Reference& r, const std::string& analysis) {
                   test::folder_of_records(), r.oscillator, r.device, r.duration, analysis));
 }
 
-// Work of a damper with what its spring holds; of a law without the dashpot beside it.
+// Work of a damper including the energy stored in its spring; for a law without the parallel dashpot.
 double work(const Reference& r, const Outcome& run) {
   const EnergySummary& e = run.summary.energy;
   if (!is_damper(r)) return e.hysteretic + e.strain;
@@ -70,7 +69,7 @@ double work(const Reference& r, const Outcome& run) {
   return e.devices + e.strain - 0.5 * k * u * u;
 }
 
-// Errors as parts of the largest values.
+// Errors relative to the peak values.
 struct Errors {
   double peak, end, force, work, energy;
   double largest() const { return std::max({peak, end, force, work, energy}); }
@@ -78,7 +77,7 @@ struct Errors {
 
 Errors errors_of(const Reference& r, const Outcome& run) {
   const StructureSummary& s = run.summary.structures[0];
-  // The force of a law has the dashpot beside it: dampers alone have a reference.
+  // The force of a law includes the parallel dashpot: only dampers have a reference.
   const double force = is_damper(r) ? std::abs(s.springs[0].peak_force - r.force) / r.force : 0;
   return {std::abs(s.peak_displacement[0] - r.peak) / r.peak,
           std::abs(run.results.structures[0].displacement.back() - r.end) / r.peak, force,
@@ -88,11 +87,11 @@ Errors errors_of(const Reference& r, const Outcome& run) {
 class DeviceInElCentro : public testing::TestWithParam<Reference> {};
 
 TEST_P(DeviceInElCentro, AgreesWithAnIndependentIntegrator) {
-  test::Book book("Devices: an oscillator with a damper or a brace that yields, in the El Centro earthquake of 1940",
+  test::Book book("Devices: an oscillator with a damper or a yielding brace, in the El Centro earthquake of 1940",
                   "independent integration by DOP853, restarted at every yield and reversal",
                   "1e-6 of the peaks, of a run at tolerance 1e-7");
   const Reference& r = GetParam();
-  ASSERT_FALSE(test::folder_of_records().empty()) << "the record is missing: make python installs it";
+  ASSERT_FALSE(test::folder_of_records().empty()) << "missing record; run `make python` to install it";
   const Outcome run = run_oscillator(r, "tolerance: 1e-7");
   const auto name = [&](const char* what) { return fmt::format("{}: {}", r.name, what); };
   book.near(name("peak displacement [m]"), run.summary.structures[0].peak_displacement[0], r.peak, 1e-6 * r.peak);

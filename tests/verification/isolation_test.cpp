@@ -1,8 +1,8 @@
-// Buildings on isolators, alone and before moat walls, in the El Centro earthquake of 1940 times 2. The expected
-// numbers are those of an integration that shares nothing with this project: DOP853, restarted at every yield,
-// reversal, touch, separation and corner of the record, of which two runs at tolerances a factor of 100 apart agree to
-// 2e-14 alone, 3e-8 before walls and 9e-7 in the friction that depends on the velocity before walls. Its record has the
-// digits of the file: rounded to 1e-6 m/s^2 it moves a wall's force by 1e-6.
+// Base-isolated buildings with and without moat walls in the El Centro earthquake of 1940 times 2. The reference is an
+// independent integration: DOP853, restarted at every yield, reversal, touch, separation and corner of the record. Two
+// runs with tolerances a factor of 100 apart agree to 2e-14 without walls, 3e-8 with walls and 9e-7 with
+// velocity-dependent friction and walls. The record has all digits of its file: rounding to 1e-6 m/s^2 changes the
+// force of a wall by 1e-6.
 
 #include <gtest/gtest.h>
 
@@ -22,19 +22,19 @@
 namespace pounding {
 namespace isolation_test {
 
-// SI units. Peaks of floors from the slab up; forces and impacts of links west, east.
+// SI units. Peaks of floors from the slab up; forces and impacts of the west and east link.
 struct Reference {
   const char *name, *building, *walls;
   std::vector<double> displacement, acceleration;
   double end;                   // of the slab at 15 s
-  double isolator_force, work;  // the work of the isolators, and the energy of the storeys at 15 s
+  double isolator_force, work;  // peak force and work of the isolators, and the energy of the storeys at 15 s
   std::vector<double> forces;
   std::vector<int> impacts;
-  std::vector<double> pressed_in;  // gaps at the end less those of the beginning
+  std::vector<double> pressed_in;  // increase of the gaps from the beginning to the end
 };
 
 // Base 250 t, three floors of 200 t; isolators k1 35 MN/m, k2 3.5 MN/m, yield force 416.782625 kN = 0.045 W/(1 - 0.1);
-// 2 % of the first mode on a fixed base in proportion to the stiffness above the isolators.
+// 2 % in the first mode on a fixed base, proportional to the stiffness above the isolators.
 constexpr const char* lrb =
     "{shear_building: {storeys: 4, mass: [250 t, 200 t, 200 t, 200 t], stiffness: [300 MN/m, 250 MN/m, 200 MN/m],\n"
     "  isolator: {lead_rubber: {strength: 375104.36249999993, yield_displacement: 0.011908074999999997, "
@@ -44,7 +44,7 @@ constexpr const char* pendulum =
     "{shear_building: {storeys: 2, mass: [200 t, 300 t], stiffness: 74022033.00817019,\n"
     "  isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}}, damping: 2 %}";
 
-// Friction of 4 % when it slides slowly and 8 % when fast.
+// Friction of 4 % for slow and 8 % for fast sliding.
 constexpr const char* rated =
     "{shear_building: {storeys: 2, mass: [200 t, 300 t], stiffness: 74022033.00817019,\n"
     "  isolator: {friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}}, damping: 2 %}";
@@ -138,7 +138,7 @@ std::string text_of(const Reference& r, const std::string& analysis) {
   return text + fmt::format("analysis: {{duration: 15 s, {}}}\n", analysis);
 }
 
-// Errors as parts of the largest values.
+// Errors relative to the peak values.
 struct Errors {
   double displacement = 0, end = 0, force = 0, wall = 0, work = 0, energy = 0;
   double largest() const { return std::max({displacement, end, force, energy}); }
@@ -166,11 +166,11 @@ Errors errors_of(const Reference& r, const Outcome& run) {
 class Isolation : public testing::TestWithParam<Reference> {};
 
 TEST_P(Isolation, AgreesWithAnIndependentIntegratorInElCentro) {
-  test::Book book("Buildings on isolators, alone and before moat walls, in the El Centro earthquake of 1940 times 2",
+  test::Book book("Base-isolated buildings with and without moat walls, in the El Centro earthquake of 1940 times 2",
                   "independent integration by DOP853, restarted at every yield, reversal, touch and separation",
                   "1e-6 of the peaks, of a run at tolerance 1e-7");
   const Reference& r = GetParam();
-  ASSERT_FALSE(test::folder_of_records().empty()) << "the record is missing: make python installs it";
+  ASSERT_FALSE(test::folder_of_records().empty()) << "missing record; run `make python` to install it";
   const Model model = test::model_of(text_of(r, "tolerance: 1e-7"));
   const Outcome run = pounding::run(model);
   const StructureSummary& s = run.summary.structures[1];
@@ -190,7 +190,7 @@ TEST_P(Isolation, AgreesWithAnIndependentIntegratorInElCentro) {
     book.near(name("peak force of a wall [N]"), run.summary.links[i].peak_force, r.forces[i], 1e-6 * r.forces[i]);
   for (std::size_t i = 0; i < r.impacts.size(); ++i) EXPECT_EQ(run.summary.links[i].impacts, r.impacts[i]);
   for (std::size_t i = 0; i < r.pressed_in.size(); ++i)
-    book.near(name("pressed into the backfill [m]"),
+    book.near(name("permanent indentation of the backfill [m]"),
               dynamic_cast<const GapLink<laws::Backfill>&>(*model.links[i].contact).gap() - model.links[i].gap,
               r.pressed_in[i], 1e-6 * r.displacement[0]);
   EXPECT_EQ(s.springs[0].name, "isolators");
@@ -198,7 +198,7 @@ TEST_P(Isolation, AgreesWithAnIndependentIntegratorInElCentro) {
   book.below(name("imbalance of the energies [-]"), run.summary.energy.error, 1e-6);
 }
 
-// Stiff walls multiply what the motion still lacks, and work adds it up: both are off by up to 2.4 tolerances.
+// Stiff walls amplify the error of the motion, and the work accumulates it: both errors are up to 2.4 tolerances.
 TEST_P(Isolation, KeepsTheTolerance) {
   for (const char* tolerance : {"1e-3", "1e-4", "1e-5", "1e-6"}) {
     const Errors errors =
@@ -208,9 +208,9 @@ TEST_P(Isolation, KeepsTheTolerance) {
   }
 }
 
-// A run at 1e-9 takes the place of the reference, whose own errors are larger than 1e-7 before walls; that it goes to
-// the same answers say the tests above. The stiff walls multiply what the motion on sliders of constant friction still
-// lacks: 2.5 tolerances in their forces.
+// The reference is a run at 1e-9, because the errors of the independent one exceed 1e-7 with walls; the tests above
+// show that both converge to the same solution. Stiff walls amplify the error of sliding at constant friction: 2.5
+// tolerances in their forces.
 TEST_P(Isolation, KeepsTheToleranceDownToOneTenMillionth) {
   Reference own = GetParam();
   const Outcome fine = test::run_text(text_of(own, "tolerance: 1e-9"));

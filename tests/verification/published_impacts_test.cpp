@@ -1,4 +1,4 @@
-// Published formulas and examples, as they come out of the program: link, events and error control included.
+// Published formulas and examples in complete runs, including link, events and error control.
 
 #include <gtest/gtest.h>
 
@@ -27,12 +27,12 @@ namespace published_impacts_test {
 
 using reference::requested;
 
-// Against a table, by the time integration.
+// Comparison of the time integration with a table.
 class PrintedBook : public test::Book {
  public:
   explicit PrintedBook(const char* subject)
       : Book(subject, "tables of an independent script: 8th-order Runge-Kutta at 1e-12 and closed forms",
-             "half a unit of the last digit printed there, plus 1e-6 of the value for the run at tolerance 1e-8") {}
+             "half a unit of the last printed digit, plus 1e-6 of the value for the run at tolerance 1e-8") {}
 
   void printed(const std::string& quantity, double value, double in_table, int decimals,
                std::source_location at = std::source_location::current()) {
@@ -40,7 +40,8 @@ class PrintedBook : public test::Book {
   }
 };
 
-// A ball of this mass [kg] thrown against a wall; `link` is the text after "law: ". The bodies get time to part.
+// A ball of this mass [kg] launched at a wall; `link` is the text after "law: ". The run is long enough for the bodies
+// to separate.
 std::string ball_on_wall(double mass, double speed, const std::string& link, double duration) {
   return fmt::format(
       "structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
@@ -49,7 +50,7 @@ std::string ball_on_wall(double mass, double speed, const std::string& link, dou
       mass, speed, link, duration);
 }
 
-// The only impact of a run; all NaN, with a failure noted, when there is not exactly one.
+// The only impact of a run; all NaN, with a test failure, unless there is exactly one.
 ImpactRow only_impact(const Outcome& run) {
   EXPECT_EQ(run.results.impacts.size(), 1u);
   if (run.results.impacts.size() == 1) return run.results.impacts[0];
@@ -64,7 +65,7 @@ TEST_P(PublishedFormula, GivesTheRestitutionOfTheReference) {
   const reference::FormulaRow& row = GetParam();
   for (const reference::Asking& asking : row.askings)
     for (std::size_t i = 0; i < 9; ++i) {
-      SCOPED_TRACE(fmt::format("{} asked {}", asking.law, requested(i)));
+      SCOPED_TRACE(fmt::format("{} target {}", asking.law, requested(i)));
       double stiffness = asking.stiffness;
       for (const laws::ParameterInfo& p : laws::find_law(asking.law).parameters)
         if (p.name == "stiffness" && stiffness == 0) stiffness = p.typical;
@@ -83,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(All, PublishedFormula, testing::ValuesIn(reference::for
   return fmt::format("{:02}__{}__{}", test.index + 1, first.law, formula);
 });
 
-// For z >= 1 the bodies never part, so there is no impact to end: the run is left with the ball still creeping out.
+// For z >= 1 the bodies never part, so the impact has no end: the ball is still creeping out at the end of the run.
 TEST(JankowskiInBothPhases, GivesTheRestitutionOfTheReference) {
   PrintedBook book("Published damping formulas in the time integration");
   const reference::FormulaRow& row = reference::jankowski_in_both_phases;
@@ -167,8 +168,8 @@ TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
   }
 }
 
-// The design penetration is 1 m at impact_velocity; the actual speed is the one that reaches it along the bilinear
-// curve, where the force is the effective stiffness times 1 m.
+// The design penetration is 1 m at impact_velocity. The actual speed is that which reaches it along the bilinear curve,
+// where the force is the effective stiffness times 1 m.
 TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheReference) {
   PrintedBook book("Bilinear law at its design penetration, in the time integration");
   using namespace reference::bilinear;

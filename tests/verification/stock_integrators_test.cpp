@@ -1,8 +1,8 @@
-// The engine against integrators that it shares nothing with: PETSc's own TSALPHA2 with fixed steps, and TSRK (5dp)
-// with PETSc's events at touch, release and separation.
+// The engine against independent integrators: PETSc's own TSALPHA2 with fixed steps, and TSRK (5dp) with PETSc's events
+// at touch, release and separation.
 //
 // Shared with the engine: the reader, the matrices, the ground motion, the laws and their damping. Not shared: time
-// stepping, error control, location of the events, phases, condensation of the link forces, peaks.
+// stepping, error control, event location, phases, condensation of the link forces, peaks.
 
 #include <gtest/gtest.h>
 #include <petscts.h>
@@ -31,7 +31,7 @@ namespace stock_integrators_test {
 
 using Eigen::MatrixXd, Eigen::VectorXd, petsc::check, petsc::Handle;
 
-constexpr const char* subject = "The engine beside PETSc's own integrators";
+constexpr const char* subject = "The engine compared with PETSc's integrators";
 
 laws::AnyLaw law_of(const Link& link) {
   laws::Settings settings{.law = link.law, .formula = link.formula, .reduced_mass = link.reduced_mass};
@@ -46,7 +46,8 @@ struct Hit {
   double time = 0, approach = 0, peak_force = 0;  // [s], [m/s], [N]
 };
 
-// Nothing while apart; pressed, the law at max(penetration, 0), so that a late separation cannot glue the bodies.
+// No force while separated. In contact, the law at max(penetration, 0), so that a late separation cannot glue the
+// bodies.
 struct PlainLink {
   laws::AnyLaw law;
   VectorXd closing;  // column of B
@@ -65,7 +66,7 @@ struct PlainLink {
     const laws::Response r = uncut(penetration(u), closing.dot(v));
     return may_pull() ? r : laws::no_tension(r);
   }
-  // A dashpot that would pull lets go before the separation: its force is cut where it falls to zero.
+  // A dashpot releases before the separation if it would pull: its force is cut off at zero.
   bool lets_go_early() const { return pressed && !may_pull() && uncut(0, -1).force < 0; }
 
   void touch_or_part(double time, double rate) {
@@ -80,7 +81,7 @@ struct Signal {
   double value = 0, slope = 0;  // slope in time
 };
 
-// Largest absolute value of the cubic with these ends, h apart.
+// Maximum absolute value of the cubic with these end values, h apart.
 double highest(double h, Signal begin, Signal end) {
   const double top = std::max(std::abs(begin.value), std::abs(end.value));
   if (!(begin.slope * end.slope < 0)) return top;
@@ -91,7 +92,7 @@ double highest(double h, Signal begin, Signal end) {
   return std::max(top, std::abs(begin.value + h * s * (begin.slope + s * (b / 2 + s * a / 3))));
 }
 
-// The equations as they stand, and the peaks that a run of them leaves behind.
+// The full equations, and the peaks of a run.
 struct PlainModel {
   MatrixXd mass, damping, stiffness, mass_inverse;
   VectorXd load, u, v;
@@ -131,7 +132,7 @@ struct PlainModel {
     return -(mass_inverse * resistance(t, at_u, at_v));
   }
 
-  // The next step leaves from here, in the present phases.
+  // The next step starts here, in the present phases.
   void depart(double t, const VectorXd& at_u, const VectorXd& at_v) {
     time = t, u = at_u, v = at_v;
     const VectorXd a = acceleration(t, u, v);
@@ -142,7 +143,7 @@ struct PlainModel {
       signals.push_back({r.force, r.by_penetration * link.closing.dot(v) + r.by_rate * link.closing.dot(a)});
     }
   }
-  // A step arrives, in the phases in which it was made. (A pull stays below the push before it.)
+  // The end of a step, in the phases in which it was computed. (A pull is smaller than the push before it.)
   void arrive(double t, const VectorXd& at_u, const VectorXd& at_v) {
     const std::vector<Signal> before = signals;
     const double h = t - time;
@@ -158,7 +159,7 @@ struct PlainModel {
   }
 };
 
-// In a callback a failed access ends the program: no exception may cross PETSc's C.
+// In a callback a failed access ends the program: no exception may cross the C code of PETSc.
 VectorXd values(Vec x) noexcept {
   const PetscScalar* data = nullptr;
   PetscInt size = 0;
@@ -196,7 +197,7 @@ double time_of(TS ts) noexcept {
   return t;
 }
 
-// A TS with these options, which carry the prefix.
+// A TS with these options, which include the prefix.
 void create(Handle<TS>& ts, PlainModel& model, const char* prefix, const char* options,
             PetscErrorCode (*after_step)(TS)) {
   check(PetscOptionsInsertString(nullptr, options));
@@ -210,7 +211,8 @@ void create(Handle<TS>& ts, PlainModel& model, const char* prefix, const char* o
   check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
 }
 
-// TSALPHA2: M a + C v + K u + B F + p ag = 0. Phases change at the ends of steps, so that no step sees a force jump.
+// TSALPHA2: M a + C v + K u + B F + p ag = 0. Phases change at the ends of steps, so that no step contains a jump of
+// the force.
 namespace alpha2 {
 
 PetscErrorCode residual(TS, PetscReal t, Vec u, Vec v, Vec a, Vec r, void* context) {
@@ -247,8 +249,8 @@ PetscErrorCode after_step(TS ts) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-// The spectral radius is one: below 3.22 TSALPHA2 starts with twice the acceleration, which does no harm at one only.
-// Newton's method and never KSPONLY: TSALPHA2 moves its velocity in the residual that follows the last correction.
+// The spectral radius is one: below 3.22 TSALPHA2 starts with twice the acceleration, which is harmless only at one.
+// Newton's method and never KSPONLY: TSALPHA2 updates its velocity in the residual after the last correction.
 PlainModel march(const Model& input, int steps) {
   PlainModel model(input);
   Handle<TS> ts;
@@ -265,7 +267,7 @@ PlainModel march(const Model& input, int steps) {
   check(TS2SetSolution(ts, u, v));
   check(TSSetI2Function(ts, r, residual, &model));
   check(TSSetI2Jacobian(ts, j, j, jacobian, &model));
-  check(MatDestroy(&j));  // the TS keeps its own reference
+  check(MatDestroy(&j));  // the TS holds its own reference
   check(TSSetTimeStep(ts, model.duration / steps));
   check(TSSolve(ts, nullptr));
   return model;
@@ -273,7 +275,7 @@ PlainModel march(const Model& input, int steps) {
 
 }  // namespace alpha2
 
-// TSRK on [u; v], with events at every touch and separation, and where a dashpot's pull is cut.
+// TSRK on [u; v], with events at every touch and separation, and at the zero of a dashpot force that would pull.
 namespace runge_kutta {
 
 constexpr int events_of_a_link = 2;
@@ -291,7 +293,7 @@ PetscErrorCode right_hand_side(TS, PetscReal t, Vec y, Vec rates, void* context)
   return write(joined(v_of(now), plain(context).acceleration(t, u_of(now), v_of(now))), rates);
 }
 
-// Both in metres: the penetration, and the force over its stiffness, or 1 where nothing can let go early.
+// Both in metres: the penetration, and the force over its stiffness, or 1 without an early release.
 PetscErrorCode indicators(TS, PetscReal, Vec y, PetscScalar found[], void* context) {
   const VectorXd now = values(y);
   for (const PlainLink& link : plain(context).links) {
@@ -303,7 +305,7 @@ PetscErrorCode indicators(TS, PetscReal, Vec y, PetscScalar found[], void* conte
   return POUNDING_PETSC_SUCCESS;
 }
 
-// Phases are set from the sign of the rate. 5dp takes its last stage for the next first one, unless it is restarted.
+// Phases are set from the sign of the rate. 5dp reuses its last stage as the next first one, unless it is restarted.
 PetscErrorCode located(TS ts, PetscInt count, PetscInt which[], PetscReal t, Vec y, PetscBool, void* context) {
   PlainModel& model = plain(context);
   const VectorXd now = values(y);
@@ -324,8 +326,8 @@ PetscErrorCode after_step(TS ts) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-// The step after an event has no error control: over 1e-7 s even Jankowski's d^(1/4) does no harm. The longest step is
-// for the cubic that finds the peaks.
+// The step after an event has no error control: over 1e-7 s this is harmless even for Jankowski's d^(1/4). The maximum
+// step is for the cubic that finds the peaks.
 PlainModel march(const Model& input) {
   PlainModel model(input);
   Handle<TS> ts;
@@ -337,7 +339,7 @@ PlainModel march(const Model& input) {
   create(y, joined(model.u, model.v));
   check(TSSetSolution(ts, y));
   check(TSSetRHSFunction(ts, nullptr, right_hand_side, &model));
-  // Before the events are set: PETSc below 3.21 takes the present step for the second one after every event.
+  // Before the events are set: PETSc below 3.21 uses the present step as the second one after every event.
   check(TSSetTimeStep(ts, 1e-7));
   const int events = events_of_a_link * static_cast<int>(model.links.size());
   std::vector<PetscInt> either_way(events, 0);
@@ -350,7 +352,7 @@ PlainModel march(const Model& input) {
 
 }  // namespace runge_kutta
 
-// Differences of the peak displacements and of the largest force of each link, as parts of the engine's values.
+// Differences of the peak displacements and of the peak force of each link, relative to the engine.
 VectorXd differences(const PlainModel& stock, const Outcome& engine) {
   std::vector<double> peaks;
   for (const StructureSummary& structure : engine.summary.structures)
@@ -361,7 +363,7 @@ VectorXd differences(const PlainModel& stock, const Outcome& engine) {
   return parts;
 }
 
-// The order in which TSALPHA2 comes near the engine: over five lengths, and over five that are a quarter of them.
+// Observed order of the difference between TSALPHA2 and the engine, over five step lengths and five a quarter as long.
 double observed_order(const char* law) {
   const std::string yaml = test::two_oscillators(law, 1e-8);
   const Outcome engine = test::run_text(yaml);
@@ -378,39 +380,41 @@ double observed_order(const char* law) {
 
 constexpr const char* fixed_steps = "PETSc's TSALPHA2 with fixed steps on the same equations";
 constexpr const char* chance =
-    "where in a step a touch falls is chance, and so is a part of the error: root mean squares over five lengths";
+    "the location of a touch within a step is random, as is a fraction of the error: root mean squares over five "
+    "lengths";
 
 TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForHertz) {
   test::Book book(subject, fixed_steps, chance);
-  book.near("order in which TSALPHA2 comes near, Hertz [-]", observed_order("hertz, stiffness: 2.75e9"), 2, 0.3);
+  book.near("order of the difference from TSALPHA2, Hertz [-]", observed_order("hertz, stiffness: 2.75e9"), 2, 0.3);
 }
 
 TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForASpring) {
   test::Book book(subject, fixed_steps, chance);
-  book.near("order in which TSALPHA2 comes near, linear spring [-]", observed_order("linear_spring, stiffness: 9.35e7"),
-            2, 0.3);
+  book.near("order of the difference from TSALPHA2, linear spring [-]",
+            observed_order("linear_spring, stiffness: 9.35e7"), 2, 0.3);
 }
 
 TEST(StockAlpha2, ComesNearTheEngineWithItsStepWhereTheForceJumps) {
   test::Book book(subject, fixed_steps, chance);
   book.near(
-      "order in which TSALPHA2 comes near, Kelvin-Voigt, where a touch seen a step late loses c v h of momentum [-]",
+      "order of the difference from TSALPHA2, Kelvin-Voigt, where a touch detected one step late loses c v h of "
+      "momentum [-]",
       observed_order("kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65"), 1, 0.3);
 }
 
-// ESDIRK4 may exceed its tolerance by a tenth with Jankowski's dashpot, which grows like d^(1/4) from the touch.
+// ESDIRK4 may exceed its tolerance by a tenth with Jankowski's dashpot, which grows as d^(1/4) from the touch.
 constexpr double tolerance = 5e-9, allowed = 1e-7;
 
 void expect_the_same_impacts(const std::string& problem, const std::string& law, const std::string& yaml) {
   test::Book book(subject, "PETSc's TSRK (5dp, 1e-11) with PETSc's events, " + problem,
-                  "twice what impacts make of the engine's tolerance 5e-9: "
-                  "where the bodies stand apart by 1e-8 of the peak at the start, no speed or force of these impacts "
-                  "moves by more than 1e-7");
+                  "twice the engine's tolerance 5e-9 as amplified by impacts: "
+                  "an initial displacement of 1e-8 of the peak changes no speed or force of these impacts "
+                  "by more than 1e-7");
   const Outcome engine = test::run_text(yaml);
   const PlainModel stock = runge_kutta::march(test::model_of(yaml));
   const double widest = *std::max_element(stock.peaks.begin(), stock.peaks.begin() + stock.u.size());
   EXPECT_DOUBLE_EQ(stock.time, stock.duration);
-  book.below(law + ": differences of peak displacements and forces, as parts [-]",
+  book.below(law + ": differences of peak displacements and forces, relative [-]",
              differences(stock, engine).cwiseAbs().maxCoeff(), allowed);
   for (std::size_t i = 0; i < stock.links.size(); ++i) {
     std::vector<ImpactRow> rows;
@@ -434,7 +438,7 @@ TEST_P(StockRungeKutta, FindsTheSameImpactsOfTwoOscillators) {
   expect_the_same_impacts("two oscillators", test::law_of(GetParam()), test::two_oscillators(GetParam(), tolerance));
 }
 
-// Thirteen or fourteen impacts on three floors that touch one soon after the other.
+// Thirteen or fourteen impacts on three floors that touch in close succession.
 TEST_P(StockRungeKutta, FindsTheSameImpactsOnThreeFloors) {
   expect_the_same_impacts(
       "three floors, thirteen or fourteen impacts", test::law_of(GetParam()),

@@ -1,12 +1,11 @@
-"""Reference numbers for tests/stepping/turning_test.cpp: a mast of corotational members that is thrown, from its energy
-alone.
+"""Reference numbers for tests/stepping/turning_test.cpp: a mast of corotational members with an initial velocity,
+from its energy alone.
 
     .venv/bin/python3 tests/verification/turning_mast.py
 
 Plane beams with linear strains about their chord: E = EA/(2 L) (l - L)^2 + 2 EI/L (a^2 + a b + b^2), where a and b are
-the rotations of the ends less that of the chord. Rotations have no mass: they make the energy least, which is a linear
-system while the chords are held. Masses at the nodes move by the slope of the energy; scipy integrates them (DOP853,
-1e-13).
+the rotations of the ends relative to the chord. Rotations are massless and minimize the energy, which is a linear system
+for given chords. Masses at the nodes move by the gradient of the energy; SciPy integrates them (DOP853, 1e-13).
 """
 
 import numpy as np
@@ -15,18 +14,19 @@ from scipy.integrate import solve_ivp
 MEMBERS, LENGTH, EA, EI, MASS = 4, 1.0, 2e6, 4e4, 50.0
 SPEED, END, GRAVITY = 6.0, 1.0, 9.80665
 
-# Stiffness of the rotations, the foot held: 2 EI/L (2 own + other) at both ends of each member.
+# Stiffness of the rotations with a fixed foot: 2 EI/L (2 own + other) at both ends of each member.
 COUPLING = np.zeros((MEMBERS + 1, MEMBERS + 1))
 for _i in range(MEMBERS):
     COUPLING[_i : _i + 2, _i : _i + 2] += 2 * EI / LENGTH * np.array([[2, 1], [1, 2]])
 
 
 def slope(place):
-    """Slope of the strain energy by the places (x, z) of the free nodes, and the energy."""
+    """Gradient of the strain energy with respect to the coordinates (x, z) of the free nodes, the energy, and the
+    rotations."""
     nodes = np.vstack([[0.0, 0.0], place.reshape(-1, 2)])
     chord = np.diff(nodes, axis=0)
     length = np.hypot(*chord.T)
-    turn = np.arctan2(chord[:, 0], chord[:, 1])  # from upright, towards x
+    turn = np.arctan2(chord[:, 0], chord[:, 1])  # from the vertical, towards x
     load = np.zeros(MEMBERS + 1)
     load[:-1] += 6 * EI / LENGTH * turn
     load[1:] += 6 * EI / LENGTH * turn
@@ -68,8 +68,8 @@ def throw(gravity):
     kept = abs(energy(y) / energy(motion.y[:, 0]) - 1)
     turns = [np.abs(slope(column[: 2 * MEMBERS])[2]).max() for column in motion.y.T]
     tip = [*(y[2 * MEMBERS - 2 : 2 * MEMBERS] - upright[-2:]), *y[-2:], slope(y[: 2 * MEMBERS])[2][-1]]
-    print(f"gravity {gravity}: energy kept to {kept:.1e}, largest turn {max(turns):.4f} rad")
-    print("  tip at the end, x z vx vz turn:", ", ".join(f"{value:.15g}" for value in tip))
+    print(f"gravity {gravity}: energy conserved to {kept:.1e}, largest rotation {max(turns):.4f} rad")
+    print("  tip at the end, x z vx vz rotation:", ", ".join(f"{value:.15g}" for value in tip))
 
 
 throw(0.0)

@@ -113,7 +113,7 @@ class TwoOscillators : public testing::TestWithParam<Reference> {};
 TEST_P(TwoOscillators, AgreeWithAnIndependentIntegrator) {
   test::Book book("Two oscillators under a harmonic motion, seven laws", source,
                   "run at tolerance 1e-6: displacements and velocities to 1e-5, forces to 1e-4, times to 1e-6 s, "
-                  "plus half a unit of the last digit printed");
+                  "plus half a unit of the last printed digit");
   const Reference& expected = GetParam();
   const std::string law = law_and_formula(expected);
   const Outcome run = test::run_text(test::two_oscillators(expected.law, 1e-6));
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(SevenLaws, TwoOscillators, testing::ValuesIn(references
 
 TEST_P(TwoOscillators, KeepTheDefaultTolerance) {
   test::Book book("Two oscillators under a harmonic motion, seven laws", source,
-                  "the tolerance is kept: what the default 1e-4 gives lies within 1e-4 of the converged answer");
+                  "the tolerance is satisfied: results at the default 1e-4 are within 1e-4 of the converged ones");
   const Reference& expected = GetParam();
   const Outcome run = test::run_text(test::two_oscillators(expected.law, 1e-4));
   book.near("peak displacement, left [m]", run.summary.structures[0].peak_displacement[0], expected.u1,
@@ -150,10 +150,10 @@ TEST_P(TwoOscillators, KeepTheDefaultTolerance) {
   book.near("peak force [N]", run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
 }
 
-// Steps are so long that accelerations turn inside them.
+// Steps are so long that accelerations have extremes inside them.
 TEST_P(TwoOscillators, KeepTheToleranceOfPeakAccelerations) {
   test::Book book("Two oscillators under a harmonic motion, seven laws", "the same program at a tolerance of 1e-8",
-                  "peak accelerations, which lie inside of steps, keep one and a half times the tolerance");
+                  "peak accelerations, which occur inside steps, are within 1.5 times the tolerance");
   const Reference& expected = GetParam();
   const Outcome fine = test::run_text(test::two_oscillators(expected.law, 1e-8));
   for (const double tolerance : {1e-4, 1e-5, 1e-6}) {

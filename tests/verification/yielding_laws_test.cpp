@@ -1,7 +1,6 @@
-// One oscillator and two buildings that yield, each by every law of storeys, in the El Centro earthquake of 1940. The
-// expected numbers are those of an integration that shares nothing with this project: DOP853, restarted at every yield,
-// reversal and corner of the record, of which two runs at tolerances a factor of 1000 apart agree to 4e-13. Its record
-// has all digits of the file.
+// A yielding oscillator and two yielding buildings with every law for storeys in the El Centro earthquake of 1940. The
+// reference is an independent integration: DOP853, restarted at every yield, reversal and corner of the record; two
+// runs with tolerances a factor of 1000 apart agree to 4e-13. The record has all digits of its file.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +18,7 @@
 namespace pounding {
 namespace yielding_laws_test {
 
-// Largest and last displacement [m], largest force [N], work of the spring [J].
+// Peak and final displacement [m], peak force [N], work of the spring [J].
 struct Reference {
   const char *name, *spring;
   double peak, end, force, work;
@@ -46,7 +45,7 @@ Outcome run_oscillator(const Reference& r, const std::string& analysis) {
                   test::folder_of_records(), r.spring, analysis));
 }
 
-// Errors as parts of the largest values.
+// Errors relative to the peak values.
 struct Errors {
   double peak, end, force, work, energy;
   double largest() const { return std::max({peak, end, force, work, energy}); }
@@ -64,11 +63,11 @@ Errors errors_of(const Reference& r, const Outcome& run) {
 class YieldingOscillator : public testing::TestWithParam<Reference> {};
 
 TEST_P(YieldingOscillator, AgreesWithAnIndependentIntegratorInElCentro) {
-  test::Book book("Laws of yielding: an oscillator in the El Centro earthquake of 1940",
+  test::Book book("Hysteretic laws: an oscillator in the El Centro earthquake of 1940",
                   "independent integration by DOP853, restarted at every yield and reversal",
                   "1e-6 of the peaks, of a run at tolerance 1e-7");
   const Reference& r = GetParam();
-  ASSERT_FALSE(test::folder_of_records().empty()) << "the record is missing: make python installs it";
+  ASSERT_FALSE(test::folder_of_records().empty()) << "missing record; run `make python` to install it";
   const Outcome run = run_oscillator(r, "tolerance: 1e-7");
   const StructureSummary& s = run.summary.structures[0];
   const auto name = [&](const char* what) { return fmt::format("{}: {}", r.name, what); };

@@ -1,6 +1,6 @@
-// Two buildings of bilinear storeys that pound in the El Centro earthquake of 1940, without their links, and elastic.
-// The expected numbers are those of an integration that shares nothing with this project: DOP853, restarted at every
-// yield, reversal, touch and corner of the record. A run at a tolerance a hundred times larger changes them by 2.3e-7.
+// Two colliding buildings with bilinear storeys in the El Centro earthquake of 1940, also without their links, and
+// elastic. The reference is an independent integration: DOP853, restarted at every yield, reversal, touch and corner of
+// the record. A tolerance a hundred times larger changes it by 2.3e-7.
 
 #include <gtest/gtest.h>
 
@@ -102,8 +102,9 @@ structures:
       analysis);
 }
 
-// Storeys of Steel02, whose force jumps with every turn, however small: in the independent run two turns lie 6e-7 of a
-// yield deformation apart. Runs at 1e-3 to 1e-7 miss some of them and end 1.2e-3 off, at any of these tolerances.
+// Storeys of Steel02, whose force jumps at every reversal, however small: in the independent run two reversals are 6e-7
+// of a yield deformation apart. Runs at 1e-3 to 1e-7 miss some of them and have errors of 1.2e-3 at each of these
+// tolerances.
 TEST(YieldingPairOfSteel02, AgreesWithAnIndependentIntegratorWhereEveryTurnIsResolved) {
   test::Book book(
       "Two buildings of storeys by menegotto_pinto, memory: last, in the El Centro earthquake of 1940 times 1.5",
@@ -137,7 +138,7 @@ TEST_P(YieldingPair, AgreesWithAnIndependentIntegratorInElCentro) {
                   "independent integration by DOP853, restarted at every yield, reversal and touch",
                   "1e-6 of the peaks, of a run at tolerance 1e-7; energies of the input");
   const Reference& r = GetParam();
-  ASSERT_FALSE(test::folder_of_records().empty()) << "the record is missing: make python installs it";
+  ASSERT_FALSE(test::folder_of_records().empty()) << "missing record; run `make python` to install it";
   const Outcome run = test::run_text(model_of_pair(r, "tolerance: 1e-7"));
   const auto name = [&](const char* what) { return fmt::format("{}: {}", r.name, what); };
   constexpr double part = 1e-6;
@@ -178,7 +179,7 @@ TEST_P(YieldingPair, KeepsTheTolerance) {
         EXPECT_NEAR(peak, r.peak[floor], part * r.peak[floor]) << tolerance << " floor " << floor;
         ++floor;
       }
-    // The lightest of all impacts hangs on a small difference of velocities.
+    // The weakest impact depends on a small difference of velocities.
     for (std::size_t i = 0; i < r.force.size(); ++i)
       EXPECT_NEAR(run.summary.links[i].peak_force, r.force[i], part * std::ranges::max(r.force))
           << tolerance << " link " << i;
@@ -192,10 +193,10 @@ INSTANTIATE_TEST_SUITE_P(Model, YieldingPair, testing::ValuesIn(pairs), [](const
   return name;
 });
 
-// This pair by the other laws. The independent run has all digits of the record; runs at rtol 1e-11 and 1e-12 agree to
-// 7e-9 in displacements and to 3.3e-7 in the forces of links, whose peaks it reads between samples.
+// This pair with the other laws. The independent run has all digits of the record; runs at rtol 1e-11 and 1e-12 agree
+// to 7e-9 in displacements and to 3.3e-7 in the link forces, whose peaks it takes at samples.
 struct LawOfPair {
-  const char *name, *spring;  // FORCES stands for the yield forces of a building
+  const char *name, *spring;  // FORCES is replaced by the yield forces of a building
   std::vector<double> peak, end, ductility;
   std::vector<int> impacts;
   std::vector<double> force;
@@ -300,7 +301,7 @@ TEST_P(YieldingPairOf, AgreesWithAnIndependentIntegratorInElCentro) {
                   "independent integration by DOP853, restarted at every yield, reversal and touch",
                   "1e-6 of the peaks, of a run at tolerance 1e-7");
   const LawOfPair& r = GetParam();
-  ASSERT_FALSE(test::folder_of_records().empty()) << "the record is missing: make python installs it";
+  ASSERT_FALSE(test::folder_of_records().empty()) << "missing record; run `make python` to install it";
   const Outcome run = test::run_text(model_of_law(r, "tolerance: 1e-7"));
   const ErrorsOfPair errors = errors_of(r, run);
   const auto name = [&](const char* what) { return fmt::format("{}: {}", r.name, what); };
@@ -320,8 +321,8 @@ TEST_P(YieldingPairOf, AgreesWithAnIndependentIntegratorInElCentro) {
   book.below(name("imbalance of the energies [-]"), errors.energy, 1e-7);
 }
 
-// Beside a run at 1e-9, whose errors are a hundredth of those allowed: the forces of links in the independent one are
-// less exact than 1e-7.
+// Compared with a run at 1e-9, whose errors are a hundredth of the tolerance: the link forces of the independent run
+// are less accurate than 1e-7.
 TEST_P(YieldingPairOf, KeepsTheTolerance) {
   LawOfPair own = GetParam();
   const Outcome fine = test::run_text(model_of_law(own, "tolerance: 1e-9"));

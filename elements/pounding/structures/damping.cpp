@@ -33,7 +33,7 @@ void factor(Eigen::SimplicialLDLT<SparseMatrix>& ldlt, const SparseMatrix& k, co
     if (!(pivots[step] > no_pivot * k.coeff(i, i)))
       throw std::invalid_argument(
           fmt::format("the stiffness of the massless degrees of freedom is singular or not positive definite: a motion "
-                      "that involves {} has no stiffness",
+                      "that involves degree of freedom {} has no stiffness",
                       unknowns[i]));
   }
 }

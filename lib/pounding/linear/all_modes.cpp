@@ -26,7 +26,7 @@ class DirectSolver {
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
 
-  // Calls visit(matrix) with one of its matrices.
+  // Calls visit(matrix) with one of the matrices.
   template <class Visit>
   void with(DSMatType which, Eigen::Index n, Visit&& visit) {
     PetscInt stride = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// All modes of a large structure at once, and all eigenpairs of a matrix.
+/// All modes of a large structure, and all eigenpairs of a symmetric matrix.
 
 #include <Eigen/Core>
 
@@ -7,13 +7,13 @@
 
 namespace pounding::petsc {
 
-/// As eigenpairs(), by LAPACK's divide and conquer, which SLEPc calls: for some thousand unknowns a tenth of the time.
-/// Mass [kg] and stiffness [N/m] are n x n, the mass is positive definite. Throws std::invalid_argument where it is
-/// not.
+/// Same result as eigenpairs(), by LAPACK's divide-and-conquer method through SLEPc: ten times faster for a few
+/// thousand unknowns. Mass [kg] and stiffness [N/m] are n x n. Throws std::invalid_argument if the mass is not positive
+/// definite.
 Eigenpairs all_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
-/// All eigenvalues, ascending, and orthonormal eigenvectors of a symmetric n x n matrix, by the same. Throws
-/// SolverError where it fails.
+/// All eigenvalues (ascending) and orthonormal eigenvectors of a symmetric n x n matrix, by the same method. Throws
+/// SolverError on failure.
 Eigenpairs eigenpairs_of(const Eigen::MatrixXd& symmetric);
 
 }  // namespace pounding::petsc

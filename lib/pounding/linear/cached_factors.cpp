@@ -10,13 +10,13 @@ bool same(const EffectiveMatrix& a, const EffectiveMatrix& b) {
   return a.mass == b.mass && a.damping == b.damping && a.stiffness == b.stiffness;
 }
 
-// Equal up to round-off in the length of the step.
+// Equal up to round-off in the step length.
 bool alike(const EffectiveMatrix& a, const EffectiveMatrix& b) {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-8 * std::abs(y); };
   return close(a.mass, b.mass) && close(a.damping, b.damping) && close(a.stiffness, b.stiffness);
 }
 
-// The matrix of a step that is longer by the factor 2^doublings; exact for whole numbers.
+// Matrix of a step longer by the factor 2^doublings; exact for integers.
 EffectiveMatrix scaled(const EffectiveMatrix& matrix, double doublings) {
   const double factor = std::exp2(doublings);
   return {matrix.mass, matrix.damping * factor, matrix.stiffness * factor * factor};
@@ -71,7 +71,7 @@ CachedFactor& CachedFactors::at_level(int number, const EffectiveMatrix& matrix)
   return made;
 }
 
-// All processes have the same levels with the same bytes, so that they drop the same ones.
+// All processes have the same levels of the same size, so they evict the same ones.
 void CachedFactors::make_room(const CachedFactor* needed) {
   while (matrices_.largest(memory()) > options_.memory * 1e6) {
     spare_.reset();
@@ -95,7 +95,8 @@ void CachedFactors::drop_off_level() {
   off_level_.reset();
 }
 
-// A step whose length differs from a level's by round-off only is off the levels: it is solved with the level's factor.
+// A step whose length differs from that of a level by round-off only is off the levels, and is solved with the level's
+// factor.
 void CachedFactors::select(const EffectiveMatrix& matrix, std::optional<int> step_level) {
   if (step_level) {
     if (!reference_ || !alike(scaled(reference_->matrix, reference_->level - *step_level), matrix))
@@ -113,7 +114,7 @@ void CachedFactors::select(const EffectiveMatrix& matrix, std::optional<int> ste
   }
   drop_off_level();
   off_level_ = make_entry(std::nullopt, matrix, links_);
-  // The coefficient of the stiffness goes with the square of the step.
+  // The stiffness coefficient is proportional to the square of the step length.
   const double halvings = reference_ ? 0.5 * std::log2(reference_->matrix.stiffness / matrix.stiffness) : 0;
   if (unknowns_ >= options_.direct_below && reference_ && alike(scaled(reference_->matrix, -halvings), matrix)) {
     const int nearest = std::max(0, static_cast<int>(std::lround(reference_->level + halvings)));

@@ -1,5 +1,5 @@
 #pragma once
-/// Factors of the matrices of steps, and what was solved with them, kept while there is memory for them.
+/// Cached factors of step matrices and link columns, within a memory limit.
 
 #include <Eigen/Core>
 #include <memory>
@@ -15,61 +15,58 @@ namespace pounding::petsc {
 
 /// Options prefix and limits of the factors.
 struct SparseOptions {
-  /// Prefix of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`; the conjugate gradients
-  /// have `off_` behind it. `-pounding_lev_memory` and `-pounding_lev_direct_below` set the two numbers below.
+  /// Prefix of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`. The conjugate gradient
+  /// solver appends `off_`. `-pounding_lev_memory` and `-pounding_lev_direct_below` override the two limits below.
   std::string prefix = "pounding_lev_";
-  double memory = 4096;    ///< limit for the factors on one process; the least recently used go first [MB]
-  int direct_below = 300;  ///< with fewer unknowns on all processes every length of step is factored
+  double memory = 4096;    ///< memory limit for the factors on one process, with LRU eviction [MB]
+  int direct_below = 300;  ///< with fewer unknowns over all processes, every step length is factored
 };
 
-/// One effective matrix A with its factor and the columns Z = A^-1 B of links. For a step off the levels there is a
-/// factor of its own, or conjugate gradients with the factor of the nearest level.
+/// An effective matrix A with its factor and the columns Z = A^-1 B of the links. Off the step levels, A is either
+/// factored or solved by conjugate gradients, preconditioned by the factor of the nearest level.
 struct CachedFactor {
-  std::optional<int> step_level;  ///< nothing off the levels
+  std::optional<int> step_level;  ///< nullopt off the levels
   EffectiveMatrix matrix;
   std::unique_ptr<Factor> factor;
-  CachedFactor* nearest = nullptr;  ///< level whose factor the conjugate gradients use
+  CachedFactor* nearest = nullptr;  ///< level whose factor preconditions the conjugate gradients
   std::unique_ptr<NearSolver> gradients;
-  std::vector<Eigen::MatrixXd> blocks;  ///< of columns of Z
-  std::vector<const double*> columns;   ///< of all blocks; a link's own part is that in its groups
+  std::vector<Eigen::MatrixXd> blocks;  ///< blocks of columns of Z
+  std::vector<const double*> columns;   ///< all columns of Z; a link uses the rows of its groups
   Eigen::MatrixXd ends;                 ///< [slot, column] of B^T Z
-  std::vector<int> column_of;           ///< each link: its column, -1 for none
-  double bytes = 0;                     ///< of the factor, on the process where it is largest
-  long used = 0;                        ///< time of the last use, by the clock of the cache
+  std::vector<int> column_of;           ///< column of each link, -1 for none
+  double bytes = 0;                     ///< memory of the factor, maximum over processes
+  long used = 0;                        ///< time of last use, by the clock of the cache
 
   /// Memory of the factor and of Z [bytes].
   double memory() const;
 };
 
-/// Step levels: level k is the longest step over 2^k. Each level has a factor that is kept; a step off the levels has
-/// one that lasts until the next step. Which factor serves a step depends on that step alone, so that results do not
-/// depend on the steps before it. Functions are collective on the communicator of the matrices unless they say that
-/// they are not.
+/// Factors by step level, where level k is the longest step divided by 2^k. Factors of levels are cached; the factor of
+/// any other step lasts until the next step. The choice of factor depends on the current step only, so results do not
+/// depend on earlier steps. Functions are collective on the communicator of the matrices unless stated otherwise.
 class CachedFactors {
  public:
   /// `matrices` must outlive this. Adds each factorization to `factorizations`.
   CachedFactors(const SystemMatrices& matrices, const SparseOptions& options, int unknowns, int links,
                 long& factorizations);
 
-  /// Makes the factor of this matrix the current one. `step_level` is given for a step that is the longest over
-  /// 2^level.
+  /// Makes the factor of this matrix current. `step_level` = k if the step is the longest step divided by 2^k.
   void select(const EffectiveMatrix& matrix, std::optional<int> step_level);
   /// The factor that select() chose. Not collective.
   CachedFactor& current() { return *current_; }
   const CachedFactor& current() const { return *current_; }
-  /// Gives an entry a factor of its own. Throws SolverError, with the unknown, where the matrix is singular.
+  /// Factors the matrix of an entry. Throws SolverError, naming the degree of freedom, if the matrix is singular.
   void factorize(CachedFactor& entry);
-  /// Drops the least recently used levels until the limit of memory is kept; never `needed`, nor those of the present
-  /// step.
+  /// Evicts levels in LRU order until the memory limit is met, except `needed` and the levels of the current step.
   void make_room(const CachedFactor* needed);
 
-  /// Factors that are held. Not collective.
+  /// Number of cached factors. Not collective.
   int count() const;
-  /// All that is held on this process [bytes]. Not collective.
+  /// Memory of all entries on this process [bytes]. Not collective.
   double memory() const;
-  /// Iterations of conjugate gradients so far on this process. Not collective.
+  /// Total number of conjugate gradient iterations on this process. Not collective.
   long iterations() const;
-  /// Package of one of the factors; empty before the first. Not collective.
+  /// Software package of the factors; empty before the first. Not collective.
   std::string package() const;
 
  private:
@@ -81,7 +78,7 @@ class CachedFactors {
   int unknowns_, links_;
   long& factorizations_;
 
-  // The first level that was asked for: all others follow from it by powers of two.
+  // First level requested; the others follow by powers of two.
   struct Reference {
     int level = 0;
     EffectiveMatrix matrix;
@@ -89,7 +86,7 @@ class CachedFactors {
   std::optional<Reference> reference_;
   std::vector<std::unique_ptr<CachedFactor>> levels_;
   std::unique_ptr<CachedFactor> off_level_;
-  std::unique_ptr<Factor> spare_;  // of the last step off the levels; the next one takes over its ordering
+  std::unique_ptr<Factor> spare_;  // from the last step off the levels; the next one reuses its ordering
   CachedFactor* current_ = nullptr;
   CachedFactor* last_level_ = nullptr;
   long clock_ = 0, finished_iterations_ = 0;

@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Index;
 
-// From this number of columns of X on a panel of A is copied first: its columns lie far apart, and each is read several
-// times.
+// From this number of columns of X, a panel of A is copied first, because its columns are far apart and each is read
+// several times.
 constexpr Index many_columns = 4;
-// Rows and columns of A of such a panel, which stays in the cache; it is copied by pieces of so many rows, with their
-// columns beside each other.
+// Rows and columns of such a panel, which stays in the cache. It is copied in pieces of `piece_rows` rows, with
+// contiguous columns.
 constexpr Index panel_rows = 64, panel_columns = 256, piece_rows = 16;
-// For fewer, of a tall A so many columns are read side by side.
+// With fewer columns of X and a tall A, this many columns of A are read in parallel streams.
 constexpr Index tall = 256, streams = 8;
 
 template <int columns>
@@ -39,7 +39,7 @@ POUNDING_INLINE const Vector& vector(const double* at) {
   return *reinterpret_cast<const Vector*>(at);
 }
 
-// `blocks` vectors of rows from `row` on; the sums stay in registers.
+// Processes `blocks` vectors of rows from `row` on; the sums stay in registers.
 template <class Vector, int blocks, int columns>
 POUNDING_INLINE Index add_rows(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride,
                                Index row) {
@@ -82,7 +82,7 @@ POUNDING_INLINE void add_few(const Columns& a, const double* x, Index x_stride, 
   for (; row < a.rows; ++row) add_row<columns>(a, x, x_stride, y, y_stride, row);
 }
 
-// The columns of X from `c` on.
+// Processes the columns of X from `c` on.
 POUNDING_INLINE void add_all(const Columns& a, const Columns& x, double* y, Index y_stride, Index c) {
   for (; c + 3 <= x.count; c += 3) add_few<3>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
   if (c + 2 == x.count) add_few<2>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
@@ -93,7 +93,7 @@ POUNDING_WIDE void add_by_wide_vectors(const Columns& a, const Columns& x, doubl
   add_all(a, x, y, y_stride, c);
 }
 
-// Whole pieces of rows by eight columns of X; the columns that are done.
+// Processes whole pieces of rows with eight columns of X; returns the number of processed columns.
 POUNDING_WIDEST Index add_by_widest_vectors(const Columns& a, const Columns& x, double* y, Index y_stride) {
   Index c = 0;
 #ifdef POUNDING_HAS_FOUR

@@ -1,12 +1,12 @@
 #pragma once
-/// The damping of structures that are solved by matrices.
+/// Damping matrix of structures solved with assembled matrices.
 
 #include <pounding/model/system.hpp>
 
 namespace pounding::petsc {
 
-/// C without the Rayleigh damping. Forms the full matrix of modal damping where the system has none; throws
-/// std::invalid_argument for a group of more modes than max_for_modal_damping.
+/// C without Rayleigh damping. Forms the full matrix of modal damping if the system has none. Throws
+/// std::invalid_argument for a group with more modes than max_for_modal_damping.
 SparseMatrix damping_matrix(const System& system);
 
 }  // namespace pounding::petsc

@@ -18,7 +18,7 @@ bool by_blas(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return std::max({a.rows(), a.cols(), b.cols()}) > many && a.size() > 0 && b.size() > 0;
 }
 
-// Columns of Eigen as a matrix of PETSc, whose products go by BLAS.
+// Columns of Eigen as a PETSc matrix, whose products use BLAS.
 class Dense {
  public:
   explicit Dense(const Eigen::Ref<const Eigen::MatrixXd>& values) {

@@ -3,7 +3,7 @@
 namespace pounding {
 namespace {
 
-// Blocks on the diagonal of a matrix.
+// Compares diagonal blocks of a matrix.
 bool equal_blocks(const SparseMatrix& matrix, const Group& a, const Group& b) {
   for (int j = 0; j < a.count; ++j) {
     SparseMatrix::InnerIterator of_a(matrix, a.first + j), of_b(matrix, b.first + j);

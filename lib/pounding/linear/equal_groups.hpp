@@ -1,5 +1,5 @@
 #pragma once
-/// Structures of a system that are built alike.
+/// Structures of a system with identical matrices.
 
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace pounding {
 
-/// For each group the number of the first one with the same masses, stiffness and rigid motions, to the last bit: its
-/// own where there is none before it.
+/// For each group, the index of the first group with bitwise identical masses, stiffness and rigid-body motions; its
+/// own index if there is none before it.
 std::vector<int> first_equal_groups(const System& system);
 
 }  // namespace pounding

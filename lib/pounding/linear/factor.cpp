@@ -14,8 +14,8 @@ namespace {
 
 // Below this size PETSc's own Cholesky is faster, because each call to CHOLMOD or MUMPS has a fixed cost.
 constexpr PetscInt small_matrix = 500;
-// A known solution that a factor does not reproduce to this relative error belongs to a singular matrix. Frames have
-// condition numbers up to 1e12.
+// If a factor does not reproduce a known solution to this relative error, the matrix is singular. Frames have condition
+// numbers up to 1e12.
 constexpr double max_reproduction_error = 1e-2;
 constexpr double close_enough = 1e-13;
 constexpr PetscInt max_iterations = 200;
@@ -26,7 +26,7 @@ int processes(MPI_Comm comm) {
   return count;
 }
 
-// Lets a Vec use an array of the caller while this lives.
+// Lets a Vec use an array of the caller during the lifetime of this object.
 class Placed {
  public:
   Placed(Vec vec, const double* values) : vec_(vec) { check(VecPlaceArray(vec, values)); }
@@ -38,7 +38,7 @@ class Placed {
   Vec vec_;
 };
 
-// The factor that a preconditioner is; MAT_FACTOR_NONE where it is none.
+// Factor type of a preconditioner; MAT_FACTOR_NONE if it is not a factor.
 MatFactorType factor_type(PC pc) {
   PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE;
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
@@ -46,25 +46,22 @@ MatFactorType factor_type(PC pc) {
   return cholesky ? MAT_FACTOR_CHOLESKY : lu ? MAT_FACTOR_LU : MAT_FACTOR_NONE;
 }
 
-// A package that PETSc has not got would look like a singular matrix.
+// Without this check, a package missing from PETSc would look like a singular matrix.
 void require_package(PC pc, Mat matrix, const std::string& prefix) {
   const MatFactorType type = factor_type(pc);
   MatSolverType package = nullptr;
   if (type != MAT_FACTOR_NONE) check(PCFactorGetMatSolverType(pc, &package));
-  // Where an option has named the kind of factor alone, PETSc takes a package that it has.
+  // If an option has selected only the factor type, PETSc chooses an available package.
   if (!package) return;
   PetscBool available = PETSC_FALSE;
   check(MatGetFactorAvailable(matrix, package, type, &available));
   if (available) return;
   const int count = processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)));
-  throw InputError(
-      count > 1
-          ? fmt::format(
-                "this PETSc has no {} to factor a matrix on {} processes; start at most as many processes as there are "
-                "structures, or build PETSc with MUMPS",
-                package, count)
-          : fmt::format("this PETSc has no {} to factor a matrix; try -{}pc_factor_mat_solver_type cholmod", package,
-                        prefix));
+  throw InputError(count > 1 ? fmt::format("PETSc was built without {}, which is required on {} processes; start at "
+                                           "most as many processes as there are structures, or build PETSc with MUMPS",
+                                           package, count)
+                             : fmt::format("PETSc was built without {}; type -{}pc_factor_mat_solver_type cholmod",
+                                           package, prefix));
 }
 
 PetscErrorCode apply_near(PC pc, Vec x, Vec y) {
@@ -167,7 +164,7 @@ bool Factor::refactor(std::span<const double> values) {
   return true;
 }
 
-// Multiplies a vector that has a part of every motion, and solves for it again.
+// Multiplies a vector with components in all motions, and solves for it again.
 bool Factor::reproduces() const {
   Eigen::VectorXd x(product_.rows()), b(product_.rows()), again(product_.rows());
   for (PetscInt i = 0; i < product_.rows(); ++i) x[i] = 1 + 0.5 * std::sin(1.7 * i);
@@ -241,7 +238,7 @@ NearSolver::NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const do
   check(PCSetType(pc, PCSHELL));
   check(PCShellSetContext(pc, const_cast<Factor*>(&near)));
   check(PCShellSetApply(pc, apply_near));
-  check(PCShellSetName(pc, "factor of a near step"));
+  check(PCShellSetName(pc, "factor of a nearby step"));
   check(KSPSetFromOptions(ksp_));
 }
 

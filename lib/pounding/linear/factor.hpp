@@ -1,5 +1,6 @@
 #pragma once
-/// A symmetric positive definite PETSc matrix with its factor, and conjugate gradients on a matrix near to it.
+/// A symmetric positive definite PETSc matrix with its factor, and conjugate gradients preconditioned by the factor of
+/// a similar matrix.
 
 #include <petscksp.h>
 
@@ -24,31 +25,31 @@ struct Destroyer<KSP> {
   static PetscErrorCode destroy(KSP* object) { return KSPDestroy(object); }
 };
 
-/// Sparsity pattern of the rows of this process: compressed rows with sorted columns, both triangles. Columns are
-/// numbered over all processes of the matrix's communicator.
+/// Sparsity pattern of the rows of this process: compressed rows with sorted columns, both triangles. Column indices
+/// are global on the communicator of the matrix.
 struct Pattern {
-  std::vector<PetscInt> begin{0};  ///< of each row in `columns`, and the end of the last: rows + 1
+  std::vector<PetscInt> begin{0};  ///< start of each row in `columns`, and the end of the last: rows + 1
   std::vector<PetscInt> columns;   ///< row by row
 
   /// Number of rows on this process.
   PetscInt rows() const { return static_cast<PetscInt>(begin.size()) - 1; }
 };
 
-/// Pattern and values of a symmetric matrix, compressed; the columns that Eigen stores are its rows. The values are a
-/// view of the matrix.
+/// Pattern and values of a compressed symmetric matrix. Eigen's stored columns serve as rows. The values are a view of
+/// the matrix.
 Pattern pattern_of(const Eigen::SparseMatrix<double>& symmetric);
 std::span<const double> values_of(const Eigen::SparseMatrix<double>& symmetric);
 
-/// An AIJ matrix with these values, marked as positive definite. Collective.
+/// Creates an AIJ matrix with these values, marked positive definite. Collective.
 Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const double> values);
 
-/// Products y = A x on plain arrays of the rows of this process. Collective when the matrix is.
+/// Matrix-vector products y = A x on plain arrays of the rows of this process. Collective if the matrix is.
 class Product {
  public:
   explicit Product(Handle<Mat> matrix);
   /// y = A x.
   void operator()(const double* x, double* y) const;
-  /// A, and its rows on this process.
+  /// A, and the number of its rows on this process.
   Mat matrix() const { return matrix_; }
   PetscInt rows() const { return rows_; }
 
@@ -60,26 +61,26 @@ class Product {
   PetscInt rows_ = 0;
 };
 
-/// A KSP that applies a factor: by default PETSc's own Cholesky for a small matrix, else CHOLMOD on one process and
-/// MUMPS on several. Options with the prefix choose another one.
+/// A KSP that applies a factor. Default: PETSc's Cholesky for small matrices, otherwise CHOLMOD on one process and
+/// MUMPS on several. Options with the prefix select another package.
 class Factor {
  public:
-  /// Collective. ok() tells on each process by itself whether the matrix could be factored. Throws InputError where
-  /// PETSc has not got the package.
+  /// Collective. ok() reports per process whether the factorization succeeded. Throws InputError if PETSc was built
+  /// without the package.
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
   /// True if the matrix could be factored.
   bool ok() const { return ok_; }
-  /// Factors another matrix of the same pattern. The symbolic factorization is kept, a third of the work. False, with
-  /// nothing done, on several processes; else ok() tells the result.
+  /// Factors another matrix of the same pattern and reuses the symbolic factorization, a third of the work. Returns
+  /// false without doing anything on several processes; otherwise ok() reports the result.
   bool refactor(std::span<const double> values);
-  /// x = A^-1 b. False when an iterative solver, chosen by an option, did not converge.
+  /// x = A^-1 b. False if an iterative solver, selected by an option, did not converge.
   bool solve(const double* b, double* x) const;
   /// X = A^-1 B for all columns. Resizes x.
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const;
-  /// Memory of the factor and the matrix on this process, as far as the package reports it [bytes].
+  /// Memory of the factor and the matrix on this process, as reported by the package [bytes].
   double memory() const { return memory_; }
-  /// Package that holds the factor, or the iterative method that an option chose.
+  /// Package that holds the factor, or the iterative method selected by an option.
   const std::string& package() const { return package_; }
   /// True for a direct solver, whose solves cannot fail.
   bool is_direct() const { return direct_; }
@@ -98,19 +99,19 @@ class Factor {
   std::string package_;
 };
 
-/// Conjugate gradients on a matrix, preconditioned by the factor of a matrix near to it, which must outlive this.
+/// Conjugate gradients, preconditioned by the factor of a similar matrix, which must outlive this.
 ///
-/// They stop at a residual of 1e-13 of the right-hand side: contact events are located to 1e-12 of the change of an
-/// event function, and a step solved here must not differ from one by a factor at that level. The recurred residual
-/// always gets there.
+/// The relative tolerance is 1e-13: contact events are located to 1e-12 of the change of an event function, so at that
+/// level a step solved here must not differ from a step solved by a factor. The recursively updated residual always
+/// reaches this tolerance.
 class NearSolver {
  public:
   NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const Factor& near,
              const std::string& prefix);
 
-  /// x = A^-1 b. `guess`: x holds an initial guess. False when the iteration did not converge.
+  /// x = A^-1 b. `guess`: x holds an initial guess. False if the iteration did not converge.
   bool solve(const double* b, double* x, bool guess);
-  /// Iterations of all solves so far.
+  /// Total number of iterations.
   long iterations() const { return iterations_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Modes that stand for one structure.
+/// Modal bases of one structure.
 
 #include <Eigen/Core>
 #include <memory>
@@ -8,25 +8,25 @@
 
 namespace pounding {
 
-/// Mass-normalised modes of one group: shapes^T M shapes = 1 and shapes^T K shapes = squares. Unknowns without mass
-/// follow those with mass statically.
+/// Mass-normalised modes of one group: shapes^T M shapes = 1 and shapes^T K shapes = squares. Massless degrees of
+/// freedom follow the others statically.
 struct GroupModes {
   Eigen::MatrixXd shapes;   ///< [unknown of the group, mode]
   Eigen::VectorXd squares;  ///< squares of the circular frequencies, ascending [rad^2/s^2]
 };
 
-/// Still fewer modes of a group, each a sum of those of the run: their shapes are shapes * in_modes, and in_modes^T
+/// A smaller basis of a group, in terms of the modes of the run: the shapes are shapes * in_modes, and in_modes^T
 /// in_modes = 1.
 struct ShadowModes {
   Eigen::MatrixXd in_modes;  ///< [mode of the run, mode of the shadow]
   Eigen::VectorXd squares;   ///< squares of the circular frequencies, ascending [rad^2/s^2]
 };
 
-/// A group in fewer modes than all. Groups with equal matrices that are driven alike share them.
+/// A group in a reduced basis. Groups with equal matrices and equal inputs share it.
 struct ReducedGroup {
   std::shared_ptr<const GroupModes> modes;
-  std::shared_ptr<const ShadowModes> shadow{};  ///< its motion tells the error of the modes; nothing for none
-  ReducedStructure made{};                      ///< in words and numbers
+  std::shared_ptr<const ShadowModes> shadow{};  ///< its motion estimates the reduction error; null if there is none
+  ReducedStructure made{};                      ///< description and numbers for reports
 };
 
 }  // namespace pounding

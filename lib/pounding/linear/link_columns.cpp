@@ -7,8 +7,8 @@ namespace pounding {
 
 using Eigen::Index;
 
-// The sums of a link, one a column, are kept at hand over its entries, which follow each other: each would wait for the
-// number that the last one stored.
+// The sums of one link (one per column) are kept in registers over its contiguous entries; otherwise each addition
+// would wait for the previous store.
 template <int columns, bool begins>
 void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x, Index x_stride, double* relative,
                               Index stride) {
@@ -133,7 +133,7 @@ bool LinkColumns::choose(std::span<const int> links) {
     std::vector<int> places;
     std::vector<Index> own;
     auto it = block.links.begin();
-    // Most of many blocks have none of the chosen links, and none need look at all of these.
+    // Usually a block has none of the selected links; this skips them without a scan.
     const auto first = std::lower_bound(chosen_.begin(), chosen_.end(), block.links.front());
     for (auto place = static_cast<std::size_t>(first - chosen_.begin()); place < chosen_.size(); ++place) {
       it = std::lower_bound(it, block.links.end(), chosen_[place]);
@@ -156,8 +156,7 @@ bool LinkColumns::choose(std::span<const int> links) {
   return true;
 }
 
-// For one link after the other its row up to the diagonal: three of them at a time, whose last entries beside it are
-// left out.
+// Computes the rows of the links up to the diagonal, three at a time; entries beyond the diagonal are discarded.
 void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const {
   g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
   for (const Block& block : chosen_blocks_) {

@@ -36,7 +36,7 @@ bool LinkEnds::joins(int link, int group) const {
   return std::any_of(slots_[link].begin(), slots_[link].end(), [&](int slot) { return group_of_[slot] == group; });
 }
 
-// Each link joins the first batch that has none of its groups.
+// Each link joins the first batch without any of its groups.
 void LinkEnds::make_batches() {
   const int groups = group_of_.empty() ? 0 : *std::max_element(group_of_.begin(), group_of_.end()) + 1;
   std::vector<std::vector<bool>> taken;

@@ -23,16 +23,16 @@ struct Destroyer<EPS> {
 namespace {
 
 constexpr const char* modes_prefix = "pounding_modes_";
-// Numbers of dynamic and of all degrees of freedom up to which dense matrices are faster.
+// Numbers of dynamic and total degrees of freedom up to which dense matrices are faster.
 constexpr std::size_t max_dense_dynamic = 300;
 constexpr Eigen::Index max_dense = 1500;
-// Shifts s as fractions of the largest quotient of stiffness and mass, far above round-off. Where some masses are small
-// they may exceed the lowest w^2; this costs iterations, not accuracy.
+// Shifts s as fractions of the largest stiffness-to-mass ratio, far above round-off. With small masses they may exceed
+// the lowest w^2; this costs iterations, not accuracy.
 constexpr double negative_shifts[] = {-1e-8, -1e-6, -1e-4};
-// Relative residual of each eigenvalue; the error of its frequency is the square of it.
+// Relative residual of each eigenvalue; the error of its frequency is its square.
 constexpr double close_modes = 1e-12;
-// Relative gap behind the last frequency wanted up to which frequencies are counted: far above the round-off of equal
-// ones.
+// Frequencies are counted up to the first relative gap of this size after the last requested one: far above the
+// round-off of equal frequencies.
 constexpr double gap = 1e-3;
 
 SparseMatrix shifted(const SparseMatrix& mass, const SparseMatrix& stiffness, double shift) {
@@ -51,7 +51,7 @@ SparseMatrix root_of(const SparseMatrix& mass, const std::vector<int>& dynamic) 
   return spread * SparseMatrix(llt.permutationPinv() * SparseMatrix(llt.matrixL()));
 }
 
-// Silences CHOLMOD, which prints a warning for each matrix that is not positive definite: so a free body is recognised
+// Silences the warning of CHOLMOD for each matrix that is not positive definite, which is how free bodies are detected
 // here.
 class QuietCholmod {
  public:
@@ -130,7 +130,7 @@ class Flexibility {
   Handle<Mat> shell_;
 };
 
-// Eigenvectors of a Flexibility, orthonormal, and 1 / (w^2 - s), decreasing.
+// Orthonormal eigenvectors of a Flexibility, and 1 / (w^2 - s), decreasing.
 struct Pairs {
   std::vector<double> values;
   std::vector<Eigen::VectorXd> vectors;
@@ -143,7 +143,7 @@ struct Pairs {
   }
 };
 
-// A starting vector with a part of every shape, symmetric or not; another one in each round.
+// Starting vector with components in all shapes, symmetric or not; different in each round.
 Eigen::VectorXd start(PetscInt size, std::size_t round) {
   Eigen::VectorXd x(size);
   for (PetscInt i = 0; i < size; ++i)
@@ -186,8 +186,8 @@ void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   check(EPSGetIterationNumber(eps, &iterations));
   if (found < count)
     throw SolverError(
-        fmt::format("{} of {} modes found in {} iterations; allow more by -{}eps_max_it {}, or a larger "
-                    "subspace by -{}eps_ncv {}",
+        fmt::format("{} of {} modes found in {} iterations; type -{}eps_max_it {} for more iterations, or -{}eps_ncv "
+                    "{} for a larger subspace",
                     found, count, iterations, modes_prefix, std::max(100, 4 * iterations), modes_prefix,
                     std::min(flexibility.size(), 4 * count + 30)));
   Handle<Vec> vector = copy_of(Eigen::VectorXd::Zero(flexibility.size()));
@@ -201,7 +201,7 @@ void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   }
 }
 
-// Limit of the count as w^2 - s: behind the first gap after the last pair wanted.
+// Upper limit of the count as w^2 - s: after the first gap beyond the last requested pair.
 double behind(const Pairs& pairs, int count) {
   std::size_t last = count - 1;
   const auto distance = [&](std::size_t i) { return 1 / pairs.values[i]; };
@@ -209,7 +209,7 @@ double behind(const Pairs& pairs, int count) {
   return distance(last) * (1 + gap / 2);
 }
 
-// Finds the `count` lowest pairs, none missing. False when K - s M is not positive definite, which not every factor
+// Finds the `count` lowest pairs without omissions. False if K - s M is not positive definite, which not every factor
 // reports.
 bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Flexibility& flexibility, int count,
               Pairs& pairs) {
@@ -227,7 +227,7 @@ bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Fle
     if (modes_below(flexibility.shift()) > 0) return false;
     if (there < known)
       throw SolverError(
-          fmt::format("{} modes found where the pivots of the stiffness count {}: it is too badly conditioned "
+          fmt::format("found {} modes, but the pivots of the stiffness give {}: the stiffness is too ill-conditioned "
                       "for its lowest modes",
                       known, there));
     find(flexibility, there - known, pairs);
@@ -235,7 +235,7 @@ bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Fle
   return pairs.values.back() > 0;
 }
 
-// The modes by one shift; nothing when K - s M is not positive definite.
+// The modes for one shift; nullopt if K - s M is not positive definite.
 std::optional<Eigenmodes> modes_by_shift(const SparseMatrix& mass, const SparseMatrix& stiffness,
                                          const SparseMatrix& root, int count, double shift) {
   const Flexibility flexibility(mass, stiffness, root, shift);

@@ -19,7 +19,7 @@ namespace {
 
 // Off-diagonal modal damping below this fraction of the largest entry is round-off.
 constexpr double rounding = 1e-11;
-// From this number on Eigen goes through the columns of a matrix in pieces, which stay in the cache.
+// From this number on, Eigen processes the columns of a matrix in pieces that fit in the cache.
 constexpr Eigen::Index many_modes = 128;
 
 MassSplit split_of(const System& system, const Group& group) {
@@ -28,18 +28,16 @@ MassSplit split_of(const System& system, const Group& group) {
   return split_by_mass(system.mass, group.first, group.count);
 }
 
-// All natural modes of a group; `mass` is dense, at the dynamic degrees of freedom. Those without mass follow
-// statically.
+// All natural modes of a group; `mass` is dense, on the dynamic degrees of freedom. Massless ones follow statically.
 GroupModes natural_modes(const System& system, const Group& group, const Eigen::MatrixXd& mass,
                          const std::vector<int>& dynamic, const std::vector<int>& massless) {
   const int count = static_cast<int>(dynamic.size());
   Eigen::MatrixXd stiffness = dense_submatrix(system.stiffness, dynamic, dynamic, group.first);
-  Eigen::MatrixXd recovery;  // of the massless degrees of freedom from the dynamic ones
+  Eigen::MatrixXd recovery;  // massless degrees of freedom from the dynamic ones
   if (!massless.empty()) {
     const Eigen::MatrixXd coupling = dense_submatrix(system.stiffness, massless, dynamic, group.first);
     const Eigen::SimplicialLLT<SparseMatrix> solver(submatrix(system.stiffness, massless, massless, group.first));
-    if (solver.info() != Eigen::Success)
-      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+    if (solver.info() != Eigen::Success) throw std::invalid_argument("a massless degree of freedom has no stiffness");
     recovery = -solver.solve(coupling);
     stiffness += coupling.transpose() * recovery;
     stiffness = 0.5 * (stiffness + stiffness.transpose().eval());
@@ -52,7 +50,7 @@ GroupModes natural_modes(const System& system, const Group& group, const Eigen::
   return modes;
 }
 
-// y = diag(d) x from column `first` of x on; y overlaps neither.
+// y = diag(d) x for the columns of x from `first` on; y overlaps neither.
 void multiply_columns(const Eigen::VectorXd& d, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index first,
                       Eigen::Ref<Eigen::MatrixXd>& y) {
   const Eigen::Index n = x.rows(), columns = x.cols() - first;
@@ -77,8 +75,8 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
     : StructureSolver(system), unknowns_(system.size()) {
   const auto is_reduced = [&](std::size_t k) { return k < groups.size() && groups[k].has_value(); };
   const std::vector<int> equals = first_equal_groups(system);
-  std::vector<int> natural(system.groups.size(),
-                           -1);  // by the first of equal groups, the first one of these in all its modes
+  // by index of the first equal group: first of its groups that uses all natural modes, -1 for none
+  std::vector<int> natural(system.groups.size(), -1);
   blocks_.reserve(2 * system.groups.size());
   for (std::size_t k = 0; k < system.groups.size(); ++k)
     if (is_reduced(k)) {
@@ -123,8 +121,8 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
   shadow_outputs_ = columns_of_outputs(system, true);
 }
 
-// In the blocks that count, or in the shadow and the blocks that have none. `column_of(block, j, entries)` makes column
-// j in the modes of a block from the entries of the matrix there, (unknown of the block, value), none of them zero.
+// Columns in the physical blocks, or in the shadow and the blocks without one. `column_of(block, j, entries)` computes
+// column j in the modes of a block from its nonzero entries (unknown of the block, value).
 template <class Column>
 LinkColumns ModalSolver::columns_of(const SparseMatrix& matrix, bool shadow, const Column& column_of) const {
   LinkColumns made(static_cast<int>(matrix.cols()));
@@ -161,7 +159,7 @@ LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) con
       [&](const Block& block, int i, const std::vector<Entry>& entries) -> Eigen::VectorXd {
         for (const auto& [unknown, value] : entries)
           if (const int at = block.first + unknown; !is_spring(system, i) && !(system.mass.coeff(at, at) > 0))
-            throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, at));
+            throw std::invalid_argument(fmt::format("link {} acts on massless degree of freedom {}", i, at));
         if (block.few()) return sum_of_shapes(block, entries);
         Eigen::VectorXd part = Eigen::VectorXd::Zero(block.unknowns());
         for (const auto& [unknown, value] : entries) part[unknown] = value;
@@ -187,7 +185,7 @@ void ModalSolver::add_natural(const System& system, const Group& group, const Bl
     return formed;
   };
   if (!massless.empty() && (!damping(massless, massless).isZero(0) || !damping(massless, dynamic).isZero(0)))
-    throw std::invalid_argument("a dashpot acts on an unknown without mass");
+    throw std::invalid_argument("a dashpot acts on a massless degree of freedom");
   const Eigen::MatrixXd phi = block.shapes()(dynamic, Eigen::all);
   if (equal) {
     block.projection = equal->projection;
@@ -208,7 +206,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
   const SparseMatrix damping = system.damping.block(group.first, group.first, group.count, group.count);
   for (const int i : massless)
     for (SparseMatrix::InnerIterator it(damping, i); it; ++it)
-      if (it.value() != 0) throw std::invalid_argument("a dashpot acts on an unknown without mass");
+      if (it.value() != 0) throw std::invalid_argument("a dashpot acts on a massless degree of freedom");
   const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
   Block block;
   block.reduced = true;
@@ -222,7 +220,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
   add_block(system, group, std::move(block), rest);
 }
 
-// `rest` is the damping of the modes without Rayleigh's, and without modal damping that the block has as a ratio.
+// `rest` is the damping in these modes, excluding Rayleigh damping and the modal damping in modal_ratio.
 void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest) {
   if (block.few() && !block.projection) {
     const auto equal = std::ranges::find(blocks_, block.modes, &Block::modes);
@@ -333,7 +331,7 @@ bool ModalSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
   return true;
 }
 
-// Coupled modes: each block has a factor.
+// For coupled modes, in which each block has a factor.
 LinkColumns::Solve ModalSolver::solve_block() const {
   return [this](int first, Eigen::VectorXd& column) {
     for (std::size_t b = 0; b < blocks_.size(); ++b)

@@ -1,5 +1,5 @@
 #pragma once
-/// The structures in their natural modes: coordinates in which the equations without links are decoupled.
+/// Solver in natural modes, in which the equations without links decouple.
 
 #include <memory>
 #include <optional>
@@ -17,27 +17,26 @@
 
 namespace pounding {
 
-/// All mass-normalised modes of each group, u = Phi q: M becomes the identity and K diagonal, so a step of any length
-/// costs a few operations per degree of freedom and no factorization. Massless degrees of freedom are condensed
-/// statically, which is exact. Modal damping of modes that are not the natural ones is that of each of them, whether
-/// the system has its matrix or not. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it
-/// stays a full block per group, and each length of step is factored once.
+/// Uses all mass-normalised modes of each group, u = Phi q: M becomes the identity and K diagonal, so a step of any
+/// length costs a few operations per degree of freedom and no factorization. Massless degrees of freedom are statically
+/// condensed, which is exact. C is diagonal too if the damping is classical (Rayleigh or modal); otherwise it is a full
+/// block per group, and each step length is factored once. In a basis other than the natural modes, modal damping
+/// applies to the modes of that basis, whether or not the system has a damping matrix.
 ///
-/// Groups with equal mass and stiffness, such as those of buildings that are built twice, share their modes: they are
-/// computed once, with the same bits.
+/// Groups with equal mass and stiffness, such as identical buildings, share their modes, which are computed once.
 ///
-/// For small and middle systems: the cost of setting up grows with the cube of a structure's dynamic degrees of
-/// freedom.
+/// For small and medium systems: the setup cost grows with the cube of the number of dynamic degrees of freedom of a
+/// structure.
 class ModalSolver final : public StructureSolver {
  public:
-  /// Throws std::invalid_argument for a mass matrix that is not positive definite, a massless degree of freedom that
-  /// the stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
+  /// Throws std::invalid_argument for a mass matrix that is not positive definite, for a massless degree of freedom
+  /// without stiffness, and for a contact or dashpot at a massless one.
   explicit ModalSolver(const System& system);
-  /// With these modes instead of all natural ones for each group where they are given. They must be those of the
+  /// Same, with the given modes instead of all natural ones for each group that has a value. They must belong to the
   /// group's M and K.
   ModalSolver(const System& system, const std::vector<std::optional<ReducedGroup>>& groups);
 
-  /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
+  /// Largest number of dynamic degrees of freedom in one structure: the setup cost grows with its cube.
   static int max_dynamic_dofs(const System& system);
 
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
@@ -69,36 +68,37 @@ class ModalSolver final : public StructureSolver {
   std::string description() const override;
 
  private:
-  // Shared by groups with the same modes: Phi^T M, or where few() Phi^T and M.
+  // Shared by groups with the same modes: Phi^T M, or Phi^T and M if few().
   struct Projection {
     Eigen::MatrixXd by_modes, by_unknown;
     SparseMatrix mass;
   };
-  // The modes of one group, or those of its shadow.
+  // The modes of one group, or of its shadow.
   struct Block {
     int first = 0;       // degree of freedom
     int coordinate = 0;  // first mode
-    int count = 0;       // of modes
-    std::shared_ptr<const GroupModes>
-        modes;  // Phi: [all degrees of freedom of the group, mode]; those of the run for a shadow
-    std::shared_ptr<const ShadowModes> shadow;  // of a shadow alone
+    int count = 0;       // number of modes
+    // Phi: [all degrees of freedom of the group, mode]; for a shadow, the modes of the run
+    std::shared_ptr<const GroupModes> modes;
+    std::shared_ptr<const ShadowModes> shadow;  // null unless this is a shadow
     std::shared_ptr<const Projection> projection;
-    Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
-    double modal_ratio = 0;   // of critical damping in each of these modes, beside what the matrices of the system hold
-    bool reduced = false;     // in fewer modes than unknowns with mass
-    bool shadowed = false;    // a later block is its shadow
+    Eigen::MatrixXd damping;  // full C of these modes if not classical, otherwise empty
+    // fraction of critical damping in each of these modes, in addition to the damping matrix of the system
+    double modal_ratio = 0;
+    bool reduced = false;   // fewer modes than dynamic degrees of freedom
+    bool shadowed = false;  // a later block is its shadow
 
     const Eigen::MatrixXd& shapes() const { return modes->shapes; }
     Eigen::Index unknowns() const { return modes->shapes.rows(); }
-    // The matrix Phi^T X of these modes, from that of the modes of the run.
+    // Converts the matrix Phi^T X from the modes of the run to these modes.
     Eigen::MatrixXd of_modes(Eigen::MatrixXd by_run) const {
       return shadow ? Eigen::MatrixXd(shadow->in_modes.transpose() * by_run) : std::move(by_run);
     }
-    // Whether sums over the modes cost less than those over the unknowns; they are made in the order of the modes then.
+    // True if sums over the modes cost less than sums over the unknowns; sums then follow the order of the modes.
     bool few() const { return reduced || modes->shapes.cols() > small_structure; }
-    // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
+    // Displacements of the unknowns [columns of x, unknown of the system] from the modal coordinates x.
     void displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const;
-    // Displacements of one column, [unknown of the group], where the modes are not few().
+    // Displacements of one column [unknown of the group], if not few().
     void displace_one(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> u) const;
   };
   void add_natural(const System& system, const Group& group, const Block* equal);
@@ -115,9 +115,9 @@ class ModalSolver final : public StructureSolver {
   LinkColumns::Solve solve_block() const;
 
   std::vector<Block> blocks_;
-  Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
+  Eigen::VectorXd single_;  // shapes of groups if each has one unknown, otherwise empty
   LinkColumns gap_jacobian_, outputs_;
-  // Both in the shadow and in the blocks that have none; empty without a shadow.
+  // Both in the shadow, and in the blocks that have none; empty without a shadow.
   LinkColumns shadow_ends_, shadow_outputs_;
   std::vector<ReducedStructure> reduced_;
   Eigen::VectorXd stiffness_, damping_;  // diagonals
@@ -125,9 +125,9 @@ class ModalSolver final : public StructureSolver {
   int unknowns_ = 0;
 
   EffectiveMatrix matrix_{0, 0, 0};
-  Eigen::VectorXd inverse_;                           // of the diagonal of A
-  bool has_flexibility_ = false;                      // of the links that are chosen, by the present matrix
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, of the present matrix, when not classical
+  Eigen::VectorXd inverse_;                           // inverse of the diagonal of A
+  bool has_flexibility_ = false;                      // for the selected links and the current matrix
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, for the current matrix, if not classical
 };
 
 }  // namespace pounding

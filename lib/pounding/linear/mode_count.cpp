@@ -27,7 +27,7 @@ int count_modes_below(const SparseMatrix& shifted, double square, const std::str
   check(KSPGetPC(ksp, &pc));
   check(PCSetType(pc, PCCHOLESKY));
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  // MUMPS reports the inertia only when it detects zero pivots.
+  // MUMPS reports the inertia only if zero-pivot detection is on.
   Mat factor = nullptr;
   check(PCFactorSetUpMatSolverType(pc));
   check(PCFactorGetMatrix(pc, &factor));
@@ -38,8 +38,8 @@ int count_modes_below(const SparseMatrix& shifted, double square, const std::str
   check(PCGetFailedReason(pc, &reason));
   if (reason != PC_NOERROR)
     throw SolverError(
-        fmt::format("the modes below {:.6g} rad/s could not be counted: no factor (MUMPS; more memory by "
-                    "-{}count_mat_mumps_icntl_14 100)",
+        fmt::format("cannot count the modes below {:.6g} rad/s: factorization with MUMPS failed; type "
+                    "-{}count_mat_mumps_icntl_14 100 for more memory",
                     std::sqrt(std::max(square, 0.0)), prefix));
   PetscInt negative = 0, zero = 0, positive = 0;
   check(MatGetInertia(factor, &negative, &zero, &positive));
@@ -54,8 +54,8 @@ int count_modes_below(const SparseMatrix& shifted, double square, const std::str
 int count_modes_by_sequence(const SparseMatrix& shifted, double square) {
   const Eigen::SimplicialLDLT<SparseMatrix> factor(shifted);
   if (factor.info() != Eigen::Success)
-    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: a pivot is zero",
-                                  std::sqrt(std::max(square, 0.0))));
+    throw SolverError(
+        fmt::format("cannot count the modes below {:.6g} rad/s: a pivot is zero", std::sqrt(std::max(square, 0.0))));
   return static_cast<int>((factor.vectorD().array() <= 0).count());
 }
 

@@ -5,7 +5,7 @@
 namespace pounding::petsc {
 namespace {
 
-// Borders between groups, where the entries of the stiffness matrix come nearest to even parts.
+// Boundaries between groups that balance the nonzeros of the stiffness matrix.
 std::vector<int> rows_by_groups(const System& system, int processes) {
   const int groups = static_cast<int>(system.groups.size());
   std::vector<double> entries(groups + 1, 0.0);

@@ -7,11 +7,11 @@
 namespace pounding::petsc {
 namespace {
 
-// Columns of Z are solved in fixed blocks of this many, so that their bits do not depend on which links pressed first.
-// A block costs a third of its columns one by one.
+// Columns of Z are solved in fixed blocks of this size, so they do not depend bitwise on the order in which links
+// became active. A block takes a third of the time of its columns solved separately.
 constexpr int columns_together = 8;
-// Off the step levels a factor of its own costs as much as conjugate gradients for this many right-hand sides: some 60
-// solves against some 12 each.
+// Off the step levels, a factorization costs as much as conjugate gradients for this many right-hand sides: about 60
+// solves versus about 12 each.
 constexpr std::size_t max_links_by_gradients = 4;
 
 }  // namespace
@@ -74,7 +74,7 @@ bool SparseSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
   return solve_by(*entry.factor, x);
 }
 
-// An iterative solver, which the user may choose, can fail on one process only.
+// An iterative solver, which the user may select, can fail on one process only.
 bool SparseSolver::solve_by(const Factor& factor, Eigen::Ref<Eigen::VectorXd> x) const {
   const bool solved = factor.solve(work_.data(), x.data());
   return factor.is_direct() ? solved : matrices_.agreed(solved);
@@ -88,7 +88,7 @@ void SparseSolver::add_columns(CachedFactor& entry, Eigen::MatrixXd columns) con
   for (const auto column : entry.blocks.back().colwise()) entry.columns.push_back(column.data());
 }
 
-// Solves for `count` columns of Z from column `first` on, whose links the entry names in `column_of`, and appends them.
+// Solves for `count` columns of Z from column `first` on, for the links in `column_of`, and appends them.
 bool SparseSolver::columns_by_factor(CachedFactor& entry, int first, int count) {
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(size(), count), z;
   ends_.add_columns(entry.column_of, first, b);
@@ -97,7 +97,7 @@ bool SparseSolver::columns_by_factor(CachedFactor& entry, int first, int count) 
   return matrices_.agreed(solved);
 }
 
-// Whole blocks of columns, so that each column is always solved beside the same others.
+// Solves whole blocks of columns, so each column is always solved together with the same others.
 bool SparseSolver::ensure_at_level(CachedFactor& entry, std::span<const int> links) {
   for (const int link : links) {
     if (entry.column_of[link] >= 0) continue;
@@ -112,7 +112,7 @@ bool SparseSolver::ensure_at_level(CachedFactor& entry, std::span<const int> lin
   return true;
 }
 
-// Starts from the columns of the nearest level. False when an iteration does not converge on some process.
+// Starts from the columns of the nearest level. False if an iteration does not converge on any process.
 bool SparseSolver::columns_by_gradients(CachedFactor& entry, std::span<const int> links) {
   const CachedFactor& nearest = *entry.nearest;
   const int count = static_cast<int>(links.size());
@@ -133,11 +133,11 @@ bool SparseSolver::columns_by_gradients(CachedFactor& entry, std::span<const int
   return true;
 }
 
-// The columns of Z of these links. False when a solve fails.
+// Ensures the columns of Z of these links. False if a solve fails.
 bool SparseSolver::ensure(CachedFactor& entry, std::span<const int> links) {
   if (std::all_of(links.begin(), links.end(), [&](int i) { return entry.column_of[i] >= 0; })) return true;
   if (entry.step_level) return ensure_at_level(entry, links);
-  // Off the step levels an entry serves one trial step, whose links change between its stages only.
+  // Off the step levels entries last for one trial step; their links change only between stages.
   entry.column_of.assign(system_.links(), -1);
   entry.blocks.clear();
   entry.columns.clear();
@@ -189,7 +189,7 @@ void SparseSolver::add_response(double factor, std::span<const int> links, const
       columns.push_back(entry.columns[entry.column_of[links[j]]]);
       scales.push_back(factor * f[static_cast<Eigen::Index>(j)]);
     }
-    // Z is larger than the caches: four columns at a time, each read in order, use the bandwidth of the memory.
+    // Z exceeds the caches: reading four columns at a time, each in order, uses the memory bandwidth.
     std::size_t j = 0;
     double* to = y.data();
     const int end = s.first + s.count;
@@ -246,9 +246,9 @@ std::string SparseSolver::description() const {
   std::string text = fmt::format("{} unknowns", system_.size());
   if (matrices_.processes() > 1)
     text += fmt::format(" on {} processes, {}", matrices_.processes(),
-                        matrices_.whole_groups() ? "each with whole structures of its own" : "one factor for all");
-  text += fmt::format(", {}", package.empty() ? "nothing factored yet" : package);
-  text += fmt::format(", {} factorizations, {} factors held in {:.1f} MB", factorizations_, factors(), memory());
+                        matrices_.whole_groups() ? "each with whole structures" : "one factor for all");
+  text += fmt::format(", {}", package.empty() ? "no factor yet" : package);
+  text += fmt::format(", {} factorizations, {} factors in {:.1f} MB", factorizations_, factors(), memory());
   if (iterations() > 0) text += fmt::format(", {} iterations of conjugate gradients off the step levels", iterations());
   return text;
 }

@@ -1,6 +1,5 @@
 #pragma once
-/// The linear structures as sparse matrices with a factor for each length of step: for big frames and several
-/// processes.
+/// The linear structures as sparse matrices with a factor per step length: for large frames and several processes.
 
 #include <petscsys.h>
 
@@ -11,22 +10,22 @@
 
 namespace pounding::petsc {
 
-/// Coordinates are the degrees of freedom of the system themselves; each process has a range of consecutive ones.
+/// The coordinates are the degrees of freedom of the system; each process owns a contiguous range.
 ///
-/// With at least as many groups as processes, each process has whole groups and solves them by itself, without
-/// messages. Otherwise the rows are cut evenly, and one parallel factor (MUMPS) serves all.
+/// With at least as many groups as processes, each process owns whole groups and solves them without communication.
+/// Otherwise the rows are distributed evenly, and all processes share one parallel factor (MUMPS).
 ///
-/// Steps that are the longest one over 2^k have a cached factor each, and columns Z = A^-1 B of the links as they
-/// become active. A step of any other length is solved by conjugate gradients with the factor of the nearest step
-/// level, or, where many links press, by a factor of its own. Solutions depend on the step alone, not on what was
-/// solved before it.
+/// Each step length that is the longest one divided by 2^k has a cached factor, and cached columns Z = A^-1 B of the
+/// links that have become active. Other step lengths are solved by conjugate gradients, preconditioned by the factor of
+/// the nearest step level, or factored if many links are in contact. Solutions depend on the current step only, not on
+/// earlier solves.
 ///
-/// Every process holds the whole System; the matrices here have the rows of this process only.
+/// Every process holds the whole System; the matrices here hold only the rows of this process.
 class SparseSolver final : public StructureSolver {
  public:
-  /// Collective. `system` must outlive the solver. Throws std::invalid_argument for groups that do not follow one
-  /// another over all degrees of freedom, an entry that joins two groups, a negative mass, a massless degree of freedom
-  /// without stiffness, and a link that is no spring or a dashpot at a massless one; SolverError, naming the degree of
+  /// Collective. `system` must outlive the solver. Throws std::invalid_argument for groups that are not contiguous or
+  /// do not cover all degrees of freedom, an entry that couples two groups, a negative mass, a massless degree of
+  /// freedom without stiffness, and a contact or dashpot at a massless one. Throws SolverError, naming the degree of
   /// freedom, for a singular matrix.
   SparseSolver(MPI_Comm comm, const System& system, const SparseOptions& options = {});
 
@@ -54,10 +53,10 @@ class SparseSolver final : public StructureSolver {
   void combine(std::span<double> sums) const override;
   std::string description() const override;
 
-  /// Factors that are held, and their memory on this process [MB]. Not collective.
+  /// Number of cached factors, and their memory on this process [MB]. Not collective.
   int factors() const;
   double memory() const;
-  /// Iterations of conjugate gradients so far on this process. Not collective.
+  /// Total number of conjugate gradient iterations on this process. Not collective.
   long iterations() const;
 
  private:
@@ -73,7 +72,7 @@ class SparseSolver final : public StructureSolver {
   SystemMatrices matrices_;
   LinkEnds ends_;
   CachedFactors factors_;
-  SparseMatrix outputs_;  // the rows of this process
+  SparseMatrix outputs_;  // rows of this process
   Eigen::VectorXd work_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// y += factor A f, reading only the columns where f is not zero.
+// y += factor A f, reading only the columns with nonzero f.
 void add_product(const SparseMatrix& a, double factor, Eigen::Ref<const Eigen::VectorXd> f,
                  Eigen::Ref<Eigen::VectorXd> y) {
   for (Eigen::Index j = 0; j < a.cols(); ++j) {
@@ -19,7 +19,7 @@ void add_product(const SparseMatrix& a, double factor, Eigen::Ref<const Eigen::V
   }
 }
 
-// Springs that act on an unknown of this group without mass.
+// Springs that act on a massless degree of freedom of this group.
 std::vector<int> springs_without_mass(const SparseMatrix& columns, const std::vector<int>& massless, int first) {
   std::vector<int> springs;
   std::vector<bool> light(static_cast<std::size_t>(columns.rows()), false);
@@ -45,10 +45,10 @@ SpringRelief::SpringRelief(const System& system) {
     const std::vector<int> springs = springs_without_mass(columns, massless, group.first);
     if (springs.empty()) continue;
     if (group.elastic)
-      throw std::invalid_argument("a spring acts on an unknown without mass of a structure that turns");
+      throw std::invalid_argument("a spring acts on a massless degree of freedom of a structure with large rotations");
     const Eigen::SimplicialLDLT<SparseMatrix> factor(submatrix(system.stiffness, massless, massless, group.first));
     if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
-      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+      throw std::invalid_argument("a massless degree of freedom has no stiffness");
     std::vector<int> place(static_cast<std::size_t>(system.size()), -1);
     for (std::size_t i = 0; i < massless.size(); ++i) place[group.first + massless[i]] = static_cast<int>(i);
     for (const int spring : springs) {
@@ -65,7 +65,7 @@ SpringRelief::SpringRelief(const System& system) {
   if (way.empty()) return;
   way_.resize(system.size(), count);
   way_.setFromTriplets(way.begin(), way.end());
-  // B_s^T W is symmetric but for rounding.
+  // B_s^T W is symmetric up to round-off.
   const SparseMatrix given = columns.transpose() * way_, mirrored = given.transpose();
   const SparseMatrix own = 0.5 * (given + mirrored);
   flexibility_ = system.spring_flexibility.size() > 0 ? SparseMatrix(own + system.spring_flexibility) : own;

@@ -13,7 +13,7 @@
 namespace pounding::petsc {
 namespace {
 
-// A pivot below this fraction of its diagonal entry belongs to a singular matrix.
+// A pivot below this fraction of its diagonal entry indicates a singular matrix.
 constexpr double min_pivot = 1e-12;
 
 }  // namespace
@@ -24,37 +24,41 @@ void require_groups(const System& system) {
   for (std::size_t k = 0; k < system.groups.size(); ++k) {
     const Group& group = system.groups[k];
     if (group.first != next || group.count < 1)
-      throw std::invalid_argument(fmt::format("group {} begins at unknown {}, not at {}", k, group.first, next));
+      throw std::invalid_argument(
+          fmt::format("group {} begins at degree of freedom {}, not at {}", k, group.first, next));
     next += group.count;
     for (int i = group.first; i < std::min(next, system.size()); ++i) group_of[i] = static_cast<int>(k);
   }
   if (next != system.size())
-    throw std::invalid_argument(fmt::format("the groups hold {} unknowns of {}", next, system.size()));
+    throw std::invalid_argument(
+        fmt::format("the groups contain {} degrees of freedom, the system {}", next, system.size()));
   for (const SparseMatrix* matrix : {&system.mass, &system.damping, &system.stiffness})
     for (int j = 0; j < matrix->outerSize(); ++j)
       for (SparseMatrix::InnerIterator it(*matrix, j); it; ++it)
         if (group_of[it.row()] != group_of[j])
-          throw std::invalid_argument(fmt::format("an entry joins the unknowns {} and {} of two groups", it.row(), j));
+          throw std::invalid_argument(
+              fmt::format("a matrix entry couples degrees of freedom {} and {} of different groups", it.row(), j));
 }
 
 void require_masses(const System& system, const Eigen::VectorXd& diagonal) {
   const Eigen::VectorXd stiffness = system.stiffness.diagonal();
   const auto has_mass = [&](Eigen::Index i) { return diagonal[i] > 0; };
   for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
-    if (!(diagonal[i] >= 0)) throw std::invalid_argument(fmt::format("the mass of unknown {} is negative", i));
+    if (!(diagonal[i] >= 0))
+      throw std::invalid_argument(fmt::format("the mass of degree of freedom {} is negative", i));
     if (!has_mass(i) && !(stiffness[i] > 0))
-      throw std::invalid_argument(fmt::format("the stiffness leaves unknown {}, which has no mass, loose", i));
+      throw std::invalid_argument(fmt::format("degree of freedom {} has neither mass nor stiffness", i));
   }
   for (int j = 0; j < system.damping.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(system.damping, j); it; ++it)
       if (it.value() != 0 && !(has_mass(j) && has_mass(it.row())))
         throw std::invalid_argument(
-            fmt::format("a dashpot acts on unknown {}, which has no mass", has_mass(j) ? it.row() : j));
+            fmt::format("a dashpot acts on massless degree of freedom {}", has_mass(j) ? it.row() : j));
   for (int i = 0; i < system.links(); ++i) {
     if (is_spring(system, i)) continue;
     for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
       if (it.value() != 0 && !has_mass(it.row()))
-        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, it.row()));
+        throw std::invalid_argument(fmt::format("link {} acts on massless degree of freedom {}", i, it.row()));
   }
 }
 
@@ -67,7 +71,7 @@ void fail_singular(const SparseMatrix& matrix, const std::vector<int>& dofs, con
     const Eigen::VectorXd pivots = factor.permutationPinv() * Eigen::VectorXd(factor.vectorD());
     for (int i = 0; i < count && place.empty(); ++i)
       if (!(pivots[i] > min_pivot * part.coeff(i, i)))
-        place = fmt::format(": a motion with unknown {} meets nothing", dofs[i]);
+        place = fmt::format(": unknown {} moves without resistance", dofs[i]);
   }
   throw SolverError(fmt::format("{} is singular or not positive definite{}", what, place));
 }

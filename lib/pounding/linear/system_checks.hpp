@@ -1,6 +1,6 @@
 #pragma once
-/// Requirements of the sparse solver on a System, and the name of what makes a matrix singular. Every process checks
-/// the whole System, so that all find the same.
+/// Requirements of the sparse solver on a System, and the diagnosis of singular matrices. Every process checks the
+/// whole System, so all reach the same conclusion.
 
 #include <vector>
 
@@ -8,16 +8,16 @@
 
 namespace pounding::petsc {
 
-/// Throws std::invalid_argument for groups that do not follow one another over all degrees of freedom, and for an entry
-/// of a matrix that joins two groups.
+/// Throws std::invalid_argument for groups that are not contiguous or do not cover all degrees of freedom, and for a
+/// matrix entry that couples two groups.
 void require_groups(const System& system);
 
-/// `diagonal`: of the mass matrix [kg]. Throws std::invalid_argument for a negative mass, a massless degree of freedom
-/// without stiffness, and a dashpot or a link at a massless one.
+/// `diagonal` is that of the mass matrix [kg]. Throws std::invalid_argument for a negative mass, a massless degree of
+/// freedom without stiffness, and a dashpot or contact at a massless one.
 void require_masses(const System& system, const Eigen::VectorXd& diagonal);
 
-/// Throws SolverError: `what` is singular or not positive definite over these degrees of freedom. Names one with a
-/// motion that meets nothing, where a pivot shows it.
+/// Throws SolverError: `what` is singular or not positive definite over these degrees of freedom. Names one that moves
+/// without resistance, if a pivot reveals it.
 [[noreturn]] void fail_singular(const SparseMatrix& matrix, const std::vector<int>& dofs, const char* what);
 
 }  // namespace pounding::petsc

@@ -31,13 +31,13 @@ void multiply(const Pattern& a, const std::vector<double>& values, const double*
 
 }  // namespace
 
-// The rows and columns of a matrix at some degrees of freedom, with their factor.
+// Rows and columns of a matrix at some degrees of freedom, with their factor.
 struct SystemMatrices::Subset {
   std::vector<int> rows;  // on this process
   std::unique_ptr<Factor> factor;
   Eigen::VectorXd b, x;
 
-  // `dofs`: increasing, of the whole system.
+  // `dofs` are ascending indices of the whole system.
   Subset(const SystemMatrices& whole, const SparseMatrix& matrix, const std::vector<int>& dofs) {
     const int first = whole.first(), end = first + whole.rows(), solving = whole.first_column();
     std::vector<PetscInt> number(static_cast<std::size_t>(matrix.rows()), -1);
@@ -64,7 +64,7 @@ struct SystemMatrices::Subset {
   }
 
   bool ok() const { return !factor || factor->ok(); }
-  // Entries of r at these rows become sign A^-1 r.
+  // Replaces the entries of r at these rows with sign A^-1 r.
   void solve(Eigen::Ref<Eigen::VectorXd> r, double sign) {
     if (!factor) return;
     for (std::size_t i = 0; i < rows.size(); ++i) b[static_cast<Eigen::Index>(i)] = sign * r[rows[i]];
@@ -82,7 +82,8 @@ SystemMatrices::SystemMatrices(MPI_Comm comm, const System& system, const std::s
   const int n = system.size();
   if (n < processes_)
     throw std::invalid_argument(
-        fmt::format("{} unknowns on {} processes; type mpirun -n {}, or fewer", n, processes_, n));
+        fmt::format("{} degrees of freedom cannot be distributed over {} processes; type mpirun -n {}, or fewer", n,
+                    processes_, n));
   require_groups(system);
   const Eigen::VectorXd masses = system.mass.diagonal();
   require_masses(system, masses);
@@ -123,7 +124,7 @@ void SystemMatrices::fill() {
   const SparseMatrix damping = damping_matrix(system_);
   for (int j = 0; j < damping.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(damping, j); it; ++it) dashpots = dashpots || it.value() != 0;
-  // Columns of a symmetric matrix are its rows.
+  // Columns of a symmetric matrix equal its rows.
   Eigen::VectorXd k_row = Eigen::VectorXd::Zero(n), m_row = k_row, c_row = k_row;
   std::vector<int> columns;
   for (int i = first(); i < first() + rows(); ++i) {
@@ -224,7 +225,7 @@ void SystemMatrices::recover(Eigen::Ref<Eigen::VectorXd> x) const {
     massless_ = std::make_unique<Subset>(*this, system_.stiffness, dofs_.massless);
     if (!agreed(massless_->ok())) {
       massless_.reset();
-      fail_singular(system_.stiffness, dofs_.massless, "the stiffness at the unknowns without mass");
+      fail_singular(system_.stiffness, dofs_.massless, "the stiffness at the massless degrees of freedom");
     }
   }
   for (const int i : massless_->rows) x[i] = 0;

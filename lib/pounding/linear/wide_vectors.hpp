@@ -1,11 +1,10 @@
 #pragma once
-/// Sums by vectors of four numbers where the processor has them (AVX), by two vectors of two elsewhere; large products
-/// by vectors of eight (AVX-512). All give the same bits: products and sums are rounded one by one, as the compiler is
-/// told not to fuse them.
+/// Vectors of four numbers (AVX, or two vectors of two elsewhere), and of eight (AVX-512) for large products. Results
+/// are bitwise identical: each product and sum is rounded separately, because contraction is disabled.
 ///
-/// A loop is written once as a POUNDING_INLINE function of Four. A POUNDING_WIDE function that does nothing but call it
-/// is compiled for wide vectors; it is to be called where has_wide_vectors(). POUNDING_WIDEST and has_widest_vectors()
-/// are those of Eight.
+/// Write a loop once, as a POUNDING_INLINE function of Four. Compile it for wide vectors through a POUNDING_WIDE
+/// function that only calls it, and call that one if has_wide_vectors(). POUNDING_WIDEST and has_widest_vectors() are
+/// the equivalents for Eight.
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #define POUNDING_INLINE inline __attribute__((always_inline))
@@ -21,13 +20,13 @@ namespace pounding {
 
 #ifdef __GNUC__
 #define POUNDING_HAS_FOUR
-/// Four numbers, anywhere in memory.
+/// Four numbers at any address.
 using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
-/// Eight numbers, anywhere in memory.
+/// Eight numbers at any address.
 using Eight = double __attribute__((vector_size(64), aligned(8), may_alias));
 #endif
 
-/// Whether this processor runs POUNDING_WIDE functions, and whether it runs POUNDING_WIDEST ones.
+/// True if this processor supports POUNDING_WIDE functions; true if it supports POUNDING_WIDEST ones.
 #if defined(__GNUC__) && defined(__x86_64__)
 inline bool has_wide_vectors() {
   static const bool has = __builtin_cpu_supports("avx") != 0;

@@ -16,9 +16,9 @@
 namespace pounding::petsc {
 namespace {
 
-// PETSc calls its error handler once a function on the way up; this keeps the first message.
+// PETSc calls its error handler once per function while it unwinds; this keeps the first message.
 thread_local std::string failure;
-// An exception that a callback has thrown.
+// Exception thrown by a callback.
 thread_local std::exception_ptr thrown;
 
 PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
@@ -31,14 +31,14 @@ PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char
   return code;
 }
 
-// Variables that the user has set stay.
+// Keeps variables that the user has set.
 void prepare_mpi() {
   constexpr int keep_existing = 0;
-  // hwloc, by which MPI finds the processors, would write to the screen in containers without /sys.
+  // hwloc, with which MPI discovers processors, would print messages in containers without /sys.
   setenv("HWLOC_HIDE_ERRORS", "2", keep_existing);
-  // Open MPI looks for networks and a launcher daemon when it starts, which costs a fifth of a second. A process that
-  // no launcher has started talks to itself only and needs neither. It needs no session folder either: processes that
-  // start and end at the same time would share one, and now and then one would find it gone.
+  // Open MPI looks for networks and a launcher daemon on startup, which takes 0.2 s. A process without a launcher needs
+  // neither. It needs no session directory: concurrent processes would share one, and occasionally one of them would
+  // find it deleted.
   if (launch()) return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_existing);
   setenv("OMPI_MCA_pml", "ob1", keep_existing);
@@ -46,12 +46,13 @@ void prepare_mpi() {
   setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_existing);
 }
 
-// PETSc would read ~/.petscrc, .petscrc and petscrc, the last two in the working folder: a model's folder could then
-// load libraries, write files and change the tolerance. Options come from the command line and the environment only.
+// By default PETSc reads ~/.petscrc, and .petscrc and petscrc in the working directory. The directory of a model could
+// then load libraries, write files and change the tolerance. Options come from the command line and the environment
+// only.
 constexpr const char* no_options_files = "-skip_petscrc";
 constexpr const char* no_list_of_unread = "-options_left";
 
-// Newer versions list options that nothing read when they end; a run tells of its own before it begins.
+// Newer versions list unused options when they end; a run reports its own before it starts.
 void leave_unread_options_out() {
   PetscBool requested = PETSC_FALSE;
   check(PetscOptionsHasName(nullptr, nullptr, no_list_of_unread, &requested));
@@ -76,9 +77,9 @@ Environment::Environment(const std::vector<std::string>& options) {
     char** arguments = pointers.data();
     check(PetscInitialize(&count, &arguments, nullptr, nullptr));
     owns_petsc_ = true;
-    // PETSc has copied the options into its own table. Signals stay the program's.
+    // PETSc has copied the options into its table. The program keeps its own signal handlers.
     PetscPopSignalHandler();
-    sigaction(SIGPIPE, &of_pipes, nullptr);  // which PETSc has made end the process
+    sigaction(SIGPIPE, &of_pipes, nullptr);  // PETSc has made SIGPIPE end the process
   }
   check(PetscPushErrorHandler(keep_message, nullptr));
   if (owns_petsc_) leave_unread_options_out();
@@ -90,7 +91,8 @@ Environment::Environment(const std::vector<std::string>& options) {
 }
 
 Environment::~Environment() {
-  // Our handler stays until the end: a failure there (a full standard output) is told by the program, not by PETSc.
+  // The handler stays installed until the end: the program, not PETSc, reports failures there, such as a full standard
+  // output.
   if (owns_slepc_) SlepcFinalize();
   if (owns_petsc_)
     PetscFinalize();

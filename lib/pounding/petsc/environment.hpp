@@ -1,5 +1,5 @@
 #pragma once
-/// Start and end of PETSc and SLEPc, their options, and their errors as exceptions.
+/// Initialization of PETSc and SLEPc, their options, and their errors as exceptions.
 
 #include <petscsys.h>
 
@@ -12,38 +12,37 @@
 
 namespace pounding::petsc {
 
-/// Starts PETSc (with MPI) and SLEPc, each of them unless the host program has started it, and ends only what it
-/// started. A host that owns PETSc must end it after this object. PETSc starts without its options files (~/.petscrc,
-/// .petscrc and petscrc of the working folder); options come from `options` and from the environment variable
-/// PETSC_OPTIONS. A host that starts PETSc decides for itself.
+/// Initializes PETSc (with MPI) and SLEPc unless the host program has done so, and finalizes only what it initialized.
+/// A host that owns PETSc must finalize it after destroying this object. PETSc is initialized without its options files
+/// (~/.petscrc, .petscrc and petscrc of the working directory); options come from `options` and the environment
+/// variable PETSC_OPTIONS. None of this applies if the host initializes PETSc.
 class Environment {
  public:
-  /// `options`: words of a command line, as PETSc reads them ("-pounding_ts_rtol", "1e-6").
+  /// `options`: command-line arguments as PETSc reads them ("-pounding_ts_rtol", "1e-6").
   explicit Environment(const std::vector<std::string>& options = {});
   ~Environment();
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 
-  /// Options with the prefix `-pounding_` that nothing has read.
+  /// Options with the prefix `-pounding_` that were never read.
   static std::vector<std::string> unread_options();
-  /// All options in force with their values, sorted: "-log_view", "-pounding_ts_rtol 1e-6".
+  /// All options in effect with their values, sorted: "-log_view", "-pounding_ts_rtol 1e-6".
   static std::vector<std::string> all_options();
-  /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6". Not
-  /// `-pounding_red_cache`, with which nothing changes but time.
+  /// Options with the prefix `-pounding_` and their current values, sorted: "-pounding_ts_rtol 1e-6". Excludes
+  /// `-pounding_red_cache`, which changes only the run time.
   static std::vector<std::string> given_options();
 
  private:
   bool owns_petsc_ = false, owns_slepc_ = false;
 };
 
-/// True for the name of an option ("-log_view"), false for a value, which may be a negative number.
+/// True for an option name ("-log_view"), false for a value, including a negative number.
 bool is_option_name(std::string_view word);
 
-/// Throws SolverError with PETSc's own text if `code` is not zero, or the exception that was given to fail().
+/// Throws SolverError with PETSc's error text if `code` is nonzero, or the exception that was passed to fail().
 void check(PetscErrorCode code);
 
-/// Error code for a PETSc callback that caught an exception. The check() of the outer PETSc call rethrows the
-/// exception.
+/// Error code for a PETSc callback that caught an exception. The check() around the outer PETSc call rethrows it.
 PetscErrorCode fail(std::exception_ptr error = std::current_exception());
 
 }  // namespace pounding::petsc

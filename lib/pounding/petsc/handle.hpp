@@ -1,5 +1,5 @@
 #pragma once
-/// The owner of PETSc objects. It is the only place that destroys one.
+/// Owner of PETSc objects, the only place that destroys one.
 
 #include <petscts.h>
 
@@ -7,8 +7,8 @@
 
 namespace pounding::petsc {
 
-/// How PETSc destroys an object of type T. Specialised here for what several modules own, else beside the only one that
-/// does.
+/// Destroys a PETSc object of type T. Specialised here for types that several modules own, otherwise next to the single
+/// owner.
 template <class T>
 struct Destroyer;
 template <>
@@ -20,7 +20,7 @@ struct Destroyer<Vec> {
   static PetscErrorCode destroy(Vec* object) { return VecDestroy(object); }
 };
 
-/// Owns one PETSc object; may be moved, not copied.
+/// Owns one PETSc object; movable, not copyable.
 template <class T>
 class Handle {
  public:
@@ -37,10 +37,10 @@ class Handle {
     return *this;
   }
 
-  /// The object, still owned here; null when there is none.
+  /// The object, still owned here; null if there is none.
   T get() const { return object_; }
   operator T() const { return object_; }
-  /// Address for PETSc's creating functions; an earlier one is destroyed.
+  /// Address for PETSc's creation functions; destroys the current object.
   T* out() {
     reset();
     return &object_;

@@ -10,8 +10,7 @@
 namespace pounding::petsc {
 
 std::optional<Launch> launch() {
-  // Variables of Open MPI, of PMI (MPICH, Slurm) and of PMIx, which leaves the number of processes to Slurm's own
-  // variable.
+  // Variables of Open MPI, PMI (MPICH, Slurm) and PMIx, for which Slurm's own variable has the number of processes.
   static constexpr struct {
     const char *rank, *size;
   } variables[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
@@ -28,10 +27,10 @@ std::optional<Launch> launch() {
 void require_mpi_for_several() {
   if (has_mpi) return;
   if (const auto launched = launch(); launched && launched->size > 1)
-    throw InputError(fmt::format(
-        "this pounding was built without MPI and runs a model in one process, and {} were started; type it without "
-        "mpirun. The build from source with PETSc and MPI (make program) runs in several",
-        launched->size));
+    throw InputError(
+        fmt::format("pounding was built without MPI and runs in one process only, but {} were started; run it without "
+                    "mpirun, or build it from source with PETSc and MPI (make program)",
+                    launched->size));
 }
 
 }  // namespace pounding::petsc

@@ -21,7 +21,7 @@ std::vector<std::byte> message(Kind kind, std::string text) {
   return {bytes, bytes + text.size()};
 }
 
-// The failure of a task as a message; empty for a success.
+// The failure of a task as a message; empty on success.
 std::vector<std::byte> failure_of(const std::function<void()>& task) {
   try {
     task();

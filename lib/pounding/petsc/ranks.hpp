@@ -1,5 +1,5 @@
 #pragma once
-/// Agreement between the processes that run one model together.
+/// Agreement among the processes that run one model together.
 
 #include <petscsys.h>
 
@@ -12,7 +12,7 @@
 
 namespace pounding::petsc {
 
-/// The processes of a communicator. Functions are collective unless they say otherwise.
+/// The processes of a communicator. Functions are collective unless stated otherwise.
 class Ranks {
  public:
   /// Not collective.
@@ -24,21 +24,21 @@ class Ranks {
   int rank() const { return rank_; }
   bool is_root() const { return rank_ == 0; }
 
-  /// True on all processes when `mine` is true on one of them.
+  /// True on all processes if `mine` is true on any.
   bool any(bool mine) const;
-  /// The value of the first process.
+  /// The value on the first process.
   int from_root(int its) const;
-  /// Runs `task` on the first process. What it throws (InputError, std::exception) is thrown on all.
+  /// Runs `task` on the first process. Its exception (InputError, std::exception) is thrown on all.
   void on_root(const std::function<void()>& task) const;
-  /// Runs `task`, which must not be collective, on all processes. Where it throws, all processes throw what the first
-  /// of those that failed has thrown: InputError and SolverError as they are, std::invalid_argument as InputError,
-  /// others as std::runtime_error. When not all have failed the text names it: "process 2 of 4 failed alone: ...".
+  /// Runs `task`, which must not be collective, on all processes. If it throws, all processes throw the exception of
+  /// the first one that failed: InputError and SolverError unchanged, std::invalid_argument as InputError, others as
+  /// std::runtime_error. If not all failed, the text names the process: "process 2 of 4 failed alone: ...".
   void on_each(const std::function<void()>& task) const;
-  /// Whether `mine` is the same on all processes.
+  /// True if `mine` is equal on all processes.
   bool same(std::string_view mine) const;
-  /// Text of a failure that one process has alone, this one unless `rank` names another. Not collective.
+  /// Text of a failure on one process only, this one unless `rank` names another. Not collective.
   std::string alone(std::string_view text, std::optional<int> rank = {}) const;
-  /// The bytes of every process, on all of them, in the order of the ranks.
+  /// The bytes of every process, on all of them, in rank order.
   std::vector<std::vector<std::byte>> gather(const std::vector<std::byte>& mine) const;
 
  private:

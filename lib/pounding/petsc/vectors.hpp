@@ -1,5 +1,5 @@
 #pragma once
-/// Whole vectors on every process, and their parts in PETSc's.
+/// Whole vectors on every process, and PETSc vectors.
 
 #include <petscvec.h>
 
@@ -7,9 +7,9 @@
 
 namespace pounding::petsc {
 
-/// All entries of a vector, on every process; `to` has its global size. Collective.
+/// Copies all entries of a vector to every process; `to` has its global size. Collective.
 PetscErrorCode gather(Vec from, Eigen::VectorXd& to);
-/// The entries that this process owns, out of the whole vector.
+/// Copies the entries owned by this process from the whole vector.
 PetscErrorCode scatter(const Eigen::VectorXd& from, Vec to);
 
 }  // namespace pounding::petsc

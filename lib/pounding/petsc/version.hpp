@@ -1,6 +1,5 @@
 #pragma once
-/// Differences between PETSc versions, 3.18 to 3.26, and between PETSc with and without MPI. No other file asks for the
-/// version.
+/// Differences between PETSc 3.18 to 3.26, and between PETSc with and without MPI. No other file checks the version.
 
 #include <petscsys.h>
 #include <petscversion.h>
@@ -9,7 +8,7 @@
 #error "PETSc 3.18 or newer is needed"
 #endif
 
-// PETSC_SUCCESS came with 3.19.
+// PETSC_SUCCESS was added in 3.19.
 #if PETSC_VERSION_LT(3, 19, 0)
 #define POUNDING_PETSC_SUCCESS 0
 #else
@@ -19,20 +18,20 @@
 namespace pounding::petsc {
 
 #if PETSC_VERSION_LT(3, 23, 0)
-/// The argument of setfromoptions; it became a value in 3.23.
+/// The argument of setfromoptions; a value since 3.23.
 using OptionItems = PetscOptionItems*;
 #else
 using OptionItems = PetscOptionItems;
 #endif
 
 #ifdef PETSC_HAVE_MPIUNI
-/// Whether several processes can work together. PETSc without MPI brings the functions of one process in its place.
+/// True if several processes can work together. PETSc without MPI substitutes functions for a single process.
 inline constexpr bool has_mpi = false;
 #else
 inline constexpr bool has_mpi = true;
 #endif
 
-/// Begins a barrier of all processes, which is_complete() asks for. Without MPI the one process has come.
+/// Starts a barrier of all processes; is_complete() tests it. Without MPI it is complete immediately.
 inline int begin_barrier([[maybe_unused]] MPI_Comm comm, MPI_Request* request) {
 #ifdef PETSC_HAVE_MPIUNI
   *request = MPI_REQUEST_NULL;
@@ -42,7 +41,7 @@ inline int begin_barrier([[maybe_unused]] MPI_Comm comm, MPI_Request* request) {
 #endif
 }
 
-/// Whether that barrier is complete.
+/// True if that barrier is complete.
 inline bool is_complete(MPI_Request* request) {
 #ifdef PETSC_HAVE_MPIUNI
   return *request == MPI_REQUEST_NULL;

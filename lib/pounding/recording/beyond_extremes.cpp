@@ -11,7 +11,7 @@ constexpr int knots = LinearQuantities::batch;
 
 POUNDING_INLINE bool goes_beyond(const double* values, const double* rates, const double* third, double minimum,
                                  double largest) {
-  int beyond = 0;  // without branches, as a comparison of vectors
+  int beyond = 0;  // branch-free, so that comparisons are vectorized
   for (int i = 0; i < knots; ++i) {
     const double move = third[i] * std::abs(rates[i]);
     beyond |= (values[i] + move > largest) | (values[i] - move < minimum);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which quantities may go beyond their extremes between a knot and a batch of knots after it.
+/// Quantities that may exceed their extremes between a knot and the following batch of knots.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,17 +9,18 @@
 
 namespace pounding {
 
-/// How far quantities may go. Between two knots a cubic stays within a third of their distance times the rates from the
-/// values.
+/// Bounds on quantities. Between two knots a cubic deviates from the values by at most a third of the interval times
+/// the rates.
 struct Reach {
-  const LinearQuantities::Instants<LinearQuantities::batch>&
-      evaluated;                                                  ///< values, then rates, at the knots of the batch
-  const Eigen::VectorXd &values, &rates;                          ///< at the knot before
-  const Eigen::Array<double, LinearQuantities::batch, 1>& third;  ///< of the longer time from a knot to a neighbour [s]
-  double third_begin;  ///< of the time from the knot before to the first one [s]
+  /// values, then rates, at the knots of the batch
+  const LinearQuantities::Instants<LinearQuantities::batch>& evaluated;
+  const Eigen::VectorXd &values, &rates;  ///< at the previous knot
+  const Eigen::Array<double, LinearQuantities::batch, 1>&
+      third;           ///< of the longer interval between a knot and a neighbour [s]
+  double third_begin;  ///< of the interval from the previous knot to the first one [s]
 };
 
-/// The quantities of which a value, or a value and what its rate adds, lies beyond the extremes so far, in their order.
+/// Quantities of which a value, or a value plus its rate contribution, exceeds the current extremes; ascending.
 void find_beyond(const Reach& reach, const Extremes& extremes, std::vector<int>& found);
 
 }  // namespace pounding

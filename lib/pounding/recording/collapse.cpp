@@ -11,16 +11,17 @@
 namespace pounding {
 namespace {
 
-// The parts that yielded, by name up to six, those with the largest ductility first.
+// The yielded parts: up to six names, ordered by ductility.
 std::string yielded_parts(const SpringHistory& springs) {
   constexpr std::size_t most_named = 6;
   std::vector<SpringSummary> all = summaries(springs);
   std::erase_if(all, [](const SpringSummary& part) { return !part.yielded(); });
-  if (all.empty()) return "nothing in it yielded";
+  if (all.empty()) return "no parts yielded";
   std::ranges::stable_sort(all, std::ranges::greater{}, &SpringSummary::ductility);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) names.push_back(all[i].name);
-  return fmt::format("{} of {} parts yielded, most of all {}", all.size(), springs.size(), fmt::join(names, ", "));
+  return fmt::format("{} of {} parts yielded; largest ductility: {}", all.size(), springs.size(),
+                     fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -46,8 +47,8 @@ std::string Collapse::text(double time) const {
   const Worst maximum = worst();
   const Structure& s = model_.structures[maximum.structure];
   return fmt::format(
-      "collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, and collapse_drift is {:.3g} %; "
-      "{}",
+      "collapse at t = {:.6g} s: storey {} of {} has drifted {:.3g} % of its height, more than the collapse_drift of "
+      "{:.3g} %; {}",
       time, s.floors[maximum.storey].label, s.name, 100 * maximum.drift, 100 * limit_,
       yielded_parts(histories_[maximum.structure].springs));
 }

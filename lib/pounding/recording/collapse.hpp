@@ -1,5 +1,5 @@
 #pragma once
-/// The end of a run whose storeys drift too far: analysis.collapse_drift.
+/// Termination of a run by excessive storey drift: analysis.collapse_drift.
 
 #include <string>
 #include <vector>
@@ -10,25 +10,25 @@
 
 namespace pounding {
 
-/// Compares the drifts of all storeys whose heights are known with the one at which a structure counts as collapsed.
+/// Compares the drift of every storey of known height with the limit at which a structure counts as collapsed.
 class Collapse {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this.
   Collapse(const Model& model, const FloorEnvelopes& floors, const std::vector<StructureHistory>& histories);
 
-  /// Whether the model says when a structure has collapsed.
+  /// True if the model sets a collapse drift.
   bool is_requested() const { return limit_ > 0; }
-  /// Whether a storey has drifted that far, at any time until now.
+  /// True if any storey has exceeded the limit.
   bool has_come() const;
-  /// The place and the time: "collapse at t = 3.21 s: storey 2 of left has drifted 10.2 % of its height, ...", with the
-  /// parts that yielded.
+  /// Location and time: "collapse at t = 3.21 s: storey 2 of left has drifted 10.2 % of its height, ...", with the
+  /// yielded parts.
   std::string text(double time) const;
 
  private:
-  // The storey that has drifted most of its height.
+  // Storey with the largest drift ratio.
   struct Worst {
     int structure = -1, storey = 0;
-    double drift = 0;  // over the height [-]
+    double drift = 0;  // drift ratio [-]
   };
   Worst worst() const;
 

@@ -45,7 +45,7 @@ void DeviceHistories::step() {
     extremes.update(0, step.begin, h, step.motion_begin.penetration, step.motion_begin.rate,
                     step.motion_end.penetration, step.motion_end.rate);
     extremes.update(1, step.begin, h, step.force_begin, step.force_middle, step.force_end);
-    extremes.update(1, step.end, force_now(i));  // a velocity may have jumped
+    extremes.update(1, step.end, force_now(i));  // the velocity may have jumped
   }
 }
 

@@ -15,16 +15,16 @@ namespace pounding {
 /// Fills the history of each device of a model.
 class DeviceHistories {
  public:
-  /// Makes one history a device in `histories`, which must outlive this as model and stepper must.
+  /// Creates one history per device in `histories`. All arguments must outlive this.
   DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories);
 
-  /// The initial state.
+  /// Records the initial state.
   void begin();
-  /// The step that the stepper has just kept.
+  /// Records the step that the stepper has just accepted.
   void step();
-  /// An output time: inside that step, or else the present state.
+  /// Records an output time, inside that step or at the current state.
   void sample(double time, bool inside);
-  /// One entry a device, of the run so far.
+  /// One entry per device, for the run up to now.
   std::vector<DeviceSummary> summary() const;
   /// For a checkpoint: the extremes.
   void archive(Archive& archive);

@@ -17,7 +17,7 @@ ValueAndSlope length_and_slope(double x, double y, double vx, double vy) {
   return {length, length > 0 ? (x * vx + y * vy) / length : 0.0};
 }
 
-// Length and rate for a floor, less the floor below if there is one.
+// Length and rate for a floor, relative to the floor below if there is one.
 ValueAndSlope length_and_slope(const Eigen::MatrixXd& motion, int row, int below) {
   double x = motion(row, 0), y = motion(row + 1, 0), vx = motion(row, 1), vy = motion(row + 1, 1);
   if (below >= 0) {
@@ -33,8 +33,7 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 using Plan = std::array<double, 4>;
 
-// An edge of a rigid floor moves along itself with the floor and with its rotation: at y by ux - y rz, at x by uy + x
-// rz.
+// The motion of an edge along itself is that of the floor with its rotation: ux - y rz at y, uy + x rz at x.
 ValueAndSlope edge_motion(const Eigen::MatrixXd& motion, int row, const Plan& plan, int edge) {
   const bool along_x = edge < 2;
   const int translation = along_x ? row : row + 1;
@@ -49,17 +48,17 @@ ValueAndSlope corner_motion(const Eigen::MatrixXd& motion, int row, const Plan& 
   return length_and_slope(x, y, vx, vy);
 }
 
-// Displacement and velocity of a row, less those of the floor below where there is one.
+// Displacement and velocity of a row, relative to the floor below if there is one.
 ValueAndSlope value_and_slope(const Eigen::MatrixXd& motion, int row, int below) {
   if (below < 0) return {motion(row, 0), motion(row, 1)};
   return {motion(row, 0) - motion(below, 0), motion(row, 1) - motion(below, 1)};
 }
 
-// Length of a horizontal vector whose two components follow these paths.
+// Length of a horizontal vector with these component paths.
 struct Lengthwise {
   Quartic x, y;
   double at(double s) const { return std::hypot(x.at(s), y.at(s)); }
-  // No length is larger.
+  // Upper bound on the length.
   double bound() const {
     const auto largest = [](const Quartic& path) {
       const auto [low, high] = path.bounds();
@@ -146,7 +145,7 @@ void FloorEnvelopes::step_along(int k, const StepMotion& step) {
       if (envelope.drift.size() > 0 && j < storey_directions) {
         if (i > 0)
           update(envelope.drift, storey, row - directions);
-        else if (moved)  // the lowest storey drifts as its floor moves
+        else if (moved)  // its drift is the displacement of its floor
           envelope.drift.copy(storey, envelope.displacement, at);
       }
       if (step.presses)

@@ -1,5 +1,5 @@
 #pragma once
-/// Extremes of floors and storeys over the kept steps.
+/// Extremes of floors and storeys over the accepted steps.
 
 #include <Eigen/Core>
 #include <array>
@@ -15,20 +15,20 @@
 
 namespace pounding {
 
-/// Extremes of displacements, of edges of rigid floors, accelerations and drifts in the envelopes of all structures,
-/// and the largest lengths of these as horizontal vectors for the summary.
+/// Extremes of floor displacements, edge displacements of rigid floors, accelerations and drifts in the envelopes of
+/// all structures, and the largest lengths of their horizontal vectors for the summary.
 class FloorEnvelopes {
  public:
   /// Fills the envelopes in `histories`, which must outlive this, as must `response`.
   FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories);
 
-  /// The initial motion, completed by the response, at a time [s].
+  /// Records the initial motion, completed by the response, at a time [s].
   void begin(const Eigen::MatrixXd& motion, double time);
-  /// One kept step.
+  /// Records an accepted step.
   void step(const StepMotion& step);
-  /// Peaks of one structure; drifts are left out where it has no storeys.
+  /// Peaks of one structure; no drifts if it has no storeys.
   StructureSummary summary(const Structure& structure, int index) const;
-  /// Largest drift of a storey so far, in space the length of a horizontal vector [m].
+  /// Largest drift of a storey up to now [m]; in space, of the horizontal vector.
   double peak_drift(int structure, int storey) const {
     return (response_.directions(structure) > 1 ? lengths_[structure].drift : histories_[structure].envelope.drift)
         .peak(storey);
@@ -37,8 +37,8 @@ class FloorEnvelopes {
   void archive(Archive& archive) { archive(lengths_); }
 
  private:
-  // Lengths of horizontal vectors, one a floor; none in a structure that moves along x only. `corner`: displacements of
-  // all corners of a rigid floor.
+  // Lengths of horizontal vectors, one per floor; empty for a structure that moves along x only. `corner` holds
+  // displacements of all corners of a rigid floor.
   struct Lengths {
     Extremes displacement, drift, acceleration, corner;
     void archive(Archive& archive) {
@@ -56,7 +56,7 @@ class FloorEnvelopes {
   std::vector<StructureHistory>& histories_;
   std::vector<Lengths> lengths_;
   std::vector<std::vector<std::optional<std::array<double, 4>>>> plans_;  // [structure][floor], see Floor::plan
-  std::vector<bool> turns_;                                               // [structure] it has such floors
+  std::vector<bool> turns_;                                               // [structure] true if it has such floors
 };
 
 }  // namespace pounding

@@ -29,7 +29,7 @@ FloorResponse::FloorResponse(const Model& model, const GroundPlan& plan) : groun
   if (count == 0 || by_difference_.cwiseAbs().maxCoeff() == 0) by_difference_.resize(0, 0);
 }
 
-// In space a floor moves along x and y, and turns.
+// In space a floor moves along x and y, and rotates.
 std::vector<int> FloorResponse::translations(int structure) const {
   std::vector<int> rows;
   const int directions = directions_[structure];

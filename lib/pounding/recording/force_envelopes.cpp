@@ -12,9 +12,9 @@
 namespace pounding {
 namespace {
 
-// Time over which the forces of members that turn are differentiated.
+// Time increment for numerical differentiation of forces in members with large rotations.
 constexpr double difference = 1e-7;  // [s]
-// Part of a step over which forces of springs are differentiated.
+// Fraction of a step over which spring forces are differentiated.
 constexpr double spring_difference = 1e-6;
 
 constexpr int batch = LinearQuantities::batch;
@@ -60,7 +60,7 @@ void ForceEnvelopes::add_frame(int k) {
   envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
   const int components = static_cast<int>(s.forces.components.size()),
             shears = static_cast<int>(envelope.storey_shear.size());
-  // By links that press on members between their ends: what a unit force adds to the quantities.
+  // By links that act on members between their ends: contribution of a unit force to the quantities.
   std::map<int, Eigen::VectorXd> added;
   for (int i = 0; stepper_.system().contact_count() > 0 && i < static_cast<int>(model_.links.size()); ++i) {
     const Link& link = model_.links[i];
@@ -103,7 +103,7 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
     if (&blocks_[ends.block] == &block) values += force(ends.link) * ends.by_force;
 }
 
-// Forces of springs at one end of the last kept step, and their rates on its side.
+// Spring forces at one end of the last accepted step, and their one-sided rates.
 void ForceEnvelopes::take_springs(double time, double other_end) {
   if (!yields_) return;
   spring_rates_.setZero(static_cast<Eigen::Index>(stepper_.system().springs.size()));
@@ -118,14 +118,14 @@ void ForceEnvelopes::take_springs(double time, double other_end) {
   spring_rates_ = (spring_rates_ - springs_) / way;
 }
 
-// Adds what the parts of its frame that yield give to the forces of a block, or to their rates.
+// Adds the contributions of the yielding parts of the frame to the forces of a block, or to their rates.
 void ForceEnvelopes::add_yielding(const Block& block, const Eigen::VectorXd& of_springs,
                                   Eigen::VectorXd& values) const {
   const auto parts = static_cast<Eigen::Index>(model_.structures[block.structure].yielding.size());
   block.quantities.add_yielding(of_springs.segment(first_spring_[block.structure], parts), values);
 }
 
-// At the motion in u_ and v_.
+// For the motion in u_ and v_.
 void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& values, Eigen::VectorXd& rates) {
   motion_.resize(Eigen::NoChange, u_.size());
   motion_.row(0) = u_;
@@ -203,7 +203,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
     for (Block& block : blocks_)
       if (acts_ && block.apart) evaluate(block, begin.time, block.values, block.rates);
   }
-  if (every_step_) stepper_.end_minus();  // the whole state, with which the next step begins
+  if (every_step_) stepper_.end_minus();  // updates the whole state with which the next step begins
   stepper_.end_minus(u_, v_);
   take_springs(end.time, begin.time);
   if (every_step_ || turns_) return close(end, end.time, pressed);
@@ -211,8 +211,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
     if (block.apart) follow(block, begin.time, end.time, pressed);
 }
 
-// The motion at the beginning of a step, and forces of springs. Rates jump where a step ends at a corner: those of this
-// step count.
+// Motion at the start of a step, and spring forces. Rates jump if a step ends at a corner; those of this step are used.
 void ForceEnvelopes::take_begin(const StepMotion& step) {
   const double begin = stepper_.instant_begin().time;
   stepper_.begin(u_, v_);
@@ -257,7 +256,7 @@ bool ForceEnvelopes::presses_on_members() const {
   });
 }
 
-// Whether parts of frames add to the linear forces in the last kept step: none does before it yields.
+// True if parts of frames contribute to the forces in the last accepted step; parts contribute only after they yield.
 bool ForceEnvelopes::parts_act() const {
   const int contacts = stepper_.system().contact_count();
   for (std::size_t k = 0; k < first_spring_.size(); ++k) {
@@ -277,7 +276,7 @@ bool ForceEnvelopes::parts_act() const {
   return false;
 }
 
-// At the motion in u_ and v_, to which the instant is the next.
+// For the motion in u_ and v_ at `time`; `instant` is the nearest one of the step.
 void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
   if (!(time > knots_.last())) return;
   for (Block& block : blocks_) follow(block, followed_, time, pressed);
@@ -285,7 +284,7 @@ void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
   knots_.set(instant);
 }
 
-// With the motion in u_ and v_, unless it follows from the instant.
+// For the motion in u_ and v_, unless it follows from the instant.
 void ForceEnvelopes::wait(const Instant& instant) {
   const int at = static_cast<int>(times_.size());
   if (linear_) {
@@ -300,7 +299,7 @@ void ForceEnvelopes::wait(const Instant& instant) {
   knots_.set(instant);
 }
 
-// To the motion in u_ and v_, where contacts may press on members.
+// Up to the motion in u_ and v_, while contacts may act on members.
 void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bool pressed) {
   const double h = end_time - begin_time;
   evaluate(block, end_time, end_, rates_);
@@ -324,12 +323,11 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
   block.rates.swap(rates_);
 }
 
-// To the knots whose motions wait. While contacts press or parts yield, blocks that are followed apart are further
-// already.
+// Up to the pending knots. Blocks evaluated in every step are already further.
 void ForceEnvelopes::follow() {
   if (times_.empty()) return;
   const int count = static_cast<int>(times_.size());
-  // Between two knots a cubic stays within a third of their distance times the rates from the values.
+  // Between two knots a cubic deviates from the values by at most a third of the interval times the rates.
   Eigen::Array<double, batch, 1> third = Eigen::Array<double, batch, 1>::Zero();
   const double third_begin = (times_.front() - followed_) / 3;
   third[0] = third_begin;
@@ -337,7 +335,7 @@ void ForceEnvelopes::follow() {
     third[i] = (times_[i] - times_[i - 1]) / 3;
     third[i - 1] = std::max(third[i - 1], third[i]);
   }
-  // Places without a knot repeat the last one.
+  // Rows without a knot repeat the last one.
   const auto repeat_last = [&](auto&& motion) {
     for (int i = count; i < batch; ++i) {
       motion(i) = motion(count - 1);

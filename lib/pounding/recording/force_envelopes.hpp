@@ -1,5 +1,5 @@
 #pragma once
-/// Extremes of forces inside frames, of reactions, and of how far the ends of links approach each other.
+/// Extremes of internal forces of frames, of reactions, and of the approach of the ends of links.
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,23 +15,23 @@
 
 namespace pounding {
 
-/// Fills the envelopes of forces of frames. These need all unknowns, so they are taken at knots: ends of steps, of
-/// which several may lie between two knots while the cubic between these follows the displacements closely. Extremes
-/// between knots are found on it, for several knots at once. While a contact presses on a member between its ends, the
-/// forces of such members are followed in every step.
+/// Fills the force envelopes of frames. Forces require all unknowns, so they are evaluated at knots only. A knot is the
+/// end of a step; steps are skipped while the cubic between two knots follows the displacements closely. Extremes
+/// between knots are found on that cubic, for several knots in one call. While a contact acts on a member between its
+/// ends, the forces of such members are evaluated in every step.
 class ForceEnvelopes {
  public:
-  /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must
+  /// Fills the envelopes of the structures in `results`, and `approach` in a run without links. All arguments must
   /// outlive this.
   ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results);
 
-  /// The present state is the initial one.
+  /// Records the initial state.
   void begin();
-  /// One kept step.
+  /// Records an accepted step.
   void step(const StepMotion& step);
-  /// The run is over: the present state becomes the last knot. Shows the envelopes.
+  /// Makes the final state the last knot and completes the envelopes.
   void end();
-  /// Brings the envelopes of the results up to the last knot.
+  /// Updates the envelopes of the results to the last knot.
   void show();
   /// For a checkpoint, without the envelopes.
   void archive(Archive& archive);
@@ -40,18 +40,19 @@ class ForceEnvelopes {
   // Quantities of one frame, or of all links.
   struct Block {
     int structure;  // -1: links
-    bool loaded;    // contacts may press on members of its forces between their ends, or these members turn
+    // contacts may act on its members between their ends, or its members rotate by large angles
+    bool loaded;
     LinearQuantities quantities;
-    Eigen::VectorXd values, rates;  // at the last knot that was followed
+    Eigen::VectorXd values, rates;  // at the last knot evaluated
     Extremes extremes;
-    bool apart = false;  // followed step by step: contacts press so, or parts have yielded, and forces are not linear
-                         // between two knots
+    // evaluated in every step: contacts act between member ends, or parts have yielded, so forces are not linear
+    // between two knots
+    bool apart = false;
   };
-  // A contact that presses on a member between its ends and so loads them as those of a fixed member, and supports that
-  // hold them.
+  // A contact that acts on a member between its ends; the fixed-end forces of its members and supports.
   struct FixedEnds {
     int link, block;
-    Eigen::SparseVector<double> by_force;  // on the quantities of the block by a unit force
+    Eigen::SparseVector<double> by_force;  // on the quantities of the block, per unit force
   };
 
   void add_frame(int structure);
@@ -79,23 +80,25 @@ class ForceEnvelopes {
   std::vector<int> first_spring_;   // by structure
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
-  bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
-  bool yields_ = false;      // parts of frames may, which add to forces directly
-  bool turns_ = false;  // members turn: their forces bend more than the displacements, and each step has a knot inside
+  // every step is a knot: contacts change velocities instantaneously, or no strain energy exists to measure by
+  bool every_step_ = false;
+  bool yields_ = false;  // parts of frames may yield, which adds to forces directly
+  // members rotate by large angles: their forces vary more than the displacements, and each step has a knot inside
+  bool turns_ = false;
   Knots knots_;
-  bool jumped_ = false;        // something changed at the end of the last step
-  bool acts_ = false;          // parts of frames that yield have forces in the present step
+  bool jumped_ = false;        // a discontinuity at the end of the last step
+  bool acts_ = false;          // yielding parts of frames have forces in the current step
   double followed_ = 0;        // knot up to which the extremes are known [s]
-  std::vector<double> times_;  // knots after it whose motions wait [s]
-  bool linear_ = false;        // all unknowns follow from the coordinates alone
-  Eigen::MatrixXd coordinates_,
-      unknowns_;  // where it is so: motions that wait, displacements before velocities, and all unknowns of them
+  std::vector<double> times_;  // later knots whose motions are pending [s]
+  bool linear_ = false;        // all unknowns are linear in the coordinates
+  // if linear_: pending motions, displacements before velocities, and all their unknowns
+  Eigen::MatrixXd coordinates_, unknowns_;
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
   std::vector<int> beyond_;  // quantities that may have new extremes
   LinearQuantities::Instants<1> motion_, evaluated_once_;
-  Eigen::VectorXd u_, v_;                   // of all unknowns
-  Eigen::VectorXd springs_, spring_rates_;  // forces of all springs at the motion in u_ and v_, and their rates
-  Eigen::VectorXd end_, rates_;             // at the knot to come
+  Eigen::VectorXd u_, v_;                   // all unknowns
+  Eigen::VectorXd springs_, spring_rates_;  // forces of all springs for the motion in u_ and v_, and their rates
+  Eigen::VectorXd end_, rates_;             // at the next knot
 };
 
 }  // namespace pounding

@@ -5,7 +5,7 @@
 namespace pounding {
 namespace {
 
-// A quantity of a structure from its unknowns.
+// Evaluates a quantity of a structure from its unknowns.
 double value(const Row& row, const Eigen::VectorXd& unknowns) {
   double sum = 0;
   for (Row::InnerIterator it(row); it; ++it) sum += it.value() * unknowns[it.index()];

@@ -1,5 +1,5 @@
 #pragma once
-/// Reported quantities of a frame that follow linearly from its motion, beside those of its floors.
+/// Reported quantities of a frame that are linear in its motion, except those of its floors.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,22 +9,22 @@
 
 namespace pounding {
 
-/// At an output time, without what parts that yield or turn add to the forces, and without what loads add while the
-/// unknowns rest.
+/// Values at an output time, without the contributions of yielding parts, large rotations, and loads on undeformed
+/// members.
 struct FrameQuantities {
   Eigen::VectorXd displacement, velocity, acceleration;  ///< of the reported nodes, direction by direction
-  Eigen::VectorXd shears;                                ///< floor by floor and direction by direction [N]
-  Eigen::VectorXd forces;  ///< rows of InternalForces that reported_forces() names [N], [N m]
+  Eigen::VectorXd shears;                                ///< by floor and direction [N]
+  Eigen::VectorXd forces;  ///< rows of InternalForces listed by reported_forces() [N], [N m]
 };
 
-/// Rows of InternalForces that are kept over time: those of the reported members, then the reactions.
+/// Rows of InternalForces recorded over time: those of the reported members, then the reactions.
 std::vector<int> reported_forces(const Structure& structure);
 
-/// From displacements, those at rest included, velocities and accelerations of all unknowns.
+/// From displacements (including those at rest), velocities and accelerations of all unknowns.
 FrameQuantities frame_quantities(const Structure& structure, const std::vector<int>& reported, const Eigen::VectorXd& u,
                                  const Eigen::VectorXd& v, const Eigen::VectorXd& a);
 
-/// Quantities of a frame with few modes as sums over these: the displacements of all its unknowns are not needed.
+/// Quantities of a frame with few modes as sums over the modes, without the displacements of all unknowns.
 class FrameRows {
  public:
   FrameRows(const Structure& structure, const std::vector<int>& reported, const StructureSolver::FewModes& modes);
@@ -33,7 +33,7 @@ class FrameRows {
   FrameQuantities at(const Eigen::MatrixXd& coordinates) const;
 
  private:
-  Eigen::Index first_;              // of the coordinates
+  Eigen::Index first_;              // first coordinate
   Eigen::MatrixXd nodes_, others_;  // [quantity, mode]
   FrameQuantities at_rest_;
 };

@@ -1,6 +1,5 @@
 #pragma once
-/// Forces of links inside a step; columns of the histories that grow beside the output times, and how to cut them to a
-/// length.
+/// Link forces inside a step; columns of histories that grow independently of the output times, and their truncation.
 
 #include <array>
 #include <cstddef>
@@ -14,20 +13,19 @@
 
 namespace pounding {
 
-/// Force of a link inside its last kept step, s from 0 to 1 [N]: the parabola through both ends and the middle.
+/// Link force inside its last accepted step, s from 0 to 1 [N]: the parabola through both ends and the middle.
 inline double force_inside(const LinkStep& step, double s) {
   const Parabola parabola(s);
   return parabola.begin * step.force_begin + parabola.middle * step.force_middle + parabola.end * step.force_end;
 }
 
-/// Force of a part that yields at an instant of its last kept step, where the deformation is this [m], as
-/// Spring::evaluate() gives it [N].
+/// Force of a yielding part inside its last accepted step, at a deformation [m], as by Spring::evaluate() [N].
 inline double spring_force(const Spring& spring, const LinkStep& step, double time, double deformation) {
   return spring.inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;
 }
 
-/// The part of the shear of a storey that is a spring which devices carry [N]; `force(part)` is that of a part that
-/// yields [N].
+/// Contribution of yielding parts and devices to the shear of a storey that is a spring [N]; `force(part)` is the force
+/// of a part [N].
 template <class ForceOf>
 double shear_by_devices(const Floor& floor, const ForceOf& force) {
   double sum = 0;
@@ -45,13 +43,13 @@ inline std::array<std::vector<double>*, 9> columns(EnergyHistory& e) {
   return {&e.time, &e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.impact, &e.devices, &e.error};
 }
 
-/// Cuts every column of a history to a length.
+/// Truncates every column of a history to a length.
 template <class History>
 void cut_columns(History& history, std::size_t length) {
   for (std::vector<double>* values : columns(history)) values->resize(length);
 }
 
-/// Writes the length of a history; reading cuts the history to it. Throws std::runtime_error where it is shorter.
+/// Writes the length of a history; reading truncates the history to it. Throws std::runtime_error if it is shorter.
 template <class History>
 void archive_length(Archive& archive, History& history) {
   std::size_t length = history.time.size();

@@ -6,9 +6,10 @@
 namespace pounding {
 namespace {
 
-// Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both
-// as square roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves
-// it by da t^2/64. Three times as much leaves axial forces of beams that are hit more than 1e-3 off.
+// Steps need no knot while the cubic misses the displacements by less than this fraction of the largest ones, both as
+// square roots of their strain energy. If the acceleration deviates from a straight line by da within a time t, the
+// displacement error is da t^2/64. A limit three times as large causes errors above 1e-3 in axial forces of impacted
+// beams.
 constexpr double allowed_miss = 1e-5;
 
 }  // namespace
@@ -25,7 +26,7 @@ void Knots::set(const Instant& instant) {
   std::fill(strayed_.begin(), strayed_.end(), 0.0);
 }
 
-// The accelerations at the ends of the steps would lie on one line if the cubic were exact.
+// If the cubic were exact, the accelerations at the ends of the steps would lie on a straight line.
 bool Knots::reach_over_step() {
   const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const double time = end.time - last_, part = time / (begin.time - last_);
@@ -46,7 +47,7 @@ void Knots::archive(Archive& archive) {
   archive(strayed_);
 }
 
-// By group: sqrt(x^T K x), of all processes.
+// By group: sqrt(x^T K x), over all processes.
 void Knots::take_norms(const Eigen::VectorXd& x) {
   const StructureSolver& solver = stepper_.base();
   stiffness_times_.resize(x.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Instants from one to the next of which a cubic follows the motion of all structures.
+/// Knots between which a cubic follows the motion of all structures.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace pounding {
 
-/// The last knot, and how far the cubic from there may reach: several steps where they are short.
+/// The last knot, and the reach of the cubic that starts there: several steps if these are short.
 class Knots {
  public:
   /// `stepper` must outlive this.
@@ -17,10 +17,10 @@ class Knots {
 
   /// The last knot [s].
   double last() const { return last_; }
-  /// This instant, of the last kept step, becomes the last knot.
+  /// Makes this instant of the last accepted step the last knot.
   void set(const Instant& instant);
-  /// Whether a cubic from the last knot, which lies before the beginning of the last kept step, to the end of that step
-  /// follows the motion closely. To be asked once a step.
+  /// True if a cubic from the last knot, which lies before the start of the last accepted step, to the end of that step
+  /// follows the motion closely. Call it exactly once per step.
   bool reach_over_step();
   /// For a checkpoint.
   void archive(Archive& archive);
@@ -30,9 +30,9 @@ class Knots {
 
   const Stepper& stepper_;
   double last_ = 0;
-  Eigen::VectorXd acceleration_;  // at the last knot, in the coordinates of the solver
-  // By group, as square roots of strain energy: the largest displacement so far, and how far the acceleration has
-  // strayed from a straight line since the last knot.
+  Eigen::VectorXd acceleration_;  // at the last knot, in solver coordinates
+  // By group, as square roots of strain energy: largest displacement up to now, and largest deviation of the
+  // acceleration from a straight line since the last knot.
   std::vector<double> largest_, strayed_;
   std::vector<double> norms_;
   Eigen::VectorXd bend_, stiffness_times_;

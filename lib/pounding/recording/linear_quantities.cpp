@@ -17,8 +17,8 @@ void add_row(std::vector<Eigen::Triplet<double>>& entries, int row, const Row& f
     entries.emplace_back(row, first + static_cast<int>(it.index()), factor * it.value());
 }
 
-// All that a quantity is made of: columns and factors of its row, at_rest, by_ground. Turned, and true, where the first
-// factor is negative.
+// Everything that defines a quantity: columns and factors of its row, at_rest, by_ground. If the first factor is
+// negative, all signs are reversed and the flag is true.
 std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, int row, double at_rest,
                                                          const Eigen::RowVectorXd& by_ground) {
   std::vector<double> columns, factors;
@@ -34,15 +34,15 @@ std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, i
   return {std::move(columns), turned};
 }
 
-// Rows in compressed form, and what is added to the first half of the numbers of each.
+// Rows in compressed form, and the constants added to the first half of the sums of each row.
 struct SparseRows {
   const int *begins, *columns;
   const double *factors, *at_rest;
   int count;
 };
 
-// Makes `numbers` sums of each row over the columns of `of`, which has as many rows; the sums of a row lie beside each
-// other.
+// Computes `numbers` sums of each row over the columns of `of`, which has `numbers` rows; the sums of a row are
+// contiguous.
 template <int numbers>
 POUNDING_INLINE void sum_rows(const SparseRows& rows, const double* of, double* sums) {
   for (int row = 0; row < rows.count; ++row, sums += numbers) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Quantities that follow linearly from the unknowns and from the ground at the supports: forces inside frames, and how
-/// far the ends of links move.
+/// Quantities linear in the unknowns and in the ground motion at the supports: internal forces of frames, and
+/// displacements of link ends.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -14,44 +14,44 @@
 
 namespace pounding {
 
-/// Quantities f = at_rest + rows * u + by_ground * displacements of the ground, and their rates; parts that yield may
-/// add to them.
+/// Quantities f = at_rest + rows * u + by_ground * displacements of the ground, and their rates. Yielding parts may add
+/// to them.
 ///
-/// Many forces of a frame are the same but for the sign: axial and shear forces at the two ends of a member, reactions
-/// and the column that stands on them. Such quantities may be evaluated once.
+/// Many forces of a frame are equal up to the sign: axial and shear forces at the two ends of a member, or a reaction
+/// and the force in the column above it. Such quantities can be evaluated only once.
 class LinearQuantities {
  public:
-  /// Values at some instants, a row for each, then rates at them.
+  /// Values at several instants, one row each, then the rates.
   template <int instants>
   using Instants = Eigen::Matrix<double, 2 * instants, Eigen::Dynamic>;
-  /// Instants that are evaluated at once cost less each: indices are read once for all.
+  /// Number of instants evaluated together, which reads the indices only once.
   static constexpr int batch = 8;
 
-  /// Where a quantity is among the evaluated ones, -1 if it is not, and whether it is the opposite of that one.
+  /// Index of a quantity among the evaluated ones, -1 if not evaluated, and true if it has the opposite sign.
   struct Place {
     int at;
     bool opposite;
   };
 
-  /// Whether a quantity belongs to these.
+  /// True for the quantities to include.
   using Choice = std::function<bool(int quantity)>;
 
-  /// The first `unknowns` columns of `rows` are those of unknowns, from `first` on; the others those of forces of parts
-  /// that yield. `by_ground` has one column a motion of the plan; all zero where supports move alike. With `merge`,
-  /// equal and opposite quantities are evaluated once.
+  /// The first `unknowns` columns of `rows` refer to unknowns from `first` on, the others to forces of yielding parts.
+  /// `by_ground` has one column per motion of the plan; all zero if the supports move equally. With `merge`, equal and
+  /// opposite quantities are evaluated once.
   LinearQuantities(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows, int unknowns, int first,
                    const Eigen::VectorXd& at_rest, const Eigen::MatrixXd& by_ground, const Choice& chosen, bool merge);
 
   /// Number of evaluated quantities.
   int size() const { return static_cast<int>(at_rest_.size()); }
-  /// Places of all quantities in their order.
+  /// Places of all quantities, in order.
   const std::vector<Place>& places() const { return places_; }
-  /// Quantities, a column each, from `motions`: displacements [m] and velocities [m/s] of all unknowns, a column each,
-  /// at these times [s], `instants` of them, which is 1 or `batch`.
+  /// Evaluates quantities, one column each. `motions` holds displacements [m] and velocities [m/s] of all unknowns, one
+  /// column each, at the `instants` (1 or `batch`) times [s].
   template <int instants>
   void evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
                 Instants<instants>& quantities) const;
-  /// Adds what forces of parts that yield give to the quantities, or their rates to the rates.
+  /// Adds the contributions of yielding forces to the quantities, or of their rates to the rates.
   void add_yielding(const Eigen::Ref<const Eigen::VectorXd>& forces, Eigen::VectorXd& values) const;
 
  private:
@@ -62,17 +62,17 @@ class LinearQuantities {
   Eigen::MatrixXd by_ground_;  // empty for none
 };
 
-/// Entries of the forces at the ends of the members of a structure, from this row on [row, unknown]; behind its
-/// unknowns those of what yields in it.
+/// Appends the entries of the end forces of all members of a structure, from this row on [row, unknown]; columns for
+/// its yielding parts follow those of its unknowns.
 void add_member_forces(std::vector<Eigen::Triplet<double>>& entries, const Structure& structure, int first_row);
 
-/// Quantities of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that
-/// turn add. Columns of `rows` after the unknowns are those of its parts that yield.
+/// Quantities of one frame: storey shears by floor, then the rows of InternalForces. Excludes the contributions of
+/// members that rotate by large angles. Columns of `rows` after the unknowns refer to its yielding parts.
 LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan,
                                  const LinearQuantities::Choice& chosen, bool merge);
 
-/// Quantities of all links, three each: displacements of the left and of the right end along the link, relative to the
-/// ground at the first support of their structures, and how far the two have approached each other [m].
+/// Three quantities per link: displacements of the left and the right end along the link, relative to the ground at the
+/// first support of their structures, and the approach of the two ends [m].
 LinearQuantities approaches(const Model& model, const GroundPlan& plan);
 
 }  // namespace pounding

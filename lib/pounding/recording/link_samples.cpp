@@ -10,13 +10,13 @@
 namespace pounding {
 namespace {
 
-// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak
-// force, and the peak itself is one of them: no picture shows less, and ten times closer ones would make a file of many
-// impacts three times as large.
+// Samples are dense enough that linear interpolation misses the force by at most this fraction of the peak force, and
+// the peak itself is a sample. Plots show no difference, and samples ten times closer would triple the size of a file
+// with many impacts.
 constexpr double max_chord_error = 1e-3;
-constexpr int max_depth = 5;  // halvings of half a step
+constexpr int max_depth = 5;  // bisections of half a step
 
-// The power of a link in a step, as the parabola through its values at both ends and in the middle.
+// Power of a link in a step: the parabola through its values at both ends and the midpoint.
 class LinkPower {
  public:
   explicit LinkPower(const LinkStep& step) noexcept
@@ -27,7 +27,7 @@ class LinkPower {
         bend_(2 * (begin_ - 2 * middle_ + end_)),
         slope_(end_ - begin_ - bend_) {}
 
-  /// Work in the part of the step after s, from 0 to 1 [J].
+  /// Work between s (0 to 1) and the end of the step [J].
   double work_after(double s) const noexcept {
     return h_ * (begin_ * (1 - s) + slope_ / 2 * (1 - s * s) + bend_ / 3 * (1 - s * s * s));
   }
@@ -38,9 +38,9 @@ class LinkPower {
   double h_, begin_, middle_, end_, bend_, slope_;
 };
 
-// Whether straight lines from the ends of a step to its middle might miss the force. They miss by a quarter of what one
-// line misses, but where the force turns from bending one way to the other: there it is steep, and a third derivative
-// of it cannot do that where it changes by less than a fifth.
+// True if straight lines from the ends of a step to its midpoint may miss the force. Their error is a quarter of that
+// of a single line, except at an inflection. There the force is steep, and its third derivative cannot cause that if
+// the force changes by less than a fifth.
 bool bends(const LinkStep& step, double peak_force) {
   return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * max_chord_error * peak_force ||
          std::abs(step.force_end - step.force_begin) > 0.2 * peak_force;
@@ -53,7 +53,7 @@ LinkHistory heading(const Link& link, const Model& model) {
   history.law = link.law;
   history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
   history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
-  // A frame has a place of its own; the other structures stand where their links are.
+  // A frame has a defined location; the other structures are placed where their links are.
   const bool only_right_has_place = model.structures[link.left.structure].geometry.positions.empty() &&
                                     !model.structures[link.right.structure].geometry.positions.empty();
   const LinkEnd& end = only_right_has_place ? link.right : link.left;
@@ -89,12 +89,12 @@ void cut(LinkHistory& history, std::size_t length) {
 
 }  // namespace
 
-// A step of a link in contact, from which samples inside it are taken.
+// A step of a link in contact, from which interior samples are taken.
 struct LinkSamples::Inside {
   std::size_t link;
   const LinkStep& step;
   const Contact& contact;
-  double allowed;  // by which straight lines may miss the force [N]
+  double allowed;  // allowed error of linear interpolation [N]
   Quintic path = pounding::path(step);
   LinkPower power{step};
   double work_at_end = contact.work();
@@ -113,7 +113,7 @@ void ImpactSamples::add(const LinkSample& sample) {
   skipped_ = 0;
   samples_.push_back(sample);
   if (samples_.size() < max_count) return;
-  // The first two stay: they are the two sides of a jump at the touch.
+  // The first two samples are kept: they are the two sides of a jump at the touch.
   for (std::size_t i = 1; 2 * i - 1 < samples_.size(); ++i) samples_[i] = samples_[2 * i - 1];
   samples_.resize(samples_.size() / 2 + 1);
   stride_ *= 2;
@@ -165,27 +165,26 @@ void LinkSamples::add_inside(const Inside& in, double s, const Jet& at, double f
   impacts_[in.link].add(sample);
 }
 
-// Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss
-// the force.
+// Samples between s and e, fractions of a step with these forces, wherever linear interpolation would miss the force.
 void LinkSamples::add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth) {
   const double mid = 0.5 * (s + e);
   const Jet at = in.path.at(mid);
-  // The path misses the motion by what the error of the step allows, and where hardly any force acts the formula of the
-  // law would pull on it.
+  // The path deviates from the motion by the error tolerance of the step; where the force is almost zero, the formula
+  // of the law could become tensile.
   const double force = in.contact.acting_force(in.contact.evaluate({at.x, at.v}).force);
   const double missed = std::abs(force - 0.5 * (force_s + force_e));
   if (missed <= in.allowed) return;
-  // Both halves miss by a quarter of this, or 0.35 of it where a force begins like the power 1.5 of the penetration.
+  // The error of both halves is a quarter of this, or 0.35 of it if the force starts like penetration^1.5.
   const bool deeper = depth > 1 && missed > 2 * in.allowed;
   if (deeper) add_between(in, s, force_s, mid, force, depth - 1);
   add_inside(in, mid, at, force);
   if (deeper) add_between(in, mid, force, e, force_e, depth - 1);
 }
 
-// Samples of a step in contact, without its ends.
+// Samples of a step in contact, excluding its ends.
 void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
   const LinkMotion& middle = step.motion_middle;
-  // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
+  // The law can be evaluated again unless its memory changed in this step.
   const bool looks =
       bends(step, row.peak_force) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
   const bool peaks = row.t_peak > step.begin && row.t_peak < step.end;
@@ -227,8 +226,8 @@ void LinkSamples::step(bool output_due) {
         impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
                               contact.work() - LinkPower(step).work_after(0), friction(i, &LinkStep::force_begin)});
       if (step.force_middle != 0) add_inside(i, step, contact, rows.back());
-      // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would
-      // pull.
+      // A located end may be later than the exact one by round-off of the motion, where the formula of the law would be
+      // tensile.
       const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);
       impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
     }

@@ -1,6 +1,6 @@
 #pragma once
-/// Histories of links: one sample an output time while a link is open; while it presses two a step, one at the peak
-/// force, and more where the force bends.
+/// Histories of links: one sample per output time while a link is open; in contact two per step, one at the peak force,
+/// and more if the force curves sharply.
 
 #include <array>
 #include <cstddef>
@@ -16,51 +16,50 @@ namespace pounding {
 /// One sample of a link.
 struct LinkSample {
   double time = 0, penetration = 0, velocity = 0, force = 0, energy = 0;  ///< [s], [m], [m/s], [N], [J]
-  std::array<double, 2> friction{};  ///< along the contact, in one or two directions [N]
+  std::array<double, 2> friction{};                                       ///< tangential, in one or two directions [N]
 };
 
-/// Samples of the present impact of one link. They are held back until it ends: where they become too many, every other
-/// one is dropped, so that the memory of an impact is bounded however long it lasts.
+/// Samples of the current impact of one link, buffered until it ends. If the buffer is full, every other sample is
+/// dropped, so the memory per impact is bounded.
 class ImpactSamples {
  public:
-  /// More samples than these of one impact are thinned out; an even number.
+  /// Maximum number of samples per impact before they are thinned; even.
   static constexpr std::size_t max_count = 2048;
 
-  /// Whether no impact has begun.
+  /// True if no impact has begun.
   bool empty() const { return samples_.empty(); }
-  /// The first sample of a contact that presses from the start of the run.
+  /// Adds the first sample of a contact that is closed at the start of the run.
   void begin_pressed(const LinkSample& sample);
-  /// A sample in contact. The first one of an impact stands twice, with zero force before: a force may jump at the
-  /// touch.
+  /// Adds a sample in contact. The first one of an impact is preceded by a copy with zero force, because the force may
+  /// jump at the touch.
   void add(const LinkSample& sample);
-  /// Appends the samples so far, the last one included, to a history.
+  /// Appends all samples, including the last one, to a history.
   void show(LinkHistory& history) const;
-  /// The impact is over, or the run: its samples go to the history.
+  /// Moves the samples to the history at the end of the impact or the run.
   void finish(LinkHistory& history);
   /// For a checkpoint.
   void archive(Archive& archive);
 
  private:
   std::vector<LinkSample> samples_;
-  LinkSample last_{};  // that was skipped
+  LinkSample last_{};  // last skipped sample
   int stride_ = 1, skipped_ = 0;
 };
 
 /// Fills the histories of all links of a model.
 class LinkSamples {
  public:
-  /// Makes one history a link in `histories`, which must outlive this as model and stepper must. None for a system
-  /// without contacts.
+  /// Creates one history per link in `histories`; none for a system without contacts. All arguments must outlive this.
   LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories);
 
-  /// The step that the stepper has just kept; `output_due` when it holds an output time.
+  /// Records the step that the stepper has just accepted; `output_due` if it contains an output time.
   void step(bool output_due);
-  /// The run is over.
+  /// Completes the histories at the end of the run.
   void end();
-  /// Appends the samples of unfinished impacts to the histories, and takes them back.
+  /// Appends the samples of unfinished impacts to the histories; removes them again.
   void show_unfinished();
   void hide_unfinished();
-  /// For a checkpoint: also the lengths of the histories, to which reading cuts them.
+  /// For a checkpoint. Includes the lengths of the histories; reading truncates them.
   void archive(Archive& archive);
 
  private:
@@ -76,7 +75,7 @@ class LinkSamples {
   std::vector<LinkHistory>& histories_;
   std::vector<ImpactSamples> impacts_;
   std::vector<int> first_tangent_;    // by link: first column of its friction; -1 for none
-  std::vector<std::size_t> lengths_;  // of the histories without what is shown
+  std::vector<std::size_t> lengths_;  // of the histories without unfinished impacts
 };
 
 }  // namespace pounding

@@ -62,7 +62,7 @@ void Recorder::sample_outputs_until(double end) {
   const double rounding = 1e-12 * std::max(1.0, end);
   for (double time = outputs_ * model_.analysis.output_step; time <= end + rounding;
        time = ++outputs_ * model_.analysis.output_step) {
-    // At the end of a step the state just after it counts: jumps of the ground, of forces and of velocities happen
+    // At the end of a step the state just after it is used, because the ground motion, forces and velocities may jump
     // there.
     const bool inside = time < end - rounding;
     accelerations_of_ground(inside ? time : end);

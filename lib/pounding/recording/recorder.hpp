@@ -1,5 +1,5 @@
 #pragma once
-/// Turns the kept steps of a run into its results: histories, impacts, envelopes and the energy balance.
+/// Converts the accepted steps of a run to results: histories, impacts, envelopes and the energy balance.
 
 #include <Eigen/Core>
 #include <functional>
@@ -26,30 +26,30 @@ namespace pounding {
 /// Fills the results of a run, step by step.
 class Recorder {
  public:
-  /// Makes the histories in `results`. All arguments must outlive this.
+  /// Creates the histories in `results`. All arguments must outlive this.
   Recorder(const Model& model, const Stepper& stepper, Results& results);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   /// Records the initial state.
   void begin();
-  /// Records the step that the stepper has just kept. Returns true if it contains an output time.
+  /// Records the step that the stepper has just accepted. Returns true if it contains an output time.
   bool step();
   /// Completes the results at the end of the run: unfinished impacts, the last energies.
   void end();
-  /// Calls `write` while the results hold the present state as well: unfinished impacts stand in them for that time.
+  /// Calls `write` with results that include the current state, such as unfinished impacts, and then removes it.
   void with_present_state(const std::function<void()>& write);
-  /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these
-  /// histories to the lengths.
+  /// Serialises the recorder, the envelopes, and the lengths of the link and energy histories; reading truncates these
+  /// histories.
   void archive(Archive& archive);
 
-  /// Whether and how a structure has collapsed until now.
+  /// State of collapse of the structures.
   const Collapse& collapse() const { return collapse_; }
-  /// Rows of the motion of the floors.
+  /// Mapping of the rows of the floor motion.
   const FloorResponse& response() const { return response_; }
-  /// Impacts of all links so far.
+  /// Number of impacts of all links up to now.
   int impacts() const;
-  /// Fills peaks, links, devices and energies of a summary from the run so far.
+  /// Fills peaks, links, devices and energies of a summary for the run up to now.
   void summarize(Summary& summary) const;
 
  private:
@@ -74,10 +74,10 @@ class Recorder {
   Collapse collapse_;
   StoreyShears storeys_;
   ForceEnvelopes forces_;
-  long outputs_ = 0;                          // output times so far
-  double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
-  Eigen::MatrixXd motion_;                    // of the floors at an output time
-  Eigen::VectorXd ground_;                    // accelerations of all ground motions there [m/s^2]
+  long outputs_ = 0;                          // number of recorded output times
+  double max_input_ = 0, max_imbalance_ = 0;  // maximum absolute values over the run [J]
+  Eigen::MatrixXd motion_;                    // motion of the floors at an output time
+  Eigen::VectorXd ground_;                    // accelerations of all ground motions at that time [m/s^2]
 };
 
 }  // namespace pounding

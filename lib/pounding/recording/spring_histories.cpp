@@ -33,16 +33,16 @@ SpringHistory spring_heading(const Structure& s) {
   return history;
 }
 
-// By yielding, and by the damper of a device.
+// Energy dissipated by yielding, and by the damper of a device.
 double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }
 
-// Whether one of these lies outside.
+// True if the range extends beyond the extremes.
 bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) {
   return low < extremes.min[i] || high > extremes.max[i];
 }
 
-// The first part of a step, from 0 to 1, at which the deformation exceeds a limit, on the cubic through its ends; 2 for
-// none.
+// First fraction of a step (0 to 1) at which the deformation exceeds a limit, on the cubic through its ends; 2 if there
+// is none.
 double first_beyond(const LinkStep& step, const YieldLimits& limits) {
   const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
   const bool turns = step.motion_begin.rate * step.motion_end.rate < 0;
@@ -55,7 +55,7 @@ double first_beyond(const LinkStep& step, const YieldLimits& limits) {
   return high;
 }
 
-// The peaks of a force that bends sharply inside a step.
+// Peaks of a force that curves sharply inside a step.
 void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffness, std::size_t part,
                       Extremes& forces) {
   constexpr int pieces = 16;
@@ -72,8 +72,8 @@ void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffne
   }
 }
 
-// A part comes straight to a deformation, where its force on top of what K has of it is this. A damper alone has no
-// stiffness.
+// Records that a part moves monotonically to a deformation; `on_top` is its force in addition to K u. A damper without
+// a spring has no stiffness.
 void reach(SpringHistory& history, std::size_t i, double assembled, double deformation, double on_top) {
   const double k = history.stiffness[i];
   if (k > 0) history.plastic[i] = std::max(history.plastic[i], std::abs((on_top - (k - assembled) * deformation) / k));
@@ -163,7 +163,7 @@ void SpringHistories::stay() {
   for (std::size_t k = 0; k < first_.size(); ++k) {
     double* const last = histories_[k].springs.last.data();
     for (std::size_t i = 0, count = model_.structures[k].yielding.size(); i < count; ++i, ++at) {
-      // The parabola of the force leaves the cubic of the deformation by less than a quarter of the way.
+      // The parabola of the force deviates from the cubic of the deformation by less than a quarter of the change.
       const double away = 0.25 * std::abs(end[at] - begin[at]);
       last[i] = end[at];
       if (stayed_ && minimum[at] - away > quiet_[at].low && maximum[at] + away < quiet_[at].high) continue;
@@ -178,8 +178,8 @@ void SpringHistories::step_part(int k, std::size_t i) {
   const LinkStep& step = stepper_.link_step(static_cast<int>(first_[k] + i));
   const double h = step.end - step.begin, stiffness = assembled(k, i);
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
-  // A cubic stays within a third of the step times the rates from its ends, a parabola within a quarter of the way.
-  // Most steps bring nothing new.
+  // A cubic deviates from its ends by at most a third of the step times the rates, a parabola by at most a quarter of
+  // the change. This skips steps without new extremes.
   const double at_begin = h / 3 * std::abs(begin.rate), at_end = h / 3 * std::abs(end.rate);
   const double low = std::min(begin.penetration - at_begin, end.penetration - at_end);
   const double high = std::max(begin.penetration + at_begin, end.penetration + at_end);
@@ -205,7 +205,7 @@ void SpringHistories::step_part(int k, std::size_t i) {
     if (const double s = first_beyond(step, limits); s <= 1) history.first_yield[i] = step.begin + s * h;
 }
 
-// Velocities are nearly straight in a step; where they turn, the cubic through both ends says how far they go.
+// Velocities are almost linear in a step; where they reverse, the cubic through both ends gives the extreme.
 void SpringHistories::step_damping(const StoreyDamping& damping) {
   const int floors = static_cast<int>(damping.by_velocity.cols()),
             storeys = static_cast<int>(damping.yield_force.size());

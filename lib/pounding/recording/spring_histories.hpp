@@ -1,5 +1,5 @@
 #pragma once
-/// Histories and extremes of the parts of structures that yield: storeys, hinges and devices.
+/// Histories and extremes of the yielding parts of structures: storeys, hinges and devices.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -14,33 +14,33 @@
 
 namespace pounding {
 
-/// Fills StructureHistory::springs of every structure of a model.
+/// Fills StructureHistory::springs for every structure of a model.
 class SpringHistories {
  public:
-  /// One entry a structure stands in `histories` already. All arguments must outlive this.
+  /// `histories` has one entry per structure. All arguments must outlive this.
   SpringHistories(const Model& model, const FloorResponse& response, const Stepper& stepper,
                   std::vector<StructureHistory>& histories);
 
-  /// The initial state.
+  /// Records the initial state.
   void begin();
-  /// The step that the stepper has just kept.
+  /// Records the step that the stepper has just accepted.
   void step();
-  /// An output time before step() is told of that step: inside it, or else the present state.
+  /// Records an output time inside the accepted step, before step() is called for it, or at the current state.
   void sample(double time, bool inside);
-  /// Fills the parts that yield, and what remains at the present state, of a structure that has any.
+  /// Fills the yielding parts and the residual values at the current state, if the structure has yielding parts.
   void summarize(int structure, StructureSummary& summary) const;
   /// For a checkpoint, without the histories over time.
   void archive(Archive& archive);
 
  private:
-  // Storeys that are springs: the forces of damping across them are sums over the floors above.
+  // Storeys that are springs: damping forces across them are sums over the floors above.
   struct StoreyDamping {
     int structure, first_row;         // of the motions of floors
     Eigen::MatrixXd by_velocity;      // [storey, floor] [N s/m]
     std::vector<double> yield_force;  // [N]
   };
 
-  // Deformations between which a part, while its force on top stays, brings nothing new.
+  // Range of deformations that produces no new extreme while the force in addition to K u is constant.
   struct Quiet {
     double low = 0, high = 0;
   };
@@ -59,11 +59,11 @@ class SpringHistories {
   const Stepper& stepper_;
   std::vector<StructureHistory>& histories_;
   std::vector<std::size_t> first_;  // by structure: link of its first part
-  std::vector<double> assembled_;   // by part of all structures: stiffness that K has of it
+  std::vector<double> assembled_;   // by part of all structures: stiffness included in K
   std::vector<StoreyDamping> dampings_;
-  std::vector<Quiet> quiet_;      // by part as well; valid between steps in which no spring changed its force
-  Eigen::VectorXd deformations_;  // of all springs, at an output
-  bool stayed_ = false;           // whether the last step was one of these
+  std::vector<Quiet> quiet_;      // by part; valid between steps in which no spring changed its force
+  Eigen::VectorXd deformations_;  // all springs, at an output time
+  bool stayed_ = false;           // true if the last step was such a step
 };
 
 }  // namespace pounding

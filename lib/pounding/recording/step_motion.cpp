@@ -17,7 +17,7 @@ void StepMotion::take() {
   const OutputQuantities &first = stepper_.outputs_begin(), &last = stepper_.outputs_end_minus();
   begin_time = first.time;
   h = last.time - first.time;
-  // A step begins with the motion that the one before left.
+  // A step begins with the final motion of the previous one.
   if (std::exchange(taken_, true)) {
     begin.swap(jumps ? end_plus : end_minus);
   } else {
@@ -49,17 +49,17 @@ bool StepMotion::any_link_presses() const {
   return false;
 }
 
-// The velocities at both ends tell the integral of the acceleration over the step. Relative to the ground, whose own
-// acceleration is straight there, or nearly so.
+// The velocities at both ends determine the integral of the acceleration over the step. Relative to the ground, whose
+// own acceleration is linear or almost linear in a step.
 void StepMotion::find_missed_area(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
   missed_.resize(x.rows(), 2);
   for (Eigen::Index r = 0; r < x.rows(); ++r)
     missed_(r, 1) = 20 * (x(r, 2) + 4 * middle(r, 0) + y(r, 2)) - 120 * (y(r, 1) - x(r, 1)) / h;
 }
 
-// The step before tells how the acceleration bends, unless it is short beside this one. Displacements would tell it
-// too, but their error counts with the third power of the step there. A path that leaves its parabola by a tenth of the
-// way is not smooth.
+// The previous step determines the curvature of the acceleration, unless it is short compared with this one.
+// Displacements would determine it as well, but with an error proportional to the third power of the step ratio. A path
+// that deviates from its parabola by a tenth of the change is not smooth.
 void StepMotion::find_missed_bend() {
   const double t = -0.5 * before_.h / h - 0.5, w = t * (t * t - 0.25);
   const bool is_known = before_.h > shortest_before * h;

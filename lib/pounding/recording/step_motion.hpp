@@ -1,5 +1,5 @@
 #pragma once
-/// The last kept step as envelopes see it: the reported motion of all floors at its ends and in its middle.
+/// The last accepted step for envelopes: reported motion of all floors at both ends and the midpoint.
 
 #include <Eigen/Core>
 
@@ -10,27 +10,27 @@
 
 namespace pounding {
 
-/// Motions are [row, u v a] as FloorResponse completes them.
+/// Motions are [row, u v a] as completed by FloorResponse.
 class StepMotion {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive this.
   StepMotion(const FloorResponse& response, const Stepper& stepper);
 
-  /// Takes the step that the stepper has just kept. To be asked for every step.
+  /// Reads the step that the stepper has just accepted. Call it once per step.
   void take();
 
-  double begin_time = 0, h = 0;  ///< beginning and length [s]
-  Eigen::MatrixXd begin;         ///< at the beginning
-  Eigen::MatrixXd middle;        ///< accelerations in the middle, [row, 1]; only with has_middle
-  Eigen::MatrixXd end_minus;     ///< at the end, before contacts changed
-  Eigen::MatrixXd end_plus;      ///< after; only with jumps
-  bool presses =
-      false;  ///< links alone press in this step, which has a middle: accelerations bend sharply, see acceleration()
-  bool has_middle = false;  ///< accelerations may have their extremum inside this step, which is long
-  bool jumps = false;       ///< something changed at its end
+  double begin_time = 0, h = 0;  ///< start and length [s]
+  Eigen::MatrixXd begin;         ///< at the start
+  Eigen::MatrixXd middle;        ///< accelerations at the midpoint, [row, 1]; only with has_middle
+  Eigen::MatrixXd end_minus;     ///< at the end, before contacts change
+  Eigen::MatrixXd end_plus;      ///< at the end, after the change; only with jumps
+  /// true if only links are active in this step and has_middle: accelerations curve sharply, see acceleration()
+  bool presses = false;
+  bool has_middle = false;  ///< true for long steps, in which accelerations may have an interior extremum
+  bool jumps = false;       ///< true if there is a discontinuity at the end
 
   double end_time() const { return begin_time + h; }
-  /// Acceleration of a row over the step, with `presses`.
+  /// Acceleration of a row over the step, if `presses`.
   Quartic acceleration(int row) const {
     return {begin(row, 2), middle(row, 0), end_minus(row, 2), missed_(row, 0), missed_(row, 1)};
   }
@@ -47,10 +47,10 @@ class StepMotion {
 
   const FloorResponse& response_;
   const Stepper& stepper_;
-  bool taken_ = false;      // the step before
-  Eigen::MatrixXd missed_;  // by the parabola of the acceleration: [row, alpha beta] of Quartic
+  bool taken_ = false;      // true if the previous step was recorded
+  Eigen::MatrixXd missed_;  // correction to the parabola of the acceleration: [row, alpha beta] of Quartic
   struct {
-    double h = 0;  // [s]; zero where accelerations are not smooth between it and this one
+    double h = 0;  // [s]; 0 if accelerations are not smooth between it and this step
     Eigen::MatrixXd middle;
   } before_;
 };

@@ -83,7 +83,7 @@ void StoreyShears::step_storey(int k, std::size_t i, const StepMotion& step) {
   const double turn = v0 * v1 < 0 ? v0 / (v0 - v1) : 0.5;
   update_inside(turn);
   if (turn != 0.5) update_inside(0.5);
-  // The largest sum of two forces need not be where one of them turns.
+  // The largest sum of two forces may occur away from the extremes of each.
   if (has_device)
     for (const double part : {0.125, 0.25, 0.375, 0.625, 0.75, 0.875}) update_inside(part);
   update(1, d1);

@@ -11,17 +11,17 @@
 
 namespace pounding {
 
-/// Fills the envelopes of storey shears of structures along one line, storey by storey from the drifts, in every step.
+/// Fills the storey shear envelopes of structures along one line in every step, from the drifts.
 class StoreyShears {
  public:
   /// Fills `results`. All arguments must outlive this.
   StoreyShears(const Model& model, const Stepper& stepper, Results& results);
 
-  /// The present state is the initial one; `floors` is its motion as FloorResponse completes it.
+  /// Records the initial state; `floors` is its motion as completed by FloorResponse.
   void begin(const Eigen::MatrixXd& floors);
-  /// One kept step.
+  /// Records an accepted step.
   void step(const StepMotion& step);
-  /// Completes the envelopes: shears of elastic storeys follow from those of their drifts.
+  /// Completes the envelopes: shears of elastic storeys follow from their drift envelopes.
   void show();
 
  private:
@@ -32,8 +32,8 @@ class StoreyShears {
   const Model& model_;
   const Stepper& stepper_;
   Results& results_;
-  std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey among the link steps
-  std::vector<int> first_row_;             // by structure: its lowest floor among the motions
+  std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey in the link steps
+  std::vector<int> first_row_;             // by structure: its lowest floor in the motions
   bool has_inelastic_ = false;             // storeys that yield or have devices
 };
 

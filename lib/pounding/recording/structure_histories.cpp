@@ -45,7 +45,7 @@ void add(const Eigen::VectorXd& more, std::vector<double>& values, std::size_t f
   for (Eigen::Index i = 0; i < more.size(); ++i) values[from + i] += more[i];
 }
 
-// Adds `amount` times the factors to the sample that ends a history.
+// Adds `amount` times the factors to the last sample of a history.
 template <class Factors>
 void add_to_last(std::vector<double>& values, const Factors& factors, double amount) {
   const std::size_t from = values.size() - factors.size();
@@ -72,7 +72,7 @@ StructureHistories::StructureHistories(const Model& model, const GroundPlan& pla
         !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
     reported_.push_back(reported_forces(s));
     rows_.emplace_back();
-    // Parts that yield add to displacements and forces what no mode has.
+    // Yielding parts add contributions to displacements and forces that no mode represents.
     const bool by_modes = !s.is_rigid() && s.supports.size() == 1 && s.yielding.empty() && stepper.is_linear();
     if (const auto modes = by_modes ? stepper.base().few_modes(group) : std::nullopt)
       rows_.back().emplace(s, reported_.back(), *modes);
@@ -167,7 +167,7 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
   }
 }
 
-// Parts that turn or yield add this to the reported forces.
+// Contribution of large rotations and yielding parts to the reported forces.
 Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& u) const {
   const InternalForces& of = model_.structures[k].forces;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(of.rows.rows());
@@ -177,8 +177,8 @@ Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& 
   return all(reported_[k]);
 }
 
-// Displacements and velocities relative to the ground at the first support, absolute accelerations; `beside`: forces to
-// be added.
+// Displacements and velocities are relative to the ground at the first support, accelerations absolute; `beside`:
+// additional forces.
 void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& beside,
                                 const OutputInstant& at) {
   const Structure& s = model_.structures[k];
@@ -214,15 +214,14 @@ void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::V
   if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);
 }
 
-// Forces of the parts of a structure that yield, at the output time.
+// Forces of the yielding parts of a structure, at the output time.
 Eigen::VectorXd StructureHistories::yielding_forces(int k) const {
   const Eigen::Index count = static_cast<Eigen::Index>(model_.structures[k].yielding.size());
   if (count == 0) return {};
   return springs_.segment(static_cast<Eigen::Index>(first_spring_[k]) - stepper_.system().contact_count(), count);
 }
 
-// Contacts that press on a member between its ends load its ends as those of a fixed member, and supports that hold
-// them.
+// Adds the fixed-end forces of contacts that act on a member between its ends, and their reactions.
 void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   const std::size_t components = s.forces.components.size();
@@ -245,7 +244,7 @@ void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const Out
   }
 }
 
-// Supports that move differently: adds their direct part, with the unknowns at rest, to the sample that was just taken.
+// For supports that move differently: adds their direct contribution, with zero unknowns, to the last sample.
 void StructureHistories::add_enforced(int k, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   const std::vector<Support>& supports = s.supports;

@@ -15,18 +15,18 @@
 
 namespace pounding {
 
-/// One output time, inside the last kept step or at its end.
+/// An output time, inside the last accepted step or at its end.
 struct OutputInstant {
   double time = 0;      ///< [s]
-  bool inside = false;  ///< before the end of the step; at the end the state after contacts changed phase is sampled
+  bool inside = false;  ///< before the end of the step; at the end, the state after contact changes is sampled
   const Eigen::MatrixXd& floors;  ///< completed by FloorResponse
   const Eigen::VectorXd& ground;  ///< accelerations of all ground motions [m/s^2]
 };
 
-/// Fills the histories of all structures of a model: floors and storeys; nodes and members of frames.
+/// Fills the histories of all structures of a model: floors, storeys, nodes and members.
 class StructureHistories {
  public:
-  /// Makes one history a structure in `histories`. All arguments must outlive this.
+  /// Creates one history per structure in `histories`. All arguments must outlive this.
   StructureHistories(const Model& model, const GroundPlan& plan, const FloorResponse& response, const Stepper& stepper,
                      std::vector<StructureHistory>& histories);
 
@@ -50,14 +50,14 @@ class StructureHistories {
   const Stepper& stepper_;
   std::vector<StructureHistory>& histories_;
   std::vector<int> first_unknown_;              // by structure
-  std::vector<std::size_t> first_spring_;       // by structure: its lowest yielding storey among the link steps
+  std::vector<std::size_t> first_spring_;       // by structure: its lowest yielding storey in the link steps
   std::vector<std::vector<int>> reported_;      // by structure: reported_forces()
   std::vector<std::optional<FrameRows>> rows_;  // by structure
-  bool has_rows_ = false;                       // some of them
-  bool needs_unknowns_ = false;                 // nodes, members or shears that need every unknown are reported
+  bool has_rows_ = false;                       // true if any structure has them
+  bool needs_unknowns_ = false;                 // true if reported nodes, members or shears need every unknown
   Eigen::MatrixXd coordinates_;                 // at an output time
-  Eigen::VectorXd u_, v_, a_;                   // of all unknowns at an output time
-  Eigen::VectorXd springs_;                     // forces of all springs there
+  Eigen::VectorXd u_, v_, a_;                   // all unknowns at an output time
+  Eigen::VectorXd springs_;                     // forces of all springs at that time
 };
 
 }  // namespace pounding

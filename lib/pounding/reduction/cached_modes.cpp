@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Another number where the same origin gives other modes than before, or they are written in another way.
+// Change the number if the same origin produces different modes, or if the file format changes.
 constexpr const char* format = "modes of pounding " POUNDING_VERSION ", 1";
 constexpr const char* ending = ".modes";
 constexpr const char* unfinished = ".modes.tmp";
@@ -53,7 +53,7 @@ void archive_group(Archive& archive, ReducedGroup& group) {
   if (has_shadow) group.shadow = std::make_shared<const ShadowModes>(std::move(shadow));
 }
 
-// The beginning of each file.
+// Start of each file.
 Archive archive_of(const std::vector<std::byte>& origin) {
   Archive archive;
   std::string written = format;
@@ -77,7 +77,7 @@ bool write_whole(const std::string& path, const std::vector<std::byte>& bytes) {
   return file.good();
 }
 
-// nullopt if the file cannot be read or is not as it was written.
+// nullopt if the file cannot be read or its checksum does not match.
 std::optional<std::vector<std::byte>> read_whole(const std::string& path) {
   std::string checksum = checksum_of({});
   std::error_code failed;
@@ -110,11 +110,11 @@ CachedModes::CachedModes(std::string folder, std::uintmax_t max_bytes)
   fs::create_directories(folder_, failed);
   const auto refuse = [&](const std::string& why) {
     throw InputError(
-        fmt::format("modes cannot be kept in \"{}\": {}; type -pounding_red_cache FOLDER with one in which you may "
-                    "write, or leave it out",
+        fmt::format("cannot store modes in \"{}\": {}; type -pounding_red_cache FOLDER with a writable directory, or "
+                    "omit the option",
                     folder_, why));
   };
-  if (!fs::is_directory(folder_, failed)) refuse(failed ? failed.message() : "it is no folder");
+  if (!fs::is_directory(folder_, failed)) refuse(failed ? failed.message() : "it is not a directory");
   if (access(folder_.c_str(), R_OK | W_OK | X_OK) != 0) refuse("it is write-protected");
 }
 
@@ -160,7 +160,7 @@ void CachedModes::keep(const std::vector<std::byte>& origin, const ReducedGroup&
   make_room();
 }
 
-// Other processes may take files away at the same time.
+// Other processes may remove files concurrently.
 void CachedModes::make_room() const {
   struct Found {
     fs::file_time_type used;

@@ -1,5 +1,5 @@
 #pragma once
-/// Modes of reduced structures that lie on the disk from one run to the next.
+/// Disk cache of the modes of reduced structures.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,34 +15,33 @@
 
 namespace pounding::petsc {
 
-/// All that the modes of a reduced group follow from.
+/// Everything that determines the modes of a reduced group.
 struct ModesOrigin {
-  SparseMatrix mass, stiffness;  ///< of the group, M and K
+  SparseMatrix mass, stiffness;  ///< M and K of the group
   ClassicalDamping damping;
   ReducedInputs inputs;
   ReducedDepth depth;
-  bool shadow = true;  ///< whether one is made
+  bool shadow = true;  ///< true if a shadow is computed
 
-  /// Equal bytes for an equal origin, and for no other one.
+  /// Equal bytes for equal origins, different bytes otherwise.
   std::vector<std::byte> bytes() const;
 };
 
-/// A folder with a file for each origin. Processes may use one folder at the same time. A file is found only where it
-/// holds every bit of the origin and none of it has changed since it was written; another one is written anew. Where
-/// the folder would hold more than so many bytes, the files that were used longest ago go.
+/// A directory with one file per origin, safe for concurrent processes. A file is used only if it contains the exact
+/// origin and passes its checksum; otherwise it is rewritten. Above `max_bytes` files are evicted in LRU order.
 class CachedModes {
  public:
-  /// The folder is made where it is not there. Throws InputError, with what to type, where it cannot be made or nothing
-  /// can be written in it.
+  /// Creates the directory if necessary. Throws InputError, stating what to type, if it cannot be created or is not
+  /// writable.
   explicit CachedModes(std::string folder, std::uintmax_t max_bytes = 5'000'000'000);
 
-  /// The modes, the shadow and the errors of the flexibility of an origin by its bytes; nothing where there are none.
+  /// Modes, shadow and flexibility errors for an origin, given by its bytes; nullopt if not cached.
   std::optional<ReducedGroup> find(const std::vector<std::byte>& origin) const;
-  /// Keeps the same of a group. Where the disk is full nothing is kept.
+  /// Stores the same for a group. Does nothing if the disk is full.
   void keep(const std::vector<std::byte>& origin, const ReducedGroup& group) const;
 
  private:
-  /// Without its ending.
+  /// Path without its extension.
   std::string file_of(const std::vector<std::byte>& origin) const;
   void make_room() const;
 

@@ -17,7 +17,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-// From 1/32 of the frequency of the contact to four times it.
+// From 1/32 to 4 times the contact frequency.
 constexpr int frequencies = 15;
 constexpr double lowest = -5, highest = 2;
 

@@ -20,9 +20,9 @@ namespace {
 
 using Kind = Reduction::Kind;
 
-// Blocks of the links with which most contacts stay below 0.3 of a tolerance; fewer are tried where these are too many.
+// Blocks of the links with which contacts usually stay below 0.3 of a tolerance; fewer are tried if these are too many.
 constexpr int max_start = 6, min_start = 4;
-// Blocks of what yields: one carries its answers, and the shadow has one less.
+// Blocks of yielding parts: one contains their static response, and the shadow has one less.
 constexpr int min_parts = 2;
 
 ReducedDepth automatic_depth(double tolerance, int deeper) {
@@ -43,7 +43,7 @@ ClassicalDamping damping_of(const Group& group) {
   return {.by_mass = group.by_mass, .by_stiffness = group.by_stiffness, .modal = group.modal_ratio};
 }
 
-// Numbers of the columns that are not zero in a group.
+// Indices of the columns that are nonzero in a group.
 std::vector<int> used_columns(const SparseMatrix& matrix, const Group& group) {
   std::vector<int> used;
   for (int j = 0; j < matrix.outerSize(); ++j)
@@ -55,7 +55,7 @@ std::vector<int> used_columns(const SparseMatrix& matrix, const Group& group) {
   return used;
 }
 
-// These columns in a group.
+// Rows of these columns in a group.
 Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group, const std::vector<int>& used) {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(group.count, static_cast<Eigen::Index>(used.size()));
   for (std::size_t j = 0; j < used.size(); ++j)
@@ -64,7 +64,7 @@ Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group, const
   return columns;
 }
 
-// Whether a link stands for what yields in a structure.
+// True if a link represents a yielding part of a structure.
 bool is_part(const System& system, int link) {
   return is_spring(system, link) && !system.is_part.empty() &&
          system.is_part[static_cast<std::size_t>(link - system.contact_count())];
@@ -104,7 +104,7 @@ ReducedInputs inputs_of(const System& system, const Group& group, const Reductio
   return inputs;
 }
 
-// Penetration of an impact with 1 m/s on this mass: the force does the work m v^2 / 2, to a factor that does not matter
+// Penetration of a 1 m/s impact of this mass: the work of the force is m v^2 / 2, up to a factor that is irrelevant
 // here.
 double impact_penetration(const Contact& contact, double mass) {
   double low = 1e-12, high = 1;
@@ -115,11 +115,11 @@ double impact_penetration(const Contact& contact, double mass) {
   return high;
 }
 
-// Blocks of the ground that the shadow lacks.
+// Number of ground blocks that the shadow omits.
 constexpr int ground_less = 5;
 
-// Blocks of the links of the shadow: one less than those of the run, or fewer where the other parts of the basis hold
-// most of the last one already. Then the shadow would be as good as the run and would tell nothing.
+// Number of link blocks of the shadow: one less than in the run, or fewer if the rest of the basis already spans most
+// of the last block. Otherwise the shadow would be as accurate as the run and could not estimate its error.
 int shadow_links(ReducedModes& basis, const ReducedDepth& depth, int links) {
   const int all = basis.count(depth), new_ones = (links + 1) / 2;
   int blocks = depth.links - 1;
@@ -129,7 +129,7 @@ int shadow_links(ReducedModes& basis, const ReducedDepth& depth, int links) {
   return blocks;
 }
 
-// Structures with equal matrices: what was made for one of them serves the next.
+// Structures with equal matrices share results.
 struct Alike {
   struct Made {
     Reduction how;
@@ -137,7 +137,7 @@ struct Alike {
     ClassicalDamping damping;
     std::optional<ReducedGroup> group;
   };
-  int left = 0;  // of them, still to be made
+  int left = 0;  // number still to be reduced
   std::unique_ptr<ReducedModes> modes;
   std::vector<Made> made;
 
@@ -160,7 +160,7 @@ ReducedGroup group_of(ReducedModes& basis, const ModesOrigin& origin) {
       std::make_shared<const ShadowModes>(basis.shadow(depth, {.links = shadow_links(basis, depth, links),
                                                                .ground = std::max(depth.ground - ground_less, 0),
                                                                .parts = depth.parts - 1}));
-  // A short chain of the ground may err by more than the links do.
+  // A short ground chain may have larger errors than the links.
   if (!(inputs.shift > 0) || (inputs.ground.cols() > 0 && depth.ground <= 2 * ground_less)) return made;
   const FlexibilityErrors errors =
       flexibility_errors(basis.further(depth), *made.shadow, origin.damping, std::sqrt(inputs.shift));
@@ -169,7 +169,7 @@ ReducedGroup group_of(ReducedModes& basis, const ModesOrigin& origin) {
   return made;
 }
 
-// Nothing where the basis would not pay.
+// nullopt if the basis would not pay off.
 std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how,
                                    const std::string& name, const ReductionPlan& plan, int dynamic,
                                    ReducedInputs inputs, Alike& alike) {
@@ -193,13 +193,13 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
   };
   while (how.kind == Kind::automatic && depth.links > min_start + plan.deeper && 2 * largest() > dynamic) --depth.links;
   const int maximum = largest();
-  // A run again with a third of all modes costs more than one with all of them, which needs no further one.
+  // Repeating a run with a third of all modes costs more than one run with all of them, which needs no repetition.
   const bool again = how.kind == Kind::automatic && plan.deeper > 0 && dynamic <= max_modes_instead;
   if ((again ? 3 : 2) * maximum > dynamic) {
     if (!how.is_explicit() || dynamic <= small_structure) return std::nullopt;
     throw InputError(
-        fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "
-                    "half of them; take fewer blocks or leave it whole",
+        fmt::format("reduction {} of \"{}\" would need up to {} coordinates for {} degrees of freedom with mass, more "
+                    "than half of them; type fewer blocks, or do not reduce it",
                     how.text(), name, maximum, dynamic));
   }
   const double frequency = std::sqrt(inputs.shift) / (2 * M_PI);
@@ -229,7 +229,7 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
   return made;
 }
 
-// As reduce(), with the modes of an earlier structure that is built alike, asked the same and driven alike.
+// As reduce(), but reuses the modes of an earlier structure with equal matrices, options and inputs.
 std::optional<ReducedGroup> reduce_or_share(const System& system, const Group& group, const Reduction& how,
                                             const std::string& name, const ReductionPlan& plan, int dynamic,
                                             Alike& alike) {
@@ -280,9 +280,10 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
     const bool small = dynamic <= small_structure;
     if (how.kind == Kind::all_modes || (how.kind == Kind::none && any_explicit)) {
       if (dynamic > max_natural_modes)
-        throw InputError(fmt::format(
-            "\"{}\" has {} unknowns with mass, too many for all its modes; reduce it or leave it to factors",
-            plan.names[k], dynamic));
+        throw InputError(
+            fmt::format("\"{}\" has {} degrees of freedom with mass, which exceeds the limit for all of its modes; "
+                        "reduce it, or use sparse factors",
+                        plan.names[k], dynamic));
       continue;
     }
     if (how.kind != Kind::none && !(how.kind == Kind::automatic && small))

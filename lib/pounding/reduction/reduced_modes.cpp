@@ -17,10 +17,10 @@ namespace pounding::petsc {
 namespace {
 
 constexpr const char* factor_prefix = "pounding_red_factor_";
-// Columns of unit length that keep less than this beside the other directions of their chain, or of the joined basis,
-// are rounding.
+// Unit columns whose component orthogonal to the other directions of their chain, or of the joined basis, is smaller
+// than this are round-off.
 constexpr double nothing_new = 1e-9, nothing_joined = 1e-12;
-// Starts of which the basis leaves less than this are in it.
+// Initial vectors whose component outside the basis is smaller than this are considered to lie in it.
 constexpr double in_the_span = 1e-10;
 
 Eigen::MatrixXd beside(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) {
@@ -31,7 +31,7 @@ Eigen::MatrixXd beside(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right
   return both;
 }
 
-// Columns that are not zero, at unit length.
+// Nonzero columns, scaled to unit length.
 Eigen::MatrixXd unit_columns(const Eigen::MatrixXd& x) {
   Eigen::MatrixXd kept(x.rows(), x.cols());
   Eigen::Index count = 0;
@@ -41,7 +41,7 @@ Eigen::MatrixXd unit_columns(const Eigen::MatrixXd& x) {
   return kept;
 }
 
-// An orthonormal basis of columns; directions below `minimum` are dropped.
+// Orthonormal basis of the columns; directions below `minimum` are dropped.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& x, double minimum) {
   if (x.cols() == 0) return x;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(x);
@@ -56,7 +56,7 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& x, double minimum) {
 void require_rows(const SparseMatrix& stiffness, const ReducedInputs& inputs) {
   for (const Eigen::MatrixXd* input : {&inputs.links, &inputs.parts, &inputs.ground, &inputs.starts})
     if (input->size() > 0 && input->rows() != stiffness.rows())
-      throw std::invalid_argument("an input of a reduced structure has another number of rows");
+      throw std::invalid_argument("an input of a reduced structure has the wrong number of rows");
 }
 
 bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -73,7 +73,7 @@ Ritz ritz_of(const Eigen::MatrixXd& stiffness) {
   return {found.values.cwiseMax(0), std::move(found.vectors)};
 }
 
-// Blocks of one chain, orthonormal together, the first `count` of them beside each other.
+// Blocks of one chain, mutually orthonormal; first() concatenates the first `count` of them.
 struct Chain {
   std::vector<Eigen::MatrixXd> blocks;
   bool ended = false;
@@ -83,8 +83,8 @@ struct Chain {
     for (int k = 0; k < std::min<int>(count, static_cast<int>(blocks.size())); ++k) all = beside(all, blocks[k]);
     return all;
   }
-  // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of
-  // what is left; at unit length again the second pass leaves rounding of unit vectors.
+  // Adds the component of new columns orthogonal to all blocks. Orthogonalizes twice: round-off of the first pass is as
+  // large as the remainder; after normalization, the second pass leaves round-off of unit vectors.
   void add(const Eigen::MatrixXd& columns, double minimum = nothing_new) {
     Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), minimum);
     if (!blocks.empty() && next.cols() > 0) next = orthonormal(without(next), 0.5);
@@ -101,8 +101,8 @@ struct Chain {
   }
 };
 
-// An orthonormal basis of all parts, each of which has orthonormal columns, and of starts, in this order. The first
-// part is its head as it is.
+// Orthonormal basis of all parts, each with orthonormal columns, and of the initial vectors, in this order. It starts
+// with the first part unchanged.
 Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& parts, const Eigen::MatrixXd& starts) {
   Chain all;
   for (const Eigen::MatrixXd& part : parts) {
@@ -123,15 +123,15 @@ bool ReducedInputs::operator==(const ReducedInputs& other) const {
          same(starts, other.starts);
 }
 
-// The structure in the coordinates y = L^T u of its unknowns with mass, M = L L^T, in which mass-normal vectors are
-// orthonormal.
+// The structure in the coordinates y = L^T u of its dynamic degrees of freedom, M = L L^T, in which mass-normalised
+// vectors are orthonormal.
 struct ReducedModes::Structure {
   MassSplit dofs;
   SparseMatrix mass, stiffness;
-  Eigen::SimplicialLLT<SparseMatrix> root;  // of M at the unknowns with mass
-  SparseMatrix spread;                      // L, at all unknowns
+  Eigen::SimplicialLLT<SparseMatrix> root;  // of M on the dynamic degrees of freedom
+  SparseMatrix spread;                      // L, extended to all unknowns
   std::optional<Factor> factor, massless;
-  SparseMatrix coupling;  // K from the unknowns with mass to those without
+  SparseMatrix coupling;  // K between dynamic and massless degrees of freedom
   ReducedInputs inputs;
   Chain links, yielding, ground;
   std::optional<Eigen::MatrixXd> shifted;
@@ -148,13 +148,12 @@ struct ReducedModes::Structure {
     stiffness.makeCompressed();
     factor.emplace(PETSC_COMM_SELF, pattern_of(stiffness), values_of(stiffness), factor_prefix);
     if (!factor->ok())
-      throw std::invalid_argument(
-          "the stiffness is singular or indefinite: nothing holds the structure, or it buckles");
+      throw std::invalid_argument("the stiffness is singular or indefinite: the structure is unsupported or buckles");
     if (dofs.massless.empty()) return;
     SparseMatrix own = submatrix(stiffness, dofs.massless, dofs.massless);
     own.makeCompressed();
     massless.emplace(PETSC_COMM_SELF, pattern_of(own), values_of(own), factor_prefix);
-    if (!massless->ok()) throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+    if (!massless->ok()) throw std::invalid_argument("a massless degree of freedom has no stiffness");
     coupling = submatrix(stiffness, dofs.massless, dofs.dynamic);
   }
 
@@ -163,7 +162,7 @@ struct ReducedModes::Structure {
     if (load.cols() > 0 && !by.solve(load, x)) throw SolverError("a solve for the modes of a reduced structure failed");
     return x;
   }
-  // y of the answers to these loads.
+  // Static responses to these loads, in the coordinates y.
   Eigen::MatrixXd answers(const Factor& by, const Eigen::MatrixXd& load) const {
     return spread.transpose() * solve(by, load);
   }
@@ -185,7 +184,8 @@ struct ReducedModes::Structure {
     a.makeCompressed();
     contact_factor.emplace(shift, Factor(PETSC_COMM_SELF, pattern_of(a), values_of(a), factor_prefix));
     if (!contact_factor->second.ok())
-      throw SolverError("the stiffness of a reduced structure could not be factored at the frequency of its contacts");
+      throw SolverError(
+          "the shifted stiffness of a reduced structure could not be factored at the frequency of its contacts");
     return contact_factor->second;
   }
 
@@ -208,8 +208,7 @@ struct ReducedModes::Structure {
     return u;
   }
 
-  // Modes of a depth, which the counts and the shadow of this depth need again: shapes are displacements(basis *
-  // vectors).
+  // Modes of a depth, reused by its counts and its shadow: shapes are displacements(basis * vectors).
   struct Made {
     ReducedDepth depth;
     Eigen::MatrixXd basis;
@@ -223,7 +222,7 @@ struct ReducedModes::Structure {
     return made.emplace(Made{depth, joined(chains, starts_beside(chains))});
   }
 
-  // The chains and the block at the contact.
+  // The chains and the block at the contact frequency.
   std::vector<Eigen::MatrixXd> parts(const ReducedDepth& depth) {
     grow(links, inputs.links, depth.links);
     grow(yielding, inputs.parts, depth.parts);
@@ -232,7 +231,7 @@ struct ReducedModes::Structure {
             yielding.first(depth.parts)};
   }
 
-  // At unit length. A structure that nothing moves has a coordinate still.
+  // At unit length. A structure without any input still gets one coordinate.
   Eigen::MatrixXd starts_beside(const std::vector<Eigen::MatrixXd>& chains) const {
     Eigen::MatrixXd given;
     if (inputs.starts.size() > 0) given = unit_columns(spread.transpose() * inputs.starts);
@@ -241,7 +240,7 @@ struct ReducedModes::Structure {
     return given;
   }
 
-  // The basis with no more blocks, in coordinates of that of a depth.
+  // The basis of depth `less`, in coordinates of the basis of `depth`.
   Eigen::MatrixXd less_basis(const ReducedDepth& depth, const ReducedDepth& less) {
     const Eigen::MatrixXd& whole = basis(depth).basis;
     const std::vector<Eigen::MatrixXd> chains = parts(less);
@@ -274,7 +273,7 @@ struct ReducedModes::Structure {
     return found;
   }
 
-  // L^-1 f of the unknowns with mass, where loads on the others count by what they do to these.
+  // L^-1 f on the dynamic degrees of freedom; loads on massless ones are condensed statically.
   Eigen::MatrixXd turned(const Eigen::MatrixXd& loads) const {
     Eigen::MatrixXd own = loads(dofs.dynamic, Eigen::all);
     if (massless)

@@ -1,5 +1,5 @@
 #pragma once
-/// A few hundred modes that carry all that links and ground can tell of one linear structure.
+/// A few hundred modes that represent the response of one linear structure to links and ground motion.
 
 #include <Eigen/Core>
 #include <memory>
@@ -11,72 +11,74 @@
 
 namespace pounding::petsc {
 
-/// Vectors that drive one structure, a column each, at all of its unknowns.
+/// Vectors that act on one structure, one per column, at all of its unknowns.
 struct ReducedInputs {
   Eigen::MatrixXd links;   ///< forces of links and devices: columns of B
-  Eigen::MatrixXd parts;   ///< moments or forces of what yields in the structure: columns of B
-  Eigen::MatrixXd ground;  ///< loads of ground motions and forces over time: columns of P
-  Eigen::MatrixXd starts;  ///< displacements and velocities from which the run starts; columns of zeros are left out
+  Eigen::MatrixXd parts;   ///< moments or forces of yielding parts: columns of B
+  Eigen::MatrixXd ground;  ///< loads of ground motions and time-dependent forces: columns of P
+  Eigen::MatrixXd starts;  ///< initial displacements and velocities of the run; zero columns are omitted
   double shift = 0;        ///< square of the circular frequency of a contact [rad^2/s^2]; 0 for no block there
 
-  /// Same vectors and shift to the last bit.
+  /// Bitwise equality of vectors and shift.
   bool operator==(const ReducedInputs& other) const;
 };
 
-/// Blocks of the two chains: one is the static answer alone.
+/// Number of blocks per chain; one block is the static response only.
 struct ReducedDepth {
   int links = 4;
   int ground = 20;
-  bool shifted = true;  ///< with the block at the frequency of the contact
-  int parts = 2;        ///< of what yields
+  bool shifted = true;  ///< includes the block at the contact frequency
+  int parts = 2;        ///< blocks of yielding parts
 
   bool operator==(const ReducedDepth&) const = default;
 };
 
-/// Ritz modes on two block-Lanczos chains and one block at the frequency of the contact,
+/// Ritz modes of two block-Lanczos chains and one block at the contact frequency,
 ///
 ///   K^-1 (M K^-1)^j B,  j < depth.links,     K^-1 (M K^-1)^j P,  j < depth.ground,     (K + s M)^-1 B,
 ///
-/// and a third chain as that of the links for what yields, with depth.parts blocks and none at the contact.
+/// and of a third chain for yielding parts, built like that of the links, with depth.parts blocks and none at the
+/// contact frequency.
 ///
-/// the load-dependent vectors of Wilson, Yuan and Dickens (1982) for the ground and for every link, with the vectors
-/// about a frequency of Gu, Ma and Hulbert (2000). Each chain is orthogonal by itself and grows from its orthonormal
-/// last block. The chains are joined at the end: made orthogonal to each other on the way, the shorter one would be
-/// spoilt. Directions below 1e-9 of their column are dropped, at the joint below 1e-12.
+/// These are the load-dependent vectors of Wilson, Yuan and Dickens (1982) for the ground and for every link, with the
+/// vectors about a frequency of Gu, Ma and Hulbert (2000). Each chain is orthogonalized separately and continues from
+/// its orthonormal last block. The chains are joined at the end; orthogonalizing them against each other during the
+/// recurrence would spoil the shorter one. Directions below 1e-9 of their column are dropped; at the joint, below
+/// 1e-12.
 ///
-/// The ends of the links are as stiff as in the structure or stiffer, at every frequency without damping below the
-/// first mode and at every real shift: B^T V (V^T (K + s M) V)^-1 V^T B never exceeds B^T (K + s M)^-1 B. Static
-/// answers are exact. With as many directions as unknowns with mass the modes are the natural ones.
+/// The ends of the links are at least as stiff as in the structure, at every frequency below the first undamped mode
+/// and at every real shift: B^T V (V^T (K + s M) V)^-1 V^T B never exceeds B^T (K + s M)^-1 B. Static responses are
+/// exact. With as many directions as dynamic degrees of freedom the modes are the natural ones.
 ///
-/// Unknowns without mass follow statically; a force on one of them counts by what it does to the others (see
-/// SpringRelief). Deterministic: the same input gives the same bits.
+/// Massless degrees of freedom follow statically; a force on one of them acts through the others (see SpringRelief).
+/// Deterministic: equal input gives bitwise identical output.
 ///
 /// Options of the factors: -pounding_red_factor_...
 class ReducedModes {
  public:
-  /// Throws std::invalid_argument for a mass matrix that is not positive definite, for a stiffness that is singular or
-  /// indefinite (a structure that nothing holds, one that buckles), and where an input has another number of rows.
+  /// Throws std::invalid_argument for a mass matrix that is not positive definite, for a singular or indefinite
+  /// stiffness (an unsupported or buckling structure), and for an input with the wrong number of rows.
   ReducedModes(const SparseMatrix& mass, const SparseMatrix& stiffness, const ReducedInputs& inputs);
   ~ReducedModes();
   ReducedModes(ReducedModes&&) noexcept;
 
-  /// Takes other inputs from now on, with the bits of an object made with them. What depends on the matrices alone is
-  /// kept, and so is a chain whose inputs are the same. Throws as the constructor for an input with another number of
-  /// rows.
+  /// Replaces the inputs; results are bitwise identical to those of a new object. Keeps everything that depends on the
+  /// matrices only, and chains whose inputs are unchanged. Throws as the constructor for an input with the wrong number
+  /// of rows.
   void drive(const ReducedInputs& inputs);
 
-  /// Ritz modes of this depth. Blocks that are there already are used again, so a second depth costs little. A chain
-  /// ends by itself where it has nothing new to give. Throws SolverError where a solve fails.
+  /// Ritz modes of this depth. Existing blocks are reused, so a second depth costs little. A chain ends when it adds no
+  /// new direction. Throws SolverError if a solve fails.
   GroupModes modes(const ReducedDepth& depth);
-  /// Ritz modes of no more blocks, in those of this depth.
+  /// Ritz modes of a smaller depth `less`, expressed in the modes of `depth`.
   ShadowModes shadow(const ReducedDepth& depth, const ReducedDepth& less);
-  /// Ritz modes of this depth with the directions that one block of the links more would bring: none where the chain
-  /// has ended.
+  /// Ritz modes of this depth with the directions that one more block of the links would add; none if the chain has
+  /// ended.
   FurtherDirections further(const ReducedDepth& depth);
-  /// Number of modes of this depth, and of a shadow of it, without the modes.
+  /// Number of modes of this depth, and of a shadow of it, without computing them.
   int count(const ReducedDepth& depth);
   int count(const ReducedDepth& depth, const ReducedDepth& less);
-  /// Unknowns with mass: the largest number of modes.
+  /// Number of dynamic degrees of freedom: the maximum number of modes.
   int maximum() const;
 
  private:

@@ -24,9 +24,8 @@ std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind ki
       if (const auto count = split_by_mass(system.mass, group.first, group.count).dynamic.size();
           count > static_cast<std::size_t>(max_for_modal_damping))
         throw InputError(
-            fmt::format("\"{}\" is not reduced, and its modal damping would fill a matrix of {} x {} modes; type "
-                        "damping: 5 % for it, or let all "
-                        "large structures be reduced",
+            fmt::format("\"{}\" is not reduced, and its modal damping requires a full matrix of {} x {} modes; type "
+                        "damping: 5 % for it, or reduce all large structures",
                         plan.names[k], count, count));
   return std::make_unique<SparseSolver>(comm, system);
 }

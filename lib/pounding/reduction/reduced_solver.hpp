@@ -11,8 +11,8 @@
 
 namespace pounding::petsc {
 
-/// As make_solver(); SolverKind::automatic follows the plan. Throws also as reduced_groups(), and InputError if a
-/// structure that is not reduced has modal damping whose matrix would be too large.
+/// As make_solver() in linear; SolverKind::automatic follows the plan. Also throws as reduced_groups(), and InputError
+/// if the modal damping matrix of a structure that is not reduced would be too large.
 std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, const ReductionPlan& plan,
                                              MPI_Comm comm);
 

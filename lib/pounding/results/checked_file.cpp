@@ -27,13 +27,12 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// The checksum of PNG and gzip. It always sees up to 32 changed bits in a row, and misses other damage once in 4e9
-// files.
+// CRC-32, as in PNG and gzip: detects every burst of up to 32 changed bits, and misses other damage in one file of 4e9.
 std::uint32_t crc32_of(std::uint32_t before, std::span<const std::byte> bytes) {
   return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-// All of the block follows from two numbers, so that a reader sees a change of any of its bytes.
+// Every byte of the block follows from two numbers, so readers detect any change in it.
 std::string block(std::uint64_t size, std::uint32_t crc) {
   std::string text = fmt::format(
       "{}size {:020}\ncrc32 {:08x}\n"
@@ -49,25 +48,24 @@ std::string block(std::uint64_t size, std::uint32_t crc) {
 }
 
 [[noreturn]] void refuse_foreign(const std::string& path, std::string_view start) {
-  if (start.empty()) throw InputError(fmt::format("{}: the file is empty; run the model again", path));
+  if (start.empty()) throw InputError(fmt::format("{}: file is empty; run the model again", path));
   if (start.starts_with(hdf5_signature))
-    throw InputError(fmt::format(
-        "{}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program "
-        "wrote it. Run the model again, or read results of your own as they stand in Python: "
-        "pounding.read(\"{}\", checked=False)",
-        path, path));
+    throw InputError(
+        fmt::format("{}: has no checksum, so damage cannot be detected: it was written by an earlier version of "
+                    "pounding or by another program. Run the model again, or read your own results unchecked in "
+                    "Python: pounding.read(\"{}\", checked=False)",
+                    path, path));
   if (start.starts_with(first_line_of_study))
     throw InputError(
-        fmt::format("{}: is the table of a study and holds no run; type pounding study show {}", path, path));
+        fmt::format("{}: is a study table, not results of a run; type pounding study show {}", path, path));
   throw InputError(
-      fmt::format("{}: is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes", path));
+      fmt::format("{}: is not a results file of pounding; type pounding run MODEL.yaml -o OUT.h5 to write one", path));
 }
 
 [[noreturn]] void refuse_damaged(const std::string& path, const std::string& what) {
-  throw InputError(
-      fmt::format("{}: the file is damaged, or another program has changed it: {}. Take a copy that is whole, or run "
-                  "the model again",
-                  path, what));
+  throw InputError(fmt::format(
+      "{}: file is damaged or was changed by another program: {}. Use an intact copy, or run the model again", path,
+      what));
 }
 
 }  // namespace
@@ -92,7 +90,7 @@ void require_whole(const std::string& path) {
   file.read(start.data(), start.size());
   const auto began = static_cast<std::size_t>(file.gcount());
   const std::string_view text(start.data(), began);
-  const bool behind_a_block = [&] {  // of a results file whose first line is damaged
+  const bool behind_a_block = [&] {  // a results file whose first line is damaged
     std::array<char, hdf5_signature.size()> signature{};
     file.read(signature.data(), signature.size());
     return std::string_view(signature.data(), signature.size()) == hdf5_signature;
@@ -117,8 +115,8 @@ void require_whole(const std::string& path) {
   const std::size_t digits = first_line.size() + std::string_view("size ").size();
   if (text.size() > digits + 20) written = std::strtoull(std::string(text.substr(digits, 20)).c_str(), nullptr, 10);
   if (size < written && text.starts_with(first_line))
-    refuse_damaged(path, fmt::format("it has {} of its {} bytes", size, written));
-  refuse_damaged(path, "its checksum is another one");
+    refuse_damaged(path, fmt::format("it has {} of {} bytes", size, written));
+  refuse_damaged(path, "checksum mismatch");
 }
 
 }  // namespace pounding

@@ -23,7 +23,7 @@ void write_device(hid_t parent, const DeviceHistory& device, std::size_t samples
   attribute(place, "exponent", device.exponent);
   const auto history = [&](const Label& label, const std::vector<double>& values) {
     if (values.size() != samples)
-      throw std::invalid_argument(device.name + ": " + label.name + " holds " + std::to_string(values.size()) +
+      throw std::invalid_argument(device.name + ": " + label.name + " has " + std::to_string(values.size()) +
                                   " values; " + std::to_string(samples) + " are expected");
     array(place, label, values, {samples});
   };
@@ -35,8 +35,8 @@ void write_device(hid_t parent, const DeviceHistory& device, std::size_t samples
     array(envelope, values, {e.min[i], e.max[i]}, {2});
     array(envelope, times, {e.t_min[i], e.t_max[i]}, {2});
   };
-  extremes(0, {"elongation", "m", "least and largest elongation"}, {"elongation_time", "s", "times of elongation"});
-  extremes(1, {"force", "N", "least and largest force"}, {"force_time", "s", "times of force"});
+  extremes(0, {"elongation", "m", "minimum and maximum elongation"}, {"elongation_time", "s", "times of elongation"});
+  extremes(1, {"force", "N", "minimum and maximum force"}, {"force_time", "s", "times of force"});
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace pounding {
 
-/// Writes the group /devices: histories at the output times, and the extremes over all steps under `envelope`. Nothing
-/// without devices. Throws std::invalid_argument where a history has not `samples` values.
+/// Writes the group /devices: histories at the output times, and the extremes over all steps under `envelope`. Does
+/// nothing without devices. Throws std::invalid_argument if a history does not have `samples` values.
 void write_devices(hid_t file, const std::vector<DeviceHistory>& devices, std::size_t samples);
 
 }  // namespace pounding

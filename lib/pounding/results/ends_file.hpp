@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// Writes the ends of a LinkHistory or a DeviceHistory, with position and direction, as attributes of its group.
+/// Writes the ends, position and direction of a LinkHistory or a DeviceHistory as attributes of its group.
 template <class Joined>
 void write_ends(hid_t place, const Joined& joined) {
   using hdf5::attribute;

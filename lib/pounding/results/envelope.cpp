@@ -29,7 +29,8 @@ void Extremes::update(std::size_t i, double time, std::span<const double> times,
 void Extremes::add_parabola(std::size_t i, double time, double h, double begin, double middle, double end) {
   update(i, time + 0.5 * h, middle);
   update(i, time + h, end);
-  const double slope = end - begin, bend = 2 * (begin - 2 * middle + end);  // of the parabola on [0, 1] at the middle
+  const double slope = end - begin,
+               bend = 2 * (begin - 2 * middle + end);  // of the parabola at the midpoint, in s from 0 to 1
   if (std::abs(slope) >= std::abs(bend)) return;
   update(i, time + h * (0.5 - 0.5 * slope / bend), middle - slope * slope / (4 * bend));
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Extremes over a run: least and largest value of every quantity of a structure, with their times.
+/// Extremes over a run: minimum and maximum of every quantity of a structure, with their times.
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace pounding {
 
-/// A quantity over a step: the parabola through its values at both ends and in the middle, and what it leaves the
-/// parabola by, w (alpha + beta t) with t = s - 1/2, w = t (t^2 - 1/4) and s from 0 to 1.
+/// A quantity over a step: the parabola through its values at both ends and the midpoint, plus the correction w (alpha
+/// + beta t) with t = s - 1/2, w = t (t^2 - 1/4) and s from 0 to 1.
 struct Quartic {
   double begin, middle, end, alpha, beta;
 
@@ -25,22 +25,20 @@ struct Quartic {
     const double t = s - 0.5;
     return middle + t * (end - begin + t * 2 * (begin - 2 * middle + end)) + t * (t * t - 0.25) * (alpha + t * beta);
   }
-  /// Values between which the whole path lies.
+  /// Lower and upper bounds on the whole path.
   std::pair<double, double> bounds() const {
-    // |w| stays below 1/20, |w t| below 1/64, and the parabola between both ends and the point where its tangents there
-    // meet.
+    // |w| < 1/20 and |w t| < 1/64. The parabola lies in the hull of its ends and the point where its end tangents meet.
     const double away = std::abs(alpha) / 20 + std::abs(beta) / 64, hull = 2 * middle - 0.5 * (begin + end);
     return {std::min({begin, middle, end, hull}) - away, std::max({begin, middle, end, hull}) + away};
   }
 };
 
-/// Least and largest values so far of a list of quantities, signed, and when they were reached [s]. Of equal values the
-/// first counts.
+/// Running minimum and maximum of a list of quantities, signed, and their times [s]. Of equal values the first counts.
 struct Extremes {
   std::vector<double> min, max, t_min, t_max;
 
   Extremes() = default;
-  /// Without any value so far.
+  /// Creates extremes without any value.
   explicit Extremes(std::size_t count)
       : min(count, std::numeric_limits<double>::infinity()),
         max(count, -std::numeric_limits<double>::infinity()),
@@ -52,7 +50,7 @@ struct Extremes {
   /// Largest absolute value of a quantity; 0 before the first.
   double peak(std::size_t i) const;
 
-  /// One value at a time [s].
+  /// Updates with one value at a time [s].
   void update(std::size_t i, double time, double value) {
     if (value < min[i]) {
       min[i] = value;
@@ -63,11 +61,11 @@ struct Extremes {
       t_max[i] = time;
     }
   }
-  /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic
-  /// through them. False where nothing new is seen at once.
+  /// Updates with values and slopes at the ends of a step of length h that starts at `time`; interior extrema are those
+  /// of the cubic through them. False if a quick bound shows that the step adds no new extreme.
   bool update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
-    // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a
-    // Bezier curve. Most steps bring nothing new.
+    // The cubic lies in the hull of its Bezier points: the end values, and those plus a third of the step along the end
+    // slopes.
     const double third = h / 3;
     if (holds(i, end) &&
         (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end))))
@@ -75,22 +73,22 @@ struct Extremes {
     add_cubic(i, time, h, begin, slope_begin, end, slope_end);
     return true;
   }
-  /// Follows one quantity from a time on through its values and slopes at several later times.
+  /// Updates one quantity, known at `time`, with values and slopes at several later times.
   void update(std::size_t i, double time, std::span<const double> times, double value, double slope,
               const double* values, const double* slopes);
-  /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola
+  /// Updates with values at the start, the midpoint and the end of a step; interior extrema are those of the parabola
   /// through them.
   void update(std::size_t i, double time, double h, double begin, double middle, double end) {
-    // So does the parabola between both ends and the point where its tangents there meet.
+    // The parabola lies in the hull of its ends and the point where its end tangents meet.
     if (!holds(i, middle) || !holds(i, end) || !holds(i, 2 * middle - 0.5 * (begin + end)))
       add_parabola(i, time, h, begin, middle, end);
   }
-  /// A step on a path of degree four.
+  /// Updates with a step on a quartic path.
   void update(std::size_t i, double time, double h, const Quartic& path) {
     const auto [low, high] = path.bounds();
     if (!holds(i, low) || !holds(i, high)) update_by_quarters(i, time, h, path);
   }
-  /// A step on any smooth path, a function of s from 0 to 1: a parabola in each quarter of the step.
+  /// Updates with a step on any smooth path, a function of s from 0 to 1: one parabola per quarter of the step.
   template <class Path>
   void update_by_quarters(std::size_t i, double time, double h, const Path& path) {
     const double quarter = h / 4;
@@ -101,7 +99,7 @@ struct Extremes {
       begin = end;
     }
   }
-  /// Takes over a multiple of quantity `from` of others.
+  /// Copies quantity `from` of others, multiplied by a factor.
   void copy(std::size_t i, const Extremes& others, std::size_t from, double factor = 1);
 
   /// For a checkpoint.
@@ -118,9 +116,9 @@ struct Extremes {
   void add_parabola(std::size_t i, double time, double h, double begin, double middle, double end);
 };
 
-/// Extremes of one structure over all kept steps, inside the steps too, whatever the output times are. Quantities are
-/// in the order of their histories (StructureHistory), the last place changing first; lists are empty where a structure
-/// has no such quantity.
+/// Extremes of one structure over all accepted steps, including interior extrema, independent of the output times.
+/// Quantities are in the order of their histories (StructureHistory), the last index varying fastest. Lists are empty
+/// if a structure has no such quantity.
 struct StructureEnvelope {
   /// Edges of a floor in the order of edge_displacement.
   static constexpr std::array<const char*, 4> edges{"x at smallest y", "x at largest y", "y at smallest x",
@@ -133,21 +131,21 @@ struct StructureEnvelope {
   Extremes acceleration;  ///< [floor, direction] absolute [m/s^2], [rad/s^2]
   Extremes drift;         ///< [floor, storey direction] [m]
   Extremes storey_shear;  ///< [floor, storey direction] [N]
-  Extremes member_force;  ///< [member, component] of every member, on its ends, local axes [N], [N m]
+  Extremes member_force;  ///< [member, component] of every member, acting on its ends, local axes [N], [N m]
   Extremes reaction;      ///< [support, direction] of the ground on the structure, global axes [N], [N m]
-  std::vector<std::string> members, components, supports, directions;  ///< of the last two
+  std::vector<std::string> members, components, supports, directions;  ///< labels of the last two
   bool with_gravity = false;  ///< the last two include the weights of the masses
-  std::string included;       ///< what else they include, see InternalForces::included
+  std::string included;       ///< other contributions to them, see InternalForces::included
 
-  /// For a checkpoint: the names too.
+  /// For a checkpoint, including the names.
   void archive(Archive& archive);
 };
 
-/// Internal forces on the sections at both ends of each member, in the order of `member_force`: on the face towards the
-/// end of the member, so that N > 0 is tension and the sign of a component does not depend on the end [N], [N m].
+/// Internal forces on the sections at both ends of each member, in the order of `member_force`. They act on the face
+/// towards the end of the member, so N > 0 is tension and the sign of a component is the same at both ends [N], [N m].
 Extremes section_forces(const StructureEnvelope& envelope);
 
-/// Axial force of each member over both of its ends, positive in tension [N]; empty without members.
+/// Axial force of each member, extremes over both ends, positive in tension [N]; empty without members.
 Extremes axial_forces(const StructureEnvelope& envelope);
 
 }  // namespace pounding

@@ -9,8 +9,8 @@
 
 namespace pounding {
 
-/// Writes the group /envelopes/structures/NAME of each structure: for each quantity least and largest value in the last
-/// place, and beside it their times. Throws std::runtime_error when HDF5 fails.
+/// Writes the group /envelopes/structures/NAME of each structure: minimum and maximum of each quantity along the last
+/// axis, and a second dataset with their times. Throws std::runtime_error if HDF5 fails.
 void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures);
 
 }  // namespace pounding

@@ -7,15 +7,15 @@
 
 namespace pounding {
 
-/// The bytes of a whole file, which do not change any more. Copies share them. A range: it is given where a
-/// `std::span<const std::byte>` is asked for.
+/// Immutable bytes of a whole file. Copies share them. A contiguous range that converts to `std::span<const
+/// std::byte>`.
 class FileImage {
  public:
   FileImage() = default;
-  /// `bytes` holds `size` bytes or more.
+  /// `bytes` holds at least `size` bytes.
   FileImage(std::shared_ptr<const std::byte> bytes, std::size_t size) : bytes_(std::move(bytes)), size_(size) {}
 
-  /// Whether there is no file.
+  /// True if the file is empty.
   bool empty() const { return size_ == 0; }
   /// Number of bytes, and the first of them.
   std::size_t size() const { return size_; }

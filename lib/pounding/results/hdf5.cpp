@@ -13,7 +13,8 @@ namespace {
 
 Handle dataspace(const std::vector<hsize_t>& shape, const hsize_t* limits = nullptr) {
   const int rank = static_cast<int>(shape.size());
-  return {rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, shape.data(), limits), H5Sclose, "make a shape"};
+  return {rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, shape.data(), limits), H5Sclose,
+          "create a dataspace"};
 }
 
 void write_attribute(hid_t object, const char* name, hid_t type, hid_t space, const void* data) {
@@ -22,7 +23,7 @@ void write_attribute(hid_t object, const char* name, hid_t type, hid_t space, co
   if (data != nullptr) checked(H5Awrite(made, type, data), std::string("write attribute ") + name);
 }
 
-// Writes the part of `data`, which is of the whole shape, that is selected in `space`; nothing of a null pointer.
+// Writes the section of `data` (of the whole shape) that is selected in `space`; nothing if `data` is null.
 Handle dataset(hid_t parent, const char* name, hid_t type, hid_t space, hid_t creation, const void* data) {
   Handle made(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
               std::string("create dataset ") + name);
@@ -36,10 +37,9 @@ bool are_zeros(const std::byte* bytes, std::size_t size) {
 }
 
 constexpr hsize_t values_in_a_chunk = 1 << 14;
-/// A chunked dataset that may have no rows or no columns, although HDF5 allows no empty chunk. Not compressed: deflate
-/// makes histories of a motion a quarter smaller and takes twice the time of the run that made them. Chunks of zeros in
-/// front are not stored, such as those of the energy that a part has lost before it yields: HDF5 reads zeros where
-/// nothing was written.
+/// A chunked dataset, which may have no rows or no columns although HDF5 allows no empty chunk. Not compressed: deflate
+/// reduces motion histories by a quarter and takes twice as long as the run itself. Leading chunks of zeros are not
+/// stored, such as the dissipated energy of a part before it yields: HDF5 reads unwritten values as zero.
 Handle chunked(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& shape, const void* data) {
   hsize_t row = 1;
   for (std::size_t i = 1; i < shape.size(); ++i) row *= std::max<hsize_t>(1, shape[i]);
@@ -48,17 +48,17 @@ Handle chunked(hid_t parent, const char* name, hid_t type, const std::vector<hsi
   for (std::size_t i = 1; i < shape.size(); ++i) limits[i] = chunk[i] = std::max<hsize_t>(1, shape[i]);
   const hsize_t rows = std::max<hsize_t>(1, shape[0]),
                 chunks = (rows * row + values_in_a_chunk - 1) / values_in_a_chunk;
-  chunk[0] = (rows + chunks - 1) / chunks;  // alike, since the last one is stored whole
+  chunk[0] = (rows + chunks - 1) / chunks;  // equal chunk sizes, because the last chunk is stored in full
   limits[0] = H5S_UNLIMITED;
 
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "describe a dataset");
-  checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create dataset properties");
+  checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), "set the chunk size");
   const Handle space = dataspace(shape, limits.data());
   if (std::ranges::find(shape, hsize_t{0}) != shape.end()) return dataset(parent, name, type, space, creation, nullptr);
   const auto* const bytes = static_cast<const std::byte*>(data);
   const std::size_t row_size = row * H5Tget_size(type);
   std::vector<hsize_t> start(shape.size()), count(shape);
-  hsize_t& first = start[0];  // row that is written
+  hsize_t& first = start[0];  // first row to write
   while (first < shape[0] && are_zeros(bytes + first * row_size, std::min(chunk[0], shape[0] - first) * row_size))
     first = std::min(first + chunk[0], shape[0]);
   count[0] -= first;
@@ -86,22 +86,23 @@ hid_t checked(hid_t status, std::string_view action) {
 }
 
 Handle group(hid_t parent, const std::string& name) {
-  const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "describe a group");
-  checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "keep the order");
+  const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "create group properties");
+  checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+          "track the creation order");
   return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, "create group ", name};
 }
 
 Handle text_type(std::size_t size) {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make a text type");
-  checked(H5Tset_size(type, std::max<std::size_t>(1, size)), "size a text type");
-  checked(H5Tset_cset(type, H5T_CSET_UTF8), "make a text type UTF-8");
-  if (size != H5T_VARIABLE) checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a text type");
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
+  checked(H5Tset_size(type, std::max<std::size_t>(1, size)), "set the size of a string type");
+  checked(H5Tset_cset(type, H5T_CSET_UTF8), "set a string type to UTF-8");
+  if (size != H5T_VARIABLE) checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "set the padding of a string type");
   return type;
 }
 
 namespace {
 
-/// Texts one behind the other, each filled up with zeros to the length of the longest one.
+/// Contiguous texts, each zero-padded to the length of the longest one.
 struct PaddedTexts {
   explicit PaddedTexts(const std::vector<std::string>& values) {
     for (const std::string& value : values) size = std::max(size, value.size());
@@ -109,7 +110,7 @@ struct PaddedTexts {
     for (std::size_t i = 0; i < values.size(); ++i)
       std::memcpy(bytes.data() + i * size, values[i].data(), values[i].size());
   }
-  /// HDF5 refuses the null pointer of an empty list, which has nothing to write.
+  /// HDF5 does not accept a null pointer for an empty list.
   const void* data() const { return bytes.empty() ? nullptr : bytes.data(); }
 
   std::size_t size = 1;
@@ -118,7 +119,7 @@ struct PaddedTexts {
 
 }  // namespace
 
-// Attributes are texts of variable length, which h5py and xarray give as str.
+// Attributes are variable-length texts, which h5py and xarray return as str.
 void attribute(hid_t object, const char* name, const std::string& value) {
   const char* pointer = value.c_str();
   write_attribute(object, name, text_type(H5T_VARIABLE), dataspace({}), &pointer);

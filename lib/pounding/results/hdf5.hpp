@@ -1,7 +1,6 @@
 #pragma once
-/// A thin layer over HDF5's C interface for results and restarts: identifiers that close themselves, errors as
-/// exceptions with HDF5's own text, and datasets that state their units. Every function throws std::runtime_error when
-/// HDF5 fails.
+/// A thin layer over the C interface of HDF5 for results and checkpoints: owning identifiers, errors as exceptions with
+/// HDF5's own text, and datasets that state their units. Every function throws std::runtime_error if HDF5 fails.
 
 #include <hdf5.h>
 
@@ -18,10 +17,10 @@
 
 namespace pounding::hdf5 {
 
-/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`.
+/// Returns a nonnegative status; otherwise throws `HDF5 could not ACTION: ...`.
 hid_t checked(hid_t status, std::string_view action);
 
-/// Silences HDF5's own printing while it lives; a host program's handler comes back afterwards.
+/// Silences HDF5's error printing during its lifetime, then restores the handler of the host program.
 class Quiet {
  public:
   Quiet() {
@@ -58,21 +57,21 @@ class Handle {
   Close close_;
 };
 
-/// Makes a file in memory, lets `write` fill it, and returns its bytes behind `checked_block_size` bytes without a
-/// meaning; HDF5 never touches the disk.
+/// In-memory file, filled by `write`: its bytes follow `checked_block_size` undefined bytes. HDF5 never touches the
+/// disk.
 FileImage file_image(const std::function<void(hid_t file)>& write);
 
-/// As `file_image`, with the checksum in front.
+/// As `file_image`, with the checksum in its user block.
 FileImage checked_image(const std::function<void(hid_t file)>& write);
 
-/// Opens the image of a file for `read`, where it is, and closes it afterwards.
+/// Opens the image of a file for `read` without copying, and closes it afterwards.
 void open_image(const FileImage& image, const std::function<void(hid_t file)>& read);
 
-/// Creates a group whose members are listed in the order of their creation.
+/// Creates and opens one group; its members are listed in creation order.
 Handle group(hid_t parent, const std::string& name);
 
-/// Type of UTF-8 text of `size` bytes, filled up with zeros. Texts have a fixed length, that of the longest of a list:
-/// HDF5 keeps those of variable lengths in heaps, and never ends when one of these is damaged.
+/// Type of UTF-8 text of `size` bytes, zero-padded. Texts have a fixed length, that of the longest in a list: HDF5
+/// stores variable-length text in heaps, and hangs if one of these is damaged.
 Handle text_type(std::size_t size);
 
 /// Writes an attribute of an object. Throws InputError for a text of more than 64,000 bytes.
@@ -82,7 +81,7 @@ void attribute(hid_t object, const char* name, int value);
 void attribute(hid_t object, const char* name, const std::vector<std::string>& values);
 void attribute(hid_t object, const char* name, const std::vector<double>& values);
 
-/// Name, unit and meaning of a dataset; the unit of a dimensionless number is "1".
+/// Name, unit and description of a dataset; the unit of a dimensionless number is "1".
 struct Label {
   const char* name;
   const char* units;
@@ -98,22 +97,21 @@ void texts(hid_t parent, const char* name, const char* long_name, const std::vec
 void text(hid_t parent, const char* name, const char* long_name, const std::string& value);
 void scalar(hid_t parent, const Label& label, long value);
 void scalar(hid_t parent, const Label& label, double value);
-/// Writes a chunked table of `rows` rows of a compound type; one unit and one meaning for each field, in their order.
+/// Writes a chunked table of `rows` rows of a compound type, with one unit and one description per field, in order.
 void table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
            const std::vector<std::string>& units, const std::vector<std::string>& field_long_names);
-/// Writes bytes that only the program can interpret.
+/// Writes opaque bytes.
 void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
 
-/// Adds the content of a file image, its attributes included, as a group; members of its root named in `but` are left
-/// out.
+/// Adds the content of a file image, including its attributes, as a group, except root members named in `but`.
 void add_file(hid_t file, const std::string& name, const FileImage& image, const std::set<std::string>& but = {});
-/// The content of a group as the image of a file: the inverse of add_file().
+/// The content of a group as a file image: the inverse of add_file().
 FileImage group_image(hid_t file, const std::string& name);
 
-/// Opens a results file on the disk for `read` and closes it afterwards. Throws InputError where require_whole() does.
+/// Opens a results file on disk for `read` and closes it afterwards. Throws InputError as require_whole().
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read);
 bool has(hid_t file, const char* path);
-/// Names in a group, in the order of the alphabet.
+/// Names in a group, in alphabetical order.
 std::vector<std::string> members(hid_t file, const char* path);
 /// Extents of an array.
 std::vector<std::size_t> shape(hid_t file, const char* path);

@@ -28,7 +28,7 @@ std::vector<std::string> attributes_of(hid_t object) {
   return names;
 }
 
-// Copies all members and the attributes, which are texts, of a group or of the root of a file.
+// Copies all members of a group or root, and its attributes, which are texts.
 void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
   for (const std::string& name : attributes_of(from)) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
   for (const std::string& name : members_of(from))
@@ -66,13 +66,13 @@ Handle open_dataset(hid_t file, const char* path) {
   return {H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, "open dataset ", path};
 }
 
-// One text of the fixed length of `type`.
+// One text with the fixed length of `type`.
 template <class Read>
 std::string fixed_text(const Handle& type, Read&& read, const char* name) {
   const std::string action = std::string("read ") + name;
   std::string value(H5Tget_size(type), '\0');
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
-    throw std::runtime_error(std::string(name) + " is no text of a fixed length");
+    throw std::runtime_error(std::string(name) + " is not a text of fixed length");
   checked(read(text_type(value.size()), value.data()), action);
   value.resize(value.find_last_not_of('\0') + 1);
   return value;
@@ -81,9 +81,9 @@ std::string fixed_text(const Handle& type, Read&& read, const char* name) {
 template <class Value>
 void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& values) {
   const Handle dataset = open_dataset(file, path);
-  const Handle space(H5Dget_space(dataset), H5Sclose, "size dataset ", path);
-  values.resize(
-      static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), std::string("size dataset ") + path)));
+  const Handle space(H5Dget_space(dataset), H5Sclose, "get the size of dataset ", path);
+  values.resize(static_cast<std::size_t>(
+      checked(H5Sget_simple_extent_npoints(space), std::string("get the size of dataset ") + path)));
   if (!values.empty())
     checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read dataset ") + path);
 }
@@ -92,9 +92,10 @@ void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& valu
 
 std::vector<std::size_t> shape(hid_t file, const char* path) {
   const Handle dataset = open_dataset(file, path);
-  const Handle space(H5Dget_space(dataset), H5Sclose, "size dataset ", path);
-  std::vector<hsize_t> extents(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "size a dataset")));
-  checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "size a dataset");
+  const Handle space(H5Dget_space(dataset), H5Sclose, "get the size of dataset ", path);
+  std::vector<hsize_t> extents(
+      static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "get the size of a dataset")));
+  checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "get the size of a dataset");
   return {extents.begin(), extents.end()};
 }
 
@@ -103,7 +104,7 @@ std::string read_attribute(hid_t object, const char* name) {
   const Handle type(H5Aget_type(made), H5Tclose, "read attribute ", name);
   const Handle space(H5Aget_space(made), H5Sclose, "read attribute ", name);
   if (H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1)
-    throw std::runtime_error(std::string("attribute ") + name + " is no text");
+    throw std::runtime_error(std::string("attribute ") + name + " is not a text");
   char* text = nullptr;
   checked(H5Aread(made, text_type(H5T_VARIABLE), &text), std::string("read attribute ") + name);
   std::string value = text != nullptr ? text : "";

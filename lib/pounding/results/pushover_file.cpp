@@ -15,7 +15,7 @@ using hdf5::group;
 using hdf5::Handle;
 using hdf5::integers;
 
-// Values of each point, one row a point.
+// Values of each point, one row per point.
 template <class Values>
 std::vector<double> rows(const Pushover& found, Values&& values) {
   std::vector<double> all;
@@ -36,13 +36,13 @@ void write_points(hid_t place, const Pushover& found) {
                for (const double value : found.floor_displacements.row(i)) all.push_back(value);
              }),
         {count, floors});
-  array(place, {"deformation", "m or rad", "deformation of each part that yields"},
+  array(place, {"deformation", "m or rad", "deformation of each yielding part"},
         rows(found,
              [&](int i, auto& all) {
                all.insert(all.end(), points[i].deformations.begin(), points[i].deformations.end());
              }),
         {count, parts});
-  array(place, {"force", "N or N m", "force of each part that yields"},
+  array(place, {"force", "N or N m", "force of each yielding part"},
         rows(found,
              [&](int i, auto& all) {
                for (int j = 0; j < static_cast<int>(parts); ++j) all.push_back(found.force(i, j));
@@ -62,7 +62,7 @@ void write_events(hid_t parent, const Pushover& found) {
   integers(place, {"point", "1", "number of the point, from 0"}, points, {points.size()});
   integers(place, {"part", "1", "number of the part, from 0"}, parts, {parts.size()});
   integers(place, {"kind", "1", "0 softens, 1 yields, 2 unloads"}, kinds, {kinds.size()});
-  integers(place, {"first", "1", "1 where the part had never yielded before"}, firsts, {firsts.size()});
+  integers(place, {"first", "1", "1 if the part had never yielded before"}, firsts, {firsts.size()});
 }
 
 void write_all(hid_t file, const Pushover& found, const std::string& model_text) {
@@ -77,11 +77,11 @@ void write_all(hid_t file, const Pushover& found, const std::string& model_text)
   hdf5::texts(place, "floors", "labels of the floors, from the ground up", found.floors);
   std::vector<std::string> names;
   for (const Pushover::Part& part : found.parts) names.push_back(part.name);
-  hdf5::texts(place, "parts", "names of the parts that yield", names);
+  hdf5::texts(place, "parts", "names of the yielding parts", names);
   array(place, {"floor_loads", "1", "share of each floor in the load"}, found.loads, {found.loads.size()});
   write_points(place, found);
   write_events(place, found);
-  hdf5::text(place, "summary", "what pounding pushover --json prints, without the points", pushover_json(found, false));
+  hdf5::text(place, "summary", "output of pounding pushover --json, without the points", pushover_json(found, false));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// The results file of a pushover.
+/// Results file of a pushover.
 
 #include <string>
 
@@ -7,8 +7,7 @@
 
 namespace pounding {
 
-/// Writes the group /pushover of a file of its own, with the text of the model beside it. Throws InputError as
-/// ReplacedFile.
+/// Writes the group /pushover and the text of the model to a new file. Throws InputError as ReplacedFile.
 void write_pushover(const std::string& path, const Pushover& found, const std::string& model_text);
 
 }  // namespace pounding

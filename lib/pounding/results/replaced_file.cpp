@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 }
 
 [[noreturn]] void refuse_busy(const std::string& path) {
-  refuse(path, "another run writes it now", "Wait for its end, or name another file: -o other.h5");
+  refuse(path, "it is being written by another run", "Wait until it ends, or name another file: -o other.h5");
 }
 
 std::string other_name(const FileKind& kind) { return std::string("Name another file: ").append(kind.example); }
@@ -33,7 +33,8 @@ std::string file_name(const FileKind& kind) { return std::string("Name a file: "
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-// One byte that no file reaches: HDF5 and other readers lock whole files, which must not meet with this.
+// The lock covers one byte that no file reaches, so it does not conflict with whole-file locks of HDF5 and other
+// readers.
 struct flock place_of_lock(short kind) {
   struct flock place = {};
   place.l_type = kind;
@@ -44,7 +45,7 @@ struct flock place_of_lock(short kind) {
 }
 
 // The lock belongs to an open file, not to a process, so two objects of one process exclude each other. False if
-// another open file has the lock. File systems without locks exclude nobody.
+// another open file has the lock. On file systems without locks it always succeeds.
 bool lock(const Descriptor& file) {
   struct flock place = place_of_lock(F_WRLCK);
   return fcntl(file, F_OFD_SETLK, &place) == 0 || (errno != EAGAIN && errno != EACCES);
@@ -75,14 +76,14 @@ bool is_picture(std::string_view start) {
   return (start.starts_with("<?xml") || start.starts_with("<svg")) && start.find("<svg") != start.npos;
 }
 
-/// Only empty files and earlier ones of the same kind are replaced, never a model, a record or another program's data.
+/// True for empty files and files of the same kind only, so models, records and other data are never overwritten.
 bool may_be_replaced(const Descriptor& file, const FileKind& kind) {
   std::array<char, 4096> start{};
   const ssize_t count = pread(file, start.data(), start.size(), 0);
   return count == 0 || (count > 0 && kind.recognises({start.data(), static_cast<std::size_t>(count)}));
 }
 
-/// The end of a chain of symbolic links, which stay links, even where it leads to a file that is not there yet.
+/// Target of a chain of symbolic links, which remain links; the target may not exist yet.
 fs::path followed(const std::string& path, const FileKind& kind) {
   fs::path place = path;
   std::error_code error;
@@ -95,8 +96,8 @@ fs::path followed(const std::string& path, const FileKind& kind) {
   return place;
 }
 
-/// The file that is to be replaced, with what its lock, its content and its kind forbid. `own` is what this process
-/// wrote there last.
+/// Returns the file to replace. Throws InputError if its lock, content or type forbid it. `own` is the file last
+/// written by this process.
 fs::path destination(const std::string& path, const FileKind& kind, const Descriptor& own) {
   if (path.empty()) refuse(path, "the name is empty", file_name(kind));
   const fs::path place = followed(path, kind);
@@ -116,10 +117,10 @@ fs::path destination(const std::string& path, const FileKind& kind, const Descri
   if (!earlier.is_open()) refuse(path, reason(errno), other_name(kind));
   if (is_locked(earlier)) refuse_busy(path);
   if (!may_be_replaced(earlier, kind))
-    refuse(path, std::string("a file of this name exists and holds no ").append(kind.name),
+    refuse(path, std::string("a file of this name exists and contains no ").append(kind.name),
            other_name(kind) + ", or first type: rm " + path);
   if (own.is_open())
-    refuse(path, "another program has replaced it since this run wrote it", "Name another file: -o other.h5");
+    refuse(path, "another program has replaced it since this run last wrote it", "Name another file: -o other.h5");
   return place;
 }
 
@@ -145,7 +146,7 @@ int bring_to_disk(const Descriptor& file) {
   return 0;
 }
 
-/// Gives a new file the mode of the one that it replaces, and its owner as far as this process may.
+/// Copies the mode of the replaced file to the new one, and its owner if permitted.
 void keep_mode(const fs::path& earlier, const Descriptor& file) {
   struct stat before = {};
   if (stat(earlier.c_str(), &before) != 0) return;
@@ -174,8 +175,8 @@ void ReplacedFile::replace(std::span<const std::byte> bytes) {
            std::string("Name a file in an existing directory that you may write to: ").append(kind_.example) +
                ", or first type: mkdir -p " + directory.string());
   }
-  // Only one run at a time has the temporary file, and the one that has just renamed its own still holds the lock of
-  // the result.
+  // Only one run at a time owns the temporary file; the run that has just renamed its file still holds the lock on the
+  // result.
   if (!lock(file) || !is_same_file(file, temporary)) refuse_busy(path_);
   int error = ftruncate(file, 0) == 0 ? 0 : errno;
   if (error == 0) error = write_all(file, bytes);
@@ -184,10 +185,10 @@ void ReplacedFile::replace(std::span<const std::byte> bytes) {
   if (error == 0) error = rename(temporary.c_str(), place.c_str()) == 0 ? 0 : errno;
   if (error != 0) {
     unlink(temporary.c_str());
-    refuse(path_, reason(error), "Make room, or name a file on another disk: -o /other/disk/results.h5");
+    refuse(path_, reason(error), "Free disk space, or name a file on another disk: -o /other/disk/results.h5");
   }
   written_ = std::move(file);
-  // The new name is part of the folder, which has to reach the disk as well.
+  // The new name is directory data, which needs its own fsync.
   if (const Descriptor folder(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); folder.is_open())
     fsync(folder);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Replaces a file as a whole, so that a kill at any moment leaves the earlier or the new one.
+/// Atomic replacement of a file: a kill at any time leaves either the earlier or the new one.
 
 #include <cstddef>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace pounding {
 
-/// A file descriptor, closed with this object.
+/// An owning file descriptor.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -31,21 +31,21 @@ class Descriptor {
 struct FileKind {
   std::string_view name;                       ///< for messages: "results of pounding"
   std::string_view example;                    ///< what to type: "-o results.h5"
-  bool (*recognises)(std::string_view start);  ///< whether an existing file with these first bytes is of this kind
+  bool (*recognises)(std::string_view start);  ///< true if an existing file with these first bytes is of this kind
 };
 
 /// Results of runs.
 extern const FileKind results_files;
-/// Pictures of any format that Python writes.
+/// Pictures in any format that Python writes.
 extern const FileKind picture_files;
 
-/// A file that one process replaces, again and again. From its first `replace` until this object goes, other processes
-/// and other objects are refused there; readers are not. The kernel frees the place when the process dies.
+/// A file that one process replaces repeatedly. From the first `replace` to the destruction of this object, it is
+/// locked against other writers, but not against readers. The kernel releases the lock if the process dies.
 class ReplacedFile {
  public:
   explicit ReplacedFile(std::string path, const FileKind& kind = results_files) : path_(std::move(path)), kind_(kind) {}
 
-  /// Throws InputError where `replace` would refuse the path as it is now.
+  /// Throws InputError if `replace` would currently refuse the path.
   void require_free() const;
   /// Writes `bytes` to the temporary file `.NAME.tmp` in the same directory, fsyncs it and renames it over the path.
   /// Symbolic links are followed, and the mode of an earlier file is kept.
@@ -57,7 +57,7 @@ class ReplacedFile {
  private:
   std::string path_;
   const FileKind& kind_;
-  Descriptor written_;  // the file that this object wrote last, held by a lock
+  Descriptor written_;  // last file written by this object, locked
 };
 
 }  // namespace pounding

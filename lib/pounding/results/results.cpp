@@ -35,7 +35,7 @@ using hdf5::texts;
 
 void check_length(std::size_t length, std::size_t expected, const std::string& what) {
   if (length != expected)
-    throw std::invalid_argument(what + " holds " + std::to_string(length) + " values; " + std::to_string(expected) +
+    throw std::invalid_argument(what + " has " + std::to_string(length) + " values; " + std::to_string(expected) +
                                 " are expected");
 }
 
@@ -46,16 +46,16 @@ void check_names(const Histories& histories, const std::string& kind) {
     const std::string& name = history.name;
     if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
       throw InputError(kind + " name \"" + name +
-                       "\" cannot name a group of the results file: write a name that is not empty, \".\" or \"..\" "
-                       "and has no '/' in it.");
+                       "\" cannot be the name of a group in the results file: type a name that is not empty, \".\" or "
+                       "\"..\" and has no '/' in it.");
     if (!seen.insert(name).second)
-      throw InputError("two " + kind + "s are named \"" + name + "\": give each its own name.");
+      throw InputError("two " + kind + "s have the name \"" + name + "\": type a different name for each.");
   }
 }
 
 using Names = std::vector<std::string>;
 
-// Names of floors stand beside their numbers; those of nodes may be too many for an attribute.
+// Names of floors accompany their numbers; names of nodes may be too many for an attribute.
 void write_motion(hid_t place, const std::string& name, std::size_t places, const Names* floors,
                   const Names& directions, std::size_t samples,
                   const std::array<const std::vector<double>*, 3>& histories) {
@@ -74,7 +74,7 @@ void write_geometry(hid_t parent, const Geometry& geometry) {
   const Handle place = group(parent, "geometry");
   std::vector<double> nodes;
   for (const Eigen::Vector3d& p : geometry.positions) nodes.insert(nodes.end(), p.begin(), p.end());
-  array(place, {"nodes", "m", "positions of the nodes at rest: x, y, z"}, nodes, {geometry.positions.size(), 3});
+  array(place, {"nodes", "m", "undeformed positions of the nodes: x, y, z"}, nodes, {geometry.positions.size(), 3});
   std::vector<int> members;
   for (const auto& ends : geometry.members) members.insert(members.end(), ends.begin(), ends.end());
   integers(place, {"members", "1", "nodes of the members, counted from 0"}, members, {geometry.members.size(), 2});
@@ -109,7 +109,7 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
                                         : array(place, label, values, {samples, storeys, directions});
     attribute(made, "floors", storeys == 0 ? Names{} : history.floors);
   };
-  storey({"drift", "m", "storey drift, floor minus the floor below"}, history.drift);
+  storey({"drift", "m", "storey drift: displacement relative to the floor below"}, history.drift);
   storey({"storey_shear", "N", "shear force of the storey below the floor"}, history.storey_shear);
   if (!history.storey_shear.empty()) {
     std::vector<double> lowest;
@@ -162,17 +162,17 @@ void write_link(hid_t parent, const LinkHistory& history) {
     check_length(values.size(), history.time.size(), history.name + ": " + label.name);
     array(place, label, values, {values.size()});
   };
-  column({"time", "s", "time, dense inside contacts"}, history.time);
+  column({"time", "s", "time, densely sampled during contact"}, history.time);
   column({"penetration", "m", "penetration, positive when overlapping, negative when open"}, history.penetration);
   column({"velocity", "m/s", "rate of the penetration, positive when closing"}, history.velocity);
-  column({"force", "N", "contact force, positive when it pushes apart"}, history.force);
-  column({"energy", "J", "work done on the link, stored and lost"}, history.energy);
+  column({"force", "N", "contact force, positive in compression"}, history.force);
+  column({"energy", "J", "work done on the link, stored or dissipated"}, history.energy);
   if (history.tangents == 0) return;
   const std::size_t tangents = history.tangents;
   check_length(history.friction.size(), history.time.size() * tangents, history.name + ": friction");
   array(place,
         {"friction", "N",
-         "friction force on the left body against its sliding: along the edge, up; up only in the plane"},
+         "friction force on the left body, opposite to its sliding: along the edge, then up; in the plane up only"},
         history.friction, {history.time.size(), tangents});
 }
 
@@ -184,7 +184,7 @@ struct ImpactField {
 constexpr ImpactField impact_fields[] = {
     {{"t_start", "s", "touch"}, &ImpactRow::t_start},
     {{"t_end", "s", "separation"}, &ImpactRow::t_end},
-    {{"t_release", "s", "the force fell to zero for good"}, &ImpactRow::t_release},
+    {{"t_release", "s", "the force fell to zero for the last time"}, &ImpactRow::t_release},
     {{"v_approach", "m/s", "closing speed at touch"}, &ImpactRow::v_approach},
     {{"v_separation", "m/s", "opening speed at separation"}, &ImpactRow::v_separation},
     {{"restitution", "1", "v_separation / v_approach, NaN for a touch at rest"}, &ImpactRow::restitution},
@@ -192,19 +192,19 @@ constexpr ImpactField impact_fields[] = {
     {{"t_peak", "s", "time of the largest contact force"}, &ImpactRow::t_peak},
     {{"peak_penetration", "m", "largest penetration"}, &ImpactRow::peak_penetration},
     {{"impulse", "N s", "integral of the contact force"}, &ImpactRow::impulse},
-    {{"energy_lost", "J", "work that the link took and dissipated"}, &ImpactRow::energy_lost},
-    {{"energy_stored", "J", "work that a contact which still presses can give back; else zero"},
+    {{"energy_lost", "J", "energy dissipated by the link"}, &ImpactRow::energy_lost},
+    {{"energy_stored", "J", "recoverable energy of a contact that is still closed; otherwise zero"},
      &ImpactRow::energy_stored},
 };
 
-/// One table, one row an impact: the link's name as text of a fixed length, then the numbers.
+/// One table with one row per impact: the name of the link as fixed-length text, then the numbers.
 void write_impacts(hid_t file, const Results& results) {
   std::size_t name_size = 1;
   for (const LinkHistory& link : results.links) name_size = std::max(name_size, link.name.size());
   const std::size_t fields = std::size(impact_fields);
   const std::size_t row_size = name_size + fields * sizeof(double);
 
-  const Handle row(H5Tcreate(H5T_COMPOUND, row_size), H5Tclose, "make the type of an impact");
+  const Handle row(H5Tcreate(H5T_COMPOUND, row_size), H5Tclose, "create the type of an impact");
   checked(H5Tinsert(row, "link", 0, hdf5::text_type(name_size)), "add link to the type of an impact");
   std::vector<std::string> units{"text"}, long_names{"name of the link"};
   for (std::size_t i = 0; i < fields; ++i) {
@@ -219,7 +219,7 @@ void write_impacts(hid_t file, const Results& results) {
   std::byte* place = table.data();
   for (const ImpactRow& impact : results.impacts) {
     if (impact.link < 0 || static_cast<std::size_t>(impact.link) >= results.links.size())
-      throw std::invalid_argument("an impact names link " + std::to_string(impact.link) + "; there are " +
+      throw std::invalid_argument("an impact refers to link " + std::to_string(impact.link) + "; there are " +
                                   std::to_string(results.links.size()) + " links, counted from 0");
     const std::string& name = results.links[static_cast<std::size_t>(impact.link)].name;
     std::memcpy(place, name.data(), name.size());
@@ -228,8 +228,8 @@ void write_impacts(hid_t file, const Results& results) {
     place += row_size;
   }
 
-  hdf5::table(file, "impacts", "impacts in the order of their touches", row, results.impacts.size(), table.data(),
-              units, long_names);
+  hdf5::table(file, "impacts", "impacts in order of touch", row, results.impacts.size(), table.data(), units,
+              long_names);
 }
 
 void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
@@ -240,16 +240,16 @@ void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
   };
   column({"time", "s", "time"}, energy.time);
   column({"input", "J",
-          "relative input energy: work of -M r ag and of forces on the motion relative to the ground, and the energy "
-          "at the start"},
+          "relative input energy: work of -M r ag and of applied forces on the motion relative to the ground, plus the "
+          "initial energy"},
          energy.input);
   column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
   column({"strain", "J", "elastic energy"}, energy.strain);
   column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
   column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
-  column({"impact", "J", "work done on the links: lost, and stored while they press"}, energy.impact);
+  column({"impact", "J", "work done on the links: dissipated, and stored during contact"}, energy.impact);
   if (has_devices) column({"devices", "J", "energy dissipated by dampers"}, energy.devices);
-  column({"error", "J", "input minus all other parts"}, energy.error);
+  column({"error", "J", "input minus all other terms"}, energy.error);
 }
 
 void write_solver(hid_t file, const Results& results) {
@@ -257,8 +257,8 @@ void write_solver(hid_t file, const Results& results) {
   const Handle place = group(file, "solver");
   attribute(place, "integrator", results.integrator);
   attribute(place, "options", fmt::format("{}", fmt::join(results.options, " ")));
-  scalar(place, {"steps", "1", "steps kept"}, solver.steps);
-  scalar(place, {"rejected", "1", "steps thrown away by the error control"}, solver.rejected);
+  scalar(place, {"steps", "1", "accepted steps"}, solver.steps);
+  scalar(place, {"rejected", "1", "steps rejected by the error control"}, solver.rejected);
   scalar(place, {"events", "1", "located touches, reversals, releases and separations"}, solver.events);
   scalar(place, {"iterations", "1", "iterations of the link equations"}, solver.iterations);
   scalar(place, {"wall_seconds", "s", "wall time"}, solver.wall_seconds);
@@ -267,7 +267,7 @@ void write_solver(hid_t file, const Results& results) {
   scalar(place, {"wall_output", "s", "wall time of recording and writing"}, solver.wall_output);
 }
 
-// Names of structures are those of groups elsewhere in the file.
+// Structures have the names of their groups elsewhere in the file.
 void write_reduction(hid_t file, const Results& results) {
   const Handle solver(H5Gopen2(file, "solver", H5P_DEFAULT), H5Gclose, "open group solver");
   const Handle reduction = group(solver, "reduction");
@@ -275,28 +275,29 @@ void write_reduction(hid_t file, const Results& results) {
   for (const ReducedStructure& s : results.reduced) {
     const Handle place = group(reduction, s.name);
     scalar(place, {"coordinates", "1", "coordinates of the structure"}, static_cast<long>(s.coordinates));
-    hdf5::integers(place, {"blocks", "1", "blocks of the chain of the links and of that of the ground"},
+    hdf5::integers(place, {"blocks", "1", "number of blocks in the chains of the links and of the ground"},
                    {s.link_blocks, s.ground_blocks}, {2});
-    hdf5::integers(place,
-                   {"inputs", "1",
-                    "vectors that drive the chain of the links, those of friction and of devices among them, parts "
-                    "that yield, and vectors of the ground"},
-                   {s.links, s.frictions, s.devices, s.parts, s.grounds}, {5});
-    scalar(place, {"frequency", "Hz", "of the block at the contact; 0 for none"}, s.frequency);
+    hdf5::integers(
+        place,
+        {"inputs", "1",
+         "number of input vectors of the links, of these friction and devices, of yielding parts, and of the ground"},
+        {s.links, s.frictions, s.devices, s.parts, s.grounds}, {5});
+    scalar(place, {"frequency", "Hz", "frequency of the contact block; 0 for none"}, s.frequency);
     scalar(place,
-           {"error_force", "1", "three times the estimated error of peak forces of links over the largest force"},
+           {"error_force", "1", "three times the estimated error of peak link forces, divided by the largest force"},
            s.error_force);
-    scalar(place, {"error_displacement", "1", "the same of displacements of floors"}, s.error_displacement);
-    scalar(place, {"error_acceleration", "1", "the same of accelerations of floors"}, s.error_acceleration);
-    scalar(place, {"error_members", "1", "the same of forces and moments of members"}, s.error_members);
+    scalar(place, {"error_displacement", "1", "as error_force, for floor displacements"}, s.error_displacement);
+    scalar(place, {"error_acceleration", "1", "as error_force, for floor accelerations"}, s.error_acceleration);
+    scalar(place, {"error_members", "1", "as error_force, for member forces and moments"}, s.error_members);
     if (s.checked_windows == 0) continue;
-    scalar(place, {"checked_windows", "1", "hardest impacts through which all unknowns were stepped"},
+    scalar(place, {"checked_windows", "1", "number of hardest impacts recomputed with all unknowns"},
            static_cast<long>(s.checked_windows));
     scalar(place,
            {"check_force", "1",
-            "difference of peak forces of links in them over the largest force; NaN where none hits the structure"},
+            "difference of peak link forces in these impacts, divided by the largest force; NaN if no link of the "
+            "structure is hit"},
            s.check_force);
-    scalar(place, {"check_displacement", "1", "the same of displacements of floors"}, s.check_displacement);
+    scalar(place, {"check_displacement", "1", "as check_force, for floor displacements"}, s.check_displacement);
   }
 }
 
@@ -304,16 +305,16 @@ void write_checkpoint(hid_t file, const Results& results) {
   const Checkpoint& checkpoint = *results.checkpoint;
   const Handle place = group(file, "checkpoint");
   attribute(place, "ground", checkpoint.ground);
-  text(place, "model_file", "input file, absolute", checkpoint.model_file);
-  text(place, "options", "PETSc options that the result depends on",
+  text(place, "model_file", "absolute path of the input file", checkpoint.model_file);
+  text(place, "options", "PETSc options that affect the results",
        fmt::format("{}", fmt::join(checkpoint.options, "\n")));
-  hdf5::bytes(place, "state", "state of the program that wrote it", checkpoint.state);
+  hdf5::bytes(place, "state", "internal state of the program", checkpoint.state);
 }
 
-// The run without links has the input of the run that it stands in.
+// The run without links shares the input of the enclosing file.
 const std::set<std::string> without_pounding_leaves_out{"input"};
 
-// Names every history once, for reading, writing and comparing.
+// Visits every history once, for reading, writing and comparing.
 template <class AnyResults, class Visit>
 void visit_all(AnyResults& results, Visit&& visit) {
   visit("time", results.time);
@@ -387,8 +388,11 @@ void write_all(hid_t file, const Results& results) {
     array(ground, {name, "m/s^2", long_name}, values, {values.size()});
   };
   along("acceleration", "acceleration of the ground at the output times", results.ground_acceleration);
-  if (results.shakes_y) along("acceleration_y", "the same along y", results.ground_acceleration_y);
-  if (results.shakes_z) along("acceleration_z", "the same along z, positive up", results.ground_acceleration_z);
+  if (results.shakes_y)
+    along("acceleration_y", "ground acceleration along y at the output times", results.ground_acceleration_y);
+  if (results.shakes_z)
+    along("acceleration_z", "ground acceleration along z at the output times, positive up",
+          results.ground_acceleration_z);
 
   const Handle structures = group(file, "structures");
   for (const StructureHistory& history : results.structures) write_structure(structures, history, results.time.size());

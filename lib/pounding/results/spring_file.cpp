@@ -19,22 +19,22 @@ struct SummaryField {
 };
 
 constexpr SummaryField summary_fields[] = {
-    {{"peak_deformation", "m", "deformation of the largest size, signed; of hinges [rad]"}, &SpringSummary::peak},
+    {{"peak_deformation", "m", "deformation of largest magnitude, signed; for hinges [rad]"}, &SpringSummary::peak},
     {{"peak_time", "s", "time of peak_deformation"}, &SpringSummary::peak_time},
-    {{"peak_force", "N", "largest absolute force; of hinges [N m]"}, &SpringSummary::peak_force},
+    {{"peak_force", "N", "largest absolute force; for hinges [N m]"}, &SpringSummary::peak_force},
     {{"ductility", "1",
-      "largest size of the deformation over the yield deformation of its direction; of hinges, rotation of the member "
-      "end over its yield rotation"},
+      "largest ratio of deformation to the yield deformation in its direction; for hinges, of the rotation of the "
+      "member end to its yield rotation"},
      &SpringSummary::ductility},
-    {{"peak_plastic", "m", "largest size of the plastic part of the deformation; of hinges [rad]"},
-     &SpringSummary::plastic},
-    {{"cycles", "1", "half the number of swings by more than both yield deformations"}, &SpringSummary::cycles},
-    {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"},
+    {{"peak_plastic", "m", "largest absolute plastic deformation; for hinges [rad]"}, &SpringSummary::plastic},
+    {{"cycles", "1", "half the number of swings that exceed the sum of both yield deformations"},
+     &SpringSummary::cycles},
+    {{"residual", "m", "deformation at the end of the run, possibly still moving; for hinges [rad]"},
      &SpringSummary::residual},
-    {{"hysteretic", "J", "energy lost by yielding"}, &SpringSummary::energy_lost},
-    {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN where it never was"},
+    {{"hysteretic", "J", "energy dissipated by yielding"}, &SpringSummary::energy_lost},
+    {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN if never"},
      &SpringSummary::first_yield},
-    {{"damping_shear", "1", "largest force of the damping across the storey over its yield force; NaN for hinges"},
+    {{"damping_shear", "1", "largest damping force across the storey divided by its yield force; NaN for hinges"},
      &SpringSummary::damping_shear},
 };
 
@@ -48,7 +48,7 @@ void write_summary(hid_t place, const SpringHistory& springs) {
   }
   std::vector<std::string> states;
   for (const SpringSummary& row : rows) states.emplace_back(row.state());
-  hdf5::texts(summary, "state", "elastic, yielded once at least, or beyond ultimate", states);
+  hdf5::texts(summary, "state", "elastic, yielded at least once, or beyond ultimate", states);
 }
 
 }  // namespace
@@ -56,30 +56,31 @@ void write_summary(hid_t place, const SpringHistory& springs) {
 void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples) {
   if (springs.size() == 0) return;
   const Handle place = group(structure, "springs");
-  hdf5::texts(place, "names", "names of the parts that yield", springs.names);
+  hdf5::texts(place, "names", "names of the yielding parts", springs.names);
   hdf5::texts(place, "laws", "laws of their forces", springs.laws);
-  array(place, {"stiffness", "N/m", "initial stiffness; of hinges [N m/rad]"}, springs.stiffness, {springs.size()});
+  array(place, {"stiffness", "N/m", "initial stiffness; for hinges [N m/rad]"}, springs.stiffness, {springs.size()});
   std::vector<double> positive, negative;
   for (const YieldLimits& limits : springs.limits) {
     positive.push_back(limits.positive);
     negative.push_back(limits.negative);
   }
-  array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, positive,
+  array(place, {"yield_deformation", "m", "deformation at the first yield; for hinges [rad]"}, positive,
         {springs.size()});
-  array(place, {"negative_yield_deformation", "m", "its size in the negative direction; of hinges [rad]"}, negative,
+  array(place, {"negative_yield_deformation", "m", "magnitude in the negative direction; for hinges [rad]"}, negative,
         {springs.size()});
-  array(place, {"ultimate_rotation", "rad", "plastic rotation that a hinge can bear; NaN where none was given"},
-        springs.ultimate, {springs.size()});
+  array(place, {"ultimate_rotation", "rad", "ultimate plastic rotation of a hinge; NaN if not given"}, springs.ultimate,
+        {springs.size()});
   const auto history = [&](const Label& label, const std::vector<double>& values) {
     if (values.size() != samples * springs.size())
-      throw std::invalid_argument(name + ": springs, " + label.name + " holds " + std::to_string(values.size()) +
+      throw std::invalid_argument(name + ": springs, " + label.name + " has " + std::to_string(values.size()) +
                                   " values; " + std::to_string(samples * springs.size()) + " are expected");
     array(place, label, values, {samples, springs.size()});
   };
   history({"deformation", "m", "drift of a storey, elongation of a device; rotation of a hinge [rad]"},
           springs.deformation);
   history({"force", "N", "shear of a storey, tension of a device; moment of a hinge [N m]"}, springs.force);
-  history({"hysteretic", "J", "energy lost by yielding so far; of a device by its damper, too"}, springs.hysteretic);
+  history({"hysteretic", "J", "cumulative energy dissipated by yielding, and by the damper of a device"},
+          springs.hysteretic);
   write_summary(place, springs);
 }
 

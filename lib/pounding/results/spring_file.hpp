@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of structures that yield in the results file.
+/// Yielding parts of structures in the results file.
 
 #include <hdf5.h>
 
@@ -10,9 +10,9 @@
 
 namespace pounding {
 
-/// Writes the group `springs` of a structure: histories at the output times, and the run in a few numbers a part under
-/// `summary`. Nothing for a structure that stays elastic. Throws std::invalid_argument where a history has not
-/// `samples` values a part.
+/// Writes the group `springs` of a structure: histories at the output times, and a few numbers per part under
+/// `summary`. Returns immediately for an elastic structure. Throws std::invalid_argument if a history does not have
+/// `samples` values per part.
 void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples);
 
 }  // namespace pounding

@@ -5,7 +5,7 @@
 
 namespace pounding {
 
-// With the sign of its way the deformation grows in a swing up and in one down alike.
+// Multiplied by the sign of the swing, the deformation increases in swings of both directions.
 void CycleCounts::follow(std::size_t part, double deformation, const YieldLimits& limits) {
   double& count = swings[part];
   if (count == 0) {

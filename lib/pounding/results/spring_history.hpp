@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of a structure that yield, storeys and hinges, over a run: their histories, and each part in a few numbers.
+/// Yielding parts of a structure (storeys and hinges): their histories, and a few summary numbers per part.
 
 #include <limits>
 #include <string>
@@ -11,66 +11,68 @@
 
 namespace pounding {
 
-/// Counts swings of deformations: each goes on by more than the sum of both yield deformations beyond the last turn,
-/// the first one by more than one of them from zero. A bilinear part yields in each of them once.
+/// Counts swings of deformation. A new swing starts when the deformation reverses by more than the sum of both yield
+/// deformations; the first one when it exceeds one of them. A bilinear part yields once in each swing.
 struct CycleCounts {
-  std::vector<double> turn;    ///< deformation farthest on the way of the present swing, one a part
-  std::vector<double> swings;  ///< so far; the present one goes up where this is positive, down where it is negative
+  std::vector<double> turn;  ///< largest excursion of the current swing, one per part
+  std::vector<double>
+      swings;  ///< number including the current one, which is upwards if positive, downwards if negative
 
-  /// A part goes straight to a deformation, and yields at these for the first time.
+  /// Moves a part monotonically to a deformation; `limits` are its deformations at first yield.
   void follow(std::size_t part, double deformation, const YieldLimits& limits);
   /// Half the number of swings of a part.
   double cycles(std::size_t part) const;
   void archive(Archive& archive);
 };
 
-/// Deformations are drifts of storeys [m] or rotations of hinges [rad]; forces are shears [N] or moments [N m], k times
-/// the deformation while the part is elastic. Lists are row-major [time, part] at the output times, or have one entry a
-/// part.
+/// Deformations are storey drifts [m] or hinge rotations [rad]. Forces are shears [N] or moments [N m], equal to k
+/// times the deformation while the part is elastic. Lists are row-major [time, part] at the output times, or have one
+/// entry per part.
 struct SpringHistory {
   std::vector<std::string> names, laws;    ///< "storey 1", "bilinear"
-  std::vector<double> ultimate;            ///< plastic rotation that a hinge can bear [rad]; NaN where none was given
-  std::vector<bool> hinges;                ///< whether it is a hinge at the end of a member
+  std::vector<double> ultimate;            ///< ultimate plastic rotation of a hinge [rad]; NaN if not given
+  std::vector<bool> hinges;                ///< true for a hinge at the end of a member
   std::vector<double> stiffness;           ///< initial k
   std::vector<YieldLimits> limits;         ///< deformations at the first yield
   std::vector<double> deformation, force;  ///< over time
-  std::vector<double> hysteretic;          ///< energy lost so far [J], over time
+  std::vector<double> hysteretic;          ///< cumulative dissipated energy [J], over time
 
-  // These count the whole run so far.
-  Extremes deformations, forces;    ///< over all steps, inside the steps too
-  std::vector<double> last;         ///< deformation now
-  std::vector<double> lost;         ///< energy lost by yielding [J]
-  std::vector<double> first_yield;  ///< when the yield deformation was first exceeded [s]; NaN where it never was
-  /// Largest force of the structure's damping across a storey, over its yield force; NaN for parts that are no storeys.
+  // The following cover the whole run up to now.
+  Extremes deformations, forces;    ///< over all steps, including interior extrema
+  std::vector<double> last;         ///< current deformation
+  std::vector<double> lost;         ///< energy dissipated by yielding [J]
+  std::vector<double> first_yield;  ///< time at which the yield deformation was first exceeded [s]; NaN if never
+  /// Largest damping force across a storey divided by its yield force; NaN for parts that are not storeys.
   std::vector<double> damping_shear;
-  std::vector<double> plastic;  ///< largest size of the plastic part of the deformation, d - f/k
+  std::vector<double> plastic;  ///< largest absolute plastic deformation, d - f/k
   CycleCounts cycles;
 
   /// Number of parts.
   std::size_t size() const { return names.size(); }
-  /// For a checkpoint: all that moves and is not over time.
+  /// For a checkpoint: everything that changes, except histories over time.
   void archive(Archive& archive);
 };
 
-/// One part over the run so far.
+/// Summary of one part over the run up to now.
 struct SpringSummary {
   std::string name, law;
-  bool is_hinge = false;           ///< at the end of a member
-  double peak = 0, peak_time = 0;  ///< deformation of the largest size, signed [m] or [rad], and when [s]
+  bool is_hinge = false;           ///< hinge at the end of a member
+  double peak = 0, peak_time = 0;  ///< deformation of largest magnitude, signed [m] or [rad], and its time [s]
   double peak_force = 0;           ///< largest absolute force [N] or [N m]
-  double ductility = 0;  ///< largest size over the yield deformation of its direction, see YieldLimits::ductility()
-  double plastic = 0;    ///< largest size of the plastic part of the deformation [m] or [rad]
-  double ultimate =
-      std::numeric_limits<double>::quiet_NaN();  ///< what a hinge can bear of it [rad]; NaN where none was given
-  double cycles = 0;                             ///< half the number of swings, see CycleCounts
-  double residual = 0;                           ///< deformation at the end, which may still move [m] or [rad]
-  double energy_lost = 0;                        ///< [J]
-  double first_yield = std::numeric_limits<double>::quiet_NaN();    ///< [s]; NaN where it stayed elastic
+  /// largest ratio of deformation to the yield deformation in its direction, see YieldLimits::ductility()
+  double ductility = 0;
+  double plastic = 0;  ///< largest absolute plastic deformation [m] or [rad]
+  /// ultimate plastic rotation of a hinge [rad]; NaN if not given
+  double ultimate = std::numeric_limits<double>::quiet_NaN();
+  double cycles = 0;       ///< half the number of swings, see CycleCounts
+  double residual = 0;     ///< deformation at the end, possibly still moving [m] or [rad]
+  double energy_lost = 0;  ///< [J]
+  double first_yield = std::numeric_limits<double>::quiet_NaN();    ///< [s]; NaN if it stayed elastic
   double damping_shear = std::numeric_limits<double>::quiet_NaN();  ///< see SpringHistory
 
-  /// Whether its yield deformation was ever exceeded.
+  /// True if its yield deformation was ever exceeded.
   bool yielded() const { return first_yield == first_yield; }
-  /// Whether a hinge has turned further than it can bear.
+  /// True if a hinge exceeds its ultimate plastic rotation.
   bool is_beyond_ultimate() const { return plastic > ultimate; }
   /// "elastic", "yielded" or "beyond ultimate".
   const char* state() const { return is_beyond_ultimate() ? "beyond ultimate" : yielded() ? "yielded" : "elastic"; }
@@ -78,9 +80,9 @@ struct SpringSummary {
   void archive(Archive& archive);
 };
 
-/// One entry a part, in their order.
+/// One entry per part, in their order.
 std::vector<SpringSummary> summaries(const SpringHistory& springs);
-/// The part with the largest ductility; nullptr for none.
+/// Part with the largest ductility; nullptr if the list is empty.
 const SpringSummary* most_ductile(const std::vector<SpringSummary>& springs);
 
 }  // namespace pounding

@@ -12,20 +12,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// An energy imbalance above this many times the tolerance means that something was not resolved.
+// An energy imbalance above this multiple of the tolerance indicates an unresolved motion.
 constexpr double suspicious_imbalance = 100;
 
-// An object with room for so many members: one that grows copies all that it holds.
+// An object with reserved capacity: growth would copy all members.
 Json object_of(std::size_t members) {
   Json made = Json::object();
   made.get_ref<Json::object_t&>().reserve(members);
   return made;
 }
 
-// JSON has no NaN; a missing value is null.
+// JSON has no NaN; missing values are null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-// One number a place, or a list a place where there are several directions or components.
+// One number per place, or one list per place if there are several directions or components.
 Json places_json(const std::vector<double>& values, std::size_t along) {
   Json all = Json::array();
   for (std::size_t i = 0; i < values.size(); i += along) {
@@ -49,7 +49,7 @@ Json extremes_json(const Extremes& e, std::size_t along) {
   return all;
 }
 
-// The lowest storey of a list of storeys.
+// The lowest storey in a list of storeys.
 Extremes lowest(const Extremes& storeys, std::size_t along) {
   Extremes base(along);
   for (std::size_t i = 0; i < along; ++i) {
@@ -96,7 +96,7 @@ Json envelope_json(const StructureSummary& s) {
   return all;
 }
 
-// The parts that yield, and the one that yields most.
+// The yielding parts, and the one with the largest ductility.
 Json yielding_json(const std::vector<SpringSummary>& springs) {
   Json parts = Json::array();
   for (const SpringSummary& s : springs)
@@ -146,7 +146,7 @@ Json structures_json(const std::vector<StructureSummary>& structures) {
   return all;
 }
 
-// The hinges of all frames together; nothing where there are none.
+// The hinges of all frames; null if there are none.
 Json hinges_json(const std::vector<StructureSummary>& structures) {
   long count = 0, yielded = 0, beyond = 0;
   const SpringSummary* maximum = nullptr;
@@ -172,7 +172,7 @@ Json hinges_json(const std::vector<StructureSummary>& structures) {
             {"rotation", maximum->plastic}}}};
 }
 
-// Energy that each part has lost [J]; nothing where no structure yields.
+// Energy dissipated by each part [J]; empty if no structure yields.
 Json hysteretic_json(const std::vector<StructureSummary>& structures) {
   Json all = object_of(structures.size());
   for (const StructureSummary& s : structures) {
@@ -243,7 +243,7 @@ Json reduction_json(const std::vector<ReducedStructure>& structures) {
   return all;
 }
 
-// No gap is enough for structures that collapse without links.
+// If structures collapse without links, no gap is sufficient.
 Json separations_json(const std::vector<LinkSeparation>& separations, bool complete) {
   const auto of_run = [&](double value) { return complete ? number(value) : Json(nullptr); };
   Json all = Json::array();
@@ -264,7 +264,7 @@ LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impac
   LinkSummary s;
   s.name = name;
   if (!impacts.empty())
-    s.peak_force = std::numeric_limits<double>::quiet_NaN();  // fmax() replaces it by the first finite force
+    s.peak_force = std::numeric_limits<double>::quiet_NaN();  // fmax() replaces it with the first finite force
   for (const ImpactRow& row : impacts) {
     ++s.impacts;
     s.peak_force = std::fmax(s.peak_force, row.peak_force);
@@ -309,7 +309,7 @@ std::string to_json(const Summary& summary) {
   if (Json by = hysteretic_json(summary.structures); !by.empty()) all["hysteretic_by"] = std::move(by);
   if (!summary.without_pounding.empty()) {
     Json amplification = Json::object();
-    // A run that ended early has no peaks to compare.
+    // Peaks of a run that ended early are not comparable.
     const bool both_complete = summary.status == "done" && summary.without_links_status == "done";
     for (std::size_t k = 0; k < summary.structures.size(); ++k) {
       Json ratios = Json::array();
@@ -326,15 +326,15 @@ std::string to_json(const Summary& summary) {
     part["separations"] = separations_json(summary.separations, summary.without_links_status == "done");
   }
   all["warnings"] = summary.warnings;
-  // Names in a model may be no UTF-8, which JSON demands.
+  // Names in a model may not be valid UTF-8, which JSON requires.
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string warning(const Summary& summary, double tolerance) {
   if (!(summary.energy.error > suspicious_imbalance * tolerance)) return {};
   return fmt::format(
-      "the energies do not close, the largest imbalance is {:.1e} of the input; run again with a tenth "
-      "of the tolerance or, where the number of steps stays the same, with a shorter analysis.max_step",
+      "energies do not balance: the largest imbalance is {:.1e} of the input; reduce the tolerance by a factor of ten "
+      "or, if the number of steps does not change, reduce analysis.max_step",
       summary.energy.error);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A run in a few numbers, and the tables that show them.
+/// Summary numbers of a run, and the tables that show them.
 
 #include <span>
 #include <string>
@@ -12,16 +12,16 @@
 
 namespace pounding {
 
-/// All impacts of one link: peaks over the impacts, sums of impulse and loss; and what it holds at the end of the run.
+/// All impacts of one link: peaks over the impacts, sums of impulse and loss, and the state at the end of the run.
 struct LinkSummary {
   std::string name;
   int impacts = 0;
-  double peak_force = 0;        ///< [N]; NaN where every impact is rigid and so has no finite force
+  double peak_force = 0;        ///< [N]; NaN if every impact is rigid and has no finite force
   double peak_penetration = 0;  ///< [m]
   double impulse = 0;           ///< [N s]
-  double energy_lost = 0;       ///< dissipated, friction included [J]
-  double energy_stored = 0;     ///< can still be given back [J]
-  bool presses = false;         ///< the bodies press on each other at the end
+  double energy_lost = 0;       ///< dissipated, including friction [J]
+  double energy_stored = 0;     ///< recoverable [J]
+  bool presses = false;         ///< true if the link is in contact at the end
 };
 
 /// Summary of the impacts of one link, without friction.
@@ -31,27 +31,27 @@ LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impac
 struct DeviceSummary {
   std::string name;
   Extremes extremes{2};    ///< elongation [m], force [N]
-  double energy_lost = 0;  ///< by the damper [J]
+  double energy_lost = 0;  ///< dissipated by the damper [J]
 };
 
-/// Peaks of one structure: largest absolute values, one a floor from the lowest up. Displacement relative to the
-/// ground, drift relative to the floor below, acceleration absolute; in space lengths of horizontal vectors. A
-/// structure without storeys has no drift. The envelope has the signed extremes of these and of the forces, with their
-/// times.
+/// Peaks of one structure: largest absolute values, one per floor from the lowest up. Displacement is relative to the
+/// ground, drift relative to the floor below, acceleration absolute; in space, lengths of horizontal vectors. A
+/// structure without storeys has no drift. The envelope contains the signed extremes of these and of the forces, with
+/// their times.
 struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
-  std::vector<std::string> directions;  ///< of the floors' motion: x; in space x, y, rz
+  std::vector<std::string> directions;                                   ///< of the floor motion: x; in space x, y, rz
   /// Largest rotation about z [rad], and largest displacement of a corner of the plan, the length of a horizontal
   /// vector [m]: one per floor, NaN for a floor that is not rigid; empty for a structure without rigid floors in space.
   std::vector<double> peak_rotation{}, peak_edge_displacement{};
   StructureEnvelope envelope{};
-  std::vector<SpringSummary> springs{};  ///< of the parts that yield; empty for none, and so are the three below
-  /// At the end of the run, where it may still move, one a floor: signed along x, in space lengths of horizontal
-  /// vectors [m]. A structure without storeys has no drift.
+  std::vector<SpringSummary> springs{};  ///< yielding parts; empty if there are none, as are the next three
+  /// State at the end of the run, possibly still moving, one entry per floor: signed along x, in space lengths of
+  /// horizontal vectors [m]. A structure without storeys has no drift.
   std::vector<double> residual_displacement{}, residual_drift{};
-  std::vector<double> residual_drift_ratio{};  ///< size of the drift over the height of the storey [-]; empty where
-                                               ///< heights are not known
+  /// absolute drift divided by the storey height [-]; empty if heights are unknown
+  std::vector<double> residual_drift_ratio{};
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -70,16 +70,17 @@ struct StructureSummary {
   }
 };
 
-/// The gap that keeps two ends of a link apart: from the run without links, and by rules that combine the largest
-/// absolute displacements of the two ends in it [m].
+/// Gap that keeps the two ends of a link apart: from the run without links, and by rules that combine the largest
+/// absolute displacements of the two ends in that run [m].
 struct LinkSeparation {
   std::string link;
-  double gap = 0;           ///< that the link has
+  double gap = 0;           ///< actual gap of the link
   double enough = 0;        ///< largest approach of the two ends over time, at least 0
-  double time = 0;          ///< of that approach [s]
+  double time = 0;          ///< time of that approach [s]
   double absolute_sum = 0;  ///< uA + uB
   double srss = 0;          ///< sqrt(uA^2 + uB^2)
-  double ddc = 0;  ///< sqrt(uA^2 + uB^2 - 2 rho uA uB), see double_difference(); NaN where a structure has no period
+  /// sqrt(uA^2 + uB^2 - 2 rho uA uB), see double_difference(); NaN if a structure has no period
+  double ddc = 0;
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -88,35 +89,35 @@ struct LinkSeparation {
   }
 };
 
-/// Energies at the end of the run [J]; `error` is the largest imbalance of the run over its largest input [-].
+/// Energies at the end of the run [J]; `error` is the largest imbalance over the run divided by its largest input [-].
 struct EnergySummary {
   double input = 0, kinetic = 0, strain = 0, damping = 0, hysteretic = 0, impact = 0, devices = 0, error = 0;
 };
 
-/// A run in a few numbers.
+/// Summary numbers of a run.
 struct Summary {
   std::string status;  ///< running | done | done: collapse ... | failed: reason
   std::vector<LinkSummary> links;
   std::vector<DeviceSummary> devices;
   std::vector<StructureSummary> structures;
   EnergySummary energy;
-  std::string integrator;  ///< scheme of the time stepping by its name in the input
+  std::string integrator;  ///< time integration scheme by its name in the input
   SolverStatistics solver;
-  std::vector<std::string> options;       ///< PETSc options in force: "-pounding_ts_rtol 1e-6"
-  std::vector<ReducedStructure> reduced;  ///< structures in fewer coordinates, with estimated errors
-  /// Warnings of the implausible in the model and in the run, and of energies that do not balance; one line each.
+  std::vector<std::string> options;       ///< PETSc options in effect: "-pounding_ts_rtol 1e-6"
+  std::vector<ReducedStructure> reduced;  ///< reduced structures, with estimated errors
+  /// Warnings of implausible values in the model and the run, and of energies that do not balance; one line each.
   std::vector<std::string> warnings;
-  /// Structures in the run without links that `compare: no_pounding` asks for; else empty.
+  /// Structures in the run without links that `compare: no_pounding` requests; otherwise empty.
   std::vector<StructureSummary> without_pounding;
-  std::string without_links_status;         ///< its status, as above
-  std::vector<LinkSeparation> separations;  ///< of that run, one a link
-  std::vector<ImpactRow> impacts;           ///< in the order of their touches; `link` counts in `links`
+  std::string without_links_status;         ///< status of that run, as above
+  std::vector<LinkSeparation> separations;  ///< from that run, one per link
+  std::vector<ImpactRow> impacts;           ///< in order of touch; `link` is an index into `links`
 };
 
 /// The object that `pounding run --json` prints, on one line.
 std::string to_json(const Summary& summary);
 
-/// A warning that the energies of a run with this tolerance do not balance; empty when they do.
+/// A warning that the energies of a run with this tolerance do not balance; empty if they do.
 std::string warning(const Summary& summary, double tolerance);
 
 /// The tables that `pounding run` prints, in engineering units.

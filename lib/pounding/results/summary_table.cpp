@@ -42,7 +42,7 @@ std::string structures_table(const std::vector<StructureSummary>& structures,
   return text;
 }
 
-// Rotation of rigid floors in space, and the largest displacement of a corner of their plan; empty if no floor turns.
+// Rotation of rigid floors in space, and the largest displacement of a corner of their plan; empty without such floors.
 std::string torsion_table(const std::vector<StructureSummary>& structures,
                           const std::vector<StructureSummary>& without) {
   std::size_t width = 9;
@@ -87,7 +87,7 @@ std::string links_table(const std::vector<LinkSummary>& links) {
   }
   for (const LinkSummary& s : links)
     if (s.presses)
-      text += fmt::format("{} still presses at the end of the run, with {:.5f} kJ stored\n", s.name,
+      text += fmt::format("{} is still in contact at the end of the run, with {:.5f} kJ stored\n", s.name,
                           shown(s.energy_stored / 1e3, 5));
   return text;
 }
@@ -95,8 +95,8 @@ std::string links_table(const std::vector<LinkSummary>& links) {
 std::string devices_table(const std::vector<DeviceSummary>& devices) {
   std::size_t width = 6;
   for (const DeviceSummary& s : devices) width = std::max(width, s.name.size());
-  std::string text = fmt::format("{:<{}}  {:<15}  {:>12}  {:>8}  {:>12}  {:>8}  {:>16}\n", "device", width, "", "least",
-                                 "at (s)", "largest", "at (s)", "energy lost (kJ)");
+  std::string text = fmt::format("{:<{}}  {:<15}  {:>12}  {:>8}  {:>12}  {:>8}  {:>16}\n", "device", width, "",
+                                 "minimum", "at (s)", "maximum", "at (s)", "energy lost (kJ)");
   for (const DeviceSummary& s : devices)
     for (int i = 1; i >= 0; --i) {
       const Extremes& e = s.extremes;
@@ -109,7 +109,7 @@ std::string devices_table(const std::vector<DeviceSummary>& devices) {
   return text;
 }
 
-// One line of the table of forces: least and largest value in kN, or kN m, with what and when.
+// One line of the table of forces: minimum and maximum in kN or kN m, with location and time.
 struct ForceLine {
   std::string structure, force;
   double min = 0, max = 0, t_min = 0, t_max = 0;
@@ -121,7 +121,7 @@ ForceLine base_shear(const StructureSummary& s, std::size_t j, const std::string
   return {s.name, name, e.min[j], e.max[j], e.t_min[j], e.t_max[j], "", ""};
 }
 
-// Takes over an extreme that is beyond those of a line.
+// Includes an extreme in a line if it is beyond its range.
 void widen(ForceLine& line, const Extremes& of, std::size_t i, const std::string& where) {
   if (line.at_min.empty() || of.min[i] < line.min) {
     line.min = of.min[i];
@@ -139,7 +139,7 @@ void widen(ForceLine& line, const Extremes& of, std::size_t i, const std::string
 constexpr double no_force = 1e-9;
 
 // For each kind of force (N, Vz, My ...) the extremes over the sections at both ends of all members. End forces would
-// give each axial force twice, once with each sign, so that compression and tension could not be distinguished.
+// contain each axial force with both signs, so compression and tension would be indistinguishable.
 std::vector<ForceLine> member_lines(const StructureSummary& s) {
   const StructureEnvelope& e = s.envelope;
   const Extremes sections = section_forces(e);
@@ -153,7 +153,7 @@ std::vector<ForceLine> member_lines(const StructureSummary& s) {
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const std::string& component = e.components[i % components];
     const std::string kind = kind_of(i);
-    // Beams in rigid floors have no axial force, which would hide that every column stays compressed.
+    // Beams in rigid floors have no axial force; including them would hide that every column remains in compression.
     if (peaks[kind] > 0 && sections.peak(i) < no_force * peaks[kind]) continue;
     auto line = std::find_if(lines.begin(), lines.end(), [&](const ForceLine& one) { return one.force == kind; });
     if (line == lines.end()) line = lines.insert(lines.end(), {s.name, kind, 0, 0, 0, 0, "", ""});
@@ -163,7 +163,7 @@ std::vector<ForceLine> member_lines(const StructureSummary& s) {
   return lines;
 }
 
-// The vertical reaction, in which uplift is seen: it is negative where the ground holds a support down.
+// The vertical reaction, which shows uplift: it is negative if the ground holds a support down.
 std::vector<ForceLine> reaction_line(const StructureSummary& s) {
   const StructureEnvelope& e = s.envelope;
   const auto vertical = std::find(e.directions.begin(), e.directions.end(), "z");
@@ -180,7 +180,7 @@ std::string with_unit(const std::string& force) {
   return force + (force[0] == 'M' || force[0] == 'T' ? " (kN m)" : " (kN)");
 }
 
-// Signs of the table of forces, and what is included in them; structures with the same loads share a line.
+// Sign conventions of the table of forces, and the loads included; structures with the same loads share a line.
 std::string notes_on_forces(const std::vector<StructureSummary>& structures) {
   std::string text = "base shear: positive if the floor above has moved along the axis\n";
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
@@ -224,8 +224,8 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
   if (lines.empty()) return {};
   std::size_t width = 9;
   for (const ForceLine& line : lines) width = std::max(width, line.structure.size());
-  std::string text = fmt::format("{:<{}}  {:<18}  {:>12}  {:>8}  {:>12}  {:>8}\n", "structure", width, "force", "least",
-                                 "at (s)", "largest", "at (s)");
+  std::string text = fmt::format("{:<{}}  {:<18}  {:>12}  {:>8}  {:>12}  {:>8}\n", "structure", width, "force",
+                                 "minimum", "at (s)", "maximum", "at (s)");
   for (const ForceLine& line : lines) {
     text +=
         fmt::format("{:<{}}  {:<18}  {:>12.3f}  {:>8.3f}  {:>12.3f}  {:>8.3f}", line.structure, width,
@@ -237,10 +237,10 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
   return text + notes_on_forces(structures);
 }
 
-// The parts that yield most, at most so many of a structure.
+// Maximum number of parts shown per structure, those with the largest ductility.
 constexpr std::size_t max_shown_springs = 12;
 
-// Hinges that turned further than they can bear, one line a structure.
+// Hinges beyond their ultimate rotation, one line per structure.
 std::string beyond_ultimate(const std::vector<StructureSummary>& structures) {
   std::string text;
   for (const StructureSummary& s : structures) {
@@ -252,24 +252,26 @@ std::string beyond_ultimate(const std::vector<StructureSummary>& structures) {
         if (!worst || part.plastic / part.ultimate > worst->plastic / worst->ultimate) worst = &part;
       }
     if (worst)
-      text += fmt::format("{}: {} hinge{} beyond {} ultimate rotation, the farthest {} with {:.4g} of {:.4g} mrad\n",
+      text += fmt::format("{}: {} hinge{} beyond {} ultimate rotation; largest: {} with {:.4g} of {:.4g} mrad\n",
                           s.name, count, count == 1 ? "" : "s", count == 1 ? "its" : "their", worst->name,
                           1e3 * worst->plastic, 1e3 * worst->ultimate);
   }
   return text;
 }
 
-// Displacements and drifts that are left at the end, one line a structure.
+// Residual displacements and drifts, one line per structure.
 std::string residuals(const std::vector<StructureSummary>& structures) {
   std::string text;
   for (const StructureSummary& s : structures) {
     if (s.residual_displacement.empty()) continue;
-    text += fmt::format("{}: at the end, where it may still move, the top is displaced by {:.4g} mm", s.name,
-                        std::abs(1e3 * s.residual_displacement.back()));
+    text += fmt::format(
+        "{}: at the end of the run, possibly still moving, the residual displacement of the top is {:.4g} mm", s.name,
+        std::abs(1e3 * s.residual_displacement.back()));
     const auto size = [](double value) { return std::abs(value); };
     if (const auto worst = std::ranges::max_element(s.residual_drift, {}, size); worst != s.residual_drift.end()) {
       const auto storey = worst - s.residual_drift.begin();
-      text += fmt::format(", and storey {} drifts most, {:.4g} mm", storey + 1, 1e3 * std::abs(*worst));
+      text += fmt::format(", and the largest residual drift is that of storey {}, {:.4g} mm", storey + 1,
+                          1e3 * std::abs(*worst));
       if (!s.residual_drift_ratio.empty())
         text += fmt::format(" or {:.3g} % of its height", 100 * s.residual_drift_ratio[storey]);
     }
@@ -307,7 +309,7 @@ std::string springs_table(const std::vector<StructureSummary>& structures) {
                       std::isnan(part.damping_shear) ? "-" : fmt::format("{:.3f}", part.damping_shear));
     }
     if (shown_parts < parts.size())
-      text += fmt::format("{:<{}}  {} more parts yield less; the results file has them\n", s.name, width,
+      text += fmt::format("{:<{}}  {} more parts with smaller ductility are in the results file\n", s.name, width,
                           parts.size() - shown_parts);
   }
   return text + beyond_ultimate(structures) + residuals(structures);
@@ -317,7 +319,7 @@ std::string separations_table(const std::vector<LinkSeparation>& separations) {
   std::size_t width = 4;
   for (const LinkSeparation& s : separations) width = std::max(width, s.link.size());
   std::string text = fmt::format(
-      "{:<{}}         gap  gap that is enough    at (s)         ABS        SRSS         DDC\n", "link", width);
+      "{:<{}}         gap      sufficient gap    at (s)         ABS        SRSS         DDC\n", "link", width);
   text +=
       fmt::format("{:<{}}        (mm)                (mm)                  (mm)        (mm)        (mm)\n", "", width);
   for (const LinkSeparation& s : separations)
@@ -327,7 +329,7 @@ std::string separations_table(const std::vector<LinkSeparation>& separations) {
   return text;
 }
 
-// Why a run that is done ended before its time; empty for others.
+// Reason why a completed run ended early; empty otherwise.
 std::string early_end(const std::string& status) {
   const std::size_t colon = status.find(": ");
   return status.starts_with("done") && colon != std::string::npos ? status.substr(colon + 2) : "";
@@ -355,18 +357,18 @@ std::string to_table(const Summary& summary) {
       e.error);
   if (const std::string why = early_end(summary.status); !why.empty()) text += fmt::format("ended        by {}\n", why);
   if (const std::string why = early_end(summary.without_links_status); !why.empty())
-    text += fmt::format("without links it ended by {}: what the table says of that run lasts until then\n", why);
+    text += fmt::format("the run without links ended by {}: its values in the tables cover the time until then\n", why);
   text +=
       fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator,
                   summary.solver.steps, summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
-  // The command does not show options of PETSC_OPTIONS.
+  // The command line does not show options from PETSC_OPTIONS.
   if (!summary.options.empty()) {
     text += "options     ";
     for (const std::string& option : summary.options) text += " " + excerpt(option);
     text += '\n';
   }
   for (const ReducedStructure& s : summary.reduced)
-    text += fmt::format("reduced      {}; errors by it: {}{}{}\n", s.size_text(), s.error_text(),
+    text += fmt::format("reduced      {}; errors of the reduction: {}{}{}\n", s.size_text(), s.error_text(),
                         s.checked_windows > 0 ? "; " : "", s.check_text());
   return text;
 }

@@ -7,9 +7,9 @@
 namespace pounding {
 namespace {
 
-// A structure still shakes from an impact so long after it [s].
+// A structure still vibrates from an impact for this time after it [s].
 constexpr double after = 2e-3;
-// Links that rest on each other press without an end [s].
+// Maximum length of a window, for contacts at rest that press permanently [s].
 constexpr double longest = 0.1;
 
 bool acts(const LinkStep& step) { return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0; }

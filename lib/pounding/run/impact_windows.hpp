@@ -1,5 +1,5 @@
 #pragma once
-/// The hardest impacts of a run: the state before each, and what the links did.
+/// The strongest impacts of a run: the state before each, and the link forces during it.
 
 #include <Eigen/Core>
 #include <utility>
@@ -10,51 +10,51 @@
 
 namespace pounding {
 
-/// Some milliseconds of a run in which links press.
+/// A few milliseconds of a run in which contacts press.
 struct ImpactWindow {
-  /// Force of a link in one step [N], and the slopes of its law at the end of it; those of links that are no contacts
-  /// are zero.
+  /// Force of a link in one step [N], and the slopes of its law at the end of the step; the slopes are zero for links
+  /// other than contacts.
   struct Force {
     int link = 0;
     double begin = 0, middle = 0, end = 0;
     double by_penetration = 0, by_rate = 0;  ///< [N/m], [N s/m]
   };
-  /// One kept step, with the links whose force is not zero in it.
+  /// One accepted step, with the links whose force is nonzero in it.
   struct Step {
     double begin = 0, end = 0;  ///< [s]
     std::vector<Force> forces;
 
-    /// Writes all members, or reads them back.
+    /// Writes or reads all members.
     void archive(Archive& archive);
   };
 
-  double force = 0;      ///< the largest of the contacts that count [N]
+  double force = 0;      ///< maximum force of the observed contacts [N]
   Eigen::VectorXd u, v;  ///< coordinates of the structures at the beginning of the first step, and their rates
   std::vector<Step> steps;
 
   double begin() const { return steps.front().begin; }
   double end() const { return steps.back().end; }
-  /// Writes all members, or reads them back.
+  /// Writes or reads all members.
   void archive(Archive& archive);
 };
 
-/// Keeps the windows with the largest forces while a run goes on. A window begins with the step that leads to a touch,
-/// and ends 2 ms after nothing presses any more, or after 0.1 s: then the next one begins at once.
+/// Collects the windows with the largest forces during a run. A window begins with the step that leads to a touch. It
+/// ends 2 ms after the last contact force, or after 0.1 s; in that case the next window begins immediately.
 class ImpactWindows {
  public:
-  /// So many are kept.
+  /// Maximum number of windows.
   static constexpr std::size_t maximum = 3;
 
-  /// `counts`: by contact, whether its impacts are looked at. `stepper` must outlive this.
+  /// `counts`: by contact, true if its impacts are observed. `stepper` must outlive this object.
   ImpactWindows(const Stepper& stepper, std::vector<bool> counts) : stepper_(stepper), counts_(std::move(counts)) {}
 
-  /// One kept step.
+  /// Follows one accepted step.
   void step();
-  /// The run is over, perhaps within an impact.
+  /// Ends the run, possibly within an impact.
   void end();
-  /// The windows with the largest forces, the hardest first.
+  /// The windows with the largest forces, in descending order.
   const std::vector<ImpactWindow>& hardest() const { return hardest_; }
-  /// For a checkpoint.
+  /// Writes or reads the state for a checkpoint.
   void archive(Archive& archive);
 
  private:
@@ -64,7 +64,7 @@ class ImpactWindows {
   const Stepper& stepper_;
   std::vector<bool> counts_;
   std::vector<ImpactWindow> hardest_;
-  ImpactWindow present_;  // without steps where nothing presses
+  ImpactWindow present_;  // without steps if no contact presses
   double last_pressed_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Warnings of numbers in the answers of a run that are far from those of buildings, or beyond what parts can bear.
+/// Warnings about results that are far from those of real buildings, or beyond the capacity of a part.
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,13 @@
 
 namespace pounding {
 
-/// One line each, of a run of this model; none of those that the model accepts.
+/// Warnings about implausible results of this model, except those that the model suppresses.
 inline std::vector<std::string> implausible(const Model& model, const Summary& summary) {
   std::vector<double> penetrations;
-  // Soil is pressed further than bodies overlap.
+  // Soil deforms more than bodies overlap.
   for (std::size_t i = 0; i < summary.links.size(); ++i)
     penetrations.push_back(model.links[i].law == "backfill" ? 0 : summary.links[i].peak_penetration);
-  // A run that has not ended may move yet; frames without floors have no such peaks.
+  // An unfinished run may still move; frames without floors have no such peaks.
   bool moved = summary.status != "done";
   std::size_t floors = 0;
   for (const StructureSummary& structure : summary.structures) {
@@ -32,7 +32,7 @@ inline std::vector<std::string> implausible(const Model& model, const Summary& s
                                  [](double peak) { return peak != 0; });
   }
   std::vector<std::string> texts = implausible(model, moved || floors == 0, penetrations);
-  // A run that ends by collapse_drift drifts as far as it was allowed to.
+  // A run that ends by collapse_drift reaches the drift that it allows.
   std::vector<std::vector<double>> drifts;
   for (const StructureSummary& structure : summary.structures) drifts.push_back(structure.peak_drift);
   if (model.analysis.collapse_drift > 0) drifts.clear();
@@ -40,7 +40,7 @@ inline std::vector<std::string> implausible(const Model& model, const Summary& s
   return texts;
 }
 
-/// One line for each isolator that moved further than it can.
+/// One line for each isolator that moved beyond its capacity.
 inline std::vector<std::string> beyond_capacity(const Model& model, const Summary& summary) {
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < summary.structures.size(); ++k)
@@ -49,29 +49,29 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
       const SpringSummary& moved = summary.structures[k].springs[i];
       if (const double capacity = part.parameter("capacity"); isolates(part) && std::abs(moved.peak) > capacity)
         texts.push_back(fmt::format(
-            "structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model. Type "
-            "a larger "
-            "capacity if the part has it, or a link to a wall with that gap if it stops there",
+            "structure {}, {}: {} at {:.4g} s exceeds the capacity of {}; the model is not valid beyond it. Type a "
+            "larger "
+            "capacity if the isolator has one, or a link to a wall with that gap if a stop limits it",
             model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4),
             moved.peak_time, format_quantity(capacity, dimension::length)));
     }
   return texts;
 }
 
-/// Impacts of a rigid contact without loss, above which its bodies do not meet by chance any more.
+/// Number of impacts of a lossless rigid contact above which its bodies are considered pressed together.
 inline constexpr int many_bounces = 10'000;
 
-/// One line for each rigid contact without loss whose bodies are pressed on each other: they bounce ever faster and
-/// never rest.
+/// One line for each lossless rigid contact whose bodies are pressed together: they bounce at an ever higher frequency
+/// and never come to rest.
 inline std::vector<std::string> endless_bounces(const Model& model, const Summary& summary) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < summary.links.size(); ++i) {
     const Contact& contact = *model.links[i].contact;
     if (contact.is_rigid() && contact.restitution() == 1 && summary.links[i].impacts > many_bounces)
       texts.push_back(
-          fmt::format("link {}: {} impacts; bodies that are pressed together bounce ever faster by restitution 1 and "
-                      "never rest, and a run "
-                      "follows every bounce; type a restitution of 0.95 or a law with a stiffness if they shall rest",
+          fmt::format("link {}: {} impacts; bodies that are pressed together bounce ever faster with restitution 1 and "
+                      "never rest, and a run computes every bounce; type restitution: 0.95, or a law with a "
+                      "stiffness if they should come to rest",
                       summary.links[i].name, summary.links[i].impacts));
   }
   return texts;

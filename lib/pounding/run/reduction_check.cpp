@@ -68,7 +68,7 @@ void ReductionCheck::compare_forces(const ImpactWindow& window) {
   for (Eigen::Index k = 0; k < steps; ++k)
     for (const ImpactWindow::Force& f : window.steps[static_cast<std::size_t>(k)].forces) {
       if (f.link >= contacts) continue;
-      // Positive closings of the unknowns are penetrations that the modes lack.
+      // Positive differences in closing are penetrations that the modes miss.
       const double difference = f.by_penetration * closings_(f.link, k) + f.by_rate * rates_(f.link, k);
       peak[f.link] = std::max(peak[f.link], f.end);
       of_all[f.link] = std::max(of_all[f.link], f.end + difference);

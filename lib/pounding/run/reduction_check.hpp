@@ -1,5 +1,6 @@
 #pragma once
-/// Told by `reduction: {check: true}`: all unknowns of reduced structures against the run, in its hardest impacts.
+/// The check of `reduction: {check: true}`: compares reduced structures with all their degrees of freedom in the
+/// strongest impacts of a run.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -16,36 +17,37 @@
 
 namespace pounding {
 
-/// Follows the hardest impacts of the structures that are reduced and to be checked, and steps all their unknowns
-/// through these once the run is over (differences_in_window).
+/// Records the strongest impacts of the reduced structures to check. After the run, integrates all their degrees of
+/// freedom through these impacts (differences_in_window) and compares:
 ///
-/// forces of links:  peaks in each window; with all unknowns the force is F - dF/dd delta - dF/dv delta', with the
-/// differences delta of the closings that all
-///                   structures of the check make together, and the slopes of the law at ends of steps;
+/// forces of links:  peaks in each window. With all degrees of freedom the force is F - dF/dd delta - dF/dv delta',
+///                   where delta are the differences in closing of all checked structures together, with the slopes
+///                   of the law at the ends of steps;
 /// floors:           displacements relative to the ground, at ends of steps.
 ///
-/// The largest differences over the largest values of the run are told as they are.
+/// Reported are the largest differences divided by the largest values of the run.
 class ReductionCheck {
  public:
-  /// All arguments must outlive this.
+  /// All arguments must outlive this object.
   ReductionCheck(const Model& model, const FloorResponse& response, const Stepper& stepper);
 
-  /// One kept step.
+  /// Follows one accepted step.
   void step();
-  /// Whether a structure is to be checked.
+  /// True if any structure is to be checked.
   bool is_requested() const { return !checked_.empty(); }
-  /// The run is over: steps all unknowns of the next structure through the next impact. Returns whether more are left.
-  /// Throws SolverError where a step fails.
+  /// After the run: integrates all degrees of freedom of the next structure through the next impact. Returns true if
+  /// more remain. Throws SolverError if a step fails.
   bool next();
-  /// Adds what was found to the reduced structures, by the peaks of a summary whose links and structures are filled.
+  /// Adds the results to the reduced structures, relative to the peaks of a summary whose links and structures are
+  /// filled.
   void tell(const Summary& summary, std::vector<ReducedStructure>& reduced) const;
-  /// For a checkpoint.
+  /// Writes or reads the state for a checkpoint.
   void archive(Archive& archive) { windows_.archive(archive); }
 
  private:
   struct Checked {
     int structure = 0, group = 0;
-    std::vector<int> rows;  // of the outputs: translations of floors
+    std::vector<int> rows;  // rows of the outputs: translations of floors
     double force = std::numeric_limits<double>::quiet_NaN(), displacement = 0;  // differences [N], [m]
   };
 
@@ -56,8 +58,8 @@ class ReductionCheck {
   const Stepper& stepper_;
   std::vector<Checked> checked_;
   ImpactWindows windows_;
-  std::size_t done_ = 0;              // structures that were stepped through a window, window by window
-  Eigen::MatrixXd closings_, rates_;  // differences in the present window, of the structures until now [contact, step]
+  std::size_t done_ = 0;              // number of structures integrated through a window, window by window
+  Eigen::MatrixXd closings_, rates_;  // differences in the current window, summed over the structures [contact, step]
 };
 
 }  // namespace pounding

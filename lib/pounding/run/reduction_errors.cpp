@@ -7,18 +7,18 @@
 namespace pounding {
 namespace {
 
-// The run is better than its shadow by the blocks that this lacks, but not at every block: twice worse has been seen.
+// The run has more blocks than its shadow and is more accurate, but not uniformly; a factor of two has been observed.
 constexpr double safety = 3;
-// The least part of the estimate of the shadow that is taken for the run.
+// Minimum fraction of the shadow's error estimate that is used for the run.
 constexpr double nearest = 0.04;
-// The part of the tolerance that the reduction may use; the steps use about half of it.
+// Fraction of the tolerance that the reduction may use; the steps use about half of it.
 constexpr double share = 0.3;
-// Times at which the difference from the shadow is measured.
+// Number of times at which the difference from the shadow is measured.
 constexpr double measured_times = 400;
 
 using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-// Forces of a structure as factors of its unknowns, and behind them of the forces of what yields in it.
+// Forces of a structure as linear functions of its degrees of freedom, followed by the forces of its yielding parts.
 RowMajor rows_with_parts(const Structure& s) {
   RowMajor rows(s.forces.rows.rows(), s.size() + static_cast<Eigen::Index>(s.yielding.size()));
   std::vector<Eigen::Triplet<double>> entries;
@@ -106,7 +106,7 @@ std::optional<int> ReductionErrors::Peaks::take(double next) {
   return place;
 }
 
-// Each structure has peaks at times of its own.
+// Each structure has peaks at different times.
 void ReductionErrors::keep_last(Floors& floors, double own, double difference) {
   const auto coordinates = [&](auto&& motion) {
     return motion.segment(floors.coordinates.first, floors.coordinates.count);
@@ -167,7 +167,7 @@ void ReductionErrors::compare_members() {
   }
 }
 
-// Run and shadow have it alike.
+// The yielding forces are the same in the run and its shadow.
 void ReductionErrors::add_yielding(const Floors& floors) {
   Eigen::VectorXd forces;
   for (int i = 0; i < together; ++i) {
@@ -177,8 +177,8 @@ void ReductionErrors::add_yielding(const Floors& floors) {
   }
 }
 
-// The root of the ratio of errors of flexibility, as the ratio itself was six times too small for towers of 20 storeys.
-// Where a structure of the link does not know it, the shadow stands for the run.
+// Square root of the ratio of the flexibility errors; the ratio itself was six times too small for towers of 20
+// storeys. If a structure of the link has no known error, 1: the estimate of the shadow is used for the run.
 double ReductionErrors::nearer(int link) const {
   double run = 0, shadow = 0;
   for (const LinkEnd* end : {&model_.links[link].left, &model_.links[link].right}) {
@@ -217,7 +217,7 @@ void ReductionErrors::compare_forces(const Instant& end) {
   }
 }
 
-// The largest difference of peaks so far. One impact of many may agree by chance, not all of them.
+// Largest difference of peaks up to now. A single impact may agree by chance; many do not.
 double ReductionErrors::peak_difference(std::size_t link) const {
   return std::max(forces_[link], std::abs(peaks_[link] - shadow_peaks_[link]));
 }
@@ -247,7 +247,7 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
   return all;
 }
 
-// A measure may still have been rising.
+// The last measure may be an unfinished peak.
 void ReductionErrors::end() {
   if (floors_.empty()) return;
   measure_waiting();

@@ -30,7 +30,8 @@ bool read(const char* name, int minimum, int maximum, int& value) {
 
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
   throw InputError(
-      fmt::format("\"{}\" cannot be reduced: {}. Type -{}auto instead of -{}links and -{}ground to reduce what can be",
+      fmt::format("\"{}\" cannot be reduced: {}. Type -{}auto instead of -{}links and -{}ground to reduce only the "
+                  "structures that can be reduced",
                   name, reason, prefix, prefix, prefix));
 }
 
@@ -98,31 +99,28 @@ std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan,
   std::vector<std::string> warnings;
   if (plan.requested && reduced.empty() && plan.deeper > 0)
     warnings.emplace_back(
-        "the links need so many blocks that all modes were taken instead, or factors where a structure has more than "
-        "2,500 unknowns with "
-        "mass: high modes that are little damped ring up to the frequency of the contacts, or there are many links, "
-        "which count once more for "
-        "each direction in which they rub");
+        "no structure is reduced: the links need too many blocks. All modes were used, or a factorization for "
+        "structures with more than 2,500 degrees of freedom with mass. Lightly damped high modes respond up to the "
+        "frequency of the contacts, or there are many links; each friction direction counts as one more");
   else if (plan.requested && reduced.empty())
     warnings.emplace_back(
-        "no structure is reduced: those of up to 500 unknowns with mass keep all their modes, as do those of up to "
-        "2,500 whose links are too "
-        "many; a larger one, or one that cannot be reduced, leaves all of them to factors");
+        "no structure is reduced: structures with up to 500 degrees of freedom with mass keep all their modes, as do "
+        "those with up to 2,500 and too many links; if one is larger or cannot be reduced, all structures are "
+        "factorized");
   for (const ReducedStructure& s : reduced) {
     const Reduction& requested = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
     if (std::isnan(s.error_force))
       warnings.push_back(fmt::format(
-          "{}. The error of the reduction is not estimated: compare with a deeper one, or with none", s.size_text()));
+          "{}. The error of the reduction is not estimated: compare with a run with more blocks, or without reduction",
+          s.size_text()));
     else if (exceeds(s, requested, plan.tolerance))
-      warnings.push_back(
-          fmt::format("{}. The reduction may cost more than 0.3 of the tolerance {:g}: {}; take {} blocks of the "
-                      "links, or reduction: auto",
-                      s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
+      warnings.push_back(fmt::format(
+          "{}. The reduction may exceed 0.3 of the tolerance {:g}: {}; type {} blocks of the links, or reduction: auto",
+          s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
     if (check_exceeds(s, requested, plan.tolerance))
       warnings.push_back(
-          fmt::format("{}. The reduction costs more than 0.3 of the tolerance {:g}, or than the error that was asked "
-                      "for: {}; take {} blocks of the links, or a "
-                      "smaller error",
+          fmt::format("{}. The error of the reduction exceeds 0.3 of the tolerance {:g}, or the requested error: {}; "
+                      "type {} blocks of the links, or a smaller error",
                       s.size_text(), plan.tolerance, s.check_text(), s.link_blocks + 2));
   }
   return warnings;

@@ -1,5 +1,5 @@
 #pragma once
-/// Reductions that a run asks of the solver for the structures of a model, and the line that tells of them.
+/// Reductions of the structures of a model that a run requests from the solver, and warnings about them.
 
 #include <Eigen/Core>
 #include <string>
@@ -10,31 +10,30 @@
 
 namespace pounding {
 
-/// `-pounding_red_links N` and `-pounding_red_ground N` are the blocks of the two chains, `-pounding_red_auto` leaves
-/// them to the tolerance; none of these is no reduction. Reads the options, so call it before those that nothing reads
-/// are refused. Throws InputError for a number out of range.
+/// Reads `-pounding_red_links N` and `-pounding_red_ground N`, the numbers of blocks of the two chains, and
+/// `-pounding_red_auto`, which derives them from the tolerance. Without these options, no structure is reduced. Call it
+/// before unread options are refused. Throws InputError for a number out of range.
 Reduction reduction_from_options();
 
-/// `-pounding_red_cache FOLDER`, where modes are kept from one run to the next; empty without it. To be called as
-/// early.
+/// Reads `-pounding_red_cache FOLDER`, where modes are cached between runs; empty if not given. Call it before unread
+/// options are refused.
 std::string mode_cache_folder();
 
-/// The reduction of each structure of a model that moves: that of the options where they give one, else that of the
+/// The reduction of each structure of a model that is not rigid: that of the options if given, otherwise that of the
 /// model.
 std::vector<Reduction> requested_reductions(const Model& model);
 
-/// A plan with these reductions, but for structures that cannot be reduced: what is automatic leaves them out, numbers
-/// of the options are an InputError where such a structure has more than small_structure unknowns. The run starts from
-/// displacements u [m] and velocities v [m/s].
+/// A plan with these reductions. Structures that cannot be reduced are excluded from automatic reductions; with numbers
+/// from the options, such a structure is an InputError if it has more than small_structure degrees of freedom. The run
+/// starts from displacements u [m] and velocities v [m/s].
 petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& requested,
                                     const Eigen::VectorXd& u, const Eigen::VectorXd& v, double tolerance);
 
-/// Whether a run must be repeated with more blocks: one whose depth is automatic has estimated errors that are too
-/// large.
+/// True if a run must be repeated with more blocks: the estimated errors of an automatic reduction are too large.
 bool must_be_deeper(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced);
 
-/// Warnings of reduced structures with errors that exceed what is allowed, or that nothing estimates; and where a
-/// reduction was asked for and there is none.
+/// Warnings about reduced structures whose errors exceed the bound or are not estimated, and about a requested
+/// reduction that was not applied.
 std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan,
                                             const std::vector<ReducedStructure>& reduced);
 

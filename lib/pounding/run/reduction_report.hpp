@@ -1,5 +1,5 @@
 #pragma once
-/// Errors of reduced structures: estimated in every step of a run, and checked with all unknowns after it.
+/// Errors of reduced structures: estimated in every step, and checked after the run with all degrees of freedom.
 
 #include <pounding/core/archive.hpp>
 #include <pounding/model/model.hpp>
@@ -16,7 +16,7 @@ struct ReductionReport {
   ReductionErrors errors;
   ReductionCheck check;
 
-  /// All arguments must outlive this.
+  /// All arguments must outlive this object.
   ReductionReport(const Model& model, const FloorResponse& response, const Stepper& stepper)
       : errors(model, response, stepper), check(model, response, stepper) {}
 

@@ -20,10 +20,10 @@
 namespace pounding {
 namespace {
 
-// Place of the run without links.
+// Group of the run without links.
 constexpr const char* without_links_group = "no_pounding";
 
-// Options that only print or draw, and the limit on steps, leave the steps as they are.
+// Options that only print or draw, and the limit on steps, do not affect the steps.
 bool result_depends_on(const std::string& option) {
   const std::string name = option.substr(0, option.find(' '));
   return name.find("monitor") == std::string::npos && name.find("view") == std::string::npos &&
@@ -35,7 +35,7 @@ std::vector<std::string> deciding(std::vector<std::string> options) {
   return options;
 }
 
-// Checksum of the samples of all records; closed forms stand in resolved.yaml.
+// Checksum of the samples of all records; closed forms are in resolved.yaml.
 std::string checksum_of_ground(const GroundPlan& ground) {
   Checksum checksum;
   bool any = false;
@@ -49,14 +49,14 @@ std::string checksum_of_ground(const GroundPlan& ground) {
   return any ? checksum.text() : "";
 }
 
-// The first line in which two texts differ, counted from 1.
+// First line in which two texts differ, counted from 1.
 std::size_t first_different_line(const std::string& a, const std::string& b) {
   const auto difference = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
   return static_cast<std::size_t>(std::count(a.begin(), difference, '\n')) + 1;
 }
 
 std::string shown(const std::vector<std::string>& options) {
-  return options.empty() ? "no option of the time stepping" : fmt::format("{}", fmt::join(options, " "));
+  return options.empty() ? "no time-stepping options" : fmt::format("{}", fmt::join(options, " "));
 }
 
 [[noreturn]] void refuse_damaged(const std::string& file, const std::string& what) {
@@ -66,20 +66,18 @@ std::string shown(const std::vector<std::string>& options) {
 void read(hid_t file, InterruptedRun& run) {
   const std::string version = hdf5::read_attribute(file, "version"), status = hdf5::read_attribute(file, "status");
   if (hdf5::read_attribute(file, "program") != "pounding")
-    throw InputError(fmt::format("{}: was not written by pounding", run.file));
+    throw InputError(fmt::format("{}: this file was not written by pounding", run.file));
   if (version != POUNDING_VERSION)
-    throw InputError(
-        fmt::format("{}: was written by pounding {}, and this is {}; only the same version goes on with the same "
-                    "result. Run the model from the start",
-                    run.file, version, POUNDING_VERSION));
-  if (status.starts_with("done"))
-    throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
+    throw InputError(fmt::format(
+        "{}: written by pounding {}, this is {}; only the same version can resume it. Run the model from the start",
+        run.file, version, POUNDING_VERSION));
+  if (status.starts_with("done")) throw InputError(fmt::format("{}: the run is done and cannot be resumed", run.file));
   const bool has_other_run = hdf5::has(file, without_links_group);
   const std::string of_other_run = std::string(without_links_group) + "/checkpoint";
   run.without_links = !hdf5::has(file, "checkpoint") && has_other_run && hdf5::has(file, of_other_run.c_str());
   if (!hdf5::has(file, "checkpoint") && !run.without_links)
     throw InputError(
-        fmt::format("{}: holds no checkpoint (status: {}); run the model from the start", run.file, status));
+        fmt::format("{}: no checkpoint in this file (status: {}); run the model from the start", run.file, status));
   const std::string group = run.without_links ? of_other_run : "checkpoint";
   const hdf5::Handle place(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose, "open group checkpoint");
   Checkpoint& checkpoint = run.checkpoint;
@@ -117,8 +115,7 @@ InterruptedRun read_interrupted_run(const std::string& file) {
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(
-        fmt::format("{}: cannot be read as a results file, it is another or a damaged one ({})", file, error.what()));
+    throw InputError(fmt::format("{}: not a results file, or a damaged one ({})", file, error.what()));
   }
   return run;
 }
@@ -126,9 +123,9 @@ InterruptedRun read_interrupted_run(const std::string& file) {
 Input input_of(const InterruptedRun& run) {
   const std::string& file = run.checkpoint.model_file;
   if (run.model_yaml == built_by_code)
-    throw InputError(fmt::format(
-        "{}: its model was built by a program; that program goes on with it, by run(model, {{.resume = \"{}\"}})",
-        run.file, run.file));
+    throw InputError(
+        fmt::format("{}: the model was built by a program; resume it there by run(model, {{.resume = \"{}\"}})",
+                    run.file, run.file));
   return Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file);
 }
 
@@ -146,24 +143,25 @@ void add_earlier_options(const InterruptedRun& run, std::vector<std::string>& op
 void check_same_run(const InterruptedRun& run, const Model& model, const std::vector<std::string>& options) {
   if (model.source_text != run.model_yaml)
     throw InputError(
-        fmt::format("{}: holds the run of another model, {} differs from line {} on; go on with the model in the "
-                    "file, or run the new one from the start",
+        fmt::format("{}: run of another model, {} differs from line {} on; resume with the model in the file, or run "
+                    "the new one from the start",
                     run.file, model.source_file, first_different_line(run.model_yaml, model.source_text)));
   if (const std::string resolved = resolved_yaml(model);
       model.source_text == built_by_code && resolved != run.resolved_yaml)
     throw InputError(
-        fmt::format("{}: holds the run of another model, whose resolved.yaml differs from line {} on; go on with the "
-                    "same model, or run the new one from the start",
+        fmt::format("{}: run of another model, whose resolved.yaml differs from line {} on; resume with the same "
+                    "model, or run the new one from the start",
                     run.file, first_different_line(run.resolved_yaml, resolved)));
   const Checkpoint now = checkpoint_of(model, options);
   if (now.ground != run.checkpoint.ground || resolved_yaml(model) != run.resolved_yaml)
     throw InputError(
-        fmt::format("{}: the ground motion that {} reads is not the one that the run began with; put the earlier "
-                    "record back, or run the model from the start",
+        fmt::format("{}: the ground motion of {} differs from that of the interrupted run; restore the earlier record, "
+                    "or run the model from the start",
                     run.file, model.source_file));
   if (now.options != run.checkpoint.options)
-    throw InputError(fmt::format("{}: the run began with {}, and now there is {}; go on with the same ones", run.file,
-                                 shown(run.checkpoint.options), shown(now.options)));
+    throw InputError(
+        fmt::format("{}: options differ from the interrupted run ({} then, {} now); resume with the original options",
+                    run.file, shown(run.checkpoint.options), shown(now.options)));
 }
 
 void read_histories(const InterruptedRun& run, Results& results) {

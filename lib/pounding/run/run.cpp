@@ -34,8 +34,8 @@
 namespace pounding {
 namespace {
 
-// The next depth where estimated errors were too large: two blocks more of both chains, larger steps far down, where
-// light damping wants many.
+// Next depth if the error estimates are too large: two more blocks in both chains, and larger increments at greater
+// depth, since light damping needs many blocks.
 int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
 
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
@@ -48,13 +48,13 @@ void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   solver.iterations = stepper.iterations();
 }
 
-// A model and how it is run, with and without links.
+// A model and its settings, for the runs with and without links.
 struct Task {
   const Model& model;
   const RunOptions& options;
   EffectiveSettings settings;
-  WriteResults write;  // empty where there is no file to write
-  Results heading;     // histories and ends are still to come
+  WriteResults write;  // empty if no file is written
+  Results heading;     // without histories and end state
 };
 
 Results heading(const Model& model, const RunOptions& options, const EffectiveSettings& settings) {
@@ -69,8 +69,8 @@ Results heading(const Model& model, const RunOptions& options, const EffectiveSe
   return results;
 }
 
-// `without` is the run without links, where there is one. Automatic reductions have `deeper` blocks more than the
-// tolerance asks for; nothing where they need still more of them: then nothing has moved, and no end was written.
+// `without`: outcome of the run without links, if any. Automatic reductions get `deeper` more blocks than the tolerance
+// requires. Returns nullopt if they need even more: then the model has been reset, and no end was written.
 std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper,
                                const Stopwatch& since_start, const InterruptedRun* earlier) {
   const Model& model = task.model;
@@ -94,7 +94,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   plan.deeper = results.deeper = deeper;
   plan.cache_folder = cache_folder;
   if (plan.requested && settings.solver != petsc::SolverKind::automatic)
-    throw InputError("a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
+    throw InputError("a reduction has no effect with -pounding_ts_pounding_base; omit one of the two");
   Archive at_the_start;
   if (plan.requested) archive_memory(system, at_the_start);
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, settings.solver, plan, options.comm);
@@ -118,7 +118,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
 
   RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper, recorder, reduction, writer);
   std::string failure = monitor.solve();
-  if (failure.empty() && reduction.check.is_requested()) {  // which may take long, and be stopped
+  if (failure.empty() && reduction.check.is_requested()) {  // may take long, and can be stopped
     writer.save();
     writer.write("running");
   }
@@ -152,7 +152,7 @@ Outcome run_once(const Task& task, bool with_links, const Outcome& without, cons
       return std::move(*outcome);
 }
 
-// The file of a run whose first part, without links, has this state.
+// Outcome to write while the run without links has these results.
 Outcome first_part(const Task& task, const Results& without_links) {
   Outcome outcome{task.heading, {}};
   Results& results = outcome.results;
@@ -167,11 +167,11 @@ Outcome first_part(const Task& task, const Results& without_links) {
   return outcome;
 }
 
-// The run that `compare: no_pounding` asks for. It is kept in the output of the run that is to follow.
+// The run without links of `compare: no_pounding`. Its results are included in the output of the subsequent run.
 Outcome run_without_links(const Task& task, const InterruptedRun* earlier = nullptr) {
   Task part = task;
   part.heading.command.clear();
-  // Its end has no state to continue from: until the run with links has one, the file keeps the last one before.
+  // Its end has no state to resume from: until the run with links has one, the file keeps the previous one.
   if (task.write)
     part.write = [&](const Results& results) {
       if (!results.status.starts_with("done")) task.write(first_part(task, results).results);
@@ -184,14 +184,15 @@ Outcome run_without_links(const Task& task, const InterruptedRun* earlier = null
   }
 }
 
-// Frames would otherwise wait for each other.
+// With different models the processes would deadlock.
 void require_same_model(const petsc::Ranks& ranks, const Model& model) {
   if (!ranks.same(model.source_text + checkpoint_of(model, {}).ground))
-    throw InputError(fmt::format("{}: the processes read different models or records; name files that all of them see",
-                                 model.source_file.empty() ? "the model" : model.source_file));
+    throw InputError(
+        fmt::format("{}: the processes read different models or records; type files that all processes can read",
+                    model.source_file.empty() ? "the model" : model.source_file));
 }
 
-// A preloaded contact presses from the start, but time has not passed.
+// A preloaded contact presses before the run starts.
 bool has_run(const Link& link) {
   const std::span<const ImpactRow> impacts = link.contact->impacts();
   if (link.preload && impacts.size() == 1 && impacts[0].impulse == 0) return false;
@@ -202,10 +203,10 @@ bool has_run(const Link& link) {
 
 Outcome run(const Model& model, const RunOptions& options) {
   if (options.comm == MPI_COMM_NULL)
-    throw std::logic_error("RunOptions::comm is null; make the options after PETSc has started");
+    throw std::logic_error("RunOptions::comm is null; create the options after PETSc is initialized");
   if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
   for (const Link& link : model.links)
-    if (has_run(link)) throw std::logic_error("this model has been run; read it again");
+    if (has_run(link)) throw std::logic_error("this model has already been run; read it again");
   require_same_model(petsc::Ranks(options.comm), model);
   ReplacedFile file(options.output);
   const EffectiveSettings settings = effective_settings(model);

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs a model through time and records what happens.
+/// Time history analysis of a model.
 
 #include <petscsys.h>
 
@@ -14,26 +14,24 @@
 
 namespace pounding {
 
-/// How a model is run. Tolerance, scheme and steps are no part of this: they are the model's (Model::analysis), and
-/// PETSc options with the prefix -pounding_ have the last word on them.
+/// Options of a run. Tolerance, scheme and steps are part of the model (Model::analysis); PETSc options with the prefix
+/// -pounding_ override them.
 struct RunOptions {
-  /// The processes that run the model together. Several models may run at once on communicators that share no process.
-  /// PETSC_COMM_WORLD is set by PETSc's start, so make the options after it (petsc::Environment).
+  /// The processes that run the model together. Several models may run simultaneously on communicators that share no
+  /// process. PETSC_COMM_WORLD is set by PetscInitialize(), so create the options after it (petsc::Environment).
   MPI_Comm comm = PETSC_COMM_WORLD;
-  std::string output = {};   ///< results file, rewritten while the run goes on; empty for none
-  std::string command = {};  ///< command line that the results file tells
-  /// Called about ten times a second between two steps with the simulated time [s], the duration [s] and the number of
-  /// impacts.
+  std::string output = {};   ///< results file, updated during the run; empty for none
+  std::string command = {};  ///< command line to store in the results file
+  /// Called about ten times per second between two steps with the simulated time [s], the duration [s] and the number
+  /// of impacts.
   std::function<void(double, double, int)> progress = {};
-  /// Polled between steps, some fifty times a second. Returning true on one process stops the run: results so far are
-  /// written, with a checkpoint, and FailedRun is thrown.
+  /// Polled between steps, about fifty times per second. Returning true on one process stops the run: results up to
+  /// that time are written with a checkpoint, and FailedRun is thrown.
   std::function<bool()> stop = {};
-  /// Results file of an interrupted run of this model: one that was killed, stopped, or cut by -pounding_ts_max_steps.
-  /// The run continues from its last checkpoint and gives the same bits as a run without interruption. Empty for a run
-  /// from the start.
+  /// Results file of an interrupted run of this model: killed, stopped, or ended by -pounding_ts_max_steps. The run
+  /// resumes from its last checkpoint and is bitwise identical to an uninterrupted run. Empty to run from the start.
   std::string resume = {};
-  /// Only the numbers of the summary are asked for: results are without the texts of the model, the JSON, the run
-  /// without links, and warnings.
+  /// Compute numeric summary values only; skip model text, JSON, the run without links and warnings.
   bool numbers_only = false;
 };
 
@@ -41,35 +39,34 @@ struct RunOptions {
 struct Outcome {
   Results results;
   Summary summary;
-  bool resumable = false;  ///< a run that ended early left a state to continue from in its results file
+  bool resumable = false;  ///< true if a run that ended early can be resumed from its results file
 };
 
 /// A run that ended early.
 class FailedRun : public SolverError {
  public:
   FailedRun(const std::string& reason, Outcome outcome) : SolverError(reason), outcome_(std::move(outcome)) {}
-  /// The results until the failure.
+  /// Results up to the failure.
   const Outcome& outcome() const { return outcome_; }
 
  private:
   Outcome outcome_;
 };
 
-/// Runs a model once; its contacts keep the history of their impacts. With `compare: no_pounding` the model is first
+/// Runs the model once; its contacts keep the history of their impacts. With `compare: no_pounding`, the model is first
 /// run without its links.
 ///
 /// Collective on `options.comm`: all processes pass the same arguments, and the first one writes the file. PETSc must
-/// be running. A run that ended early for any reason but a failed solve leaves a file that `resume` takes.
+/// be initialized. If a run ended early for any reason except a failed solve, its file can be resumed.
 ///
 /// Throws
-///   FailedRun         when the solve fails or is stopped, after the results so far and the reason were written
-///   InputError        for a file that cannot be written, for PETSc options that are wrong or that nothing reads, for a
-///   run that
-///                     cannot be resumed (read_interrupted_run, check_same_run), and for models or records that differ
-///                     between processes
-///   std::logic_error  for a model that has been run or is not complete, and for options made before PETSc's start
+///   FailedRun         if the solve fails or is stopped, after the results and the reason have been written
+///   InputError        if the file cannot be written, a PETSc option is invalid or unused, the run cannot be resumed
+///                     (read_interrupted_run, check_same_run), or models or records differ between processes
+///   std::logic_error  if the model has already been run or is not complete, or the options were created before
+///                     PETSc was initialized
 Outcome run(const Model& model, const RunOptions& options = {});
-/// Completes the model first; throws ModelError where that fails.
+/// Completes the model first; throws ModelError on failure.
 inline Outcome run(Model& model, const RunOptions& options = {}) {
   model.complete();
   return run(std::as_const(model), options);

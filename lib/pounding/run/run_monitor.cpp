@@ -12,8 +12,8 @@
 namespace pounding {
 namespace {
 
-// The clock is read every few steps only. A launcher (mpirun) kills a second after it asks to stop; looks must be much
-// closer.
+// The clock is read every few steps only. A launcher (mpirun) kills one second after its request to stop, so the
+// interval must be much shorter.
 constexpr double seconds_between_looks = 0.02;
 constexpr int max_steps_between_looks = 256;
 constexpr double seconds_between_reports = 0.1;
@@ -49,7 +49,7 @@ std::string RunMonitor::check_reduction() {
       ranks_.on_each([&] { more = reduction_.check.next(); });
       if (!more || !ranks_.any(options_.stop && options_.stop())) continue;
       resumable_ = true;
-      return "stopped by the user while all unknowns were stepped through the hardest impacts";
+      return "stopped by the user during the check of the reduction";
     }
   } catch (const SolverError& error) {
     return fmt::format("the check of the reduction failed: {}", error.what());
@@ -101,7 +101,7 @@ int RunMonitor::steps_until_next_look() const {
   return static_cast<int>(std::clamp(steps, 1.0, 1.0 * max_steps_between_looks));
 }
 
-// A limit on steps (most_steps, -pounding_ts_max_steps) ends a TS without an error.
+// A limit on steps (analysis.max_steps, -pounding_ts_max_steps) ends a TS without an error.
 std::string RunMonitor::early_end() {
   if (!collapse_.empty() || stepper_.time() >= duration_ * (1 - 1e-12)) return "";
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
@@ -112,7 +112,7 @@ std::string RunMonitor::early_end() {
   if (resumable_) writer_.save();
   return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper_.time(), duration_,
                      resumable_
-                         ? fmt::format("{}: {} steps, and more are not allowed", TSConvergedReasons[reason], steps)
+                         ? fmt::format("{}: the limit of {} steps was reached", TSConvergedReasons[reason], steps)
                          : std::string(TSConvergedReasons[reason]));
 }
 

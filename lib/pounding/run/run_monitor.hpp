@@ -1,5 +1,6 @@
 #pragma once
-/// Watches a run between its steps: records them, reports progress, stops on request, and has the results file written.
+/// Monitors the run between its steps: records them, reports progress, stops on request and has the results file
+/// written.
 
 #include <petscts.h>
 
@@ -17,18 +18,19 @@ namespace pounding {
 /// Drives one TS to its end.
 class RunMonitor {
  public:
-  /// `duration` of the run [s]; `since_start` runs since its beginning. All other arguments must outlive this.
+  /// `duration` of the run [s]; `since_start` measures the time since the beginning. All other arguments must outlive
+  /// this object.
   RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const Stepper& stepper,
              Recorder& recorder, ReductionReport& reduction, RunWriter& writer);
 
-  /// Runs TSSolve. Returns why the run ended before its duration; empty when it has not.
+  /// Runs TSSolve. Returns the reason if the run ended before its duration; empty otherwise.
   std::string solve();
-  /// Steps all unknowns of reduced structures through the hardest impacts of a run that is over, where that is asked
-  /// for. Returns why it ended early; empty when it has not.
+  /// After the run, checks the reduction in the strongest impacts if requested. Returns the reason if the check ended
+  /// early; empty otherwise.
   std::string check_reduction();
-  /// Whether a run that ended early left a state to continue from: it was stopped, or cut by a limit on steps.
+  /// True if a run that ended early can be resumed: it was stopped or reached a limit on steps.
   bool is_resumable() const { return resumable_; }
-  /// How a structure collapsed, which ends a run and is no failure; empty where none did.
+  /// Description of the collapse that ended the run, which is not a failure; empty if there is none.
   const std::string& collapse() const { return collapse_; }
 
  private:

@@ -13,7 +13,7 @@
 namespace pounding {
 namespace {
 
-// Part of the run time that writing the file may take.
+// Fraction of the run time that writing the file may take.
 constexpr double output_share = 0.05;
 constexpr double seconds_between_writes = 1;
 
@@ -35,8 +35,8 @@ RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults
       since_start_(since_start),
       plan_(plan) {}
 
-// Everything that moves between two steps but the histories. Of the statistics only the run times come from here; the
-// stepper and the TS hold the others.
+// The state between two steps except the histories. Of the statistics, only the run times are stored here; the stepper
+// and the TS store the others.
 void RunWriter::archive(Archive& archive) {
   outcome_.results.solver.wall_seconds = seconds();
   archive(outcome_.results.solver);
@@ -63,13 +63,13 @@ void RunWriter::save() {
   outcome_.results.checkpoint->state = all.bytes();
 }
 
-// The part of a saved state that this process saved.
+// The part of a saved state that belongs to this process.
 std::vector<std::byte> RunWriter::own_part(const std::vector<std::byte>& saved) const {
   Archive all(saved);
   std::vector<std::vector<std::byte>> parts;
   all(parts);
   if (static_cast<int>(parts.size()) != ranks_.size())
-    throw InputError(fmt::format("it was made by {} process{}; type {}pounding run --resume {}", parts.size(),
+    throw InputError(fmt::format("it was started with {} process{}; type {}pounding run --resume {}", parts.size(),
                                  parts.size() == 1 ? "" : "es",
                                  parts.size() == 1 ? "" : fmt::format("mpirun -n {} ", parts.size()), options_.resume));
   return parts[ranks_.rank()];
@@ -82,7 +82,7 @@ void RunWriter::restart(const InterruptedRun& run) {
     archive(state);
     state.expect_end();
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: the run cannot go on: {}", run.file, error.what()));
+    throw InputError(fmt::format("{}: the run cannot be resumed: {}", run.file, error.what()));
   }
   earlier_seconds_ = outcome_.results.solver.wall_seconds;
   outcome_.results.checkpoint = run.checkpoint;

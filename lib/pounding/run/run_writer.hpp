@@ -1,5 +1,5 @@
 #pragma once
-/// Writes the results file of a run, with checkpoints, while the run goes on.
+/// Writes the results file of a run, with checkpoints, during the run.
 
 #include <petscts.h>
 
@@ -19,32 +19,31 @@
 
 namespace pounding {
 
-/// Writes results where they belong; called on the first process alone.
+/// Writes results to their destination; called on the first process only.
 using WriteResults = std::function<void(const Results&)>;
 
-/// The results file of one run, and the state between two steps that goes into it. All functions but those that are
-/// const are collective.
+/// The results file of one run, including the state between two steps. All non-const functions are collective.
 class RunWriter {
  public:
-  /// `write` is empty for a run that leaves no file; `since_start` runs since the beginning of the run. All other
-  /// arguments must outlive this.
+  /// `write` is empty for a run without a file; `since_start` measures the time since the beginning of the run. All
+  /// other arguments must outlive this object.
   RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
             Recorder& recorder, ReductionReport& reduction, Outcome& outcome, const Stopwatch& since_start,
             const petsc::ReductionPlan& plan);
 
-  /// Takes up an interrupted run: its histories and its state. Throws InputError when they do not fit.
+  /// Resumes an interrupted run: its histories and its state. Throws InputError if they do not match.
   void restart(const InterruptedRun& run);
-  /// Makes the present state, between two steps, the checkpoint of the results. Leaves the earlier one where TSAdapt
-  /// hides a part of the state, and does nothing without an output.
+  /// Makes the present state, between two steps, the checkpoint of the results. Keeps the earlier one if the TSAdapt
+  /// type has internal state. Does nothing without an output.
   void save();
-  /// Writes the results so far with a status. Does nothing without an output.
+  /// Writes the current results with a status. Does nothing without an output.
   void write(const std::string& status);
-  /// Whether the file is due to be written: by the checkpoints that the model asks for, else often enough for writing
-  /// to take a small part of the run.
+  /// True if the file is due to be written: at the checkpoints requested by the model, otherwise as often as a small
+  /// fraction of the run time allows.
   bool is_due() const;
-  /// Completes the summary with the last status, and writes the results where there is an output.
+  /// Completes the summary with the last status, and writes the results if there is an output.
   void end(const std::string& status);
-  /// Wall time of the run, parts before an interruption included [s].
+  /// Wall time of the run, including the time before an interruption [s].
   double seconds() const { return earlier_seconds_ + since_start_.seconds(); }
 
  private:

@@ -40,7 +40,7 @@ std::vector<LinkSeparation> separations(const Model& model, const Extremes& appr
     LinkSeparation s{
         link.name,           link.gap, std::max(0.0, approach.max[3 * i + 2]), approach.t_max[3 * i + 2], ua + ub,
         combined(ua, ub, 0), 0};
-    // A wall moves with the ground and has nothing to combine.
+    // A wall moves with the ground and has no displacement to combine.
     const bool by_wall = model.structures[a].is_rigid() || model.structures[b].is_rigid();
     s.ddc = combined(
         ua, ub,

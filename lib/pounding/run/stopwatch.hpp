@@ -5,7 +5,7 @@
 
 namespace pounding {
 
-/// Runs from its construction, or from the last restart.
+/// Measures from its construction or from the last restart.
 class Stopwatch {
  public:
   /// Elapsed wall time [s].

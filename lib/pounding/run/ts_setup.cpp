@@ -19,30 +19,30 @@ namespace {
 
 using petsc::check;
 
-// First step as a fraction of the longest one at time 0.
+// First step as a fraction of the maximum step at time 0.
 constexpr double first_share = 1.0 / 64;
 
 double first_step(const Model& model) {
   return first_share * std::min(longest_step(model), ground_plan(model).longest_step(0));
 }
 
-// PETSc reads these for every TS; here they would change nothing.
+// PETSc reads these options for every TS; here they have no effect.
 void refuse_idle_options() {
   struct Idle {
     const char *name, *reason;
   };
   constexpr Idle idle[] = {
       {"ts_atol", "errors are relative to the motion; set -pounding_ts_rtol"},
-      {"ts_max_snes_failures", "no SNES takes part"},
-      {"ts_exact_final_time", "the run ends at its duration exactly"},
+      {"ts_max_snes_failures", "no SNES is used"},
+      {"ts_exact_final_time", "the run always ends exactly at its duration"},
       {"ts_time_span", "type analysis: {output_step: ...}"},
-      {"ts_init_time", "a run starts at zero"},
-      {"ts_adapt_wnormtype", "errors are root mean squares weighed by the masses"},
+      {"ts_init_time", "every run starts at zero"},
+      {"ts_adapt_wnormtype", "errors are mass-weighted root mean squares"},
   };
   for (const Idle& option : idle) {
     PetscBool given = PETSC_FALSE;
     check(PetscOptionsHasName(nullptr, "pounding_", (std::string("-") + option.name).c_str(), &given));
-    if (given) throw InputError(fmt::format("-pounding_{} would change nothing: {}", option.name, option.reason));
+    if (given) throw InputError(fmt::format("-pounding_{} has no effect: {}", option.name, option.reason));
   }
   const std::vector<std::string> given = petsc::Environment::given_options();
   const auto starts_with = [](const char* start) {
@@ -51,7 +51,7 @@ void refuse_idle_options() {
   if (std::ranges::any_of(given, starts_with("-pounding_ts_adapt_type "))) return;
   if (const auto idle_adapt = std::ranges::find_if(given, starts_with("-pounding_ts_adapt_"));
       idle_adapt != given.end())
-    throw InputError(fmt::format("{} would change nothing without -pounding_ts_adapt_type basic", *idle_adapt));
+    throw InputError(fmt::format("{} has no effect without -pounding_ts_adapt_type basic", *idle_adapt));
 }
 
 // A distributed vector with these entries.
@@ -62,7 +62,7 @@ petsc::Handle<Vec> make_vector(const Eigen::VectorXd& all, MPI_Comm comm) {
   return made;
 }
 
-// PETSc quotes the value that it cannot read, and not always the option.
+// PETSc quotes the value that it cannot read, but not always the option.
 std::string options_named_in(const std::string& message) {
   std::string named;
   for (const std::string& option : petsc::Environment::given_options()) {
@@ -73,7 +73,7 @@ std::string options_named_in(const std::string& message) {
   return named;
 }
 
-// Calls `read`; rethrows an error of PETSc as InputError with the options that it may be about.
+// Calls `read`; rethrows an error of PETSc as an InputError with the options that may have caused it.
 template <class Read>
 void read_options(const Read& read) {
   try {
@@ -133,10 +133,10 @@ EffectiveSettings effective_settings(const Model& model) {
 
 void refuse_unread_options(bool factors_too) {
   for (const std::string& option : petsc::Environment::unread_options()) {
-    // Options that draw or print at the end of the run are read there.
+    // Options that draw or print at the end of the run are read at that time.
     if (option.find("view") != std::string::npos) continue;
     if (!factors_too && (option.starts_with("-pounding_lev_") || option.starts_with("-pounding_red_factor_"))) continue;
-    throw InputError(fmt::format("nothing reads the option {}; pounding run --help names some that exist", option));
+    throw InputError(fmt::format("unknown or unused option {}; see `pounding run --help`", option));
   }
 }
 
@@ -162,7 +162,7 @@ TsSetup set_up_ts(const EffectiveSettings& settings, const Eigen::VectorXd& u, c
   refuse_unread_options(false);
   PetscBool ours = PETSC_FALSE;
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
-  if (!ours) throw InputError("-pounding_ts_type: only the type \"pounding\" lands on impacts; leave the option out");
+  if (!ours) throw InputError("-pounding_ts_type: only the type \"pounding\" locates impacts; omit the option");
   return setup;
 }
 

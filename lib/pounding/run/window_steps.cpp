@@ -34,7 +34,7 @@ GroundMotion sampled(const std::vector<double>& times, std::vector<double> value
   return GroundMotion(Samples{.times = times, .accelerations = std::move(values), .uniform = evenly_spaced(times)});
 }
 
-// Forces of every link that acts in a window, at these times: the parabola through the three forces of the step of the
+// Forces at these times of every active link in a window: the parabola through the three forces of each step of the
 // run.
 std::map<int, std::vector<double>> forces_at(const std::vector<double>& times, const ImpactWindow& window) {
   std::map<int, std::vector<double>> forces;
@@ -56,7 +56,7 @@ SparseMatrix block(const SparseMatrix& matrix, const Group& group) {
   return matrix.block(group.first, group.first, group.count, group.count);
 }
 
-// The load of a link on a group. What it does to unknowns without mass moves both alike (SpringRelief).
+// Load of a link on a group. Its effect on massless degrees of freedom is the same in both solutions (SpringRelief).
 Eigen::VectorXd load_of(const System& system, const SpringRelief& relief, int link, const Group& group) {
   const bool eased = is_spring(system, link) && relief.push().cols() > 0;
   const SparseMatrix column = eased ? SparseMatrix(relief.push().col(link - system.contact_count()))
@@ -64,8 +64,8 @@ Eigen::VectorXd load_of(const System& system, const SpringRelief& relief, int li
   return Eigen::VectorXd(column.col(0)).segment(group.first, group.count);
 }
 
-// The group by itself, without links: their forces are loads over time. Outputs are the closings of the contacts, then
-// those that are asked for.
+// The group alone, with link forces as prescribed loads instead of links. Outputs are the closings of the contacts,
+// then the requested ones.
 System by_itself(const System& system, const SpringRelief& relief, const Group& group, std::span<const int> outputs,
                  const ImpactWindow& window) {
   const std::vector<double> times = times_of(window);
@@ -128,10 +128,10 @@ Followed follow(const System& alone, StructureSolver& solver, const ImpactWindow
   return found;
 }
 
-// The modes of the run.
+// The modes used in the run.
 ReducedGroup modes_of(const StructureSolver& base, int group) {
   const std::optional<StructureSolver::FewModes> few = base.few_modes(group);
-  if (!few) throw std::invalid_argument("a structure in all its unknowns is not to be checked");
+  if (!few) throw std::invalid_argument("only a reduced structure can be checked");
   Eigen::VectorXd ones = Eigen::VectorXd::Zero(base.size()), squares(base.size());
   ones.segment(few->first, few->shapes.cols()).setOnes();
   base.stiffness_times(ones, squares);

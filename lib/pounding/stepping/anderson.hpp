@@ -1,5 +1,5 @@
 #pragma once
-/// Anderson's acceleration of a fixed-point iteration.
+/// Anderson acceleration of a fixed-point iteration.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -9,21 +9,21 @@
 
 namespace pounding {
 
-/// Solves x = R(x): of all combinations of the iterates so far, each next one has the least residual R(x) - x if R were
-/// linear (Anderson 1965). Unlike plain repetition it may converge where R is no contraction.
+/// Solves x = R(x). Each iterate is the combination of the previous ones that would minimize the residual R(x) - x if R
+/// were linear (Anderson 1965). The iteration may converge even if R is not a contraction.
 ///
-/// `map(x, image)` sets image = R(x) and answers false where that cannot be done. `size(residual)` is the length of a
-/// residual at the x of the last map, relative to the solution that is sought; `product(p, q)` an inner product.
+/// `map(x, image)` sets image = R(x) and returns false on failure. `size(residual)` is the norm of a residual at the x
+/// of the last map, relative to the solution. `product(p, q)` is an inner product.
 ///
-/// `x` is a guess; `image` becomes R of the last iterate, the better one of the two. False if `map` failed or nothing
-/// converged in 100 iterations. Converged: the error of `image` is below 1e-14, or round-off stops it below 1e-11.
+/// `x` is the initial guess; `image` becomes R of the last iterate. Returns false if `map` fails or 100 iterations do
+/// not converge. Converged means that the error of `image` is below 1e-14, or that it stagnates below 1e-11.
 template <class Map, class Size, class Product>
 bool solve_fixed_point(Eigen::VectorXd x, Eigen::VectorXd& image, const Map& map, const Size& size,
                        const Product& product) {
   constexpr double solved = 1e-14, nearly_solved = 1e-11;
   constexpr int max_iterations = 100;
   constexpr std::size_t max_secants = 30;
-  // The part of a difference that is orthogonal to those before it; a smaller one is round-off.
+  // Minimum fraction of a difference that is orthogonal to the previous ones; below it, the difference is round-off.
   constexpr double min_new_part = 1e-8;
 
   struct Secant {

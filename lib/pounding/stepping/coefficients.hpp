@@ -6,8 +6,8 @@
 
 namespace pounding {
 
-/// Generalized-alpha (Chung and Hulbert 1993), order 2. Inertia is balanced at weight alpha_m of the end of the step,
-/// all other forces at weight alpha_f (1 - the paper's alphas), forces averaged between the ends.
+/// Generalized-alpha (Chung and Hulbert 1993), order 2. Inertia has weight alpha_m at the end of the step and all other
+/// forces have weight alpha_f (1 minus the alphas of the paper).
 struct GeneralizedAlpha {
   double alpha_m = 0.5, alpha_f = 0.5, beta = 0.25, gamma = 0.5;
 
@@ -24,7 +24,7 @@ struct GeneralizedAlpha {
 };
 
 /// ESDIRK4(3)6L[2]SA, the implicit half of ARK4(3)6L[2]SA (Kennedy and Carpenter 2003): order 4, L-stable, stiffly
-/// accurate, the same diagonal coefficient in all stages. In second-order form the unknown of a stage is its
+/// accurate, with the same diagonal coefficient in all stages. In second-order form, each stage solves for its
 /// acceleration.
 namespace esdirk4 {
 inline constexpr int stages = 6;
@@ -41,7 +41,7 @@ inline constexpr double a[stages][stages] = {
 inline constexpr double embedded[stages] = {4586570599.0 / 29645900160, 0,
                                             178811875.0 / 945068544,    814220225.0 / 1159782912,
                                             -3700637.0 / 11593932,      61727.0 / 225920};
-/// Weights of accelerations in the displacement of a stage: the square of a.
+/// Weights of the accelerations in the displacement of a stage: the square of a.
 inline constexpr auto squared = [] {
   std::array<std::array<double, stages>, stages> s{};
   for (int i = 0; i < stages; ++i)

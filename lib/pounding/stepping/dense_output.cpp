@@ -41,7 +41,7 @@ void DenseOutput::show(const Instant& instant, State& state) const {
   state.force = instant.force;
 }
 
-// `shown`: the state at this instant if there is one already.
+// `shown`: the state at this instant if it has been computed already; otherwise null.
 void DenseOutput::show(const Instant& instant, const State* shown, Eigen::VectorXd& u, Eigen::VectorXd& v) const {
   if (shown) {
     u = shown->u;
@@ -184,7 +184,7 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
   const Eigen::VectorXd by_slopes = cubic.begin * springs_of(x.force) + cubic.end * springs_of(y.force) +
                                     cubic.slope_begin * history_.kept().force_rates_begin.col(0) +
                                     cubic.slope_end * y.force_rates.col(0);
-  // The states show the cubic of every spring that gives way, so that massless unknowns stay in equilibrium with these
+  // The states use the cubic for every spring with relief; massless degrees of freedom stay in equilibrium with these
   // forces.
   const SparseMatrix& flexibility = equations_.solver.relief().flexibility();
   for (int i = 0; i < by_slopes.size(); ++i)
@@ -193,7 +193,7 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
 
 namespace {
 
-// From [row, u v a] at the ends of a step and accelerations in its middle.
+// Interpolates from [row, u v a] at the ends of a step and the accelerations at its middle.
 void interpolate_motion(double s, double h, const Eigen::Ref<const Eigen::MatrixXd>& x,
                         const Eigen::Ref<const Eigen::MatrixXd>& middle, const Eigen::Ref<const Eigen::MatrixXd>& y,
                         Eigen::MatrixXd& out) {

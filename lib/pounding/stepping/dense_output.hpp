@@ -1,5 +1,5 @@
 #pragma once
-/// States and output quantities of kept steps, at their ends and in between.
+/// States and output quantities at the ends of accepted steps and between them.
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// Cubic Hermite interpolation: factors of values and slopes at the ends of a step of length h.
+/// Cubic Hermite interpolation: weights of the values and slopes at the ends of a step of length h.
 struct Cubic {
   double begin, end, slope_begin, slope_end;
 
@@ -22,7 +22,7 @@ struct Cubic {
   }
 };
 
-/// The parabola through values at both ends and the middle of a step.
+/// Parabola through the values at both ends and at the middle of a step.
 struct Parabola {
   double begin, middle, end;
 
@@ -35,19 +35,19 @@ struct Parabola {
   }
 };
 
-/// Views of the instants that StepHistory holds, made when first asked for. end_minus is the end of the last kept step
-/// as the step saw it, before events; it is the same object as now where no event changed anything.
+/// Lazily evaluated states and outputs of the instants in StepHistory. end_minus is the end of the last accepted step
+/// before events; it is the same object as now if no event changed the state.
 class DenseOutput {
  public:
-  /// Both must outlive it.
+  /// Both arguments must outlive this object.
   DenseOutput(const Equations& equations, const StepHistory& history);
 
-  /// State at the present instant, at the beginning of the last kept step, and at its end before events; see
+  /// State at the present instant, at the beginning of the last accepted step, and at its end before events; see
   /// Stepper::state().
   const State& now() const { return now_in(states_); }
   const State& begin() const { return begin_in(states_); }
   const State& end_minus() const { return end_minus_in(states_); }
-  /// Displacements and velocities alone at the last two, cheaper than a state that nobody has asked for.
+  /// Displacements and velocities only at the last two instants, cheaper than a full state.
   void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   /// Output quantities at the same three instants.
@@ -57,17 +57,17 @@ class DenseOutput {
   /// Output accelerations at mid-step, from dynamic equilibrium: [quantity, 1].
   const Eigen::MatrixXd& outputs_middle() const;
 
-  /// Inside the last kept step: displacement and velocity by the cubic, acceleration by the parabola.
+  /// Inside the last accepted step: cubic interpolation of displacement and velocity, parabola of acceleration.
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const;
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const;
-  /// The coordinates there, of systems without parts that yield or turn: [coordinate, u v a].
+  /// Coordinates inside the last accepted step, for linear systems (Stepper::is_linear): [coordinate, u v a].
   void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const;
-  /// Forces of all springs inside the last kept step [N]: of those that give way the cubic by their slopes in the step,
-  /// of all others the parabola.
+  /// Forces of all springs inside the last accepted step [N]. Springs with relief (SpringRelief) use the cubic from
+  /// their force rates in the step; all others use the parabola.
   void interpolate_springs(double time, Eigen::VectorXd& forces) const;
 
-  /// A step was kept: the views of the present become those of its beginning.
+  /// Called when a step is accepted: views of the present become those of its beginning.
   void step_accepted();
   /// The present instant changed.
   void now_changed() { states_.has_now = outputs_.has_now = false; }
@@ -87,12 +87,12 @@ class DenseOutput {
     }
   };
 
-  // Accelerations of all unknowns in the middle of the last kept step, of any length but zero.
+  // Accelerations of all degrees of freedom at the middle of the last accepted step, whose length may not be zero.
   const Eigen::VectorXd& middle() const;
   void show(const Instant& instant, State& state) const;
   void show(const Instant& instant, const State* shown, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
-  // Derivatives of the forces of springs where the last kept step begins, minus those that its state was shown with.
-  // Whether the slopes of springs, none where it began, do not change in the last kept step.
+  // Force rates of the springs at the beginning of the last accepted step, minus those used for its state.
+  // True if the springs have zero force rates at the beginning of the last accepted step and throughout it.
   bool keeps_rates() const { return history_.kept().springs_stay && history_.begin().force_rates.isZero(0); }
   Eigen::MatrixXd change_at_begin() const { return history_.kept().force_rates_begin - history_.begin().force_rates; }
   Eigen::VectorXd springs_of(const Eigen::VectorXd& of_links) const;
@@ -107,7 +107,7 @@ class DenseOutput {
   const Equations& equations_;
   const StepHistory& history_;
   bool needs_whole_state_ =
-      false;  // an output depends on massless degrees of freedom that pseudo-forces or springs correct
+      false;  // an output depends on massless degrees of freedom corrected by pseudo-forces or springs
   mutable Views<State> states_;
   mutable Views<OutputQuantities> outputs_;
   mutable Eigen::VectorXd middle_;

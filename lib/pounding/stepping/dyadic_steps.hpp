@@ -1,5 +1,5 @@
 #pragma once
-/// Lengths of steps whose factors are worth keeping.
+/// Step lengths whose factorizations are worth caching.
 
 #include <algorithm>
 #include <cmath>
@@ -9,23 +9,23 @@
 
 namespace pounding {
 
-/// Steps that are powers of two of one length: the shortest of the longest steps that the run allows at any time. While
-/// that limit holds, steps have its length exactly; level 0 is the longest of all.
+/// Power-of-two multiples of one base length: the smallest maximum step that the run allows at any time. While that
+/// limit applies, steps have exactly the base length. Level 0 is the longest.
 class DyadicSteps {
  public:
-  /// `max_step`: longest step of the run where the ground allows it [s].
+  /// `max_step`: maximum step of the run if the ground motion does not limit it [s].
   DyadicSteps(const System& system, double max_step) : base_(max_step) {
     for (const GroundMotion& motion : system.grounds) base_ = std::min(base_, motion.longest_step(motion.start()));
     doublings_ = static_cast<int>(std::floor(std::log2(max_step / base_ * (1 + 1e-9))));
   }
 
-  /// The longest one that is at most `wanted`, rounding apart [s].
+  /// Longest step that is at most `wanted`, up to round-off [s].
   double at_most(double wanted) const {
     const double halvings = std::ceil(std::log2(base_ / (wanted * (1 + 1e-9))));
     return std::ldexp(base_, -std::max(-doublings_, static_cast<int>(halvings)));
   }
 
-  /// k if h is level 0 over 2^k.
+  /// k if h is the length of level 0 divided by 2^k; `nullopt` otherwise.
   std::optional<int> level(double h) const {
     int exponent = 0;
     const double mantissa = std::frexp(base_ / h, &exponent);
@@ -35,7 +35,7 @@ class DyadicSteps {
 
  private:
   double base_;        // [s]
-  int doublings_ = 0;  // of it to level 0
+  int doublings_ = 0;  // from the base to level 0
 };
 
 }  // namespace pounding

@@ -16,7 +16,7 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
   cvm_.resize(n);
   double *vm = vm_.data(), *cvm = cvm_.data();
   const double eighth = h / 8;
-  // Stored by twos, as the sums below read them: a wider read of numbers just stored would wait for them.
+  // Stored with the width of the reads below: a wider read of freshly stored values would stall.
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     vm[i] = 0.5 * (v0[i] + v1[i]) + eighth * (a0[i] - a1[i]);
@@ -77,9 +77,9 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
     e.devices += spring->damped();
     e.strain += spring->stored_correction();
   }
-  // With u = u_m - W F the unknowns store u.K u/2 = u_m.K u_m/2 + F.B_s^T W F/2. Their rate of work on a spring is F
-  // d(B^T u)/dt, that is F dd/dt, which the spring stores or loses, and F.R dF/dt: so S = B_s^T W + R holds F.S F/2 in
-  // all.
+  // With u = u_m - W F, the degrees of freedom store u.K u/2 = u_m.K u_m/2 + F.B_s^T W F/2. They do work on a spring at
+  // the rate F d(B^T u)/dt = F dd/dt + F.R dF/dt. The spring stores or dissipates the first term. The stored total is
+  // therefore F.S F/2 with S = B_s^T W + R.
   if (equations.springs.any())
     e.strain += 0.5 * now.force.segment(equations.links.contacts(), equations.links.springs()).dot(now.relief);
   for (const Contact* contact : equations.system.contacts) e.impact += contact->work();

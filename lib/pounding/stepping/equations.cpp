@@ -50,7 +50,7 @@ Instant Equations::zero_instant() const {
   x.force = Eigen::VectorXd::Zero(links.size());
   x.relative = Eigen::MatrixXd::Zero(links.size(), width);
   x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
-  // Gravity's part stays as it is; the ground's is made at every instant.
+  // The gravity terms are constant; the ground terms are recomputed at every instant.
   if (links.moved()) supports.relative_motion(0, x.ground, x.by_ground);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
   if (slips.any()) x.slip = Eigen::VectorXd::Zero(links.springs());
@@ -139,7 +139,7 @@ void Equations::balance(Instant& x) const {
   motions_.resize(static_cast<std::size_t>(links.size()));
   for (int i = 0; i < links.size(); ++i) links.without_relief(i, x, motions_[i]);
   if (springs.any() && !springs.settle(motions_, x.force))
-    throw SolverError("the hinges of a structure find no equilibrium with its unknowns without mass");
+    throw SolverError("the hinges of a structure have no equilibrium with its massless degrees of freedom");
   balance(motions_, x.by_ground, false, false, x.force, acceleration);
   solver.recover(acceleration);
   x.motion.col(carried) = x.motion.col(a);

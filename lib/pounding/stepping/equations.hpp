@@ -1,5 +1,5 @@
 #pragma once
-/// The equations of motion of a system as every part of a step sees them.
+/// The equations of motion of a system, shared by all parts of a step.
 
 #include <Eigen/Core>
 #include <span>
@@ -20,8 +20,8 @@ namespace pounding {
 
 /// M a + C v + K u + e(u) + B F = -P ag(t), with pseudo-forces e and link forces F; see System.
 struct Equations {
-  /// Both must outlive it. Throws std::invalid_argument where parts of the system do not fit (System::check).
-  /// `carries`: the scheme has an acceleration of its own, Instant::carried.
+  /// Both arguments must outlive this object. Throws std::invalid_argument if the system is inconsistent
+  /// (System::check). `carries`: the scheme carries a separate acceleration, Instant::carried.
   Equations(const System& system, StructureSolver& solver, bool carries);
   Equations(const Equations&) = delete;
   Equations& operator=(const Equations&) = delete;
@@ -36,15 +36,15 @@ struct Equations {
   const ShortMotions short_motions;
   const PseudoForces pseudo_forces;
   const RigidContacts rigid;
-  const int width;  ///< columns of Instant::motion that have products: u v a, and carried where the scheme has it
+  const int width;  ///< columns of Instant::motion with products: u v a, and carried if the scheme has it
 
   /// An Instant and a Trial of the right sizes, all zero.
   Instant zero_instant() const;
   Trial zero_trial() const;
 
-  /// Products of `count` columns of the motion from `first` on: K times each, C times all but the displacement.
+  /// Multiplies `count` columns of the motion, starting at `first`: all by K, all but the displacement by C.
   void multiply(Instant& x, int first, int count) const;
-  /// Relative motion of all links from the motion, and relief of the springs from their forces.
+  /// Sets the relative motion of all links and the relief of the springs.
   void gather(Instant& x) const {
     solver.gather(x.motion.leftCols(width), x.relative);
     if (springs.any()) springs.relieve(x);
@@ -52,35 +52,34 @@ struct Equations {
   /// e at a displacement.
   void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const;
 
-  /// Dynamic equilibrium: link forces from the motions of the links, and `r`, the forces of everything else, becomes
-  /// the acceleration. Held contacts take the forces that leave no closing acceleration; those that hold the same
-  /// bodies share them. `inside_step`: forces that dip below zero there are zero unless the law may pull.
-  /// `springs_stay`: those of springs are in `force` already.
+  /// Solves dynamic equilibrium: computes the link forces from the link motions and replaces `r`, the sum of all other
+  /// forces, by the acceleration. Held contacts take the forces that make their closing acceleration zero; contacts
+  /// between the same bodies share them. `inside_step`: negative contact forces are set to zero unless the law can
+  /// pull. `springs_stay`: `force` already contains the spring forces.
   void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
                bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
-  /// Everything of an instant but displacement, velocity, K u and pseudo-forces, which are given: dynamic equilibrium
-  /// just after it.
+  /// Completes an instant just after events from its displacement, velocity, K u and pseudo-forces, by dynamic
+  /// equilibrium.
   void balance(Instant& x) const;
   /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic
   /// equilibrium. Then the rates of its springs. False if these find no equilibrium.
   bool balance_middle(const Instant& begin, Trial& trial) const;
-  /// Cubic interpolation at mid-step of a link's relative motion, before ground and gravity.
+  /// Cubic interpolation of a link's relative motion at mid-step, without ground motion and gravity.
   static LinkMotion middle_of(int link, const Instant& begin, const Trial& trial);
-  /// Corrects displacements and velocities at the end of a step, see hold_contacts().
+  /// Corrects displacements and velocities of held contacts at the end of a step; see hold_contacts().
   void hold_end(const Instant& begin, Trial& trial) const {
     if (moves_ends_apart(trial)) hold_moved_end(begin, trial);
   }
 
  private:
-  // Whether the rule of integration may take the two ends of a link apart that has no closing acceleration: where the
-  // ground moves them differently, or is integrated exactly for one of them (ShortMotions) and by the rule for the
-  // other.
+  // True if the time integration may separate the ends of a link that has no closing acceleration: if ground motion
+  // moves them differently, or is integrated exactly (ShortMotions) at one end only.
   bool moves_ends_apart(const Trial& trial) const { return links.moved() || trial.short_motions; }
   void hold_moved_end(const Instant& begin, Trial& trial) const;
 
-  std::vector<int> own_groups_;  // with coordinates on this process
-  // Room to work in.
-  mutable Eigen::VectorXd whole_, whole_force_;  // at all degrees of freedom
+  std::vector<int> own_groups_;  // groups with coordinates on this process
+  // Workspace.
+  mutable Eigen::VectorXd whole_, whole_force_;  // of all degrees of freedom
   mutable Eigen::VectorXd displacement_, force_;
   mutable Eigen::MatrixXd relative_;
   mutable std::vector<LinkMotion> motions_;

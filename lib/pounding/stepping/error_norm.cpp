@@ -7,13 +7,14 @@
 namespace pounding {
 namespace {
 
-// Generalized-alpha is of order two: a local error of tolerance^(3/2) makes a global error in proportion to the
+// Generalized-alpha is of order two: a local error of tolerance^(3/2) gives a global error proportional to the
 // tolerance.
 constexpr double local_share = 0.25;
-// The embedded scheme of ESDIRK4 is of order three; its error in one step is like the global error of the fourth.
+// The embedded scheme of ESDIRK4 is of order three; its local error is comparable to the global error of order four.
 constexpr double embedded_share = 0.05;
 
-// A contact moves far less than the structures that it joins. No error is resolved below these parts of their motion.
+// A contact moves far less than the structures it links. Errors below these fractions of the structural motion are not
+// resolved.
 constexpr double min_contact_rate = 1e-3;
 constexpr double min_contact_penetration = 1e-4;
 
@@ -87,7 +88,7 @@ double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<
   return worst / allowed_;
 }
 
-// The largest relative error of all groups.
+// Largest relative error of all groups.
 double ErrorNorm::group_error(Trial& trial, const StepError& error) {
   const StructureSolver& solver = equations_.solver;
   const double* w = solver.weights().data();
@@ -129,12 +130,12 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
   return std::sqrt(square);
 }
 
-// `row`: of the errors of the active links.
+// `row`: row of the active link in link_errors_.
 double ErrorNorm::contact_error(int contact, Eigen::Index row, const Trial& trial) const {
   const double part_d = std::max(min_contact_penetration, rounding / allowed_);
   const double part_r = std::max(min_contact_rate, rounding / allowed_);
   const LinkMotion end = equations_.links.motion(contact, trial.end);
-  double wide_d = 0, wide_r = 0;  // of the bodies that the link joins
+  double wide_d = 0, wide_r = 0;  // of the linked bodies
   for (const int k : link_groups_[contact]) {
     const double mass = equations_.solver.group_masses()[k];
     wide_d += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / mass));
@@ -145,7 +146,7 @@ double ErrorNorm::contact_error(int contact, Eigen::Index row, const Trial& tria
   return std::max(std::abs(link_errors_(row, 0)) / scale_d, std::abs(link_errors_(row, 1)) / scale_r);
 }
 
-// Stretch of the spring beside the dashpot, which its force follows.
+// Elongation of the spring in series with the dashpot, which determines its force.
 double ErrorNorm::stretch(int spring, const Instant& x) const {
   const LinkMotion motion = equations_.links.motion(equations_.links.contacts() + spring, x);
   return std::abs(motion.penetration - motion.slip);
@@ -153,10 +154,10 @@ double ErrorNorm::stretch(int spring, const Instant& x) const {
 
 double ErrorNorm::slip_error(int spring, const Trial& trial, double error) const {
   const double part = std::max(min_contact_penetration, rounding / allowed_);
-  double wide = 0;  // of the bodies that it joins
+  double wide = 0;  // of the linked bodies
   for (const int k : link_groups_[equations_.links.contacts() + spring])
     wide += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / equations_.solver.group_masses()[k]));
-  // Between two walls nothing but the spring itself says what is much.
+  // Between two fixed ends, only the spring's own motion defines the scale.
   const double scale = std::max({stretch_scale_[spring], stretch(spring, trial.end), part * wide});
   return scale > 0 ? std::abs(error) / scale : 0;
 }
@@ -203,7 +204,8 @@ void ErrorNorm::start(const Instant& now) {
 void ErrorNorm::learn(const Trial& kept) {
   raise(scales_.displacement, kept.squares_u);
   raise(scales_.velocity, kept.squares_v);
-  if (equations_.short_motions.any()) raise(slow_velocity_, kept.squares_slow);  // else it is that of all motion
+  if (equations_.short_motions.any())
+    raise(slow_velocity_, kept.squares_slow);  // otherwise it equals the scale of the full velocity
   for (const int spring : equations_.slips.slipping())
     stretch_scale_[spring] = std::max(stretch_scale_[spring], stretch(spring, kept.end));
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The size of errors: scales of the motion by group and by link, and the verdict on a trial.
+/// Error norm: motion scales by group and by link, and the error ratio of a trial step.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,40 +9,40 @@
 
 namespace pounding {
 
-/// Compares the errors of a step with the motion: displacements and velocities of each group as root mean squares
-/// weighed by the masses, those of each contact that presses with the motion of its impact.
+/// Measures the errors of a step relative to the motion. Displacements and velocities of each group are mass-weighted
+/// root mean squares; active contacts are measured relative to the motion of the current impact.
 class ErrorNorm {
  public:
-  /// `equations` must outlive it. `tolerance`: of a whole run, relative.
+  /// `equations` must outlive this object. `tolerance`: relative, of the whole run.
   ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance);
 
-  /// Scales that errors are relative to.
+  /// Reference scales of the errors.
   const MotionScales& scales() const { return scales_; }
 
-  /// Largest error of a trial over the error that is allowed in one step: good is at most 1. `active`: links that have
-  /// a force. Sets the sums of squares of the trial; see worst_link().
+  /// Largest error of a trial divided by the allowed error of one step; acceptable if at most 1. `active`: links with a
+  /// force. Also sets the sums of squares of the trial; see worst_link().
   double ratio(Trial& trial, const StepError& error, const std::vector<int>& active);
-  /// The link whose error was the largest of all in the last ratio(); -1 if that was the error of a group.
+  /// Link with the largest error in the last ratio(); -1 if it belongs to a group.
   int worst_link() const { return worst_link_; }
 
-  /// From now on a step may have this part of the error that the tolerance allows.
+  /// Sets the allowed error of the following steps, as a fraction of the error that the tolerance allows.
   void allow(double part);
 
-  /// Scales of a motion to start from.
+  /// Initializes the scales from a state.
   void start(const Instant& now);
-  /// Scales never shrink, but for those of a contact, which begin anew with each impact.
+  /// Updates the scales. They never decrease, except those of a contact, which are reset at each impact.
   void learn(const Trial& kept);
   void learn(int contact, const LinkMotion& end);
   void begin_impact(int contact, double rate);
 
-  /// Size of a change of the displacement, relative to the displacement or its scale: the largest of all groups.
+  /// Norm of a displacement change relative to the displacement or its scale: maximum over the groups.
   double relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const;
-  /// Kinetic energy at the smallest velocities that errors are compared with [J].
+  /// Kinetic energy at the minimum velocities used as error scales [J].
   double min_energy() const;
-  /// Inner product weighed by the masses.
+  /// Mass-weighted inner product.
   double product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const;
 
-  /// Writes the scales, or reads them back.
+  /// Writes or reads the scales.
   void archive(Archive& archive);
 
  private:
@@ -55,24 +55,24 @@ class ErrorNorm {
 
   const Equations& equations_;
   const double allowed_by_tolerance_;  // relative error of one step
-  double allowed_;                     // at present
+  double allowed_;                     // current
   MotionScales scales_;
-  // By group: velocities that errors are relative to, without what short motions of the ground give. A pulse that
-  // leaves a small motion behind would else hide errors in it.
+  // By group: velocity scales without the contribution of short ground motions. Otherwise a pulse that leaves only a
+  // small motion behind would mask errors in it.
   std::vector<double> slow_velocity_;
-  std::vector<double> rate_scale_, penetration_scale_;  // by link, of the present impact
-  std::vector<double> stretch_scale_;          // by spring that slips: largest stretch beside its dashpot so far
-  std::vector<double> rest_size_;              // by group, of ElasticForces::at_rest()
-  std::vector<std::vector<int>> link_groups_;  // groups that a link joins
+  std::vector<double> rate_scale_, penetration_scale_;  // by link, of the current impact
+  std::vector<double> stretch_scale_;  // by spring with a dashpot: largest elongation of the spring in series with it
+  std::vector<double> rest_size_;      // by group, of ElasticForces::at_rest()
+  std::vector<std::vector<int>> link_groups_;  // groups that a link connects
   int worst_link_ = -1;
-  std::vector<double> sums_;  // by group: errors in u and v, u, v, slow v squared
+  std::vector<double> sums_;  // by group: squares of the errors in u and v, of u, v and slow v
   Eigen::MatrixXd errors_, link_errors_;
 };
 
-/// Adds the error by Simpson's rule: the step's own velocities and displacements against the integral of the
-/// accelerations from dynamic equilibrium at its ends and its middle. It sees forces that are not smooth, such as a
-/// dashpot that grows with d^(1/4) from the touch. In each coordinate the larger of this error, times `part`, and the
-/// present one stays. Accelerations count without those of short motions of the ground, which the step integrates
+/// Adds the error estimate of Simpson's rule: the difference between the velocities and displacements of the step and
+/// the integral of its accelerations in dynamic equilibrium (beginning, middle, end). It detects non-smooth forces,
+/// such as a dashpot that grows as d^(1/4) from first contact. In each coordinate, the maximum of this error times
+/// `part` and the existing error is kept. Accelerations exclude those of short ground motions, which are integrated
 /// exactly.
 void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& trial, double part,
                        StepError& error);

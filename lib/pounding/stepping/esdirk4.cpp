@@ -12,13 +12,13 @@ using enum Instant::Column;
 using esdirk4::shift, esdirk4::squared;
 constexpr int stage_count = esdirk4::stages;
 
-// Share of the error by Simpson's rule beside that of the embedded scheme, where a link presses.
+// Weight of the Simpson error relative to that of the embedded scheme, if any link is active.
 constexpr double simpson_part = 3;
 
-// Forces on the accelerations of a stage at t + c h: r = -push - K (u0 + c h v0) - C v0, less K and C times what the
-// accelerations of `earlier` stages add to displacement and velocity. `products` has three columns of n a stage:
-// acceleration, K and C times it. One pass over all of it, with the number of stages known to the compiler; `r` is the
-// column of the stage's own acceleration, which is not read.
+// Forces for the acceleration of a stage at t + c h: r = -push - K (u0 + c h v0) - C v0, minus K and C times the
+// contributions of the `earlier` stage accelerations to displacement and velocity. `products` has three columns of
+// length n per stage: acceleration, K times it and C times it. A single pass with the number of stages known at compile
+// time. `r` is the acceleration column of the current stage, which is not read.
 template <int earlier>
 void forces_of_stage(int n, double h, double c, const Instant& x, const double* push, const double* __restrict products,
                      double* __restrict r) {
@@ -40,7 +40,7 @@ void forces_of_stage(int n, double h, double c, const Instant& x, const double* 
 constexpr std::array forces_of{forces_of_stage<1>, forces_of_stage<2>, forces_of_stage<3>, forces_of_stage<4>,
                                forces_of_stage<5>};
 
-// The end of a step and its errors from the accelerations of all stages.
+// Computes the end of a step and its errors from the accelerations of all stages.
 void sum_stages(int n, double h, const Instant& x, const double* __restrict products, Instant& end, StepError& error) {
   double by_u[stage_count], by_v[stage_count], error_by_u[stage_count], error_by_v[stage_count];
   for (int j = 0; j < stage_count; ++j) {
@@ -67,7 +67,7 @@ void sum_stages(int n, double h, const Instant& x, const double* __restrict prod
   }
 }
 
-// The unknown of each of the five implicit stages is its acceleration, from dynamic equilibrium at t + c h.
+// Each of the five implicit stages solves for its acceleration, from dynamic equilibrium at t + c h.
 class Esdirk4Scheme final : public TimeScheme {
  public:
   Esdirk4Scheme(Equations& equations, StageSolver& stages)
@@ -99,7 +99,7 @@ class Esdirk4Scheme final : public TimeScheme {
  private:
   auto acceleration(int j) { return stages_.col(3 * j); }
 
-  // In place: a call with its registers, five times a step, costs 2 % of a step of two oscillators.
+  // Inlined: five function calls per step cost 2 % of a step with two oscillators.
   [[gnu::always_inline]] inline bool solve_stage(int i, const Instant& x, Trial& t) {
     const int n = eq_.solver.size();
     const double h = t.h, ci = esdirk4::c[i];
@@ -169,7 +169,7 @@ class Esdirk4Scheme final : public TimeScheme {
         slip_rates_(link - eq_.links.contacts(), i) = eq_.links.spring(link).slip_rate(solver_.link_motion(stage, k));
   }
 
-  // The slips at the end of the step and their errors.
+  // Slips at the end of the step and their errors.
   void finish_slips(const Instant& x, Trial& t, StepError& error) const {
     t.end.slip = x.slip;
     error.slip.setZero(x.slip.size());
@@ -179,7 +179,8 @@ class Esdirk4Scheme final : public TimeScheme {
     }
   }
 
-  // How far stage i misses the short motions of the ground, which stand at `motion` there. Keeps their accelerations.
+  // Defect of stage i relative to the short ground motions, whose values at the stage are `motion`. Stores their
+  // accelerations.
   GroundDefect defect(int i, double h, const Eigen::MatrixXd& begin, const Eigen::MatrixXd& motion) {
     short_accelerations_.conservativeResize(Eigen::NoChange, i + 1);
     short_accelerations_.col(i) = motion.col(a);
@@ -191,7 +192,7 @@ class Esdirk4Scheme final : public TimeScheme {
     return missed;
   }
 
-  // Adds what the short motions of the ground are to the end of the step and to its errors, after the sums over the
+  // Adds the contribution of short ground motions to the end of the step and to its errors, after the sums over the
   // stages.
   void correct_end(Trial& t, StepError& error) const {
     t.end.motion.col(u) += eq_.short_motions.shift(missed_.u);
@@ -205,8 +206,8 @@ class Esdirk4Scheme final : public TimeScheme {
     error.v += eq_.short_motions.shift(by_v);
   }
 
-  // The end of the step, its middle and its errors from the accelerations of all stages. False if the springs find no
-  // equilibrium.
+  // Computes the end of the step, its middle and its errors from the accelerations of all stages. False if the springs
+  // have no equilibrium.
   bool finish(const Instant& x, Trial& t, StepError& error) {
     const int n = eq_.solver.size();
     const double h = t.h;
@@ -228,11 +229,11 @@ class Esdirk4Scheme final : public TimeScheme {
   StageSolver& solver_;
   Eigen::VectorXd ground_;
   Eigen::MatrixXd by_ground_;
-  Eigen::MatrixXd stages_;               // three columns a stage: acceleration, K and C times it
-  Eigen::MatrixXd link_accelerations_;   // closing, [link, stage]
-  Eigen::MatrixXd slip_rates_;           // [spring, stage]; empty where none slips
-  Eigen::MatrixXd short_accelerations_;  // of the short motions of the ground, [motion, stage]
-  GroundDefect missed_;                  // in the present stage
+  Eigen::MatrixXd stages_;               // three columns per stage: acceleration, K times it and C times it
+  Eigen::MatrixXd link_accelerations_;   // closing accelerations, [link, stage]
+  Eigen::MatrixXd slip_rates_;           // [spring, stage]; empty if none slips
+  Eigen::MatrixXd short_accelerations_;  // of the short ground motions, [motion, stage]
+  GroundDefect missed_;                  // of the current stage
   Eigen::VectorXd guess_, free_displacement_;
 };
 

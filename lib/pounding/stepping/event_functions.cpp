@@ -27,7 +27,7 @@ double EventFunctions::noise(const EventId& id, const LinkMotion& motion, const 
     case ContactPhase::restitution:
       return id.event == 0 ? motion_noise * size_u : id.event == 2 ? motion_noise * size_v : of_force();
     case ContactPhase::slack: return id.event == 0 ? motion_noise * size_u : of_force();
-    // The force that would stop a rate of round-off within the longest step.
+    // The force that would stop a round-off rate within the longest step.
     case ContactPhase::resting: return motion_noise * size_v / (rigid_.flexibility(id.link, id.link) * longest_step_);
   }
   return 0;

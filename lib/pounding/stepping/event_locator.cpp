@@ -7,25 +7,25 @@
 namespace pounding {
 namespace {
 
-// An event function counts as zero at this part of its change over the trial.
+// An event function counts as zero at this fraction of its change over the trial.
 constexpr double zero_part = 1e-12;
-// Event functions this close to zero where another one is located end there too: one group of events.
+// Event functions that are this close to zero at a located event also end there: they form one group of events.
 constexpr double grouped_part = 1e-9;
-// Shortest step, relative to the trial, on which a phase is looked for that seems to end where it begins.
+// Minimum step, relative to the trial, in the search for a phase that seems to end at its beginning.
 constexpr double shortest_look = 1e-9;
 constexpr int max_corner_trials = 8;
-// Part of a step that is good with such an error, over the allowed one, is another solution of the stage equations than
-// that of the motion: laws with strong dashpots have several.
+// Inside a good step, a shorter step with an error ratio above this value has converged to a wrong solution of the
+// stage equations: with strong dashpots there are several.
 constexpr double beyond_belief = 1e3;
 
-// A trial that was thrown away half solved must not be kept.
+// A partly solved trial must not be accepted.
 constexpr const char* lost_trial =
-    "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance";
+    "the link equations could not be solved while locating an impact; try a smaller tolerance";
 
 // An event function that is negative at the end of the trial.
 struct EventBracket {
   EventId id;
-  double from = 0;  // positive here [s after the beginning], unless at_begin is not
+  double from = 0;  // positive here [s after the beginning], unless at_begin is not positive
   double at_begin = 0, at_end = 0;
   double guess = 0;  // linear estimate of the zero [s after the beginning]
 };
@@ -36,7 +36,7 @@ std::vector<EventBracket> brackets_in(const EventFunctions& functions, const Ins
   for (int i = 0; i < links.contacts(); ++i) {
     const LinkMotion end = links.motion(i, trial.end);
     const Contact::EventFunctions at_end = functions.values(i, end, trial.end.force[i]);
-    if (std::none_of(at_end.begin(), at_end.end(), [](double value) { return value < 0; })) continue;  // most trials
+    if (std::none_of(at_end.begin(), at_end.end(), [](double value) { return value < 0; })) continue;
     const Contact::EventFunctions at_begin = functions.values(i, links.motion(i, now), now.force[i]);
     for (int k = 0; k < Contact::max_event_functions; ++k) {
       if (!functions.has_ended({i, k}, at_end[k], end, now)) continue;
@@ -49,7 +49,7 @@ std::vector<EventBracket> brackets_in(const EventFunctions& functions, const Ins
 
 }  // namespace
 
-// One search; `trial` changes with every call of try_step.
+// State of one search; `trial` changes with every call of try_step.
 struct EventLocator::Search {
   const EventFunctions& functions;
   const SpringCorners& corners;
@@ -57,7 +57,7 @@ struct EventLocator::Search {
   const Instant& now;
   const Trial& trial;
   const TryStep& solve_step;
-  const bool was_good;  // the trial as it came
+  const bool was_good;  // the initial trial had an acceptable error
 
   bool try_step(double h, std::optional<double> end) const {
     return solve_step(h, end) && !(was_good && trial.error > beyond_belief);
@@ -73,9 +73,9 @@ struct EventLocator::Search {
     if (!try_step(h, end)) throw LostTrial(lost_trial);
   }
   LinkMotion at_end(int link) const { return links.motion(link, trial.end); }
-  // The value up to which an event function that changes by so much counts as zero at the end of the trial. A compliant
-  // contact begins where its gap is closed to round-off: across an opening it would pull, or part again at once and
-  // leave an impact that never was.
+  // Value below which an event function with this change counts as zero at the end of the trial. A compliant contact
+  // must begin with its gap closed to round-off. With an open gap it would pull, or separate immediately and leave a
+  // spurious impact.
   double together(const EventId& id, double change) const {
     const Contact& contact = links.contact(id.link);
     const bool touches = contact.phase() == ContactPhase::open && !contact.is_rigid();
@@ -83,8 +83,8 @@ struct EventLocator::Search {
   }
 };
 
-// Bodies that touch and part again within one trial: if they overlap between its ends, the trial is shortened to the
-// time of the smallest opening.
+// Detects bodies that touch and separate within one trial: if they overlap between its ends, the trial is shortened to
+// the time of the minimum opening.
 void EventLocator::Search::look_for_inner_touch(int link) const {
   const auto rate = [&](const Instant& x) {
     return x.relative(link, Instant::v) + links.ground_part(x.by_ground, link, Instant::v);
@@ -95,16 +95,16 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
   const CubicPenetration between(begin, end, trial.h);
   const double s = between.turn();
   if (!(s > 0 && s < 1)) return;
-  const double reach = 0.25 * trial.h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
+  const double reach = 0.25 * trial.h * std::min(begin.rate, -end.rate);  // margin for the error of the cubic
   if (between.at(s) < -reach) return;
   const double whole = trial.h, end_time = trial.end.time;
   const bool touches = try_step(s * whole, std::nullopt) &&
                        functions.has_ended({link, EventFunctions::touch}, -at_end(link).penetration, at_end(link), now);
-  // The trial again with its exact end time: that may be a breakpoint of the ground motion.
+  // Repeat the trial with its exact end time, which may be a breakpoint of the ground motion.
   if (!touches) restore(whole, end_time);
 }
 
-// The force of a spring has corners; a step that ends at one keeps its order.
+// The force of a spring has corners; a step that ends at one preserves the order of the scheme.
 void EventLocator::Search::stop_at_corner() const {
   const double whole = trial.h, end_time = trial.end.time;
   for (int trials = 0; trials < max_corner_trials; ++trials) {
@@ -115,7 +115,7 @@ void EventLocator::Search::stop_at_corner() const {
   }
 }
 
-// Bodies that stand face to face and approach touch whatever the other contacts do, unless a velocity jumps.
+// Facing bodies with closed gaps that approach will touch regardless of other contacts, unless a velocity jumps.
 bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
   const Contact& contact = links.contact(bracket.id.link);
   const LinkMotion here = links.motion(bracket.id.link, now);
@@ -124,12 +124,12 @@ bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
          here.rate > motion_noise * functions.scales().max_velocity();
 }
 
-// By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies
-// that part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost. A compliant
-// contact may be so slow that its phase is over before its event function is out of round-off: there the sign counts,
-// or the contact would begin and end without time passing and keep its speed. So it counts for rigid bodies that part
-// from a rest, which no bounce ends: else they would part and rest without end where the force that presses them
-// together is about to grow.
+// Because of round-off, a phase may begin on the wrong side of its event function and end properly later in the trial,
+// for example when bodies separate and return. Searches for a time at which the phase lasts; if there is none, the
+// trial is invalid. The sign alone decides in two cases. A compliant contact may be so slow that its phase ends before
+// its event function exceeds round-off; otherwise it would begin and end without time advancing and keep its speed.
+// Rigid bodies may separate from rest without a bounce; otherwise they would separate and rest endlessly while the
+// force that presses them together starts to grow.
 bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) const {
   const auto from = [&](double h, double value) {
     bracket.from = h;
@@ -152,8 +152,8 @@ bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) 
 }
 
 // Time after the beginning at which the event function is zero on the polynomial of degree five through the motions at
-// both ends of the trial, by secants from its end and from another part of it. An end that moves a little hardly
-// changes the rest of this path.
+// both ends of the trial. Secant iteration from the end and from fraction `part` of the trial. A small change of the
+// end hardly changes the rest of this path.
 double EventLocator::Search::zero_on_path(const EventId& id, double part) const {
   constexpr int secants = 4;
   const Quintic path(links.jet(id.link, now), links.jet(id.link, trial.end), trial.h);
@@ -173,28 +173,27 @@ double EventLocator::Search::zero_on_path(const EventId& id, double part) const 
   return s * trial.h;
 }
 
-// Guesses on the paths of the trials, and where they lead astray regula falsi of Anderson and Bjorck (1973) on the
-// length of the step.
+// Guesses from the paths of the trials; if these fail, regula falsi of Anderson and Bjorck (1973) on the step length.
 bool EventLocator::Search::solve(const EventBracket& bracket, double longest) const {
   const double noise = functions.noise(bracket.id, at_end(bracket.id.link), now),
                change = bracket.at_begin - bracket.at_end;
-  // Below the round-off, so that the located event is not taken for an end of the next phase.
+  // Below round-off, so that the located event does not count as an end of the next phase.
   const double zero = noise > 0 ? std::min(zero_part * change, 0.1 * noise) : zero_part * change;
   double low = bracket.from, at_low = bracket.at_begin, high = longest, at_high = bracket.at_end;
-  const bool along_paths = low == 0;  // else a hop that is much shorter than the trial, of which its path says nothing
+  const bool along_paths = low == 0;  // otherwise a hop much shorter than the trial, whose path does not resolve it
   double guess = along_paths ? zero_on_path(bracket.id, bracket.guess / longest) : bracket.guess;
-  double before = 0, at_before = change;  // the guess before, and the value there
-  int crawling = 0;                       // guesses in a row that hardly came nearer
+  double before = 0, at_before = change;  // previous guess and the value there
+  int crawling = 0;                       // consecutive guesses with little progress
   enum { lower, upper } replaced = upper;
-  // Enough for bisections down to the last digit, should the function jump.
+  // Enough for bisection to the last digit if the function jumps.
   for (int iteration = 0; iteration < 200; ++iteration) {
     if (!(guess > low && guess < high) && iteration == 0) guess = bracket.guess;
     if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
     if (!try_step(guess, std::nullopt)) return false;
     const double value = functions.value(bracket.id, trial.end);
-    // An instant long before the end of the trial is found as sharply as its own time can be said.
+    // An instant early in the trial is located to the resolution of its time.
     if (std::abs(value) <= zero || high - low <= std::min(1e-16 * longest, 4e-16 * high)) return true;
-    // The end that stays twice in a row is given a smaller value, so that the next guess moves towards it.
+    // If the same end is kept twice in a row, its value is reduced so that the next guess moves towards it.
     const auto reduction = [](double m) { return m > 0 ? m : 0.5; };
     if (value < 0) {
       if (replaced == upper) at_low *= reduction(1 - value / at_high);
@@ -227,7 +226,7 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
   return false;
 }
 
-// Most trials show nothing: no event function has changed its sign, and no bodies approach first and part then.
+// Quick check: in most trials, no event function has changed sign, and no bodies approach and then separate.
 bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
   if (links_.springs() > 0 && !trial.springs_stay) return true;
   for (int i = 0; i < links_.contacts(); ++i) {
@@ -270,7 +269,7 @@ std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Tria
       return located;
     }
     if (!search.solve(first, longest)) throw LostTrial(lost_trial);
-    // Events that come still earlier than the one just located.
+    // Events earlier than the one just located.
     open.clear();
     for (const EventBracket& bracket : search.brackets())
       if (!(bracket.id.link == first.id.link && bracket.id.event == first.id.event) &&

@@ -1,5 +1,5 @@
 #pragma once
-/// Locates the first event inside a trial step by re-integrated steps.
+/// Locates the first event inside a trial step by re-integration.
 
 #include <functional>
 #include <optional>
@@ -11,44 +11,43 @@
 
 namespace pounding {
 
-/// Events that end a trial, and where.
+/// Events at the end of a trial, and their time.
 struct LocatedEvents {
-  double step = 0;  ///< from the beginning to the events [s]; zero if they are there already
+  double step = 0;  ///< from the beginning of the step to the events [s]; zero if they are at the beginning
   std::vector<EventId> events;
 };
 
-/// A step that could not be solved while an event was located in it; a shorter one may be.
+/// Thrown if a step cannot be solved during event location; a shorter step may succeed.
 class LostTrial : public SolverError {
  public:
   using SolverError::SolverError;
 };
 
-/// Shortest trial step that ends where an event function is zero. Each guess is a step integrated anew, so the end of
-/// the trial is as exact there as at the end of any step. Springs have no event functions: a trial is shortened to the
-/// first corner of a spring's force that the cubic through its ends shows.
+/// Finds the shortest trial step that ends at a zero of an event function. Each guess is a re-integrated step, so that
+/// its end is as accurate as that of any other step. Springs have no event functions: a trial is shortened to the first
+/// corner of a spring force on the cubic through its ends.
 ///
-/// Example: a touch between two steps of 10 ms is found after some five trials of 0 to 10 ms.
+/// Example: locating a touch within a 10 ms step takes about five trials.
 class EventLocator {
  public:
-  /// Makes the trial a step of length h from the present instant; `end` is its exact end time if that is known. False
-  /// if it could not be solved.
+  /// Integrates a trial step of length h from the present instant; `end` is its exact end time if known. Returns false
+  /// if the step cannot be solved.
   using TryStep = std::function<bool(double h, std::optional<double> end)>;
 
-  /// Both must outlive it.
+  /// Both arguments must outlive this object.
   EventLocator(const EventFunctions& functions, const SpringForces& springs)
       : functions_(functions), corners_(springs, functions.links()), links_(functions.links()) {}
 
-  /// Whether there can be anything to locate in the solved step `trial` from `now`; where not, locate() would find
-  /// nothing.
+  /// True if the solved step `trial` from `now` may contain an event; if false, locate() would find none.
   bool may_find(const Instant& now, const Trial& trial) const;
-  /// About where the first phase of a contact that presses ends inside a solved step [s after its beginning]; nothing
-  /// if none does.
+  /// Estimated end of the first contact phase that ends inside a solved step [s after its beginning]; `nullopt` if none
+  /// does.
   std::optional<double> expected_end(const Instant& now, const Trial& trial) const;
 
-  /// `trial` is a solved step from `now` that `try_step` replaces; `at_corners`: corners of springs end it too. Nothing
-  /// if no phase ends inside it; the trial may still have become shorter, because of a corner. Nearly simultaneous
-  /// events are grouped. Throws LostTrial if a step cannot be solved while an event is located; the trial must then be
-  /// made anew.
+  /// Locates the first event inside `trial`, a solved step from `now` that `try_step` replaces. `at_corners`: corners
+  /// of springs also end the trial. Returns `nullopt` if no phase ends inside it; a corner may still have shortened the
+  /// trial. Nearly simultaneous events are grouped. Throws LostTrial if a step cannot be solved; the trial is then
+  /// invalid and must be computed again.
   std::optional<LocatedEvents> locate(const Instant& now, const Trial& trial, bool at_corners,
                                       const TryStep& try_step) const;
 

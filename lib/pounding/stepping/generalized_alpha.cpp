@@ -9,8 +9,8 @@ namespace {
 
 using enum Instant::Column;
 
-// Balances inertia at t + (1 - alpha_m) h and all other forces at t + (1 - alpha_f) h, with alpha_m and alpha_f as
-// weights of the end of the step. The stage's unknown is the acceleration at the end.
+// Balances inertia at t + (1 - alpha_m) h and all other forces at t + (1 - alpha_f) h; here alpha_m and alpha_f are the
+// weights of the end of the step. The stage solves for the acceleration at the end.
 class GeneralizedAlphaScheme final : public TimeScheme {
  public:
   GeneralizedAlphaScheme(Equations& equations, StageSolver& stages, const GeneralizedAlpha& coefficients)
@@ -29,13 +29,14 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     const double h = t.h;
     const auto [alpha_m, alpha_f, beta, gamma] = k_;
     const bool carries = eq_.width == 4;
-    // With a spectral radius below one the scheme carries the acceleration of (alpha_m - alpha_f) h earlier. That time
-    // changes with the step, and so must the acceleration, else each change of the step would cost an order.
+    // With a spectral radius below one, the scheme carries the acceleration of (alpha_m - alpha_f) h earlier. That time
+    // offset changes with the step length; the carried acceleration is adjusted, since otherwise each change would
+    // reduce the order.
     const double part = carries && last_step > 0 ? h / last_step : 1;
     const Instant::Column own = carries ? carried : a;
 
     const double *u0 = x.at(u), *v0 = x.at(v), *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
-    // The acceleration that the step begins with, and its products with K and C.
+    // Acceleration at the beginning of the step, and its products with K and C.
     const double *a0 = x.at(a), *ka0 = x.at(ka), *ca0 = x.at(ca);
     if (carries) {
       begin_.resize(n, 3);
@@ -47,7 +48,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
     ground_ = alpha_f * t.end.ground + (1 - alpha_f) * x.ground;
     if (eq_.short_motions.any()) {
-      // Accelerations of the ground that those of the scheme answer to, at the beginning and the end of the step.
+      // Ground accelerations that correspond to the accelerations of the scheme at the beginning and the end of the
+      // step.
       ground_begin_ = x.ground;
       if (carries) ground_begin_ += part * (x.ground_carried - x.ground);
       t.end.ground_carried = (ground_ - (1 - alpha_m) * ground_begin_) / alpha_m;
@@ -62,7 +64,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
 
     eq_.solver.mass_times(Eigen::Map<const Eigen::VectorXd>(a0, n), r_);
     const double* push = eq_.supports.push(ground_).data();
-    // No two of the arrays overlap, which GCC would make sure of at every step.
+    // The arrays do not overlap; without the pragma GCC would check that in every step.
     double* r = r_.data();
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i)
@@ -95,7 +97,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
         motion.lag = 0.5 * h;
       }
       if (!eq_.links.moved()) return g;
-      // At the time that the scheme's acceleration belongs to.
+      // At the time of the acceleration of the scheme.
       const double begin = x.by_ground(i, a), end = t.end.by_ground(i, a);
       return g + (end + (alpha_m - alpha_f) * (begin - end));
     };
@@ -110,8 +112,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       return false;
     }
 
-    // After a step that ends at a corner the acceleration is carried on by a large factor; rounding at unknowns without
-    // mass with it.
+    // After a step that ends at a corner, the acceleration is extrapolated by a large factor, which also amplifies the
+    // round-off at massless degrees of freedom.
     if (carries && eq_.springs.any()) eq_.solver.recover(r_);
 
     double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(own);
@@ -147,7 +149,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   }
 
  private:
-  // The trapezoidal rule, of second order as the scheme is.
+  // Trapezoidal rule, of second order like the scheme.
   void finish_slips(const Stage& stage, double h, Trial& t) const {
     t.end.slip = slip_free_;
     for (std::size_t k = 0; k < stages_.active().size(); ++k)
@@ -156,8 +158,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
             0.5 * h * eq_.links.spring(link).slip_rate(stages_.link_motion(stage, k));
   }
 
-  // The acceleration from dynamic equilibrium, with the link forces as the scheme found them, beside the one it
-  // carries.
+  // Computes the acceleration from dynamic equilibrium with the link forces of the scheme, in addition to the carried
+  // one.
   void balance_end(Instant& end) {
     eq_.multiply(end, u, 2);
     auto balanced = end.motion.col(a);
@@ -174,10 +176,10 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   StageSolver& stages_;
   GeneralizedAlpha k_;
   Eigen::VectorXd r_, ground_, ground_begin_;
-  Eigen::MatrixXd begin_;  // where the scheme carries an acceleration of its own: [coordinate, a K a C a]
-  GroundDefect missed_;    // of the short motions of the ground
+  Eigen::MatrixXd begin_;  // if the scheme carries a separate acceleration: [coordinate, a K a C a]
+  GroundDefect missed_;    // of the short ground motions
   Eigen::VectorXd guess_, free_displacement_;
-  Eigen::VectorXd slip_free_;  // slip of each spring but for its rate at the end; empty where none slips
+  Eigen::VectorXd slip_free_;  // slip of each spring without its rate at the end; empty if none slips
 };
 
 }  // namespace

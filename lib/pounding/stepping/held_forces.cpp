@@ -9,9 +9,9 @@
 namespace pounding {
 namespace {
 
-// Evaluations in search of one peak. Each vertex of a parabola leaves about the square of the error before.
+// Maximum number of evaluations per peak. Each vertex of a parabola roughly squares the relative error.
 constexpr int max_vertices = 3;
-// Closer to a sample the force differs from it by less than the round-off of the motion.
+// At smaller distances from a sample, the force differs by less than the round-off of the motion.
 constexpr double min_distance = 1e-4;
 
 // Abscissa of the maximum of the parabola through three points; nullopt if it has none.
@@ -29,14 +29,14 @@ HeldForces::Sample HeldForces::at(double s, const Instant& x, const Trial& kept)
   const LinkSet& links = equations_.links;
   const Parabola parabola(s);
   Sample sample{s, parabola.begin * x.force + parabola.middle * kept.force_middle + parabola.end * y.force};
-  // Short motions of the ground are known at the ends and in the middle alone.
+  // Short ground motions are known only at the ends and the middle of a step.
   if (kept.short_motions) return sample;
   const double time = x.time + s * kept.h;
   ground_.resize(x.ground.size());
   equations_.supports.accelerations(time, ground_);
   by_ground_ = x.by_ground;
   if (links.driven()) equations_.supports.relative_motion(time, ground_, by_ground_);
-  // Cubic of the middle of a step, so that both agree there.
+  // Cubic interpolation as for the middle of a step, so that both agree there.
   const Cubic cubic(s, kept.h);
   motions_.resize(static_cast<std::size_t>(links.size()));
   for (int i = 0; i < links.size(); ++i) {
@@ -87,7 +87,8 @@ void HeldForces::record_peaks(const Instant& x, const Trial& kept) {
   std::vector<Sample> samples;
   for (int i = 0; i < links.contacts(); ++i) {
     if (!links.is_held(i)) continue;
-    // No more above the samples than these differ: else the search could not find a new peak of the impact.
+    // The true maximum is assumed to exceed the samples by at most their spread. If it cannot exceed the peak of the
+    // impact, skip.
     const auto [minimum, maximum] = std::minmax({x.force[i], kept.force_middle[i], kept.end.force[i]});
     if (maximum + (maximum - minimum) <= links.contact(i).impacts().back().peak_force) continue;
     if (samples.empty())

@@ -1,5 +1,5 @@
 #pragma once
-/// Peak forces of rigid contacts that rest, inside kept steps.
+/// Peak forces of rigid contacts at rest, inside accepted steps.
 
 #include <vector>
 
@@ -7,20 +7,20 @@
 
 namespace pounding {
 
-/// Forces of rigid contacts that rest, at any instant of a kept step. The length of a step depends on the error of the
-/// motion. A body at rest on a wall does not move, so its steps are long and the force between their ends and their
-/// middle is not sampled.
+/// Evaluates the forces of rigid contacts at rest at any instant of an accepted step. The step length depends on the
+/// error of the motion. A body at rest on a wall does not move, so its steps are long, and the force between their ends
+/// and middle would not be sampled.
 class HeldForces {
  public:
-  /// `equations` must outlive it.
+  /// `equations` must outlive this object.
   explicit HeldForces(const Equations& equations) : equations_(equations) {}
 
-  /// Passes the largest force inside the step to each contact that rests (Contact::record_force). Call it before the
-  /// histories of contacts and springs move to the end of the step.
+  /// Passes the maximum force inside the step to each contact at rest (Contact::record_force). Call it before the
+  /// histories of contacts and springs are updated to the end of the step.
   void record_peaks(const Instant& begin, const Trial& kept);
 
  private:
-  // Forces of all links at a fraction s of the step.
+  // Forces of all links at fraction s of the step.
   struct Sample {
     double s;
     Eigen::VectorXd force;

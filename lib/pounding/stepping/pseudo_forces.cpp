@@ -14,18 +14,18 @@ namespace {
 using Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
-// Newton steps below this part of the displacements that the neighbours impose are round-off.
+// Newton steps below this fraction of the displacements imposed by the neighbours are round-off.
 constexpr double balanced = 3e-14;
-// Where round-off is larger, as with stiff members, the steps stop shrinking at it; below this part that is good
-// enough.
+// With larger round-off, as with stiff members, the steps stop decreasing; below this fraction they are accepted.
 constexpr double nearly_balanced = 1e-10;
-// With the factor at rest each step must shrink to this part of the one before, else the tangent is factored.
+// With the factorization at rest, each step must decrease to this fraction of the previous one; otherwise the tangent
+// is factorized.
 constexpr double slow = 0.2;
 constexpr int max_iterations = 60;
 // Finite-difference step for the tangent's time derivative, as a fraction of 1/omega (Rayleigh quotient of v).
 constexpr double short_time = 1e-4;
 
-/// A block of matrices that all have the same pattern of entries.
+/// Submatrix of matrices that all have the same sparsity pattern.
 class Extract {
  public:
   Extract() = default;
@@ -41,7 +41,7 @@ class Extract {
 
  private:
   SparseMatrix part_;
-  std::vector<int> from_;  // indices of its values among those of the whole
+  std::vector<int> from_;  // indices of its values among those of the full matrix
 };
 
 }  // namespace
@@ -51,12 +51,12 @@ struct PseudoForces::Part {
   int group, first, size;
   const ElasticForces& forces;
   SparseMatrix mass, stiffness;
-  std::vector<int> all, dynamic, massless;                   // degrees of freedom: all, with mass, without
-  SparseMatrix couplings;                                    // absolute stiffness between massless and all
-  VectorXd diagonal;                                         // of the stiffness at massless ones
-  Factor at_rest;                                            // of that part of the stiffness
+  std::vector<int> all, dynamic, massless;  // degrees of freedom: all, with mass, without
+  SparseMatrix couplings;                   // absolute stiffness between massless and all degrees of freedom
+  VectorXd diagonal;                        // of the stiffness at massless degrees of freedom
+  Factor at_rest;                           // factorization of that block of the stiffness
   mutable Extract massless_of_tangent, coupling_of_tangent;  // massless to massless, massless to dynamic
-  mutable Factor massless_factor;                            // of a tangent
+  mutable Factor massless_factor;                            // factorization of the same block of a tangent
 
   Part(const System& system, int number)
       : group(number),
@@ -75,7 +75,7 @@ struct PseudoForces::Part {
     diagonal = own.diagonal();
     at_rest.compute(own);
     if (at_rest.info() != Eigen::Success || !(at_rest.vectorD().minCoeff() > 0))
-      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+      throw std::invalid_argument("a massless degree of freedom has no stiffness");
     const SparseMatrix tangent = forces.tangent(VectorXd::Zero(size));
     massless_of_tangent = Extract(tangent, massless, massless);
     coupling_of_tangent = Extract(tangent, massless, dynamic);
@@ -84,14 +84,14 @@ struct PseudoForces::Part {
 
   VectorXd of(const VectorXd& whole) const { return whole.segment(first, size); }
 
-  // Moves the massless degrees of freedom to static equilibrium; f becomes the forces there.
+  // Moves the massless degrees of freedom to static equilibrium and sets f to the forces there.
   bool settle(VectorXd& u, VectorXd& f) const {
     f = forces.force(u);
     if (massless.empty()) return true;
     const double scale =
         std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
     double last = std::numeric_limits<double>::infinity();
-    bool turned = false;  // so far that the factor at rest is of no use
+    bool turned = false;  // too far for the factorization at rest
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
       if (turned) massless_factor.factorize(massless_of_tangent(forces.tangent(u)));
       const VectorXd step = (turned ? massless_factor : at_rest).solve(-f(massless));

@@ -9,9 +9,9 @@ namespace {
 
 using enum Instant::Column;
 
-// A motion is short if its frequency is this many times that of a structure.
+// A motion is short if its frequency is at least this multiple of that of the structure.
 constexpr double short_ratio = 4;
-// A free body has no period; a second stands for it.
+// Period assumed for a free body, which has none [s].
 constexpr double longest_period = 1;
 
 }  // namespace
@@ -65,8 +65,8 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   solver.stiffness_and_damping_times(shift_, stiffness_, damping_);
   solver.gather(shift_, closing_);
   coupling_ = load_.transpose() * shift_;
-  // A shadow steps over these motions as the structures do where they are short for any of them; its work counts
-  // nowhere.
+  // The error-estimating shadow integrates these motions like the structures they are short for; its work is not
+  // counted.
   Eigen::MatrixXd at_work = shift_;
   at_work.bottomRows(n - solver.counted()).setZero();
   springs_ = at_work.transpose() * stiffness_;
@@ -106,10 +106,10 @@ Eigen::VectorXd ShortMotions::velocity_at_end(const Trial& trial) const {
   return shift(velocity);
 }
 
-// With z = v + R g' the work is the integral of -ag P^T z + ag P^T R g'; the second part is exact, the first is
-// integrated by parts to that of g' P^T z'. Of P^T z' the spring forces that the ground makes in the step, and their
-// work, are exact; the dashpot forces that it makes are summed as the ledger sums what they dissipate; all others,
-// `slow`, hardly change in the step.
+// With z = v + R g', the work is the integral of -ag P^T z + ag P^T R g'. The second term is exact; the first is
+// integrated by parts to that of g' P^T z'. In P^T z', the spring forces due to the ground motion in the step are
+// integrated exactly, as is their work. The dashpot forces due to the ground motion are summed like the dissipation in
+// the ledger. All other forces, `slow`, hardly change in the step.
 double ShortMotions::work(const Instant& begin, const Trial& kept) const {
   const Eigen::MatrixXd &x = kept.short_motions->begin, &m = kept.short_motions->middle, &y = kept.short_motions->end;
   const auto loads = [&](const Eigen::MatrixXd& ground, const double* rates, Instant::Column order) -> Eigen::VectorXd {

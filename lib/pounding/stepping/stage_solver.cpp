@@ -38,7 +38,8 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
   return true;
 }
 
-// Solves for the active forces from their guess, enters them in `force` and takes what they do off the acceleration x.
+// Solves for the active forces from their initial guess, writes them to `force` and subtracts their effect from the
+// acceleration x.
 bool StageSolver::condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x) {
   const int count = static_cast<int>(active_.size());
   const CondensedLinks links{active_,    free_,      free_acceleration_, flexibility_,

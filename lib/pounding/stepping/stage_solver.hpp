@@ -1,6 +1,5 @@
 #pragma once
-/// One stage of a step: the structures are solved once, then the few link forces, and this again where pseudo-forces
-/// act.
+/// One stage of a step: one structural solve followed by the link forces, repeated if there are pseudo-forces.
 
 #include <Eigen/Core>
 #include <optional>
@@ -15,47 +14,47 @@
 
 namespace pounding {
 
-/// How the acceleration x of a stage enters: u = free u + by_u x and v = free v + by_v x, while link forces and
-/// pseudo-forces count with `weight` in its equations A x = r.
+/// How the acceleration x of a stage enters: u = free u + by_u x and v = free v + by_v x. Link forces and pseudo-forces
+/// have the factor `weight` in its equations A x = r.
 struct Stage {
   double by_u = 0;  ///< [s^2]
   double by_v = 0;  ///< [s]
   double weight = 1;
 };
 
-/// Solves the stages of one trial step, all with the same matrix A and the same active links.
+/// Solves the stages of one trial step, all with the same matrix A and active links.
 ///
 /// `FreeMotion` is a function (link, g, motion) of the scheme, where g is the closing acceleration B^T A^-1 r of a
-/// link: it sets the motion that the link has in the stage without the forces of active links, and returns its closing
-/// acceleration [m/s^2].
+/// link. It sets the motion of the link in the stage without active link forces and returns its closing acceleration
+/// [m/s^2].
 class StageSolver {
  public:
-  /// Both must outlive it.
+  /// Both arguments must outlive this object.
   StageSolver(Equations& equations, const ErrorNorm& norm)
       : equations_(equations), norm_(norm), links_(equations.links), springs_(links_, equations.ranges) {}
 
-  /// For a trial of length h [s] from `now`: chooses the springs that are active.
+  /// Chooses the active springs of a trial of length h [s] from `now`.
   void choose_springs(const Instant& now, double h) {
-    if (equations_.springs.any()) springs_.begin(now, h);  // else all are active for good
+    if (equations_.springs.any()) springs_.begin(now, h);  // otherwise all are always active
   }
-  /// Whether a trial showed more of them; then it must be solved again, with these.
+  /// True if the trial activated more springs; then it must be solved again.
   bool add_springs(const Trial& trial) { return equations_.springs.any() && springs_.grow(trial); }
 
-  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility G =
-  /// B^T A^-1 B could not be found.
+  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if the flexibility G =
+  /// B^T A^-1 B cannot be computed.
   bool begin(const EffectiveMatrix& matrix, const std::optional<int>& level);
 
-  /// Links whose force is sought, in ascending order.
+  /// Links whose force is an unknown, in ascending order.
   const std::vector<int>& active() const { return active_; }
-  /// Whether there are any.
+  /// True if there are any.
   bool linked() const { return !active_.empty(); }
-  /// Whether a contact is one of them.
+  /// True if any of them is a contact.
   bool presses() const { return linked() && active_.front() < links_.contacts(); }
-  /// Whether any link may have a force, springs that keep theirs included.
+  /// True if any link may have a force, including springs with constant force.
   bool forced() const { return linked() || springs_.holds(); }
 
-  /// `r`, the forces other than those of links, becomes the acceleration of the stage. `force` of all links [N] is a
-  /// guess and becomes the solution. False if the equations could not be solved.
+  /// Replaces `r`, the sum of all forces except link forces, by the acceleration of the stage. `force` of all links [N]
+  /// is the initial guess and becomes the solution. False if the equations cannot be solved.
   template <class FreeMotion>
   bool solve(const Stage& stage, const FreeMotion& free_motion, Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
     if (springs_.holds()) r -= stage.weight * held_push_;
@@ -79,8 +78,8 @@ class StageSolver {
     return condense(stage, force, r);
   }
 
-  /// Solves the stage with pseudo-forces at the displacement of the stage, free_displacement + by_u x, which is found
-  /// by fixed-point iteration from x = guess.
+  /// Solves the stage with pseudo-forces at its displacement, free_displacement + by_u x, by fixed-point iteration from
+  /// x = guess.
   template <class FreeMotion>
   bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement,
                                 const Eigen::VectorXd& guess, const FreeMotion& free_motion,
@@ -104,14 +103,13 @@ class StageSolver {
     return true;
   }
 
-  /// Closing acceleration of active link number k in the last stage that was solved [m/s^2], without that of the
-  /// ground.
+  /// Closing acceleration of active link number k in the last solved stage [m/s^2], without ground acceleration.
   double link_acceleration(std::size_t k) const {
     return gathered_(static_cast<Eigen::Index>(k), 0) - relief_by_forces(static_cast<Eigen::Index>(k));
   }
 
-  /// Motion of active link number k, a spring that does not give way, in the last stage that was solved, which was this
-  /// one.
+  /// Motion of active link number k in the last solved stage, which must be `stage`. The link must not be a spring with
+  /// relief.
   LinkMotion link_motion(const Stage& stage, std::size_t k) const {
     const double relief = relief_by_forces(static_cast<Eigen::Index>(k));
     LinkMotion motion = free_[k];
@@ -120,9 +118,9 @@ class StageSolver {
     return motion;
   }
 
-  /// The link at which a solve since begin() gave up; -1 for none.
+  /// Link at which a solve since begin() failed; -1 if none did.
   int failed_link() const { return failed_link_; }
-  /// Iterations for link forces and pseudo-forces since the start of the run.
+  /// Number of iterations for link forces and pseudo-forces since the start of the run.
   long iterations() const { return link_solver_.iterations() + repetitions_; }
   void archive(Archive& archive) {
     archive(link_solver_);
@@ -132,7 +130,7 @@ class StageSolver {
  private:
   bool condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x);
 
-  // The closing acceleration that the active forces take off link number k of them.
+  // Reduction of the closing acceleration of active link number k by the active forces.
   double relief_by_forces(Eigen::Index k) const {
     const auto [first, end] = blocks_.range(k);
     double relief = 0;
@@ -149,8 +147,8 @@ class StageSolver {
   int failed_link_ = -1;
   std::vector<int> active_;
   Eigen::VectorXd held_push_,
-      held_relief_;  // B F and S F of the springs that keep their forces; the latter empty for none
-  Eigen::MatrixXd flexibility_, relief_;  // G and S of the active links; S empty for none
+      held_relief_;                       // B F and S F of springs with constant force; the latter empty without relief
+  Eigen::MatrixXd flexibility_, relief_;  // G and S of the active links; S empty without relief
   LinkBlocks blocks_;                     // of G
   std::vector<LinkMotion> free_;          // of the active links
   Eigen::VectorXd free_acceleration_, active_force_;

@@ -13,17 +13,17 @@
 namespace pounding {
 namespace {
 
-// Events one after the other without time passing: more than this is a fault, not a contact.
+// Maximum number of successive events without time advancing; more indicate a fault.
 constexpr int max_events_in_place = 10000;
-// The first step in contact, as part of the last one before it.
+// First step in contact, as a fraction of the last one before it.
 constexpr double first_contact_part = 0.1;
-// A step may be stretched by this part to reach a breakpoint, rather than leave a sliver for the next one.
+// A step may be stretched by this fraction to reach a breakpoint, to avoid a very short next step.
 constexpr double max_stretch = 1e-3;
-// Shortest step, as part of the time where it begins, of a second at least.
+// Minimum step, as a fraction of the time at its beginning (at least one second).
 constexpr double shortest_part = 1e-16;
 
-// A rejected step is tried again up to the end of a phase that it passed, and this part of the way behind it, but never
-// longer than the second part of what it was.
+// A rejected step that passed the end of a phase is retried up to this multiple of the time to that end, but at most
+// this fraction of its previous length.
 constexpr double behind_end = 1.01, max_aim = 0.9;
 
 constexpr double safety = 0.9, safety_after_rejection = 0.5;
@@ -65,11 +65,12 @@ void StepController::give_up(double step, const std::string& reason) const {
 }
 
 void StepController::give_up_too_short(double step) const {
-  give_up(step, fmt::format("no step is short enough for the tolerance {:g}. {}, or type a larger analysis.tolerance",
-                            stepper_.options().tolerance,
-                            stepper_.troublesome_link() < stepper_.system().contact_count()
-                                ? "Check the unit of the stiffness of the link"
-                                : "Give what yields some hardening"));
+  give_up(step,
+          fmt::format("even the shortest step exceeds the tolerance {:g}. {}, or type a larger analysis.tolerance",
+                      stepper_.options().tolerance,
+                      stepper_.troublesome_link() < stepper_.system().contact_count()
+                          ? "Check the unit of the stiffness of the link"
+                          : "Type some hardening for the yielding parts"));
 }
 
 void StepController::reject(double step, StepSizePolicy& policy) const {
@@ -78,14 +79,14 @@ void StepController::reject(double step, StepSizePolicy& policy) const {
 
 void StepController::count_event_in_place(double step) {
   if (++events_in_place_ > max_events_in_place)
-    give_up(
-        step,
-        "a contact opens and closes without end. Type another analysis.tolerance, or a gap that is not closed at rest");
+    give_up(step,
+            "a contact opens and closes repeatedly without time advancing. Type another analysis.tolerance, or a gap "
+            "that is not closed at rest");
 }
 
 double StepController::advance(double wanted, double end, StepSizePolicy& policy) {
   const bool fixed = policy.fixed();
-  bool aimed = false;  // at the end of a phase
+  bool aimed = false;  // at the end of a phase that the step passed
   for (;;) {
     const double longest = stepper_.longest_step();
     const Aim goal = aim(fixed ? wanted : std::min(wanted, longest), end, fixed);
@@ -102,8 +103,8 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       wanted = shortened(goal.step, verdict.next, aimed);
       continue;
     }
-    // A short step to a breakpoint says nothing against the longer one that was wanted. What the ground forbids is not
-    // remembered.
+    // A short step to a breakpoint does not reduce the wanted length. Lengths beyond the limit of the ground motion are
+    // not remembered.
     const double good = std::min(goal.end ? std::max(verdict.next, wanted) : verdict.next, longest);
     const bool was_in_contact = stepper_.in_contact();
     std::optional<double> located;
@@ -120,7 +121,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       stepper_.apply_event();
       continue;
     }
-    // A long trial may step over a whole contact and see nothing of it, and end inside it once it is shortened.
+    // A long trial may step over a whole contact undetected, and end inside it once it is shortened.
     if (located && !fixed && !(stepper_.error_ratio() <= 1)) {
       reject(*located, policy);
       wanted = *located / 2;
@@ -135,14 +136,15 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     } catch (const laws::BeyondDesign& error) {
       give_up(goal.step, error.what());
     }
-    const bool is_in_contact = located ? stepper_.in_contact() : was_in_contact;  // phases change at events alone
+    const bool is_in_contact = located ? stepper_.in_contact() : was_in_contact;  // phases change only at events
     const double next = next_step(good, was_in_contact, is_in_contact);
     touched_ = is_in_contact && !was_in_contact;
     return fixed ? wanted : next;
   }
 }
 
-// Behind the end of its phase the force of a law bends sharply: the error says little of the step up to there.
+// After the end of its phase, the force of a law bends sharply, so the error is not representative of the step up to
+// that point.
 double StepController::shortened(double step, double next, bool& aimed) const {
   const double usual = std::min(next, step / 2);
   const std::optional<double> end = aimed ? std::nullopt : stepper_.expected_end_of_phase();

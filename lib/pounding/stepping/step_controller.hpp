@@ -1,5 +1,5 @@
 #pragma once
-/// The driver of steps: what to try, what to reject, where to stop, what to keep.
+/// Step control: chooses, rejects, shortens and accepts trial steps.
 
 #include <limits>
 #include <string>
@@ -9,39 +9,40 @@
 
 namespace pounding {
 
-/// Chooses the lengths of steps by their errors.
+/// Chooses step lengths from the errors of trial steps.
 class StepSizePolicy {
  public:
   struct Verdict {
     bool accepted = false;
-    double next = 0;  ///< step to try instead, or after this one [s]
+    double next = 0;  ///< step to try instead, or next step [s]
   };
 
   virtual ~StepSizePolicy() = default;
-  /// Whether all steps have the wanted length, whatever their error; shorter only at breakpoints, events and the end.
+  /// True if all steps have the requested length regardless of their error; they are shorter only at breakpoints,
+  /// events and the end.
   virtual bool fixed() const { return false; }
-  /// On the trial of `stepper`, a step of length `step` [s].
+  /// Judges the trial of `stepper`, a step of length `step` [s].
   virtual Verdict judge(const Stepper& stepper, double step) = 0;
-  /// A trial was rejected. The run stops if this returns a reason.
+  /// Called when a trial is rejected. The run stops if this returns a reason.
   virtual std::string on_reject() { return {}; }
 };
 
-/// Steps of one length.
+/// Steps of constant length.
 class FixedSteps final : public StepSizePolicy {
  public:
   bool fixed() const override { return true; }
   Verdict judge(const Stepper&, double step) override { return {true, step}; }
 };
 
-/// The next step is 0.9 times the step with the allowed error, 0.45 times after a rejection. It lies between a tenth of
-/// the last step and ten times it, and is at most `max_step` [s]. The last step before `end` [s] may be 1 % longer;
-/// what remains of up to two steps is divided into two equal ones. PETSc's TSADAPTBASIC follows the same rule.
+/// The next step is 0.9 times the step with the allowed error, or 0.45 times after a rejection. It lies between 0.1 and
+/// 10 times the last step and is at most `max_step` [s]. The last step before `end` [s] may be 1 % longer; a remainder
+/// of up to two steps is divided into two equal ones. PETSc's TSADAPTBASIC follows the same rule.
 class ErrorControl final : public StepSizePolicy {
  public:
   explicit ErrorControl(double max_step, double end = std::numeric_limits<double>::infinity())
       : max_step_(max_step), end_(end) {}
   Verdict judge(const Stepper& stepper, double step) override;
-  /// Trials that were rejected so far.
+  /// Number of rejected trials.
   long rejected() const { return rejected_; }
   std::string on_reject() override {
     ++rejected_;
@@ -53,7 +54,7 @@ class ErrorControl final : public StepSizePolicy {
   long rejected_ = 0;
 };
 
-/// Advances a Stepper by kept steps. With x- and x+ for the state before and after the events of an instant:
+/// Advances a Stepper by accepted steps. x- and x+ are the states before and after the events of an instant:
 ///
 ///     h <- wanted step, cut by Stepper::longest_step() and at the next breakpoint of the ground motion or the end
 ///     loop  trial <- try_step(x+, h)                 pure: scheme, link forces, pseudo-forces
@@ -65,8 +66,8 @@ class ErrorControl final : public StepSizePolicy {
 ///           accept: x- <- end of trial; histories, energies, scales; x+ <- apply events and rigid impacts to x-
 ///           return
 ///
-/// Two lengths are remembered, the last good one without contact and that just behind a touch, which is shorter. A
-/// first contact starts with a tenth of the step before it.
+/// Two step lengths are stored: the last good one without contact and the shorter one just after a touch. The first
+/// contact starts with a tenth of the previous step.
 ///
 ///     StepController controller(stepper);
 ///     ErrorControl policy(max_step, end);
@@ -74,23 +75,23 @@ class ErrorControl final : public StepSizePolicy {
 ///     while (stepper.time() < end) h = controller.advance(h, end, policy);
 class StepController {
  public:
-  /// `stepper` must outlive it.
+  /// `stepper` must outlive this object.
   explicit StepController(Stepper& stepper) : stepper_(stepper) {}
 
-  /// Makes one kept step of at most about `wanted` [s] that does not pass `end` [s]; returns the step to want next.
-  /// Throws SolverError, naming time, step and link, when no step is short enough, a contact opens and closes without
-  /// time passing, or the policy gives up.
+  /// Makes one accepted step of about `wanted` [s] at most that does not pass `end` [s], and returns the length to
+  /// request next. Throws SolverError with time, step and link if no step is short enough, if a contact opens and
+  /// closes without time advancing, or if the policy stops the run.
   double advance(double wanted, double end, StepSizePolicy& policy);
 
-  /// Trial steps so far, without those that located events.
+  /// Number of trial steps, without those of event location.
   long trials() const { return trials_; }
   Stepper& stepper() const { return stepper_; }
 
-  /// With the stepper: after reading, steps have the same bits.
+  /// Writes or reads the state, including the stepper; a resumed run is bitwise identical.
   void archive(Archive& archive);
 
  private:
-  // A trial step; its exact end time if it is the next breakpoint or the end of the run.
+  // A trial step; `end` is its exact end time if it ends at the next breakpoint or at the end of the run.
   struct Aim {
     double step;
     std::optional<double> end;
@@ -105,9 +106,9 @@ class StepController {
   double next_step(double good, bool was_in_contact, bool is_in_contact);
 
   Stepper& stepper_;
-  double step_apart_ = 0, step_at_touch_ = 0;  // last good steps without contact and behind a touch, zero for none [s]
-  bool touched_ = false;                       // the present contact began with the last step
-  int events_in_place_ = 0;                    // in a row, without time passing
+  double step_apart_ = 0, step_at_touch_ = 0;  // last good steps without contact and after a touch, zero if none [s]
+  bool touched_ = false;                       // the current contact began with the last step
+  int events_in_place_ = 0;                    // consecutive, without time advancing
   long trials_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The present instant, the last kept step and the trial that may follow it.
+/// The present instant, the last accepted step and the next trial.
 
 #include <array>
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace pounding {
 
-/// Keeping a trial swaps pointers and copies nothing. The present instant is the end of the last kept step until
-/// something changes there; then it is a copy of it.
+/// Accepting a trial swaps pointers without copying. The present instant is the end of the last accepted step; it is
+/// copied when it is first changed.
 class StepHistory {
  public:
   explicit StepHistory(const Equations& equations);
@@ -19,31 +19,31 @@ class StepHistory {
   /// The present trial step.
   Trial& trial() { return *trial_; }
   const Trial& trial() const { return *trial_; }
-  /// The last kept step; its length is zero before the first one.
+  /// The last accepted step; its length is zero before the first one.
   const Trial& kept() const { return *kept_; }
   /// The instant at its beginning.
   const Instant& begin() const { return *begin_; }
   /// The present instant, just after any events.
   const Instant& now() const { return *now_; }
-  /// Whether the present instant is another one than the end of the kept step.
+  /// True if the present instant differs from the end of the accepted step.
   bool changed_at_end() const { return changed_at_end_; }
 
-  /// The present instant, to be changed.
+  /// The present instant, for modification.
   Instant& change_now();
-  /// The trial becomes the last kept step.
+  /// Makes the trial the last accepted step.
   void keep_trial();
-  /// The present instant becomes both ends of the last kept step: it is as if that step had led here.
+  /// Makes the present instant both ends of the last accepted step.
   void collapse();
   /// Restarts with a last step of zero length and constant acceleration.
   void restart();
 
-  /// Writes the instants and the last kept step, or reads them back.
+  /// Writes or reads the instants and the last accepted step.
   void archive(Archive& archive);
 
  private:
-  // The trial, the last kept step and the one before it take turns.
+  // The trial, the last accepted step and the one before it, used in rotation.
   std::unique_ptr<Trial> trial_, kept_, previous_;
-  // Two, so that the beginning of the kept step may be one while the present instant is the other.
+  // Two, so that the beginning of the accepted step and the present instant can both be changed copies.
   std::array<Instant, 2> changed_;
   Instant *now_ = nullptr, *begin_ = nullptr;
   bool changed_at_end_ = false;

@@ -54,7 +54,7 @@ void Stepper::balance_now() {
   output_.now_changed();
 }
 
-// The next break, and the longest step until then.
+// Updates the next breakpoint and the maximum step until then.
 void Stepper::look_ahead() {
   equations_.supports.find_break_after(time());
   longest_step_ = std::min(options_.max_step, equations_.supports.longest_step(time()));
@@ -87,14 +87,14 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   output_.forget();
   const Energies after = energies();
   ledger_.give(after.kinetic + after.strain - before.kinetic - before.strain);
-  if (!started_) ledger_.give(after.impact);  // of contacts that press from the start
+  if (!started_) ledger_.give(after.impact);  // energy of contacts that press at the start
   norm_.start(now);
   started_ = true;
 }
 
 double Stepper::step_towards(double wanted, double left) const {
   if (!equations_.solver.prefers_dyadic_steps()) {
-    // Sixteen lengths an octave, so that round-off in the error of a step does not show in the length of the next.
+    // Sixteen lengths per octave, so that round-off in the error does not change the length of the next step.
     constexpr std::uint64_t exponent_and_four_bits = 0xffff'0000'0000'0000;
     const double even =
         std::bit_cast<double>(std::bit_cast<std::uint64_t>(wanted * (1 + 1e-9)) & exponent_and_four_bits);
@@ -131,7 +131,7 @@ bool Stepper::try_step(double h, std::optional<double> end) {
   return std::isfinite(trial.error);
 }
 
-// The trial with its springs that are active.
+// Solves the trial with its active springs.
 bool Stepper::solve_trial() {
   const double h = history_.trial().h;
   if (!stages_.begin(scheme_->matrix(h), step_level(h))) return false;
@@ -157,7 +157,7 @@ bool Stepper::in_contact() const {
                      [](const Contact* contact) { return contact->phase() != ContactPhase::open; });
 }
 
-// A link in the last kept step.
+// Fills the description of a link in the last accepted step.
 void Stepper::describe(int i, LinkStep& step) const {
   const LinkSet& links = equations_.links;
   const Trial& kept = history_.kept();
@@ -224,7 +224,7 @@ void Stepper::accept() {
     }
     describe(i, step);
     if (i < links.contacts()) {
-      troublesome_link_ = i;  // for a contact that refuses the step
+      troublesome_link_ = i;  // in case the contact throws
       links.contact(i).accept(step);
       norm_.learn(i, step.motion_end);
     } else if (i < links.frictions_from()) {

@@ -1,6 +1,6 @@
 #pragma once
-/// One step of the equations of motion: tried, measured, shortened to the first event inside it, kept. Knows no PETSc;
-/// see StepController for the order of these calls.
+/// One step of the equations of motion: tried, measured, shortened to the first event inside it, accepted. Independent
+/// of PETSc; see StepController for the order of these calls.
 
 #include <Eigen/Core>
 #include <memory>
@@ -24,94 +24,95 @@
 
 namespace pounding {
 
-/// Accuracy and scheme of the steps.
+/// Accuracy and time-stepping scheme.
 struct StepperOptions {
   double tolerance = 1e-4;  ///< relative, on displacements and forces; between 0 and 1
   Scheme scheme = {};
-  double max_step = 0;  ///< longest step [s]; shorter while the ground moves, see Stepper::longest_step()
+  double max_step = 0;  ///< maximum step [s]; shorter during ground motion, see Stepper::longest_step()
 };
 
-/// Steps with the link forces condensed out: each stage solves the structures once with a matrix that does not change,
-/// then Newton's method finds the few link forces. Pseudo-forces are iterated to convergence around both.
+/// Integrates the equations of motion with condensed link forces. Each stage solves the structures once with a constant
+/// matrix; Newton's method then finds the few link forces. Pseudo-forces are iterated to convergence around both.
 ///
-/// A trial step is pure: one that is not accepted leaves no trace in contacts, springs and state. Collective over the
+/// A trial step is pure: if it is not accepted, contacts, springs and state are unchanged. Collective over the
 /// processes that share the solver.
 class Stepper {
  public:
-  /// `solver` describes the same system; both must outlive the stepper. Throws std::invalid_argument when options are
-  /// out of range or parts of the system do not fit each other (System::check).
+  /// `solver` describes the same system; both must outlive the stepper. Throws std::invalid_argument if options are out
+  /// of range or the system is inconsistent (System::check).
   Stepper(const System& system, StructureSolver& solver, const StepperOptions& options);
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// Starts from displacements [m] and velocities [m/s] of all degrees of freedom with the acceleration of dynamic
-  /// equilibrium; massless ones are set to static equilibrium. Called again after steps, it goes on from a motion that
-  /// somebody changed; the energy that this adds counts as input.
+  /// Starts from displacements [m] and velocities [m/s] of all degrees of freedom, with the acceleration of dynamic
+  /// equilibrium; massless degrees of freedom are set to static equilibrium. If called again after steps, it continues
+  /// from a motion modified by the caller; the energy that this adds counts as input.
   void start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
-  /// Sets the matrix of steps of length h > 0 [s] without a step: its factor is made, and the options of the factor are
-  /// read.
+  /// Sets and factorizes the matrix of steps of length h > 0 [s] without making a step. The PETSc options of the
+  /// factorization are read here.
   void prepare(double h) { equations_.solver.set_matrix(scheme_->matrix(h), step_level(h)); }
 
   /// Solves a trial step of length h > 0 [s]. `end`: exact end time if known (next breakpoint of the ground motion, end
-  /// of the run); default time() + h. False if link forces or pseudo-forces could not be solved.
+  /// of the run); default time() + h. False if link forces or pseudo-forces cannot be solved.
   bool try_step(double h, std::optional<double> end = std::nullopt);
-  /// Error of the trial over the allowed one; good is at most 1.
+  /// Error of the trial divided by the allowed error; acceptable if at most 1.
   double error_ratio() const { return history_.trial().error; }
-  /// Its error falls with this power of its length. In contact, that of Simpson's rule is the larger one of ESDIRK4.
+  /// The error of the trial is proportional to this power of its length. During contact, the Simpson estimate dominates
+  /// in ESDIRK4.
   int error_order() const {
     return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.presses() ? 1 : 0);
   }
-  /// Whether the trial may hold an event; where not, locate_event() would find none.
+  /// True if the trial may contain an event; if false, locate_event() would find none.
   bool may_hold_event() const;
-  /// About where the first phase of a contact that presses ends inside the trial [s after its beginning]; nothing if
-  /// none does.
+  /// Estimated end of the first contact phase that ends inside the trial [s after its beginning]; `nullopt` if none
+  /// does.
   std::optional<double> expected_end_of_phase() const {
     return locator_.expected_end(history_.now(), history_.trial());
   }
-  /// Shortens the trial to the first event inside it, by re-integrated steps. Its length [s] is returned; zero if the
-  /// event is at the beginning, nothing if there is none. `at_corners`: a corner of a spring's force ends it too.
-  /// Throws SolverError if such a step cannot be solved.
+  /// Shortens the trial to the first event inside it, by re-integrated steps. Returns its length [s]: zero if the event
+  /// is at the beginning, `nullopt` if there is none. `at_corners`: corners of spring forces also end the trial. Throws
+  /// SolverError if such a step cannot be solved.
   std::optional<double> locate_event(bool at_corners = true);
-  /// Whether a step that ends at a corner costs little. Where it needs a factor of its own, the error alone says how
-  /// long steps are: each accepted one follows its springs around their corners.
+  /// True if steps should end at corners of spring laws; false if a step of arbitrary length needs its own
+  /// factorization.
   bool locates_corners() const { return !equations_.solver.needs_dyadic_steps(); }
-  /// Keeps the trial and applies the events at its end.
+  /// Accepts the trial and applies the events at its end.
   void accept();
-  /// Applies the events at the present state, without a step: after locate_event() returned zero.
+  /// Applies the events at the present state without a step, after locate_event() returned zero.
   void apply_event();
 
   /// Time of the present state [s].
   double time() const { return history_.now().time; }
-  /// The next breakpoint (corner or jump) of any ground motion [s]; infinity for none.
+  /// Next breakpoint (corner or jump) of any ground motion [s]; infinity if there is none.
   double next_break() const { return equations_.supports.next_break(); }
-  /// Longest step until then: the max_step of the options, or what resolves the motions of the ground [s].
+  /// Maximum step until then: max_step of the options, or the step that resolves the ground motions [s].
   double longest_step() const { return longest_step_; }
-  /// The present state, after any events; the beginning of the last kept step; and the end of that step before events.
-  /// The last one is the same object as state() if nothing changed there.
+  /// The present state after any events, the beginning of the last accepted step, and the end of that step before
+  /// events. The last one is the same object as state() if no event changed the state.
   const State& state() const { return output_.now(); }
   const State& begin() const { return output_.begin(); }
   const State& end_minus() const { return output_.end_minus(); }
-  /// Displacements and velocities alone at the last two, cheaper than a state that nobody has asked for.
+  /// Displacements and velocities only at the last two instants, cheaper than a full state.
   void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.begin(u, v); }
   void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.end_minus(u, v); }
-  /// The present instant, and those at the beginning and at the end of the last kept step, before events, in the
+  /// The present instant, and those at the beginning and end (before events) of the last accepted step, in the
   /// coordinates of base().
   const Instant& instant() const { return history_.now(); }
   const Instant& instant_begin() const { return history_.begin(); }
   const Instant& instant_end_minus() const { return history_.kept().end; }
-  /// Output quantities at the same instants; cheaper than whole states.
+  /// Output quantities at the same instants; cheaper than full states.
   const OutputQuantities& outputs() const { return output_.outputs(); }
   const OutputQuantities& outputs_begin() const { return output_.outputs_begin(); }
   const OutputQuantities& outputs_end_minus() const { return output_.outputs_end_minus(); }
   /// Output accelerations at mid-step, from dynamic equilibrium: [quantity, 1].
   const Eigen::MatrixXd& outputs_middle() const { return output_.outputs_middle(); }
-  /// Accelerations of the grounds at the same instants [m/s^2].
+  /// Ground accelerations at the same instants [m/s^2].
   const Eigen::VectorXd& ground() const { return history_.now().ground; }
   const Eigen::VectorXd& ground_begin() const { return history_.begin().ground; }
   const Eigen::VectorXd& ground_middle() const { return history_.kept().ground_middle; }
   const Eigen::VectorXd& ground_end_minus() const { return history_.kept().end.ground; }
-  /// The last kept step of every link; of one, cheaper where it is no spring.
+  /// The last accepted step of every link, or of one link, which is cheaper unless it is a spring.
   const std::vector<LinkStep>& link_steps() const {
     describe_springs();
     return described_.steps;
@@ -120,56 +121,59 @@ class Stepper {
     if (!described_.with_springs && equations_.links.is_spring(link)) describe(link, described_.steps[link]);
     return described_.steps[link];
   }
-  /// Deformations of all springs at a part s from 0 to 1 of the last kept step, where none changed its force.
+  /// Deformations of all springs at a fraction s (0 to 1) of the last accepted step; requires springs_stayed().
   void deformations(double s, Eigen::VectorXd& d) const;
-  /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
+  /// True if no spring changed its force in the last accepted step; spring_paths() then has their deformations, see
+  /// Trial::spring_paths.
   bool springs_stayed() const { return history_.kept().springs_stay; }
   const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
   /// Forces of all links at the present state [N].
   const Eigen::VectorXd& link_forces() const { return history_.now().force; }
-  /// Motion of a link there.
+  /// Motion of a link at the present state.
   LinkMotion link_motion(int link) const { return equations_.links.motion(link, history_.now()); }
   Energies energies() const { return ledger_.energies(equations_, history_.now()); }
-  /// Work that each friction of the system has dissipated [J].
+  /// Energy dissipated by each friction element of the system [J].
   const std::vector<double>& friction_work() const { return ledger_.friction(); }
   bool in_contact() const;
-  /// The link that had the largest error of all in the last trial, or could not be solved; -1 for none.
+  /// Link with the largest error in the last trial, or at which it could not be solved; -1 if none.
   int troublesome_link() const { return troublesome_link_; }
 
-  /// Displacement and velocity inside the last kept step: cubic Hermite interpolation.
+  /// Displacement and velocity inside the last accepted step: cubic Hermite interpolation.
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.interpolate(time, u, v); }
-  /// Acceleration inside the last kept step: the parabola through both ends and the middle.
+  /// Acceleration inside the last accepted step: parabola through both ends and the middle.
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const { output_.interpolate_acceleration(time, a); }
-  /// Forces of all springs inside the last kept step [N].
+  /// Forces of all springs inside the last accepted step [N].
   void interpolate_springs(double time, Eigen::VectorXd& forces) const { output_.interpolate_springs(time, forces); }
-  /// Output quantities inside the last kept step: [quantity, u v a].
+  /// Output quantities inside the last accepted step: [quantity, u v a].
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const { output_.interpolate_outputs(time, motion); }
 
-  /// Coordinates of base() inside the last kept step, where is_linear(): [coordinate, u v a].
+  /// Coordinates of base() inside the last accepted step; requires is_linear(): [coordinate, u v a].
   void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const {
     output_.interpolate_coordinates(time, motion);
   }
 
-  /// The step to try if `wanted` would do and `left` remains until a breakpoint or the end [s]: a dyadic step where the
-  /// solver prefers them, else equal parts of `left`.
+  /// Step to try if `wanted` is acceptable and `left` remains until a breakpoint or the end [s]: a dyadic step if the
+  /// solver prefers them, otherwise an equal fraction of `left`.
   double step_towards(double wanted, double left) const;
   const StepperOptions& options() const { return options_; }
   const System& system() const { return equations_.system; }
   const StructureSolver& base() const { return equations_.solver; }
-  /// Whether all unknowns follow from the coordinates of base() alone: no part of the structures yields or turns.
+  /// True if all degrees of freedom follow from the coordinates of base() alone: no part of the structures yields or
+  /// rotates.
   bool is_linear() const { return !equations_.springs.any() && !equations_.pseudo_forces.any(); }
-  /// Iterations for link forces and pseudo-forces, and events of contacts, since the start.
+  /// Number of iterations for link forces and pseudo-forces, and of contact events, since the start.
   long iterations() const { return stages_.iterations(); }
   long events() const { return contact_events_.count(); }
 
-  /// The whole state between two steps, contacts and springs included: after reading, steps have the same bits.
+  /// Writes or reads the whole state between two steps, including contacts and springs; a resumed run is bitwise
+  /// identical.
   void archive(Archive& archive);
 
  private:
-  // The last kept step of every link.
+  // The last accepted step of every link.
   struct DescribedLinks {
     std::vector<LinkStep> steps;
-    bool with_springs = true;  // where not, no spring changed its force, and their entries are of an earlier step
+    bool with_springs = true;  // if false, no spring changed its force, and their entries are stale
   };
 
   void look_ahead();

@@ -1,5 +1,5 @@
 #pragma once
-/// The ground under a system as a step needs it: accelerations, their breakpoints, and what they do to the links.
+/// Ground motion of a system during a step: accelerations, breakpoints, and effect on the links.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 namespace pounding {
 
-/// Sums and differences of a motion carry this much round-off, relative to the motion.
+/// Round-off of sums and differences of a motion, relative to the motion.
 inline constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Ground motions as a step needs them: forces of their accelerations, the relative motion that they add to links,
-/// breakpoints.
+/// Ground motions as needed by a step: forces due to their accelerations, their contribution to the relative motion of
+/// links, and breakpoints.
 class SupportExcitation {
  public:
   SupportExcitation(const System& system, const StructureSolver& solver)
@@ -27,24 +27,23 @@ class SupportExcitation {
     for (std::size_t k = 0; k < system_.grounds.size(); ++k)
       ground[static_cast<Eigen::Index>(k)] = system_.grounds[k].acceleration(time);
   }
-  /// Left limits at the end of a step at `time`; where breakpoints are merged they are taken at the first of them.
+  /// Left limits at the end of a step at `time`; merged breakpoints are evaluated at the first of them.
   void accelerations_at_end(double time, Eigen::VectorXd& ground) const {
     const double before = std::min(time, first_break_);
     for (std::size_t k = 0; k < system_.grounds.size(); ++k)
       ground[static_cast<Eigen::Index>(k)] = system_.grounds[k].acceleration_before(before);
   }
 
-  /// Whether the right limits at `time` are others than these accelerations [m/s^2].
+  /// True if the right limits at `time` differ from these accelerations [m/s^2].
   bool jump(double time, const Eigen::VectorXd& ground) const {
     for (std::size_t k = 0; k < system_.grounds.size(); ++k)
       if (system_.grounds[k].acceleration(time) != ground[static_cast<Eigen::Index>(k)]) return true;
     return false;
   }
 
-  /// P ag for accelerations of the grounds; overwritten by the next call.
+  /// P ag for ground accelerations; overwritten by the next call.
   const Eigen::VectorXd& push(const Eigen::VectorXd& ground) const {
-    // The loops store as many numbers at once as those read that follow: a wider read of numbers just stored would wait
-    // for them.
+    // The loops store with the width of the reads that follow: a wider read of freshly stored values would stall.
     const Eigen::MatrixXd& load = solver_.load();
     const int n = solver_.size();
     double* const sum = push_.data();
@@ -76,10 +75,10 @@ class SupportExcitation {
     }
   }
 
-  /// The next time at which an acceleration has a corner or a jump [s]; infinity for none.
+  /// Next time at which an acceleration has a corner or a jump [s]; infinity if there is none.
   double next_break() const { return next_break_; }
-  /// Finds it. Breakpoints closer than round-off (of delayed motions) are merged: a step ends at the last of them, left
-  /// limits are taken at the first.
+  /// Finds the next breakpoint. Breakpoints that differ only by round-off (of delayed motions) are merged: a step ends
+  /// at the last of them, and left limits are evaluated at the first.
   void find_break_after(double time) {
     first_break_ = std::numeric_limits<double>::infinity();
     for (const GroundMotion& motion : system_.grounds) first_break_ = std::min(first_break_, motion.next_break(time));
@@ -91,14 +90,14 @@ class SupportExcitation {
         next_break_ = std::max(next_break_, t);
   }
 
-  /// Longest step from `time` to the next breakpoint that resolves the motions, see GroundMotion::longest_step [s].
+  /// Maximum step from `time` to the next breakpoint that resolves the motions, see GroundMotion::longest_step [s].
   double longest_step(double time) const {
     double shortest = std::numeric_limits<double>::infinity();
     for (const GroundMotion& motion : system_.grounds) shortest = std::min(shortest, motion.longest_step(time));
     return shortest;
   }
 
-  /// Writes the next breakpoint, or reads it back.
+  /// Writes or reads the next breakpoint.
   void archive(Archive& archive) {
     archive(first_break_);
     archive(next_break_);
@@ -108,7 +107,7 @@ class SupportExcitation {
   const System& system_;
   const StructureSolver& solver_;
   mutable Eigen::VectorXd push_;
-  double first_break_ = 0, next_break_ = 0;  // equal but for round-off
+  double first_break_ = 0, next_break_ = 0;  // equal up to round-off
 };
 
 }  // namespace pounding

@@ -8,17 +8,17 @@
 
 namespace pounding {
 
-/// A scheme with its room to work in. A step is pure: it writes only the trial and the error that it is given.
+/// A scheme with its workspace. A step is pure: it writes only the trial and the error passed to it.
 class TimeScheme {
  public:
   virtual ~TimeScheme() = default;
 
-  /// A = mass M + damping C + stiffness K of a step of length h; the same for all its stages.
+  /// A = mass M + damping C + stiffness K of a step of length h; the same for all stages.
   virtual EffectiveMatrix matrix(double h) const = 0;
-  /// Solves a step of length trial.h from `begin`. `last_step`: length of the last kept step, zero for none [s]. Given
-  /// in `trial`: h, the end time, and ground and by_ground at the end and the middle. Sets everything else but
-  /// Trial::error and the sums of squares, and the estimated errors. False if the equations of a stage could not be
-  /// solved.
+  /// Solves the step of length trial.h from `begin`. `last_step`: length of the last accepted step, zero if there is
+  /// none [s]. On input, `trial` has h, the end time, and ground and by_ground at the end and the middle. Sets all
+  /// other members except Trial::error and the sums of squares, and the estimated errors. False if the equations of a
+  /// stage cannot be solved.
   virtual bool try_step(const Instant& begin, double last_step, Trial& trial, StepError& error) = 0;
 };
 

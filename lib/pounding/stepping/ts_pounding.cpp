@@ -21,9 +21,9 @@ namespace {
 
 struct Data {
   std::optional<StepController> controller;
-  Archive snapshot;         // of the beginning of the step, in case somebody rolls it back
-  bool keeps_step = false;  // takes the snapshot even if the TS has no event
-  bool lazy = false;        // vectors are written only where PETSc looks at them
+  Archive snapshot;         // of the beginning of the step, for a rollback
+  bool keeps_step = false;  // take the snapshot even if the TS has no events
+  bool lazy = false;        // write vectors only when PETSc reads them
 
   Stepper* stepper() { return controller ? &controller->stepper() : nullptr; }
 };
@@ -31,7 +31,7 @@ struct Data {
 Data& data_of(TS ts) { return *static_cast<Data*>(ts->data); }
 MPI_Comm comm_of(TS ts) { return PetscObjectComm(reinterpret_cast<PetscObject>(ts)); }
 
-// Keeps exceptions out of PETSc: check() rethrows what `body` throws.
+// Keeps exceptions out of PETSc; check() rethrows what `body` throws.
 template <class Body>
 PetscErrorCode guarded(const Body& body) {
   try {
@@ -41,10 +41,10 @@ PetscErrorCode guarded(const Body& body) {
   }
 }
 
-// Type that selects ErrorControl; PETSc never calls it.
+// Type name that selects ErrorControl; PETSc never calls it.
 PetscErrorCode create_adapt(TSAdapt) { return POUNDING_PETSC_SUCCESS; }
 
-// ErrorControl, or the TSAdapt of a TS if another type is selected.
+// ErrorControl, or the TSAdapt of the TS if another type is selected.
 class TsPolicy final : public StepSizePolicy {
  public:
   TsPolicy(TS ts, const Stepper& stepper)
@@ -75,7 +75,7 @@ class TsPolicy final : public StepSizePolicy {
 
   TS ts_;
   ErrorControl control_;
-  PetscInt rejected_ = 0;  // since the last kept step
+  PetscInt rejected_ = 0;  // since the last accepted step
 };
 
 PetscErrorCode write_vectors(TS ts) {
@@ -86,7 +86,7 @@ PetscErrorCode write_vectors(TS ts) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-// One kept step. The controller throws; the caller keeps exceptions out of PETSc.
+// Makes one accepted step. May throw; the caller keeps exceptions out of PETSc.
 PetscErrorCode advance(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
@@ -118,12 +118,12 @@ PetscErrorCode step(TS ts) {
   }));
 }
 
-// Back to the beginning of the last step, contacts included.
+// Restores the beginning of the last step, including contacts.
 PetscErrorCode roll_back(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
   PetscCheck(!data.snapshot.bytes().empty(), comm_of(ts), PETSC_ERR_ORDER,
-             "Call set_rollback() before TSSolve() to keep the beginning of every step");
+             "Call set_rollback() before TSSolve() to enable TSRollBack()");
   PetscFunctionReturn(guarded([&] {
     data.snapshot.rewind_for_reading();
     data.controller->archive(data.snapshot);

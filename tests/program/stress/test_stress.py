@@ -232,11 +232,7 @@ class BouncesWithoutEnd(unittest.TestCase):
             model.write_text(stress_cases.input_file(BOUNCING | {"duration": 0.052}))
             done = subprocess.run([PROGRAM, "run", model, "-q"], capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(
-            done.stderr,
-            r"pounding: warning: link b1-b2: 1\d{4} impacts; bodies that are pressed together bounce ever faster by "
-            "restitution 1 and never rest",
-        )
+        self.assertRegex(done.stderr, r"pounding: warning: link b1-b2: 1\d{4} impacts; .* restitution 1 .*0\.95")
 
 
 class TheChecks(unittest.TestCase):

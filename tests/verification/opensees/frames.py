@@ -1,8 +1,8 @@
-"""The models of this folder in OpenSees: the same nodes, members, masses and motions as the YAML files say. SI units.
+"""The models of this folder in OpenSees: the nodes, members, masses and motions of the YAML files. SI units.
 
 In the plane OpenSees has x, y and a rotation from x to y; pounding has x, z and ry, which turns z into x: moments
-change their sign, shear forces do not. In space z is up in both, and the local axes are those of pounding: local z of
-beams upwards, of columns against x.
+change sign, shear forces do not. In space z is up in both, and the local axes are those of pounding: local z is upward
+for beams and against x for columns.
 """
 
 import math
@@ -17,7 +17,7 @@ sys.path.append(str(FOLDER.parents[1] / "benchmarks"))
 from opensees_frames import plane_frame  # noqa: E402
 from plane_frames import BAYS, STIFFER, STOREYS  # noqa: E402
 
-STEP = 0.005  # of the record; every stored peak is the largest at its multiples [s]
+STEP = 0.005  # of the record; stored peaks are maxima at its multiples [s]
 DAMPING = 0.05
 
 
@@ -27,7 +27,7 @@ def record():
 
 
 class Plane:
-    """One of the two plane frames, alone: `side` 0 is the left one. Nodes are named "S.I": storey, column line."""
+    """One of the two plane frames: `side` 0 is the left one. Nodes are named "S.I": storey, column line."""
 
     dimension, directions = 2, ("x", "z", "ry")
     components = [f"{end} {force}" for end in ("start", "end") for force in ("N", "Vz", "My")]
@@ -56,7 +56,7 @@ class Plane:
         ops.constraints("Plain")
 
     def rayleigh(self):
-        """Sets the frequencies for Rayleigh damping to those of the pair: see `pair_periods`."""
+        """Sets the frequencies of Rayleigh damping to those of the pair, see `pair_periods`."""
         low, high = (2 * math.pi / t for t in pair_periods())
         self.frequencies = low, high
 
@@ -65,7 +65,7 @@ class Plane:
         ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
 
     def push(self):
-        """Held ground accelerations: 1 m/s^2 along x, g along z."""
+        """Constant ground accelerations: 1 m/s^2 along x, g along z."""
         for node in ops.getNodeTags():
             m = ops.nodeMass(node, 1)
             if m > 0:
@@ -88,7 +88,7 @@ class LinkedPlane:
     floor."""
 
     def __init__(self, **link):
-        """`link`: what pounding.opensees.link takes, gap= and law= among it."""
+        """`link`: keyword arguments of pounding.opensees.link, including gap= and law=."""
         from pounding import opensees
 
         ops.wipe()
@@ -182,7 +182,7 @@ class Space:
         ops.constraints("Transformation")
 
     def rayleigh(self):
-        """In its own first two modes."""
+        """Sets the frequencies of Rayleigh damping to those of the first two modes."""
         self.frequencies = tuple(np.sqrt(ops.eigen(6)[:2]))
 
     def excite(self):
@@ -192,7 +192,7 @@ class Space:
         ops.pattern("UniformExcitation", 2, 2, "-accel", 2)
 
     def push(self):
-        """Held ground accelerations: 1 m/s^2 along x, 0.5 along y, g along z."""
+        """Constant ground accelerations: 1 m/s^2 along x, 0.5 along y, g along z."""
         for node in ops.getNodeTags():
             m = ops.nodeMass(node, 1)
             if m > 0:
@@ -216,7 +216,7 @@ def periods(model, count=6):
 
 
 def pair_periods():
-    """Longest period of the pair of plane frames, and its sixth or that of 4 Hz when that is shorter [s]."""
+    """Longest period of the pair of plane frames, and the shorter of its sixth period and 0.25 s [s]."""
     if not hasattr(pair_periods, "kept"):
         both = sorted([t for side in (0, 1) for t in periods(Plane(side))], reverse=True)
         pair_periods.kept = both[0], min(both[5], 0.25)
@@ -230,7 +230,7 @@ def coefficients(frequencies):
 
 
 def statics(model):
-    """Under the accelerations of `push`, held."""
+    """Static response to the accelerations of `push`."""
     model.build()
     ops.timeSeries("Linear", 1)
     ops.pattern("Plain", 1, 1)
@@ -251,7 +251,7 @@ def statics(model):
 
 
 def history(model, step):
-    """Newmark of constant average acceleration: all that is reported [signal, sample], a sample every STEP."""
+    """Newmark with constant average acceleration: all reported signals [signal, sample], one sample every STEP."""
     model.rayleigh()
     a0, b0 = coefficients(model.frequencies)
     model.build()
@@ -260,7 +260,7 @@ def history(model, step):
     ops.rayleigh(a0, 0.0, b0, 0.0)
     ops.numberer("RCM")
     ops.system("BandGeneral")
-    ops.algorithm("Linear", False, False, True)  # factorised once
+    ops.algorithm("Linear", False, False, True)  # factorized once
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
     rows = []

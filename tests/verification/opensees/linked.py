@@ -1,9 +1,9 @@
-"""Links of pounding.opensees in the two plane frames, through the record, beside the stored references.
+"""Links of pounding.opensees in the two plane frames, under the record, against the stored references.
 
     PYTHONPATH=build/python python3 tests/verification/opensees/linked.py LAW STEP
 
 Prints the row of README.md: impacts of each link, and the largest differences of a link's peak force and of a floor's
-peak displacement as parts of the reference.
+peak displacement, relative to the reference.
 """
 
 import json

@@ -3,14 +3,13 @@
 
     python3 make_references.py plane           # plane.json: two minutes
     python3 make_references.py space           # space.json: two minutes
-    python3 make_references.py pounding        # plane_pounding.json: some minutes
+    python3 make_references.py pounding        # plane_pounding.json: a few minutes
     python3 make_references.py linked STEP     # adds OpenSees' own runs with links to plane_pounding.json
 
-plane, space: periods, static answers and histories of OpenSees, the histories by Newmark at four halved steps and
-Richardson's extrapolation, which takes the error out to the order of step^8; `doubt` is what the last halving still
-changed. pounding: mass and stiffness of the plane frames taken out of OpenSees, then DOP853 that lands on every touch,
-separation and corner of a law. Newmark in OpenSees itself, at steps that one can wait for, is only good to some 1e-3
-there.
+plane, space: periods, static responses and histories of OpenSees. The histories are by Newmark at four halved steps and
+Richardson extrapolation, which removes the error up to step^8; `doubt` is the change by the last halving. pounding: mass
+and stiffness of the plane frames from OpenSees, integrated by DOP853 with steps that end at every touch, separation and
+corner of a law. Newmark in OpenSees has errors of about 1e-3 there at practical steps.
 """
 
 import json
@@ -19,7 +18,7 @@ import sys
 import numpy as np
 import openseespy.opensees as ops
 
-import frames  # first: it makes the benchmarks' modules known
+import frames  # first: adds the folder of the benchmarks to the path
 import problem
 from contact import Contact, integrate
 from frames import FOLDER, STEP, Plane, Space
@@ -32,7 +31,7 @@ def digits(values):
 
 
 def richardson(coarse_to_fine):
-    """Richardson extrapolation of results whose error has even powers of a step that halves."""
+    """Richardson extrapolation of results with an error in even powers of the step, which is halved each time."""
     table = list(coarse_to_fine)
     for power in range(1, len(table)):
         factor = 4.0**power
@@ -89,7 +88,7 @@ def linear(model):
 
 def write(name, store):
     text = json.dumps(store, indent=1)
-    # One line a list of numbers.
+    # One line per list of numbers.
     out, depth, line = [], 0, ""
     for piece in text.split("\n"):
         word = piece.strip()
@@ -126,7 +125,7 @@ def make_linear(name, **models):
 
 
 def matrices(model):
-    """Masses [n] of all degrees of freedom, stiffness [n, n] and the place of (node, direction), from OpenSees."""
+    """Masses [n] of all degrees of freedom, stiffness [n, n] and the index of (node, direction), from OpenSees."""
     model.build()
     ops.constraints("Plain")
     ops.numberer("Plain")
@@ -147,7 +146,7 @@ def matrices(model):
 
 
 class Pair:
-    """The two plane frames; rotations, without mass and load, are condensed out: K (u + b0 v) condenses like K u."""
+    """The two plane frames with static condensation of the massless, unloaded rotations: K (u + b0 v) condenses like K u."""
 
     def __init__(self):
         self.models = Plane(0), Plane(1)
@@ -246,7 +245,7 @@ def make_pounding():
 
 
 def make_linked(step):
-    """OpenSees' own links and Newmark: the largest forces; where Newton fails, the time."""
+    """OpenSees' own links and Newmark: peak forces, or the time at which Newton's method fails."""
     import opensees_frames
 
     path = FOLDER / "plane_pounding.json"

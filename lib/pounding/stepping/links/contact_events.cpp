@@ -25,12 +25,12 @@ void ContactEvents::apply(const std::vector<EventId>& events, bool in_place, Ins
   settle(now);
 }
 
-// A jump of the velocities may end the phase of any compliant contact that presses on the same bodies.
+// A velocity jump may end the phase of any active compliant contact on the same bodies.
 void ContactEvents::settle(const Instant& now) {
   for (int i = 0; i < links_.contacts(); ++i) {
     Contact& contact = links_.contact(i);
     const LinkMotion here = links_.motion(i, now);
-    // From a reversal to a release, or to the separation, there are two changes at most.
+    // At most two changes: from a reversal to a release or to the separation.
     for (int change = 0; change < 2; ++change) {
       if (contact.phase() == ContactPhase::open || links_.is_held(i)) break;
       const Contact::EventFunctions values = functions_.values(i, here, now.force[i]);
@@ -43,7 +43,7 @@ void ContactEvents::settle(const Instant& now) {
   }
 }
 
-// All rigid contacts that are closed now take part in the bounce, those that touch first.
+// All closed rigid contacts take part in the bounce; those that touch come first.
 void ContactEvents::strike(const std::vector<int>& touching, bool in_place, Instant& now) {
   const MotionScales& scales = norm_.scales();
   std::vector<int> closed = touching;
@@ -75,7 +75,7 @@ void ContactEvents::strike(const std::vector<int>& touching, bool in_place, Inst
     const int i = closed[k];
     const double impulse = result.impulse[k], rate = result.rate[k];
     const bool stays = rate >= -strikes.still, touches = k < static_cast<int>(touching.size());
-    // Without an impulse a touch at rest is held and a rest may end; everything else goes on.
+    // Without an impulse, a touch at rest becomes held and a rest may end; all other contacts are unchanged.
     if (impulse == 0 && !(touches && stays) && !(links_.is_held(i) && !stays)) continue;
     now.motion.col(Instant::v) -= impulse * equations_.rigid.response.col(i);
     ledger_.add_impulse(impulse, links_.ground_part(now.by_ground, i, Instant::v));

@@ -1,5 +1,5 @@
 #pragma once
-/// Events of contacts at one instant: ends of phases, impacts of rigid bodies.
+/// Events of contacts at one instant: ends of phases and impacts of rigid bodies.
 
 #include <vector>
 
@@ -10,10 +10,11 @@
 
 namespace pounding {
 
-/// Contacts enter their next phases; rigid ones that touch bounce, which makes velocities jump.
+/// Moves contacts to their next phases and applies the velocity jumps of rigid impacts.
 class ContactEvents {
  public:
-  /// All must outlive it. `tolerance`: bounces below this part of the velocity scale are not resolved.
+  /// All arguments must outlive this object. `tolerance`: bounces below this fraction of the velocity scale are not
+  /// resolved.
   ContactEvents(const Equations& equations, const EventFunctions& functions, ErrorNorm& norm, EnergyLedger& ledger,
                 double tolerance)
       : equations_(equations),
@@ -23,10 +24,10 @@ class ContactEvents {
         ledger_(ledger),
         tolerance_(tolerance) {}
 
-  /// Applies the events located at `now` and changes its velocities and relative motion; the rest of `now` is out of
-  /// balance afterwards. `in_place`: the events were there already at the beginning of a step.
+  /// Applies the events located at `now` and updates its velocities and relative motion. All other members of `now` are
+  /// stale afterwards. `in_place`: the events were found at the beginning of a step.
   void apply(const std::vector<EventId>& events, bool in_place, Instant& now);
-  /// How many so far.
+  /// Number of events.
   long count() const { return count_; }
   void archive(Archive& archive) { archive(count_); }
 

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Index;
 
-// act(first, count, place) for each block, with the place of its first number where blocks follow each other; until one
-// returns false.
+// Calls act(first, count, offset) for each block, where offset is the position of its first entry in contiguous storage
+// of the blocks. Stops if a call returns false.
 template <class Act>
 bool each_block(const std::vector<Index>& ends, const Act& act) {
   Index first = 0, place = 0;
@@ -23,7 +23,7 @@ bool each_block(const std::vector<Index>& ends, const Act& act) {
   return true;
 }
 
-// y = G x, where `term` takes a number of G and one of x. Terms are summed in the order of the links.
+// y = G x, where `term` combines entries of G and x. Terms are summed in the order of the links.
 template <class Term>
 void multiply_blocks(const std::vector<Index>& ends, const Eigen::MatrixXd& g, const Eigen::VectorXd& x,
                      Eigen::VectorXd& y, const Term& term) {

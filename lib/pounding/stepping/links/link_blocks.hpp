@@ -1,5 +1,5 @@
 #pragma once
-/// Active links in groups that do not act on one another.
+/// Active links in independent groups.
 
 #include <Eigen/Core>
 #include <utility>
@@ -7,40 +7,39 @@
 
 namespace pounding {
 
-/// The blocks along the diagonal of a flexibility G, outside of which it has zeros. Links follow each other by
-/// structures: a block ends where no link behind it acts on one before. In a row of bodies of which some hundreds press
-/// at once few links share a body, and the squares and cubes of the number of all links, which products and factors
-/// cost, become those of the blocks.
+/// Diagonal blocks of a flexibility G; all other entries are zero. Links are ordered by structure: a block ends where
+/// no later link acts on an earlier one. In a row of buildings with hundreds of simultaneous contacts, few links share
+/// a building. Products and factorizations then cost the squares and cubes of the block sizes, not of the number of
+/// links.
 class LinkBlocks {
  public:
-  /// Number of a link among the active ones.
+  /// Index of a link among the active ones.
   using Index = Eigen::Index;
-  /// Fewer links than this are one block, without a look at G.
+  /// With fewer links than this, all form one block and G is not examined.
   static constexpr Index many = 64;
 
-  /// Looks for the blocks of this flexibility.
+  /// Finds the blocks of this flexibility.
   void find(const Eigen::MatrixXd& flexibility);
-  /// The numbers of links up to the end of each block.
+  /// End index of each block.
   const std::vector<Index>& ends() const { return ends_; }
-  /// First link of the block of this link, and its end.
+  /// First and end index of the block that contains this link.
   std::pair<Index, Index> range(Index link) const;
 
   /// y = G x.
   void multiply(const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
-  /// y = |G| |x|, the sizes of these terms.
+  /// y = |G| |x|, the magnitude of these terms.
   void multiply_sizes(const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
  private:
   std::vector<Index> ends_;
-  std::vector<Index> block_;  // of each link; empty for one block
-  std::vector<Index> reach_;  // the last link that acts on this one or on one before it
+  std::vector<Index> block_;  // block of each link; empty if there is only one
+  std::vector<Index> reach_;  // last link that acts on this link or on an earlier one
 };
 
-/// Cholesky factors of 1 + R G R, one a block, with a diagonal R. The factor of all links costs the cube of their
-/// number.
+/// Cholesky factors of the blocks of 1 + R G R, where R is diagonal.
 class BlockFactors {
  public:
-  /// They stay while G and R do. False if a block is not positive definite.
+  /// Factorizes, or reuses the factors if G and R are unchanged. False if a block is not positive definite.
   bool factorize(const LinkBlocks& blocks, const Eigen::MatrixXd& flexibility, const Eigen::VectorXd& roots);
   /// Replaces x by (1 + R G R)^-1 x.
   void solve(Eigen::VectorXd& x) const;

@@ -1,4 +1,4 @@
-/// Newton's steps of LinkSolver.
+/// Newton directions of LinkSolver.
 
 #include <pounding/stepping/links/link_solver.hpp>
 
@@ -7,13 +7,13 @@
 
 namespace pounding {
 
-// Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
+// True for springs only, none of which is stiffer than its linear stiffness or has a dashpot.
 bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
   return links.active.front() >= links_.contacts() && links.active.back() < links_.frictions_from() &&
          by_rate_.isZero(0) && by_penetration_.maxCoeff() <= 0;
 }
 
-// Rows of slopes_ of all but the frictions, with the slopes of the last residual() that asked for them.
+// Rows of slopes_ except for friction, from the slopes of the last residual() call that computed them.
 void LinkSolver::find_slopes(const CondensedLinks& links) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
@@ -29,8 +29,8 @@ void LinkSolver::find_slopes(const CondensedLinks& links) {
   }
 }
 
-// Contacts and springs whose forces grow with penetration and rate: with the slopes D a Newton step is (1 + D G) dF =
-// ..., which the roots R of D make symmetric and positive definite.
+// For contacts and springs whose forces increase with penetration and rate: with the slopes D, a Newton step is (1 + D
+// G) dF = ..., which the roots R of D make symmetric and positive definite.
 bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
   const Eigen::VectorXd slopes = by_u * by_penetration_ + by_v * by_rate_;
@@ -43,7 +43,7 @@ bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
   return true;
 }
 
-// Newton's step by eliminating the springs first, where that pays and can be done.
+// Newton step by eliminating the springs first, if possible and efficient.
 bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
   int soft = 0;
   others_.clear();
@@ -60,11 +60,11 @@ bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
          soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
 }
 
-// A step along Newton's direction to where a potential of the forces is small, for residuals that no step makes
-// smaller: parts that yield all around a joint without mass let its rotation go, and the first directions are a
-// thousand times too long. The force of each link depends on its own component of H F alone and H is symmetric, so the
-// residuals are the slopes of a potential, -r H dF along dF. It is convex while the tangent of the step is positive
-// definite: then steps that bring this slope down go to the one solution.
+// A step along the Newton direction that reduces the slope of a potential of the forces, for cases in which no step
+// reduces the residuals: yielding parts all around a massless joint leave its rotation almost free, and the first
+// directions are a thousand times too long. The force of each link depends only on its own component of H F, and H is
+// symmetric, so the residuals derive from a potential with slope -r H dF along dF. It is convex while the tangent of
+// the step is positive definite; then steps that reduce this slope converge to the unique solution.
 bool LinkSolver::descend(const CondensedLinks& links, Eigen::VectorXd& f) {
   const auto held = [this](int link) { return links_.is_held(link); };
   if (plain_ != f.size() || std::any_of(links.active.begin(), links.active.end(), held)) return false;

@@ -11,11 +11,11 @@
 
 namespace pounding {
 
-/// Links in the order of the columns of B: contacts, then springs that yield, then the one or two directions of each
-/// friction. Motions add the part of ground and gravity to B^T u, and take off what springs give way to their forces.
+/// Links in the order of the columns of B: contacts, then yielding springs, then the one or two directions of each
+/// friction element. Motions are B^T u plus the contributions of ground and gravity, minus the relief of the springs.
 class LinkSet {
  public:
-  /// `system` has passed System::check(); both must outlive it. `relief` of its springs.
+  /// `system` has passed System::check(). `relief`: of its springs. Both must outlive this object.
   explicit LinkSet(const System& system, const SpringRelief& relief = none())
       : system_(system),
         relief_(relief),
@@ -34,19 +34,19 @@ class LinkSet {
   int contacts() const { return contacts_; }
   int springs() const { return frictions_from_ - contacts_; }
   bool is_spring(int link) const { return link >= contacts_ && link < frictions_from_; }
-  /// First link that is a direction of a friction; the springs end here.
+  /// First link that is a friction direction; also the end of the springs.
   int frictions_from() const { return frictions_from_; }
   const std::vector<Friction>& frictions() const { return system_.frictions; }
   Contact& contact(int link) const { return *system_.contacts[link]; }
   Spring& spring(int link) const { return *system_.springs[link - contacts_]; }
 
-  /// How unknowns without mass give way to the springs.
+  /// Static response of massless degrees of freedom to spring forces.
   const SpringRelief& relief() const { return relief_; }
-  /// Whether ground or gravity add to the relative motion.
+  /// True if ground motion or gravity contributes to the relative motion.
   bool moved() const { return moved_; }
-  /// Whether the ground moves the ends of any link apart by itself.
+  /// True if the ground motion moves the two ends of any link differently.
   bool driven() const { return driven_; }
-  /// One entry of Instant::by_ground, zero where it is empty.
+  /// One entry of Instant::by_ground; zero if that is empty.
   double ground_part(const Eigen::MatrixXd& by_ground, int link, Instant::Column column) const {
     return moved_ ? by_ground(link, column) : 0;
   }
@@ -60,7 +60,7 @@ class LinkSet {
     this->motion(link, x, motion);
     return motion;
   }
-  /// Written to its place at once: a copy of numbers just stored would wait for them.
+  /// Writes to the result in place: copying freshly stored values would cause a store-forwarding stall.
   void motion(int link, const Instant& x, LinkMotion& motion) const {
     without_relief(link, x, motion);
     if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
@@ -69,12 +69,12 @@ class LinkSet {
   double acceleration(int link, const Instant& x) const {
     return x.relative(link, Instant::a) + ground_part(x.by_ground, link, Instant::a);
   }
-  /// The motion with its acceleration.
+  /// Motion including the acceleration.
   Jet jet(int link, const Instant& x) const {
     const LinkMotion at = motion(link, x);
     return {at.penetration, at.rate, acceleration(link, x)};
   }
-  /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
+  /// Motion without relief by spring forces. The rate of a spring is that at constant forces in either case.
   void without_relief(int link, const Instant& x, LinkMotion& motion) const {
     double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
     if (moved_) {
@@ -92,12 +92,12 @@ class LinkSet {
                             : system_.springs[link - contacts_]->evaluate(motion);
   }
 
-  /// Whether the link may have a force in its present phase: contacts that press, their frictions, all springs.
+  /// True if the link may have a force in its current phase: contacts that press, their friction, all springs.
   bool is_active(int link) const {
     if (link >= frictions_from_) link = contact_of_friction_[link - frictions_from_];
     return link >= contacts_ || presses(system_.contacts[link]->phase());
   }
-  /// Whether a rigid contact rests: its rate stays zero by whatever force that needs.
+  /// True for a rigid contact at rest: its force keeps its rate at zero.
   bool is_held(int link) const { return link < contacts_ && system_.contacts[link]->phase() == ContactPhase::resting; }
 
  private:

@@ -8,20 +8,20 @@
 namespace pounding {
 namespace {
 
-// A force is the difference of terms of this size; its round-off follows them.
+// A force is a difference of terms of this magnitude, which determine its round-off.
 double terms(const laws::Response& law, const LinkMotion& at) {
   return std::abs(law.by_penetration * at.penetration) + std::abs(law.by_rate * at.rate);
 }
 
-// A stiff bar leaves next to nothing of the free motion, whose round-off its force has still. Storeys that yield are
-// softer than their linear stiffness and have none of this, but theirs is the difference between two forces of the size
-// of k d.
+// The force of a stiff bar cancels nearly all of the free motion but retains its round-off. Yielding storeys are softer
+// than their linear stiffness and have no such term; instead, their force is the difference of two forces of magnitude
+// k d.
 double terms(const Spring& spring, const laws::Response& law, const LinkMotion& at, const LinkMotion& free) {
   return std::max(std::max(terms(law, at), spring.stiffness() * std::abs(at.penetration)),
                   std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate));
 }
 
-// The motion that forces leave when they take these parts off.
+// Motion after the forces have removed these parts of the free motion.
 LinkMotion relieved(LinkMotion free, double penetration, double rate) {
   free.penetration -= penetration;
   free.rate -= rate;
@@ -38,8 +38,8 @@ bool LinkSolver::solve(const CondensedLinks& links, Eigen::VectorXd& force) {
   return links.active.size() == 1 ? solve_one(links, 0, 0.0, 0.0, force[0]) : solve_many(links, force);
 }
 
-// Newton's method inside a bracket: the force lies between zero and the answer of the law to the free motion; a spring
-// that softens goes beyond that. `others` is G F of the other links, `others_relief` S F of them.
+// Newton's method inside a bracket: the force lies between zero and the force of the law at the free motion; for a
+// softening spring the bracket is extended. `others` is G F of the other links, `others_relief` their S F.
 bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force) {
   const int link = links.active[k];
   const double flexibility = links.flexibility(k, k);
@@ -102,13 +102,13 @@ void LinkSolver::find_sliders(const CondensedLinks& links) {
   const auto index = [&](int link) {
     return static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), link) - links.active.begin());
   };
-  // Springs that settle by themselves are solved without the contacts that press meanwhile.
+  // The static solve for springs (SpringForces) excludes active contacts.
   for (const Friction& friction : links_.frictions())
     if (std::binary_search(links.active.begin(), links.active.end(), friction.contact))
       sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
 }
 
-// Answer of a friction where the forces reduce the closing accelerations by `relief` times the weight.
+// Response of a friction element if the forces reduce the closing accelerations by `relief` times the weight.
 FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slider,
                                 const Eigen::VectorXd& relief) const {
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
@@ -120,7 +120,7 @@ FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slide
   return friction_force(*slider.friction, links_.law(links.active[slider.contact], contact), rates);
 }
 
-// One direction of a friction after the other by bisection, all other forces as they are.
+// Solves the directions of a friction element in turn by bisection, with all other forces fixed.
 bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider, Eigen::VectorXd& forces) {
   Eigen::VectorXd relief = links.flexibility * forces;
   for (int j = 0; j < slider.friction->count; ++j) {
@@ -146,8 +146,8 @@ bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider,
   return true;
 }
 
-// Norm of the differences between the answers of the laws and the forces x; sets residual_, terms_ and, if asked, the
-// slopes of the laws and the rows of slopes_ for frictions.
+// Norm of the differences between the forces of the laws and the forces x. Sets residual_, terms_ and, if requested,
+// the slopes of the laws and the rows of slopes_ for friction.
 double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& x, bool with_slopes) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
@@ -195,9 +195,9 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   return residual_.norm();
 }
 
-// Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free
-// motion, and of the forces on a light body between two heavy ones, which take most of each other off. A dashpot
-// magnifies it. With the slopes of the last residual() that asked for them.
+// Bound on the residual due to round-off of the motion: of the free motion, and of the forces on a light body between
+// two heavy ones, which nearly cancel. A dashpot magnifies it. Uses the slopes of the last residual() call that
+// computed them.
 double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& x) {
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
   if (links.blocks)
@@ -212,8 +212,8 @@ double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& 
   return solved * largest;
 }
 
-// One pass of Gauss-Seidel with the bracketed scalar solve: slower than Newton's method, but it cannot fail on laws
-// whose force grows with penetration and rate.
+// One Gauss-Seidel pass with the bracketed scalar solve: slower than Newton's method, but it cannot fail for laws whose
+// force increases with penetration and rate.
 bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
   const Eigen::MatrixXd& g = links.flexibility;
   for (int i = 0; i < plain_; ++i) {
@@ -236,7 +236,7 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
                             links.active.begin());
   if (!links_.frictions().empty()) find_sliders(links);
-  // Held contacts between the same bodies leave their shares open: the slopes are singular then.
+  // The shares of held contacts between the same bodies are indeterminate; the slopes are then singular.
   const auto held =
       std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
   const bool many = count >= LinkBlocks::many && links.blocks && held == 0 && plain_ == count && !links.relief;

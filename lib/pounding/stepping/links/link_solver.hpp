@@ -1,5 +1,5 @@
 #pragma once
-/// The few nonlinear equations for the link forces of one stage, left over when the structures are condensed out.
+/// Solves the few nonlinear equations for the link forces of one stage, after static condensation of the structures.
 
 #include <Eigen/Core>
 #include <span>
@@ -12,43 +12,43 @@
 
 namespace pounding {
 
-/// The active links of one stage. Knows neither matrices of structures nor time: with the forces F [N],
+/// Active links of one stage, independent of structural matrices and time. With the forces F [N],
 ///
 ///   penetration = free.penetration - (weight by_u G + S) F,     rate = free.rate - weight by_v G F,
 ///   closing acceleration = free_acceleration - weight G F.
 struct CondensedLinks {
-  std::span<const int> active;               ///< links whose force is sought, in ascending order
+  std::span<const int> active;               ///< links whose force is unknown, in ascending order
   std::span<const LinkMotion> free;          ///< their motion without these forces
-  const Eigen::VectorXd& free_acceleration;  ///< and their closing acceleration, B^T x0 [m/s^2]
+  const Eigen::VectorXd& free_acceleration;  ///< their closing acceleration without these forces, B^T x0 [m/s^2]
   const Eigen::MatrixXd& flexibility;        ///< G = B^T A^-1 B
   double by_u = 0, by_v = 0;  ///< displacement [s^2] and velocity [s] for a unit acceleration of the stage
   double weight = 1;          ///< weight of forces in the equations of the stage
-  const Eigen::MatrixXd* relief = nullptr;  ///< S, how far unknowns without mass give way at once; none without it
-  const LinkBlocks* blocks = nullptr;       ///< of G; none: every number of it counts
+  const Eigen::MatrixXd* relief = nullptr;  ///< S, static compliance of massless degrees of freedom; null if none
+  const LinkBlocks* blocks = nullptr;       ///< of G; null if G is dense
 };
 
-/// Finds forces that are those of their laws at the motion that they leave. A held contact takes the force that leaves
-/// no closing acceleration.
+/// Finds the forces that satisfy the laws at the motion they cause. A held contact takes the force that makes its
+/// closing acceleration zero.
 ///
-/// With the slopes -D of springs alone, each where D > 0, a Newton step is (1/D - H) dF = ..., H = weight by_u G + S.
-/// This matrix is positive definite where the tangent of the step is, by Woodbury's formula: it has a Cholesky factor,
-/// or the structure is unstable.
+/// For springs with slopes -D, D > 0, a Newton step is (1/D - H) dF = ..., H = weight by_u G + S. By Woodbury's
+/// formula, this matrix is positive definite if and only if the tangent of the step is: a Cholesky factor exists, or
+/// the structure is unstable.
 class LinkSolver {
  public:
-  /// `links` must outlive it.
+  /// `links` must outlive this object.
   explicit LinkSolver(const LinkSet& links) : links_(links) {}
 
-  /// Newton's method with exact slopes, its steps shortened by the residuals, else by their potential, else
-  /// Gauss-Seidel with bracketed scalar solves. `force` is a guess and becomes the solution, one entry an active link.
-  /// False if none converges.
+  /// Newton's method with exact slopes and a line search on the residual, then on the potential; as a fallback,
+  /// Gauss-Seidel with bracketed scalar solves. `force` is the initial guess and becomes the solution, one entry per
+  /// active link. Returns false if no method converges.
   bool solve(const CondensedLinks& links, Eigen::VectorXd& force);
-  /// The link that the last failed solve gave up at; -1 if it could not tell.
+  /// Link at which the last failed solve stopped; -1 if unknown.
   int failed_link() const { return failed_; }
   long iterations() const { return iterations_; }
   void archive(Archive& archive) { archive(iterations_); }
 
  private:
-  // An active friction; positions among the active links.
+  // An active friction element; indices among the active links.
   struct Slider {
     const Friction* friction = nullptr;
     int contact = 0, first = 0;
@@ -71,20 +71,19 @@ class LinkSolver {
   const LinkSet& links_;
   int failed_ = -1;
   long iterations_ = 0;
-  // Work of the present solve_many().
+  // Workspace of the current solve_many().
   std::vector<Slider> sliders_;
-  int plain_ = 0;                                       // active links before the first direction of a friction
-  double terms_ = 0;                                    // size of the terms of the last residual [N]
+  int plain_ = 0;                                       // number of active links before the first friction direction
+  double terms_ = 0;                                    // magnitude of the terms of the last residual [N]
   Eigen::VectorXd residual_, relief_, relief_at_once_;  // the last two: G F and S F
   Eigen::VectorXd sizes_;                               // |G| |F|
   Eigen::VectorXd by_penetration_, by_rate_;            // slopes of the laws
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd trial_, direction_;
   SoftSprings soft_springs_;
-  std::vector<int> others_;  // active links that are no springs which only soften
+  std::vector<int> others_;  // active links other than softening springs
   Eigen::VectorXd slopes_of_springs_;
-  BlockFactors
-      factors_;  // many contacts and springs alone: with R, the roots of the slopes, they take the place of slopes_
+  BlockFactors factors_;  // used instead of slopes_ for many contacts and springs; R holds the roots of the slopes
 };
 
 }  // namespace pounding

@@ -10,9 +10,9 @@
 namespace pounding {
 namespace {
 
-// Rounds of impulses in a row of rigid bodies; what closes after them is lost plastically.
+// Maximum number of rounds of impulses in a row of rigid bodies; remaining closing rates are absorbed plastically.
 constexpr int max_rounds = 10000;
-// Least height of a hop, in units of the round-off of the motion: a lower one is over before a step can see it.
+// Minimum height of a bounce, in units of the round-off of the motion; a lower one ends before a step can resolve it.
 constexpr double min_hop_height = 4;
 
 }  // namespace
@@ -21,7 +21,7 @@ Eigen::VectorXd plastic_impulses(const Eigen::MatrixXd& g, const Eigen::VectorXd
   const int count = static_cast<int>(rate.size());
   Eigen::VectorXd f = Eigen::VectorXd::Zero(count);
   std::vector<int> pressed;
-  // Each pass lowers the minimum, so passes end by themselves; the limit is for round-off.
+  // Each pass decreases the objective, so the passes terminate; the limit guards against round-off.
   for (int pass = 0; pass < 10 * count; ++pass) {
     const Eigen::VectorXd left = rate - g * f;
     int worst = -1;

@@ -3,7 +3,7 @@
 namespace pounding {
 namespace {
 
-// A spring that yields this part of the trial behind its beginning yields from there on.
+// A spring that yields within this fraction of the trial after its beginning is active from the beginning.
 constexpr double shortly_after = 1e-3;
 
 }  // namespace
@@ -25,7 +25,7 @@ void ActiveSprings::begin(const Instant& now, double h) {
   hold();
 }
 
-// None is active.
+// No spring is active.
 void ActiveSprings::rest() {
   if (rests_ == ranges_.version()) return;
   rests_ = ranges_.version();

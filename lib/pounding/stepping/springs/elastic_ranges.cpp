@@ -7,7 +7,7 @@ using enum Instant::Column;
 
 }  // namespace
 
-// Springs of structures that the ground drives apart, and those with a dashpot inside, take the long way.
+// Excludes springs of structures on different ground motions, and those with a series dashpot.
 ElasticRanges::ElasticRanges(const LinkSet& links) : links_(links) {
   for (Eigen::VectorXd* values : {&low_, &high_, &forces_}) values->setZero(links.springs());
 }
@@ -51,7 +51,7 @@ bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
   deformations(x, begin);
   deformations(y, end);
   const double *const v0 = of_springs(x.relative, v), *const v1 = of_springs(y.relative, v);
-  // Bezier's points: the cubic stays between the least and the largest of them.
+  // Bezier control points: the cubic lies between their minimum and maximum.
 #pragma GCC ivdep
   for (Eigen::Index i = 0; i < count; ++i) {
     const double after = begin[i] + third * v0[i], before = end[i] - third * v1[i];
@@ -65,7 +65,7 @@ bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
   return outside == 0;
 }
 
-// As LinkSet::motion().
+// As in LinkSet::motion().
 void ElasticRanges::deformations(const Instant& x, double* d) const {
   const double *const moved = of_springs(x.relative, u), *const relief = x.relief.data();
   const Eigen::Index count = links_.springs();

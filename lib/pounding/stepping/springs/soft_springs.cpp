@@ -11,7 +11,7 @@ double SoftSprings::flexibility(const CondensedLinks& links, int i, int j) {
   return links.by_u * links.weight * links.flexibility(i, j) + (links.relief ? (*links.relief)(i, j) : 0);
 }
 
-// The springs that yield, and the roots of their D.
+// Selects the yielding springs and the roots of their D.
 void SoftSprings::choose(const Eigen::VectorXd& slopes) {
   soft_.clear();
   for (int i = 0; i < slopes.size(); ++i)
@@ -28,7 +28,7 @@ void SoftSprings::find_by_others(const CondensedLinks& links, const Eigen::Vecto
   by_others_ += relief_;
 }
 
-// The factor of `count` soft springs from one on.
+// Factorizes the block of `count` soft springs starting at `first`.
 bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eigen::Index count) {
   const double by_u = links.by_u * links.weight;
   matrix_.resize(count, count);
@@ -66,7 +66,7 @@ bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slop
   return true;
 }
 
-// Springs of a structure follow each other: how many soft ones from this one on do not act on those behind them.
+// Springs of a structure are contiguous: number of soft springs, starting at `first`, that do not act on later ones.
 Eigen::Index SoftSprings::block_from(const CondensedLinks& links, Eigen::Index first) const {
   const auto count = static_cast<Eigen::Index>(soft_.size());
   Eigen::Index last = first;
@@ -104,7 +104,7 @@ bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<in
   for (const int i : soft_) direction[i] = 0;
   for (const int i : others) direction[i] = 0;
   find_by_others(links, direction);
-  // A column for the residual and one for a unit force of each other link.
+  // One column for the residual and one for a unit force of each other link.
   by_links_.resize(count, 1 + beside);
   for (Eigen::Index i = 0; i < count; ++i) {
     by_links_(i, 0) = residual[soft_[i]] / root_[i] + root_[i] * by_others_[soft_[i]];

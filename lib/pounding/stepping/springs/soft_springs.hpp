@@ -1,5 +1,5 @@
 #pragma once
-/// Newton's step for the forces of springs, of which some yield.
+/// Newton step for the forces of springs, some of which yield.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -10,40 +10,38 @@ namespace pounding {
 
 struct CondensedLinks;
 
-/// Springs that are softer than their linear stiffness by D > 0 solve (D^-1 - (c G + S)) dF = D^-1 r, scaled by the
-/// roots of D; all others take their residual r. The matrix is positive definite exactly where the tangent stiffness of
-/// the step is.
+/// Springs whose stiffness is reduced by D > 0 solve (D^-1 - (c G + S)) dF = D^-1 r, scaled by the roots of D; all
+/// others take their residual r. The matrix is positive definite if and only if the tangent stiffness of the step is.
 class SoftSprings {
  public:
-  /// `slopes` of all active links, none of them positive [N/m]; `residual` r [N] becomes the step `direction` [N].
-  /// False where the structure is unstable.
+  /// `slopes` of all active links, none positive [N/m]. Replaces the residual r [N] by the step `direction` [N]. False
+  /// if the structure is unstable.
   bool solve(const CondensedLinks& links, const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual,
              Eigen::VectorXd& direction);
 
-  /// As solve(), beside links that are no such springs, `others`, whose equations are rows of `matrix` [link, link]:
-  /// the springs of one structure after another are eliminated. Springs of different structures meet in the others
-  /// alone.
+  /// As solve(), together with other links, `others`, whose equations are rows of `matrix` [link, link]. The springs
+  /// are eliminated structure by structure; springs of different structures interact only through the others.
   bool solve_beside(const CondensedLinks& links, const std::vector<int>& others, const Eigen::MatrixXd& matrix,
                     const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual, Eigen::VectorXd& direction);
 
-  /// Forces that the springs, all of which yield with these slopes, answer with to deformations or their rates without
-  /// these forces [spring, column]: of the unknowns without mass alone where links.by_u is 0. They take the place of
-  /// the deformations.
+  /// Replaces deformations, or their rates, without spring forces by the resulting forces [spring, column] of springs
+  /// that all yield with these slopes. If links.by_u is 0, only the massless degrees of freedom respond.
   bool answer(const CondensedLinks& links, const Eigen::VectorXd& slopes, Eigen::MatrixXd& deformations);
 
-  /// Fewer springs that yield are solved for with all other links at once, and those of all structures together.
+  /// With fewer yielding springs, these are solved together with all other links, and the springs of all structures
+  /// together.
   static constexpr int min_by_structure = 16;
 
  private:
   bool solve_blocks(const CondensedLinks& links, Eigen::Ref<Eigen::MatrixXd> right);
   void choose(const Eigen::VectorXd& slopes);
-  // by_u G + S, and what forces take off all deformations by it.
+  // by_u G + S, and the reduction of all deformations by the forces through it.
   static double flexibility(const CondensedLinks& links, int i, int j);
   void find_by_others(const CondensedLinks& links, const Eigen::VectorXd& forces);
   bool factorize(const CondensedLinks& links, Eigen::Index first, Eigen::Index count);
   Eigen::Index block_from(const CondensedLinks& links, Eigen::Index first) const;
 
-  // Room to work in.
+  // Workspace.
   std::vector<int> soft_;
   Eigen::VectorXd root_, by_others_, relief_, right_;
   Eigen::MatrixXd matrix_, by_links_;

@@ -6,19 +6,19 @@
 namespace pounding {
 namespace {
 
-// A corner this near an end of the trial, relative to its length, lies at that end.
+// A corner within this distance of an end of the trial, relative to its length, counts as being at that end.
 constexpr double corner_part = 1e-3;
-// Where springs give way, so does one this near, relative to the longest step: a step that ends at a corner may leave
-// so much to the next.
+// With relief, so does a corner within this distance relative to the maximum step: a step that ends at a corner may
+// leave this much to the next.
 constexpr double shortest_to_corner = 1e-4;
-// A bend of a force that depends on the rate, relative to the longest step: forces in the step that begins there come
-// from the state before it.
+// Equivalent distance for a bend of a rate-dependent force, relative to the maximum step: forces in the step that
+// begins there come from the state before it.
 constexpr double near_bend = 1e-6;
-// A jump of the slope by a smaller part of the initial stiffness is none.
+// A smaller jump of the slope, as a fraction of the initial stiffness, is ignored.
 constexpr double min_jump = 1e-6;
 
-// Whether a spring has no slope wherever the cubic between two motions may go, which is within a third of the step
-// times the rates from its ends. What lies between two elastic deformations is elastic.
+// True if a spring has zero slope over the whole range of the cubic between two motions. The cubic stays within a third
+// of the step times the rates from its ends, and all deformations between two elastic ones are elastic.
 bool stays_elastic(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h) {
   const double third = h / 3 * std::max(std::abs(begin.rate), std::abs(end.rate));
   const laws::Response low = spring.evaluate({std::min(begin.penetration, end.penetration) - third, 0});
@@ -26,15 +26,15 @@ bool stays_elastic(const Spring& spring, const LinkMotion& begin, const LinkMoti
   return low.by_penetration == 0 && high.by_penetration == 0 && low.force == high.force;
 }
 
-// Position of the first corner of one spring between two motions, from 0 to 1. `near`: a corner this near an end lies
-// at that end.
+// Fraction (0 to 1) at the first corner of one spring between two motions. `near`: a corner within this distance of an
+// end counts as being at that end.
 std::optional<double> corner(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h,
                              double near) {
   if (stays_elastic(spring, begin, end, h)) return std::nullopt;
   const CubicPenetration between(begin, end, h);
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
   const auto inside = [near](double s) { return s > near && s < 1 - near; };
-  // The deformation grows or falls all the way between these two.
+  // The deformation is monotonic between `low` and `high`.
   const auto onset = [&](double deformation, double low, double high) {
     const double way = between.at(high) - between.at(low);
     while (high - low > 1e-6) {

@@ -7,15 +7,16 @@
 
 namespace pounding {
 
-/// Corners of the forces of springs, where a spring yields or unloads: a step that ends at one keeps its order.
+/// Corners of the spring forces, where a spring yields or unloads. A step that ends at a corner preserves the order of
+/// the scheme.
 class SpringCorners {
  public:
-  /// Both must outlive it.
+  /// Both arguments must outlive this object.
   SpringCorners(const SpringForces& springs, const LinkSet& links) : springs_(springs), links_(links) {}
 
-  /// Position in the solved step `trial` from `now`, from 0 to 1, of the first corner of all springs that lies well
-  /// inside it, by the cubic through the motions at both ends; nothing for none. Where springs give way the force of
-  /// one bends the path of another, and after the first corner nothing is as it was. `longest_step`: at present, see
+  /// Fraction (0 to 1) of the solved step `trial` from `now` at the first spring corner well inside it, on the cubic
+  /// through the motions at both ends; `nullopt` if there is none. With relief, the force of one spring bends the path
+  /// of another, so the estimate is void beyond the first corner. `longest_step`: current maximum step, see
   /// Stepper::longest_step() [s].
   std::optional<double> first(const Instant& now, const Trial& trial, double longest_step) const;
 

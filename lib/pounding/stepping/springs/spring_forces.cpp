@@ -5,8 +5,8 @@
 namespace pounding {
 namespace {
 
-// A law is looked at this part of a step behind its beginning: further than a corner may lie from the end of the step
-// that was to end there (EventLocator).
+// Laws are evaluated at this fraction of a step after its beginning: further than a located corner may lie from the end
+// of its step (EventLocator).
 constexpr double just_behind = 4e-3;
 constexpr int max_branches = 8;
 
@@ -60,7 +60,7 @@ void SpringForces::set_no_flexibility(Eigen::Index count) const {
   none_.setZero();
 }
 
-// Newton's method for the active springs with the forces of the others; relief_ is S F.
+// Newton's method for the active springs with the forces of the others fixed; relief_ is S F.
 bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
   const int first = links_.contacts(), count = static_cast<int>(active_.size());
   std::vector<int> springs;
@@ -121,8 +121,8 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
   }
 }
 
-// Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all
-// yield.
+// Rates of the forces of the springs soft_ from the rates of deformation without them, if there are many springs and
+// all of them yield.
 bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
   if (slopes.size() < SoftSprings::min_by_structure || !(slopes.maxCoeff() < 0)) return false;
   set_no_flexibility(slopes.size());
@@ -174,7 +174,7 @@ void SpringForces::follow_first_slopes(const Instant& begin, const Trial& trial,
   const int from = links_.contacts(), count = links_.springs();
   first.resize(static_cast<std::size_t>(count));
   last.resize(first.size());
-  Eigen::MatrixXd free(count, 3), way;  // rate at the beginning, way to the end, rate there
+  Eigen::MatrixXd free(count, 3), way;  // rate at the beginning, displacement to the end, rate at the end
   for (int i = 0; i < count; ++i) {
     first[i] = links_.motion(from + i, begin);
     LinkMotion start, end;

@@ -1,5 +1,5 @@
 #pragma once
-/// Springs that give way to their own forces at once: forces for a given motion, and rates of deformations.
+/// Springs with relief: forces at a given motion, and rates of deformation.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -12,38 +12,38 @@
 
 namespace pounding {
 
-/// S of these springs [position, position]; zero at positions of negative numbers.
+/// S among these springs [index, index]; zero for negative indices.
 Eigen::MatrixXd relief_among(const SparseMatrix& flexibility, std::span<const int> springs);
 
-/// The deformation is d = B^T u - S F + c and the force that of the law, F = phi(d). With the slopes phi' of the laws
-/// the rate of d is (I + S phi')^-1 B^T v, the derivative of this. Slopes jump at the corners of a law, where steps
-/// end; those of the middle of a step hold all through it.
+/// The deformation is d = B^T u - S F + c and the force satisfies the law, F = phi(d). With the slopes phi' of the
+/// laws, the rate of d is (I + S phi')^-1 B^T v. Slopes jump at the corners of a law, where steps end; the slopes at
+/// mid-step apply to the whole step.
 class SpringForces {
  public:
-  /// `links` must outlive it.
+  /// `links` must outlive this object.
   explicit SpringForces(const LinkSet& links) : links_(links), any_(links.relief().any()), solver_(links) {}
 
-  /// Whether any spring gives way; without, the functions below need not be called.
+  /// True if any spring has relief; otherwise the functions below need not be called.
   bool any() const { return any_; }
 
-  /// Forces of all links [N] for `motions`, those of springs without relief; they become those with it. `force` is a
-  /// guess. Forces of links that are no springs stay. False where the laws find no equilibrium.
+  /// Solves for the spring forces [N]. `motions` are those without relief and become those with relief. `force` has one
+  /// entry per link: an initial guess for springs, unchanged for other links. False if the laws have no equilibrium.
   bool settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;
 
-  /// S F.
+  /// Sets the relief S F.
   void relieve(Instant& x) const;
 
   /// Slopes of all springs at these motions [N/m].
   void slopes(const std::vector<LinkMotion>& motions, Eigen::VectorXd& slopes) const;
-  /// Replaces columns of B^T v by rates of deformations, one row a spring.
+  /// Replaces the columns of B^T v by rates of deformation, one row per spring.
   void rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_springs) const;
-  /// Instant::force_rates of an instant with its motion and its slopes.
+  /// Sets Instant::force_rates from the motion and the slopes of an instant.
   void find_force_rates(Instant& x) const;
-  /// Rates in a trial, and its slopes, from its middle.
+  /// Sets the rates and slopes of a trial from its middle.
   void find_rates(const Instant& begin, Trial& trial) const;
 
-  /// Motions of all springs at both ends of a trial as if each law kept the slope that it has where the step begins: up
-  /// to the first corner of any force the cubic through them is that of the trial.
+  /// Motions of all springs at both ends of a trial as if each law kept its slope at the beginning of the step. Up to
+  /// the first corner of any spring force, the cubic through them equals that of the trial.
   void follow_first_slopes(const Instant& begin, const Trial& trial, std::vector<LinkMotion>& first,
                            std::vector<LinkMotion>& last) const;
 
@@ -55,7 +55,7 @@ class SpringForces {
   const LinkSet& links_;
   const bool any_;
   mutable LinkSolver solver_;
-  // Room to work in.
+  // Workspace.
   mutable Eigen::VectorXd relief_, none_;
   mutable Eigen::MatrixXd flexibility_, zero_;
   mutable Eigen::MatrixXd right_, solved_;

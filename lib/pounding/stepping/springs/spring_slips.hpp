@@ -1,5 +1,5 @@
 #pragma once
-/// Springs with a dashpot inside, whose length is integrated along the steps (Spring::slips).
+/// Springs with a series dashpot, whose elongation is integrated with the steps (Spring::slips).
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,28 +9,28 @@
 
 namespace pounding {
 
-/// The slip w of such a spring follows dw/dt = g(d - w): a scheme advances it by its own stages, as it does velocities.
-/// In a stage w = slip + lag g(d - w), which the spring solves by itself with the slip and the lag of its LinkMotion.
-/// At instants the lag is zero.
+/// The slip w of such a spring satisfies dw/dt = g(d - w). The schemes integrate it by their own stages, like
+/// velocities. In a stage, w = slip + lag g(d - w), which the spring solves internally from the slip and lag of its
+/// LinkMotion. At instants the lag is zero.
 class SpringSlips {
  public:
-  /// `links` must outlive it.
+  /// `links` must outlive this object.
   explicit SpringSlips(const LinkSet& links);
 
-  /// Whether any spring slips; without, nothing below need be called.
+  /// True if any spring slips; otherwise the functions below need not be called.
   bool any() const { return !slipping_.empty(); }
-  /// Springs that slip, counted from the first spring.
+  /// Indices of the slipping springs, counted from the first spring.
   const std::vector<int>& slipping() const { return slipping_; }
-  /// Whether this link is one of them.
+  /// True if this link is a slipping spring.
   bool slips(int link) const { return links_.is_spring(link) && is_slipping_[link - links_.contacts()]; }
 
-  /// Slips where a run begins.
+  /// Sets the slips at the start of a run.
   void start(Instant& x) const;
-  /// Rates of the slips at an instant with its motion, zero for all other springs [m/s].
+  /// Rates of the slips at an instant from its motion; zero for all other springs [m/s].
   Eigen::VectorXd rates(const Instant& x) const;
-  /// Slips in the middle of a trial, on the cubics through both ends.
+  /// Sets the slips at mid-step of a trial from the cubics through both ends.
   void find_middle(const Instant& x, Trial& trial) const;
-  /// Adds the error by Simpson's rule, as add_simpson_error() does.
+  /// Adds the error estimate of Simpson's rule; see add_simpson_error().
   void add_simpson_error(const Instant& x, const Trial& trial, double part, StepError& error) const;
 
  private:
