@@ -109,7 +109,8 @@ constexpr Key stiffness_keys[] = {
      "right]. A slab of zero length is rigid.",
      "9 m", "0.2.0"},
     {"penetration", quantity(dimension::length, bounds::positive), otherwise("none, for a Hertz stiffness"),
-     "Target peak penetration of an elastic impact of the two ends at the velocity below.", "5 mm", "0.2.0"},
+     "Target peak penetration in an elastic impact with the approach velocity given by the key velocity.", "5 mm",
+     "0.2.0"},
     {"velocity", quantity(dimension::velocity, bounds::positive), otherwise("0.5 m/s"),
      "Approach velocity for the target penetration.", "0.5 m/s", "0.2.0"},
 };
