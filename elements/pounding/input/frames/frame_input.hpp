@@ -17,6 +17,7 @@ struct FrameInput {
 };
 
 /// Reads and checks everything that does not need matrices. Throws InputError with the location.
+///
 /// Loads always act; `gravity` adds the weights. The origin is also added to the elevations of floors.
 FrameInput read_frame(const Input& body);
 
