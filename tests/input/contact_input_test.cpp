@@ -1,4 +1,4 @@
-// Laws without a restitution, restitution 0, and links that press from the start, as an input names them.
+// Links in the input: laws without restitution, zero restitution, preloads.
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,8 @@ namespace contact_input_test {
 using test::at, test::mentions, test::model_of, test::refused;
 
 std::string link(const std::string& keys) {
-  return "structures:\n"
-         "  left: {oscillator: {mass: 100 t, stiffness: 20 MN/m, damping: 5 %}}\n"
-         "  right: {oscillator: {mass: 150 t, stiffness: 50 MN/m, damping: 5 %}}\n"
-         "links:\n  - {between: [left, right], " +
+  return "structures:\n  left: {oscillator: {mass: 100 t, stiffness: 20 MN/m, damping: 5 %}}\n  right: {oscillator: "
+         "{mass: 150 t, stiffness: 50 MN/m, damping: 5 %}}\nlinks:\n  - {between: [left, right], " +
          keys + "}\nanalysis: {duration: 1}\n";
 }
 
@@ -53,8 +51,7 @@ TEST(ContactInput, TakesTheTwoStiffnessesAndTheYieldOfABilinearContact) {
   refused(link("gap: 1 mm, law: bilinear_hertz, initial_stiffness: 1200 MN/m, yield_penetration: 0.9 mm"),
           at("5:46", "links[0].law"), mentions({"secondary_stiffness: 1.5e+08 N/m", "bilinear_hertz", "K2"}));
   refused(link("gap: 1 mm, law: bilinear_hertz, stiffness: 2.75e9, initial_stiffness: 1200 MN/m, secondary_stiffness: "
-               "150 MN/m, "
-               "yield_penetration: 0.9 mm"),
+               "150 MN/m, yield_penetration: 0.9 mm"),
           at("5:73", "links[0].stiffness"), mentions({"initial_stiffness"}));
 }
 

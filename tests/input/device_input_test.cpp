@@ -1,4 +1,4 @@
-// Devices of the input: what they become, and where and how wrong ones are refused.
+// Devices in the input: their models, and the location and text of errors.
 
 #include <gtest/gtest.h>
 
@@ -13,24 +13,22 @@ namespace pounding {
 namespace device_input_test {
 
 std::string inside(const std::string& device) {
-  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
-         "structures: {a: {shear_building: {storeys: 3, mass: 100 t, stiffness: 90 MN/m, damping: 5 %, devices: "
-         "{brace: " +
+  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\nstructures: {a: {shear_building: "
+         "{storeys: 3, mass: 100 t, stiffness: 90 MN/m, damping: 5 %, devices: {brace: " +
          device + "}}}}\n";
 }
 
 std::string in_frame(const std::string& device) {
-  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
-         "structures: {a: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 2, bays: 1, storey_height: 3 "
-         "m, bay_width: 4 m, "
-         "columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 40 t}, devices: {brace: " +
+  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\nstructures: {a: {frame: {material: {E: "
+         "30 GPa}, damping: 5 %, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 4 m, columns: {rectangle: "
+         "[0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 40 t}, devices: {brace: " +
          device + "}}}}\n";
 }
 
 std::string between(const std::string& device) {
-  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
-         "structures:\n  left: {oscillator: {mass: 100 t, period: 0.5, damping: 5 %}}\n"
-         "  right: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\ndevices: {tie: {between: [left, right], " +
+  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\nstructures:\n  left: {oscillator: "
+         "{mass: 100 t, period: 0.5, damping: 5 %}}\n  right: {oscillator: {mass: 100 t, period: 0.7, damping: 5 "
+         "%}}\ndevices: {tie: {between: [left, right], " +
          device + "}}\n";
 }
 
@@ -51,14 +49,14 @@ TEST(DeviceInput, BecomesAPartThatYields) {
   EXPECT_DOUBLE_EQ(part.spring->yield_deformation(), 600e3 / 80e6);
   EXPECT_EQ(s.members_that_yield(), 0u);
   EXPECT_TRUE(test::mentions(describe(model), {"bouc_wen", "80 MN/m", "600 kN", "1", "3"}));
-  // It carries the shear of the two storeys that it passes.
+  // The device carries the shear of the two storeys that it spans.
   EXPECT_EQ(s.floors[0].storey_shear_by_yielding[0].sum(), 0);
   EXPECT_EQ(s.floors[1].storey_shear_by_yielding[0].sum(), 1);
   EXPECT_EQ(s.floors[2].storey_shear_by_yielding[0].sum(), 1);
 }
 
-// Forces of such parts would be round-off, and the runs end late or never.
-TEST(DeviceInput, IsNotStifferThanItsForceHasDigits) {
+// Forces of such devices would be round-off, and runs would be slow or never end.
+TEST(DeviceInput, HasALimitedStiffness) {
   const auto expect = [](const std::string& yaml, const test::Facts& facts) {
     EXPECT_TRUE(test::mentions(refusal(yaml), facts));
   };
@@ -84,7 +82,7 @@ TEST(DeviceInput, IsNotStifferThanItsForceHasDigits) {
     EXPECT_EQ(refusal(between(device)), "taken") << device;
 }
 
-TEST(DeviceInput, OfAFrameIsNoHinge) {
+TEST(DeviceInput, OfAFrameIsNotAHinge) {
   const std::string resolved =
       resolved_yaml(test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1 MN/m}}")));
   EXPECT_NE(resolved.find("devices:"), std::string::npos) << resolved;
@@ -95,7 +93,7 @@ TEST(DeviceInput, ActsAlongTheLineOfItsNodesOrAnAxis) {
   const Model along =
       test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 80 MN/m, yield_force: 600 kN}}"));
   const Structure& s = along.structures[0];
-  // The line rises 3 m on 4 m.
+  // The line rises 3 m over 4 m.
   const auto along_x = [](const Structure& of) {
     const Eigen::VectorXd whole = of.supports[0].influence.col(0);
     return of.yielding[0].deformation.dot(whole);
@@ -107,10 +105,10 @@ TEST(DeviceInput, ActsAlongTheLineOfItsNodesOrAnAxis) {
       test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], axis: x, damper: {coefficient: 200 kN s/m}}"));
   EXPECT_NEAR(along_x(level.structures[0]), 1, 1e-12);
   const Model grounded = test::model_of(in_frame("{between: [\"1.1\", ground], bar: {stiffness: 1 MN/m}}"));
-  EXPECT_NEAR(along_x(grounded.structures[0]), -1, 1e-12) << "it gets shorter where the node moves away along x";
+  EXPECT_NEAR(along_x(grounded.structures[0]), -1, 1e-12) << "it shortens if the node moves away along x";
 }
 
-TEST(DeviceInput, IsRefusedWhereItStands) {
+TEST(DeviceInput, ReportsTheLocationOfErrors) {
   const auto expect = [](const std::string& yaml, const test::Facts& facts) {
     const std::string text = refusal(yaml);
     EXPECT_NE(text, "taken") << yaml;

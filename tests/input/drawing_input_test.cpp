@@ -1,4 +1,4 @@
-// Contradictions of the drawing of frames: another gap, overlaps, the wrong side, ends that pass each other.
+// Contradictions in drawn frames: a different gap, overlaps, the wrong side, ends that do not face each other.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace drawing_input_test {
 
 using test::at, test::mentions, test::refused;
 
-// Options of a grid: its origin, the height of a storey, the bays.
+// Options of a grid: origin, storey height, bays.
 std::string grid(const std::string& name, const std::string& origin, const std::string& height = "3 m",
                  const std::string& bays = "1") {
   return "  " + name + ": {frame: {origin: [" + origin +
@@ -40,7 +40,7 @@ std::string linked(const std::string& structures, const std::string& link) {
          ", law: hertz, stiffness: 2.75e9}\nanalysis: {duration: 1}\n";
 }
 
-TEST(DrawingInput, AGapIsTheOneThatIsDrawn) {
+TEST(DrawingInput, TheGapAgreesWithTheDrawing) {
   refused(linked(pair("982 m"), "between: [a, b], floors: all, gap: 20 mm"), at("7:41", "links[0].gap"),
           mentions({"20 mm", "6 m", "982 m", "976 m", "-975.98 m", "1"}));
   refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: 200 mm"), at("7:41", "links[0].gap"),
@@ -92,7 +92,7 @@ TEST(DrawingInput, FramesDoNotOverlap) {
           mentions({"origin: [6.1 m, 0 m]", "6 m"}));
 }
 
-TEST(DrawingInput, TheFirstOneStandsOnTheLeft) {
+TEST(DrawingInput, TheFirstFrameIsOnTheLeft) {
   refused(linked(pair("6.02 m"), "between: [b, a], floors: all, gap: 20 mm"), at("7:15", "links[0].between"),
           mentions({"between: [a, b]", "0 m", "6 m", "6.02 m", "12.02 m"}));
   refused(linked(pair("6.02 m"), "between: [b, a], floors: all"), at("7:15", "links[0].between"),
@@ -138,8 +138,8 @@ TEST(DrawingInput, EndsFaceEachOther) {
   EXPECT_NO_THROW(test::model_of(linked(in_space("6.02 m, 3 m"), "between: [a, b], floors: all")));
 }
 
-// A floor in space is hit where the node or the column stands.
-TEST(DrawingInput, AFloorIsHitWhereTheOtherEndStands) {
+// A floor in space is hit at the node or the column.
+TEST(DrawingInput, AFloorIsHitAtTheOtherEnd) {
   const auto across = [](const std::string& structures, const std::string& link) {
     const Model model = test::model_of(linked(structures, link));
     const Link& first = model.links.at(0);

@@ -1,5 +1,4 @@
-// Frames that are drawn by the axes of their columns: gaps between faces, advice where a drawing seems to be one of
-// axes, and mistakes.
+// Frames drawn along column axes: gaps between faces, warnings for drawings that seem to use axes, and errors.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +27,8 @@ std::string pair(const std::string& origin, const std::string& a = "", const std
          columns + ", beams: {rectangle: [0.3, 0.6]}, floor_mass: 90 t}}, damping: 5 %}\n  B: {frame: {origin: [" +
          origin + "]" + b +
          ", mass: consistent, material: {E: 30 GPa, density: 2500}, grid: {storeys: 3, bays: 2, storey_height: 3.2, "
-         "bay_width: 5 m, columns: {rectangle: [0.4, 0.5]}, beams: {rectangle: [0.3, 0.6]}, "
-         "floor_mass: 60 t}}, damping: 5 %}\nlinks: [{between: [A, B], " +
+         "bay_width: 5 m, columns: {rectangle: [0.4, 0.5]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 60 t}}, "
+         "damping: 5 %}\nlinks: [{between: [A, B], " +
          rest + ", law: hertz, stiffness: 2.75e9}]\nanalysis: {duration: 1}\n";
 }
 
@@ -73,13 +72,13 @@ TEST(Faces, MayBeThoseOfOneEnd) {
   EXPECT_EQ(describe(model_of(pair("18.04 m"))).find("faces"), std::string::npos);
 }
 
-// Columns of a frame in space are as deep along x as along their local z, and along y as wide as along their local y.
+// In space the depth of a column is along x (local z) and its width along y (local y).
 TEST(Faces, OfFramesInSpaceAreThoseOfTheirSides) {
   const auto house = [](const std::string& name, const std::string& at, const std::string& face) {
     return fmt::format(
         "  {}: {{frame: {{origin: [{}], face: {}, material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: [1, 1], "
-        "storey_height: 3 m, bay_width: 6 m, "
-        "columns: {{rectangle: [0.4, 0.8]}}, beams: {{rectangle: [0.3, 0.5]}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
+        "storey_height: 3 m, bay_width: 6 m, columns: {{rectangle: [0.4, 0.8]}}, beams: {{rectangle: [0.3, 0.5]}}, "
+        "floor_mass: 20 t}}}}, damping: 5 %}}\n",
         name, at, face);
   };
   const std::string block =
@@ -88,7 +87,7 @@ TEST(Faces, OfFramesInSpaceAreThoseOfTheirSides) {
   EXPECT_EQ(gaps(block), Gaps(4, 0.03));
   std::string wide = block;
   wide.replace(wide.find("6.83 m"), 6, "8.3 m");
-  EXPECT_EQ(gaps(wide), Gaps(2, 0.03)) << "1.5 m between faces are no neighbours";
+  EXPECT_EQ(gaps(wide), Gaps(2, 0.03)) << "frames 1.5 m apart are not neighbours";
   wide.replace(wide.find("8.3 m"), 5, "7.7 m");
   EXPECT_EQ(gaps(wide), (Gaps{0.9, 0.9, 0.03, 0.03})) << "within 1 m from face to face";
 }
@@ -96,27 +95,26 @@ TEST(Faces, OfFramesInSpaceAreThoseOfTheirSides) {
 TEST(Faces, AreThoseOfColumnsInLineWithASetBack) {
   const std::string stepped =
       "structures:\n  a: {frame: {face: auto, material: {E: 30 GPa, density: 2500}, mass: consistent, sections: {big: "
-      "{rectangle: [0.6, 0.8]}, small: {rectangle: [0.3, 0.4]}, beam: {rectangle: [0.3, 0.5]}},\n"
-      "    nodes: {f: [0, 0], g: [6, 0], h: [12, 0], i: [0, 3], j: [6, 3], k: [12, 3], l: [0, 6], m: [6, 6]},\n"
-      "    members: {c1: {between: [f, i], section: big}, c2: {between: [g, j], section: small}, c3: {between: [h, k], "
-      "section: big}, c4: {between: [i, l], section: big}, c5: {between: [j, m], section: small},\n"
-      "      b1: {between: [i, j], section: beam}, b2: {between: [j, k], section: beam}, b3: {between: [l, m], "
-      "section: beam}},\n"
-      "    supports: {f: fixed, g: fixed, h: fixed}, floors: [{nodes: [i, j, k]}, {nodes: [l, m]}]}, damping: 5 %}\n"
-      "  b: {frame: {origin: [12.44 m], material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3, "
-      "bay_width: 5, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}, damping: 5 %}\n"
-      "links: [{between: [a, b], floors: all, law: hertz, stiffness: 2.75e9}]\nanalysis: {duration: 1}\n";
+      "{rectangle: [0.6, 0.8]}, small: {rectangle: [0.3, 0.4]}, beam: {rectangle: [0.3, 0.5]}},\n    nodes: {f: [0, "
+      "0], g: [6, 0], h: [12, 0], i: [0, 3], j: [6, 3], k: [12, 3], l: [0, 6], m: [6, 6]},\n    members: {c1: "
+      "{between: [f, i], section: big}, c2: {between: [g, j], section: small}, c3: {between: [h, k], section: big}, "
+      "c4: {between: [i, l], section: big}, c5: {between: [j, m], section: small},\n      b1: {between: [i, j], "
+      "section: beam}, b2: {between: [j, k], section: beam}, b3: {between: [l, m], section: beam}},\n    supports: {f: "
+      "fixed, g: fixed, h: fixed}, floors: [{nodes: [i, j, k]}, {nodes: [l, m]}]}, damping: 5 %}\n  b: {frame: "
+      "{origin: [12.44 m], material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3, bay_width: 5, columns: "
+      "{circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}, damping: 5 %}\nlinks: [{between: [a, b], floors: all, "
+      "law: hertz, stiffness: 2.75e9}]\nanalysis: {duration: 1}\n";
   EXPECT_EQ(gaps(stepped), (Gaps{0.04, 6.24}));
 }
 
-TEST(Faces, AreAdvisedWhereADrawingSeemsToBeOneOfAxes) {
+TEST(Faces, AreSuggestedIfTheDrawingSeemsToUseAxes) {
   refused(pair("18.59 m"), at("4:47", "links[0].gap"),
           mentions({"face: auto", "40 mm", "18 m", "18.59 m", "590 mm", "300 mm", "250 mm", "-550 mm", "1"}));
   refused(pair("18.59 m", ", face: auto"), at("4:47", "links[0].gap"),
           mentions({"face: auto", "40 mm", "18 m", "18.59 m", "290 mm", "300 mm", "0 mm", "-250 mm", "1"}));
   refused(pair("18.59 m", "", "", "{area: 0.36, inertia_y: 0.0108}"), at("4:47", "links[0].gap"),
           mentions({"face: 300 mm", "face: 250 mm", "40 mm", "18 m", "18.59 m", "590 mm", "-550 mm", "1"}));
-  // A gap that the drawing gives, or that was taken from an earlier refusal, is doubted as well.
+  // The warning also applies to a gap from the drawing or from an earlier message.
   for (const std::string rest : {"floors: level", "floors: level, gap: 590 mm"}) {
     const std::vector<std::string> warnings =
         implausible(model_of(pair("18.59 m", "", "", "{rectangle: [0.6, 0.6]}", rest)));
@@ -129,7 +127,7 @@ TEST(Faces, AreAdvisedWhereADrawingSeemsToBeOneOfAxes) {
   EXPECT_TRUE(implausible(model_of(pair("18.04 m"))).empty());
 }
 
-TEST(Faces, AreRefusedWhereTheyCannotBe) {
+TEST(Faces, AreRejectedForOtherStructures) {
   refused(pair("18.04 m", ", face: auto", ", face: auto"), at("4:19", "links[0].between"),
           mentions({"18 m", "18.04 m", "510 mm", "300 mm", "250 mm", "550 mm", "1"}));
   refused(pair("18.59 m", ", face: auto", "", "{area: 0.36, inertia_y: 0.0108}"), at("4:20", "links[0].between[0]"),

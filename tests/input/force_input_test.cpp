@@ -1,5 +1,4 @@
-// Mistakes in forces over time, in displaced frames, in falling bodies and in frames without supports: where, and what
-// to type.
+// Errors in forces, displaced frames, falling bodies and frames without supports: location and text to type.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +18,7 @@ using test::at, test::mentions, test::refused;
 
 std::string building(const std::string& force) {
   return "analysis: {duration: 1}\nstructures:\n  a:\n    shear_building: {storeys: 3, mass: 20 t, stiffness: 20 "
-         "MN/m}\n    damping: 5 %\n"
-         "    forces:\n      - {" +
+         "MN/m}\n    damping: 5 %\n    forces:\n      - {" +
          force + "}\n";
 }
 
@@ -28,16 +26,14 @@ std::string frame(const std::string& more, const std::string& beside = "",
                   const std::string& supports = "{a: fixed, d: fixed}") {
   return "analysis: {duration: 1}\nstructures:\n  a:\n    damping: 5 %\n" + beside +
          "    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], d: [6 m, 0]}\n "
-         "     members:\n"
-         "        left: {between: [a, b], section: {circle: 0.4 m}}\n        beam: {between: [b, c], section: {circle: "
-         "0.4 m}}\n"
-         "        right: {between: [d, c], section: {circle: 0.4 m}}\n      supports: " +
+         "     members:\n        left: {between: [a, b], section: {circle: 0.4 m}}\n        beam: {between: [b, c], "
+         "section: {circle: 0.4 m}}\n        right: {between: [d, c], section: {circle: 0.4 m}}\n      supports: " +
          supports + "\n      masses: {b: 10 t, c: 10 t}\n" + more;
 }
 
 const std::string pulse = "pulse: {shape: sine, amplitude: 20 kN, duration: 0.1}";
 
-TEST(ForceInput, SaysWhereForcesCannotAct) {
+TEST(ForceInput, ReportsForcesThatCannotAct) {
   refused(building("floor: 4, " + pulse), at("7:9", "structures.a.forces[0]"), mentions({"4", "3"}));
   refused(building(pulse), at("7:9", "structures.a.forces[0]"), mentions({"floor: 3"}));
   refused(building("floor: 1, dof: uy, " + pulse), at("7:9", "structures.a.forces[0]"), mentions({"uy", "ux"}));
@@ -57,7 +53,7 @@ TEST(ForceInput, SaysWhereForcesCannotAct) {
           mentions({"uy", "ux"}));
 }
 
-TEST(ForceInput, SaysWhatACourseNeeds) {
+TEST(ForceInput, ReportsIncompleteTimeHistories) {
   refused(building("floor: 1"), at("7:9", "structures.a.forces[0]"), mentions({"step_force"}));
   refused(building("floor: 1, " + pulse + ", step_force: {amplitude: 1 kN}"),
           at("7:75", "structures.a.forces[0].step_force"), mentions({"pulse", "step_force"}));
@@ -95,7 +91,7 @@ TEST(ForceInput, ReadsRecordsOfForces) {
           mentions({bare, "g"}));
 }
 
-TEST(ForceInput, SaysWhatAForceIs) {
+TEST(ForceInput, DescribesForces) {
   const std::string said =
       describe(test::model_of(building("floor: 2, harmonic: {amplitude: 20 kN, frequency: 2 Hz, duration: 1}")));
   EXPECT_NE(said.find("     force on floor 2 ux: harmonic, 20 kN at 0.5 s for 1 s\n"), said.npos) << said;
@@ -106,7 +102,7 @@ TEST(ForceInput, SaysWhatAForceIs) {
   EXPECT_NE(turns.find("     force on node b ry: step to 7 kN m at 0 s\n"), turns.npos) << turns;
 }
 
-TEST(DisplacedFrameInput, SaysWhatCannotBeHeld) {
+TEST(DisplacedFrameInput, ReportsInvalidDisplacements) {
   refused(frame("      initial_displacement: 5 mm\n"), at("14:29", "structures.a.frame.initial_displacement"),
           mentions({"initial_node_displacements: {b: {ux: 5 mm}}"}));
   refused(frame("      floors: [{nodes: [b, c]}]\n      initial_displacement: [1 mm, 2 mm]\n"),
@@ -124,19 +120,17 @@ TEST(DisplacedFrameInput, SaysWhatCannotBeHeld) {
           at("14:39", "structures.a.frame.initial_node_displacements.b"), mentions({"{ux: 5 mm}"}));
 }
 
-TEST(DisplacedFrameInput, SaysWhereItOverlapsItsNeighbour) {
+TEST(DisplacedFrameInput, ReportsOverlapsWithNeighbours) {
   const std::string grid =
       "grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, "
-      "floor_mass: 20 t, "
-      "rigid_floors: true}";
+      "floor_mass: 20 t, rigid_floors: true}";
   refused("analysis: {duration: 1}\nstructures:\n  a: {damping: 5 %, frame: {material: {E: 30 GPa}, " + grid +
-              ", initial_displacement: 30 mm}}\n"
-              "  b: {damping: 5 %, frame: {origin: [6.02], material: {E: 30 GPa}, " +
+              ", initial_displacement: 30 mm}}\n  b: {damping: 5 %, frame: {origin: [6.02], material: {E: 30 GPa}, " +
               grid + "}}\nlinks:\n  - {between: [a, b], floors: level, law: hertz, stiffness: 1e9}\n",
           at("6:5", "links[0]"), mentions({"10 mm"}));
 }
 
-TEST(FreeFrameInput, SaysWhatNeedsSupports) {
+TEST(FreeFrameInput, ReportsLoadsWithoutSupports) {
   EXPECT_NO_THROW(test::model_of(frame("", "", "none")));
   refused(frame("", "", "fixed"), at("12:17", "structures.a.frame.supports"), mentions({"{a: fixed}"}));
   refused(frame("      gravity: true\n", "", "none"), at("6:7", "structures.a.frame"), mentions({"gravity"}));

@@ -1,4 +1,4 @@
-// Meaning of the input of a frame, and the report of each mistake in it.
+// Input of a frame, and its errors.
 
 #include <gtest/gtest.h>
 
@@ -20,21 +20,14 @@ using test::at, test::mentions;
 
 // Line 1 is the material.
 const std::string portal =
-    "material: {E: 30 GPa}\n"
-    "sections: {s: {rectangle: [0.4 m, 40 cm]}}\n"
-    "nodes: {a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], d: [6 m, 0]}\n"
-    "members:\n"
-    "  left: {between: [a, b], section: s}\n"
-    "  beam: {between: [b, c], section: s}\n"
-    "  right: {between: [d, c], section: s}\n"
-    "supports: {a: fixed, d: pinned}\n"
-    "masses: {b: 10 t, c: 10 t}\n"
-    "floors: [{nodes: [b, c]}]\n";
+    "material: {E: 30 GPa}\nsections: {s: {rectangle: [0.4 m, 40 cm]}}\nnodes: {a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], "
+    "d: [6 m, 0]}\nmembers:\n  left: {between: [a, b], section: s}\n  beam: {between: [b, c], section: s}\n  right: "
+    "{between: [d, c], section: s}\nsupports: {a: fixed, d: pinned}\nmasses: {b: 10 t, c: 10 t}\nfloors: [{nodes: [b, "
+    "c]}]\n";
 
 const std::string grid =
-    "material: {E: 30 GPa}\n"
-    "grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]},\n"
-    "       beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n";
+    "material: {E: 30 GPa}\ngrid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, "
+    "0.4]},\n       beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n";
 
 std::string with(std::string yaml, const std::string& from, const std::string& to) {
   const std::size_t at = yaml.find(from);
@@ -46,7 +39,7 @@ FrameModel read(const std::string& yaml) { return read_frame(Input::read_text(ya
 
 Structure structure(const std::string& yaml) { return read_frame_structure(Input::read_text(yaml, "test.yaml")); }
 
-// `message` is the whole text after the name of the file.
+// `message` is the text after the file name.
 void refused(const std::string& yaml, const std::string& location, const test::Facts& facts = {},
              std::source_location line = std::source_location::current()) {
   test::expect_message(test::refusal<InputError>([&] { structure(yaml); }), "test.yaml:" + location, facts, line);
@@ -164,7 +157,7 @@ TEST(FrameInput, SectionsHaveOneShapeOrNumbers) {
           mentions({"t", "s"}));
 }
 
-TEST(FrameInput, InSpaceASectionNeedsItsOtherInertias) {
+TEST(FrameInput, InSpaceASectionNeedsAllSecondMoments) {
   const std::string space =
       with(with(grid, "bays: 1", "bays: [1, 1]"), "{rectangle: [0.4, 0.4]}", "{area: 0.1, inertia_y: 1e-3}");
   refused(space, at("2:79", "grid.columns"), mentions({"inertia_z: 2.1e-3 m^4"}));
@@ -214,14 +207,14 @@ TEST(FrameInput, ReleasesAndOffsetsReachTheMember) {
             1.1 * stiffness(structure(portal), "node b ry", "node c ry"));
   const FrameModel m = read(with(portal, "[b, c], section: s", "[b, c], section: s, offsets: {start: [0.2 m, 0.1 m]}"));
   EXPECT_EQ(m.frame.beam(1).options().start_offset, Eigen::Vector3d(0.2, 0, 0.1));
-  // A release at the start leaves only the column at b, and all of it at c.
+  // The release at the start leaves only the column stiffness at b; c keeps the full stiffness.
   const Structure free_start = beam("releases: {start: [ry]}");
   const double whole = stiffness(structure(portal), "node b ry", "node b ry");
   EXPECT_LT(stiffness(free_start, "node b ry", "node b ry"), 0.7 * whole);
   EXPECT_GT(stiffness(free_start, "node c ry", "node c ry"), 0.9 * whole);
 }
 
-TEST(FrameInput, SupportsHoldWhatTheirWordSays) {
+TEST(FrameInput, SupportsRestrainTheirDofs) {
   const auto size = [](const std::string& d) { return structure(with(portal, "d: pinned", "d: " + d)).size(); };
   EXPECT_EQ(size("fixed"), 6);
   EXPECT_EQ(size("pinned"), 7);
@@ -253,7 +246,7 @@ TEST(FrameInput, WrongSupportsAreRefused) {
           mentions({"supports: {a: fixed}", "supports: none"}));
 }
 
-TEST(FrameInput, SupportsWithAMotionOfTheirOwnStandApart) {
+TEST(FrameInput, SupportsWithSeparateMotionsAreSeparate) {
   const FrameModel m = read(with(portal, "d: pinned", "d: {fix: pinned, delay: 0.2 s}"));
   ASSERT_EQ(m.supports.size(), 2u);
   EXPECT_EQ(m.supports[0].name, "");
@@ -262,8 +255,8 @@ TEST(FrameInput, SupportsWithAMotionOfTheirOwnStandApart) {
   EXPECT_EQ(m.supports[1].delay, 0.2);
   const FrameModel shaken =
       read(with(portal, "d: pinned",
-                "d: {fix: pinned, ground_motion: {components: {x: {harmonic: {amplitude: 1, period: 1, duration: 1}},"
-                " z: {harmonic: {amplitude: 2, period: 1, duration: 1}}}}}"));
+                "d: {fix: pinned, ground_motion: {components: {x: {harmonic: {amplitude: 1, period: 1, duration: 1}}, "
+                "z: {harmonic: {amplitude: 2, period: 1, duration: 1}}}}}"));
   ASSERT_TRUE(shaken.supports[1].motion.has_value());
   EXPECT_NEAR((*shaken.supports[1].motion)[0].peak(), 1, 1e-9);
   EXPECT_TRUE((*shaken.supports[1].motion)[1].is_still());
@@ -282,10 +275,10 @@ TEST(FrameInput, GridNamesItsNodesAndMembers) {
   EXPECT_EQ(m.frame.member_name(1), "beam x 1.0");
   ASSERT_EQ(m.floors.size(), 2u);
   EXPECT_EQ(m.floors[1].elevation, 6);
-  EXPECT_EQ(m.floors[1].master, -1) << "flexible in the plane unless asked for";
+  EXPECT_EQ(m.floors[1].master, -1) << "flexible in the plane by default";
   const FrameModel space = read(with(grid, "bays: 1", "bays: [1, 1]"));
   EXPECT_EQ(space.frame.node_name(7), "1.1.1");
-  EXPECT_EQ(space.floors[0].master, 12) << "rigid in space unless asked for";
+  EXPECT_EQ(space.floors[0].master, 12) << "rigid in space by default";
   EXPECT_EQ(space.frame.node_name(12), "floor 1");
   EXPECT_EQ(space.given_nodes(), 12);
   EXPECT_EQ(structure(grid).size(), 12);
@@ -306,10 +299,10 @@ TEST(FrameInput, WrongGridsAreRefused) {
   refused(with(grid, "material: {E: 30 GPa}", ""), at("2:7", "grid"), mentions({"material: {E: 30 GPa}"}));
 }
 
-TEST(FrameInput, NodesAndMembersGoOnTopOfAGrid) {
+TEST(FrameInput, NodesAndMembersAddToAGrid) {
   const std::string mast = grid +
-                           "nodes: {top: [0, 9 m]}\nmembers: {mast: {between: [2.0, top], section: {circle: 0.3}}}\n"
-                           "masses: {top: 1 t}\nfloors: [{nodes: [top], label: mast}]\n";
+                           "nodes: {top: [0, 9 m]}\nmembers: {mast: {between: [2.0, top], section: {circle: "
+                           "0.3}}}\nmasses: {top: 1 t}\nfloors: [{nodes: [top], label: mast}]\n";
   const FrameModel m = read(mast);
   EXPECT_EQ(m.frame.member_name(6), "mast");
   ASSERT_EQ(m.floors.size(), 3u);
@@ -317,7 +310,7 @@ TEST(FrameInput, NodesAndMembersGoOnTopOfAGrid) {
   EXPECT_EQ(structure(mast).size(), 15);
 }
 
-TEST(FrameInput, FloorsStandInOrder) {
+TEST(FrameInput, FloorsAreInAscendingOrder) {
   const auto floors = [](const std::string& text) {
     return with(portal, "floors: [{nodes: [b, c]}]", "floors: " + text);
   };
@@ -343,7 +336,7 @@ TEST(FrameInput, MassesMayDifferByDirection) {
   refused(with(portal, "b: 10 t", "b: {uy: 5 t}"), at("9:14", "masses.b.uy"), mentions({"uy", "ux"}));
 }
 
-TEST(FrameInput, SpringsStandAtOneNodeOrBetweenTwo) {
+TEST(FrameInput, SpringsAreAtOneNodeOrBetweenTwo) {
   const Structure bare = structure(portal);
   const Structure s = structure(portal +
                                 "springs: [{node: b, dof: ux, stiffness: 1 MN/m}, {between: [b, c], dof: ux, "
@@ -361,7 +354,7 @@ TEST(FrameInput, SpringsStandAtOneNodeOrBetweenTwo) {
           mentions({"93500 kN/m", "1 m"}));
 }
 
-TEST(FrameInput, TiesHoldWhatTheySay) {
+TEST(FrameInput, TiesConstrainTheirDofs) {
   EXPECT_EQ(structure(portal + "ties: [{master: b, nodes: [c], dofs: [ux]}]\n").size(), 6);
   EXPECT_EQ(structure(portal + "ties: [{master: b, nodes: [c], rigid: true}]\n").size(), 4);
   refused(portal + "ties: [{master: b, nodes: [c]}]\n", at("11:8", "ties[0]"), mentions({"dofs: [ux]", "rigid: true"}));
@@ -392,31 +385,30 @@ TEST(FrameInput, ReportsAreChosenByName) {
   refused(portal + "report: {members: [bean]}\n", at("11:20", "report.members[0]"), mentions({"bean", "beam"}));
   refused(portal + "report: {nodes: some}\n", at("11:17", "report.nodes"), mentions({"nodes: [a, b]"}));
   EXPECT_TRUE(structure(with(grid, "storeys: 2, bays: 1", "storeys: 50, bays: 1")).nodes.names.empty())
-      << "102 nodes are too many to report unasked";
+      << "102 nodes are too many to report by default";
 }
 
-TEST(FrameInput, TheMasterOfARigidFloorStandsAtTheCentreOfItsMasses) {
+TEST(FrameInput, TheMasterOfARigidFloorIsAtItsCentreOfMass) {
   const std::string floor =
-      "material: {E: 30 GPa}\nsections: {s: {circle: 0.4}}\n"
-      "nodes: {a: [0, 0, 0], b: [0, 0, 3], c: [8, 0, 3], d: [0, 4, 3]}\n"
-      "members: {1: {between: [a, b], section: s}, 2: {between: [b, c], section: s}, 3: {between: [b, d], section: "
-      "s}}\n"
-      "supports: {a: fixed}\nmasses: {b: 1 t, c: 2 t, d: {ux: 1 t, uy: 1 t, uz: 1 t}}\nfloors: [{nodes: [b, c, d]}]\n";
+      "material: {E: 30 GPa}\nsections: {s: {circle: 0.4}}\nnodes: {a: [0, 0, 0], b: [0, 0, 3], c: [8, 0, 3], d: [0, "
+      "4, 3]}\nmembers: {1: {between: [a, b], section: s}, 2: {between: [b, c], section: s}, 3: {between: [b, d], "
+      "section: s}}\nsupports: {a: fixed}\nmasses: {b: 1 t, c: 2 t, d: {ux: 1 t, uy: 1 t, uz: 1 t}}\nfloors: [{nodes: "
+      "[b, c, d]}]\n";
   const FrameModel m = read(floor);
   EXPECT_EQ(m.frame.node_name(m.floors[0].master), "floor 1");
   EXPECT_NEAR((m.frame.position(m.floors[0].master) - Eigen::Vector3d(4, 1, 3)).norm(), 0, 1e-14);
   EXPECT_EQ(read(with(floor, "[b, c, d]}", "[b, c, d], rigid: false}")).floors[0].master, -1);
 }
 
-// Mistakes that only the matrices show are reported at their node or member, too.
-TEST(FrameInput, WhatTheFrameRefusesIsReportedAtItsPlace) {
+// Errors found from the matrices are also reported at their node or member.
+TEST(FrameInput, ErrorsOfTheFrameHaveALocation) {
   refused(with(portal, "d: [6 m, 0]}", "d: [6 m, 0], e: [9 m, 0]}"), at("3:64", "nodes.e"), mentions({"e"}));
 }
 
-TEST(FrameInput, AFrameThatNothingHoldsIsReportedAtANode) {
+TEST(FrameInput, AnUnsupportedFrameIsReportedAtANode) {
   try {
     structure(with(portal, "{a: fixed, d: pinned}", "{a: roller, d: roller}"));
-    ADD_FAILURE() << "a frame on rollers was taken";
+    ADD_FAILURE() << "a frame on rollers was accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("nodes."), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("ux"), std::string::npos) << error.what();

@@ -1,4 +1,4 @@
-// Mistakes in models with frames, and in what links them and moves them: where, what was read, what to type.
+// Errors in models with frames, their links and ground motions: location, text that was read, text to type.
 
 #include <gtest/gtest.h>
 
@@ -17,37 +17,21 @@ std::string with(std::string yaml, const std::string& from, const std::string& t
   return yaml.replace(at, from.size(), to);
 }
 
-// One storey, nodes a b c d from the left foot over the floor to the right foot. Lines 3 to 11 are the frame.
+// One storey with nodes a, b, c, d from the left foot to the right foot. Lines 3 to 11 are the frame.
 const std::string lone =
-    "structures:\n"
-    "  a:\n"
-    "    frame:\n"
-    "      material: {E: 30 GPa}\n"
-    "      nodes: {a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], d: [6 m, 0]}\n"
-    "      members:\n"
-    "        left: {between: [a, b], section: {circle: 0.4 m}}\n"
-    "        beam: {between: [b, c], section: {circle: 0.4 m}}\n"
-    "        right: {between: [d, c], section: {circle: 0.4 m}}\n"
-    "      supports: {a: fixed, d: fixed}\n"
-    "      masses: {b: 10 t, c: 10 t}\n"
-    "      floors: [{nodes: [b, c]}]\n"
-    "    damping: 5 %\n"
-    "analysis: {duration: 1}\n";
+    "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], "
+    "d: [6 m, 0]}\n      members:\n        left: {between: [a, b], section: {circle: 0.4 m}}\n        beam: {between: "
+    "[b, c], section: {circle: 0.4 m}}\n        right: {between: [d, c], section: {circle: 0.4 m}}\n      supports: "
+    "{a: fixed, d: fixed}\n      masses: {b: 10 t, c: 10 t}\n      floors: [{nodes: [b, c]}]\n    damping: 5 "
+    "%\nanalysis: {duration: 1}\n";
 
-// Grids of two storeys side by side; the link stands in line 9.
+// Two adjacent grids of two storeys; the link is on line 9.
 const std::string grids =
-    "structures:\n"
-    "  a:\n"
-    "    frame: {origin: [0], material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, "
-    "columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}\n"
-    "    damping: 5 %\n"
-    "  b:\n"
-    "    frame: {origin: [6.02], material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 2.5 m, bay_width: 6 "
-    "m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}\n"
-    "    damping: 5 %\n"
-    "links:\n"
-    "  - {gap: 20 mm, law: hertz, stiffness: 2.75e9, between: [a.1, b.1]}\n"
-    "analysis: {duration: 1}\n";
+    "structures:\n  a:\n    frame: {origin: [0], material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3 "
+    "m, bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}\n    damping: 5 %\n  b:\n    "
+    "frame: {origin: [6.02], material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 2.5 m, bay_width: 6 m, "
+    "columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}\n    damping: 5 %\nlinks:\n  - {gap: 20 mm, law: "
+    "hertz, stiffness: 2.75e9, between: [a.1, b.1]}\nanalysis: {duration: 1}\n";
 
 std::string in_space(std::string yaml) {
   for (const char* name : {"origin: [0]", "origin: [6.02]"})
@@ -69,7 +53,7 @@ TEST(FrameModel, TheSamplesAreTaken) {
 TEST(FrameModel, AMechanismIsNamedByANodeAndItsDisplacement) {
   refused(with(lone, "supports: {a: fixed, d: fixed}", "supports: {a: roller, d: roller}"),
           at("5:18", "structures.a.frame.nodes.a"), mentions({"ux", "a"}));
-  // Hinges at both feet, and a truss that holds no moment.
+  // Hinges at both feet, and a truss without moments.
   refused(with(with(with(lone, "[b, c], section: {circle: 0.4 m}", "[b, c], truss: 20 cm^2"), "a: fixed", "a: pinned"),
                "d: fixed", "d: pinned"),
           at("5:29", "structures.a.frame.nodes.b"), mentions({"ux", "b"}));
@@ -116,7 +100,7 @@ TEST(FrameLink, FloorsThatDoNotFaceAreNotPaired) {
           mentions({"masses: {1.1: {ry: 100 kg m^2}}", "mass: consistent"}));
 }
 
-TEST(FrameLink, FramesInSpaceStandApart) {
+TEST(FrameLink, FramesInSpaceDoNotOverlap) {
   const std::string space = in_space(grids);
   refused(with(space, "origin: [6.02, 0]", "origin: [0, 0]"), at("9:58", "links[0].between"),
           mentions({"origin: [6.1 m, 0 m]", "6 m"}));
@@ -124,13 +108,13 @@ TEST(FrameLink, FramesInSpaceStandApart) {
           mentions({"origin"}));
 }
 
-// Masts have no width; they stand in one line, and a plane frame in the line of an edge.
+// Masts have no width: they are in one line, and a plane frame is in line with an edge.
 TEST(FrameLink, FramesWithoutWidthFaceEachOther) {
   const auto mast = [](const std::string& name, const std::string& origin) {
     return "  " + name + ": {frame: {dimension: 3, origin: " + origin +
-           ", material: {E: 30 GPa}, nodes: {foot: [0, 0, 0], top: [0, 0, 3]},\n"
-           "    members: {c: {between: [foot, top], section: {circle: 0.4}}}, supports: {foot: fixed}, masses: {top: 1 "
-           "t}, floors: [{nodes: [top], rigid: false}]}, damping: 5 %}\n";
+           ", material: {E: 30 GPa}, nodes: {foot: [0, 0, 0], top: [0, 0, 3]},\n    members: {c: {between: [foot, "
+           "top], section: {circle: 0.4}}}, supports: {foot: fixed}, masses: {top: 1 t}, floors: [{nodes: [top], "
+           "rigid: false}]}, damping: 5 %}\n";
   };
   const auto direction = [&](const std::string& structures) {
     return test::model_of("structures:\n" + structures +
@@ -142,8 +126,7 @@ TEST(FrameLink, FramesWithoutWidthFaceEachOther) {
   EXPECT_EQ(direction(mast("a", "[0, 0]") + mast("b", "[0, -2]")), Eigen::Vector3d(0, -1, 0));
   const std::string plane =
       "  b: {frame: {origin: [0.1], material: {E: 30 GPa}, grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: "
-      "6 m, "
-      "columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}, damping: 5 %}\n";
+      "6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}, damping: 5 %}\n";
   EXPECT_EQ(direction(mast("a", "[0, 0]") + plane), Eigen::Vector3d(1, 0, 0));
   EXPECT_THROW(direction(mast("a", "[0, 0]") + mast("b", "[0, 0]")), InputError);
 }
@@ -154,17 +137,15 @@ TEST(FrameLink, EdgesFaceEachOther) {
           at("9:70", "links[0].points"));
   refused(with(linked("between: [a.1, b.1], points: 0", space), "origin: [6.02, 0]", "origin: [6.02, 5]"),
           at("9:78", "links[0].points"), mentions({"0", "100"}));
-  // The plans face each other by a mast beside the floor, the floors do not.
+  // The plans overlap because of a mast next to the floor; the floors do not.
   const std::string ell =
-      "structures:\n"
-      "  a: {frame: {origin: [0, 0], material: {E: 30 GPa}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, "
-      "bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t},\n"
-      "      nodes: {f: [0, 8, 0], g: [0, 8, 3]}, members: {m: {between: [f, g], section: {circle: 0.4}}}, supports: "
-      "{f: fixed}, masses: {g: 1 t}}, damping: 5 %}\n"
-      "  b: {frame: {origin: [6.02, 7], material: {E: 30 GPa}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, "
-      "bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}, damping: 5 %}\n"
-      "links: [{between: [a, b], gap: 20 mm, law: hertz, stiffness: 1e9}]\n"
-      "analysis: {duration: 1}\n";
+      "structures:\n  a: {frame: {origin: [0, 0], material: {E: 30 GPa}, grid: {storeys: 1, bays: [1, 1], "
+      "storey_height: 3 m, bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t},\n      "
+      "nodes: {f: [0, 8, 0], g: [0, 8, 3]}, members: {m: {between: [f, g], section: {circle: 0.4}}}, supports: {f: "
+      "fixed}, masses: {g: 1 t}}, damping: 5 %}\n  b: {frame: {origin: [6.02, 7], material: {E: 30 GPa}, grid: "
+      "{storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, "
+      "floor_mass: 20 t}}, damping: 5 %}\nlinks: [{between: [a, b], gap: 20 mm, law: hertz, stiffness: "
+      "1e9}]\nanalysis: {duration: 1}\n";
   refused(ell, at("5:9", "links[0]"), mentions({"0 m", "6 m", "7 m", "13 m"}));
 }
 
@@ -184,11 +165,9 @@ TEST(FrameLink, FrictionNeedsAFrameAForceAndItsVelocity) {
                "law: stereomechanical, restitution: 0.5"),
           at("9:80", "links[0].friction"), mentions({"stereomechanical"}));
   refused(
-      "structures:\n"
-      "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
-      "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n"
-      "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9, friction: 0.3}]\n"
-      "analysis: {duration: 1}\n",
+      "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n  right: {oscillator: {mass: 150 "
+      "t, period: 0.4, damping: 5 %}}\nlinks: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9, "
+      "friction: 0.3}]\nanalysis: {duration: 1}\n",
       at("4:77", "links[0].friction"));
 }
 
@@ -212,7 +191,7 @@ TEST(FrameLink, ItsEndsExist) {
   refused(linked("between: [a, b.1]"), at("9:59", "links[0].between[0]"), mentions({"floors: all", "a.2"}));
 }
 
-TEST(FrameLink, AHeldNodeCannotBeHit) {
+TEST(FrameLink, ARestrainedNodeCannotBeHit) {
   refused(linked("between: [a.1, {structure: b, node: 0.0}]"), at("9:64", "links[0].between[1]"), mentions({"0.0"}));
 }
 
@@ -247,7 +226,7 @@ std::string moved(const std::string& section, const std::string& yaml = grids) {
   return "ground_motion: " + section + "\n" + yaml;
 }
 
-TEST(FrameGround, ComponentsCanBeFollowed) {
+TEST(FrameGround, ComponentsNeedMatchingDofs) {
   refused(moved("{components: {y: " + harmonic + "}}"), at("1:30", "ground_motion.components.y"));
   refused(moved("{components: {w: " + harmonic + "}}"), at("1:30", "ground_motion.components"),
           mentions({"w", "x", "y", "z"}));
@@ -266,7 +245,7 @@ TEST(FrameGround, ComponentsCanBeFollowed) {
   refused(oscillator, at("2:86", "structures.a.ground_motion.components.z"));
 }
 
-TEST(FrameGround, AWaveRunsSomewhere) {
+TEST(FrameGround, AWaveHasADirection) {
   const std::string motion = "harmonic: {amplitude: 1, period: 1, duration: 1}, wave: ";
   refused(moved("{" + motion + "{velocity: 0}}"), at("1:84", "ground_motion.wave.velocity"), mentions({"0.3 m/s"}));
   refused(moved("{" + motion + "{direction: x}}"), at("1:73", "ground_motion.wave"), mentions({"velocity: 500 m/s"}));

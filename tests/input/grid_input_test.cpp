@@ -1,4 +1,4 @@
-// Sections by storey and by line, members of the grid that differ, and cut members in the input of a frame.
+// Grids in the input: sections by storey and line, changed members, subdivided members.
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,11 @@ namespace grid_input_test {
 
 using test::at, test::mentions;
 
-// Lines 1 to 3; `columns` and `beams` are names or more, `rest` are further keys of the frame.
+// Lines 1 to 3; `columns` and `beams` are the values of these keys, `rest` contains further keys of the frame.
 std::string frame(const std::string& columns, const std::string& beams, const std::string& rest = "") {
-  return "material: {E: 30 GPa, density: 2500}\n"
-         "sections: {C60: {rectangle: [0.6, 0.6]}, C50: {rectangle: [0.5, 0.5]}, B60: {rectangle: [0.3, 0.6]}, B50: "
-         "{rectangle: [0.3, 0.5]}}\n"
-         "grid: {storeys: 3, bays: 2, storey_height: 3 m, bay_width: 6 m, floor_mass: 20 t, beams: " +
+  return "material: {E: 30 GPa, density: 2500}\nsections: {C60: {rectangle: [0.6, 0.6]}, C50: {rectangle: [0.5, 0.5]}, "
+         "B60: {rectangle: [0.3, 0.6]}, B50: {rectangle: [0.3, 0.5]}}\ngrid: {storeys: 3, bays: 2, storey_height: 3 m, "
+         "bay_width: 6 m, floor_mass: 20 t, beams: " +
          beams + ", columns: " + columns + "}\n" + rest;
 }
 
@@ -60,7 +59,7 @@ TEST(GridInput, SectionsChangeWithTheLine) {
   EXPECT_NEAR(depth(m, "beam x 3.0"), 0.6, 1e-12);
 }
 
-TEST(GridInput, RefusesStoreysThatAreMissingOrTwice) {
+TEST(GridInput, RejectsMissingAndRepeatedStoreys) {
   refused(frame("{1-2: C60}", "B60"), at("3:104", "grid.columns"), mentions({"{1-3: C60, 4-5: C50}"}));
   refused(frame("{1-2: C60, 2-3: C50}", "B60"), at("3:115", "grid.columns.2-3"), mentions({"2"}));
   refused(frame("{1-4: C60}", "B60"), at("3:105", "grid.columns.1-4"), mentions({"1-4", "3"}));
@@ -94,7 +93,7 @@ TEST(GridInput, GroupsOfMembersMayDiffer) {
           mentions({"columns 3", "columns 0"}));
 }
 
-TEST(GridInput, MembersMayBeCut) {
+TEST(GridInput, MembersMayBeSubdivided) {
   const std::string cut =
       "members: {column 2.0: {parts: 3}, post: {between: [0.1, a], section: C50, parts: 2, load: [0, -1 "
       "kN/m]}}\nnodes: {a: [7 m, 0]}\n";

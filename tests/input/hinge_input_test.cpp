@@ -1,4 +1,4 @@
-// Hinges of frames in the input: their meaning, and the report of each mistake in them.
+// Hinges of frames in the input, and their errors.
 
 #include <gtest/gtest.h>
 
@@ -22,13 +22,11 @@ namespace pounding {
 namespace hinge_input_test {
 
 const std::string grid =
-    "material: {E: 30 GPa}\n"
-    "grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4], shear: false},\n"
-    "       beams: {rectangle: [0.3, 0.5], shear: false}, floor_mass: 20 t}\n";
+    "material: {E: 30 GPa}\ngrid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, "
+    "0.4], shear: false},\n       beams: {rectangle: [0.3, 0.5], shear: false}, floor_mass: 20 t}\n";
 const std::string space =
-    "material: {E: 30 GPa}\n"
-    "grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]},\n"
-    "       beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n";
+    "material: {E: 30 GPa}\ngrid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: {rectangle: "
+    "[0.4, 0.4]},\n       beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n";
 
 FrameModel read(const std::string& yaml) { return read_frame(Input::read_text(yaml, "test.yaml")).model; }
 
@@ -40,7 +38,7 @@ std::vector<std::string> names(const std::string& yaml) {
   return all;
 }
 
-// `message` is the whole text after the name of the file; the hinges stand in line 4.
+// `message` is the text after the file name; the hinges are on line 4.
 void refused(const std::string& hinges, const std::string& location, const test::Facts& facts = {},
              const std::string& frame = grid, std::source_location line = std::source_location::current()) {
   const std::string yaml = frame + "hinges: " + hinges + "\n";
@@ -66,11 +64,11 @@ TEST(HingeInput, GroupsAndNamesChooseTheEnds) {
                    "column 1.0.1 start z", "column 1.1.1 start z"}));
 }
 
-TEST(HingeInput, AMemberByItsNameCountsBeforeItsGroup) {
+TEST(HingeInput, ASingleMemberOverridesItsGroup) {
   const FrameModel model =
       read(grid +
-           "hinges:\n  beam x 2.0: {at: end, yield_moment: [100 kN m, -150 kN m], hardening: 1 %}\n"
-           "  beams: {at: both, yield_moment: 210 kN m, hardening: 3 %, ultimate_rotation: 0.04}\n");
+           "hinges:\n  beam x 2.0: {at: end, yield_moment: [100 kN m, -150 kN m], hardening: 1 %}\n  beams: {at: both, "
+           "yield_moment: 210 kN m, hardening: 3 %, ultimate_rotation: 0.04}\n");
   const std::vector<Hinge>& hinges = model.frame.hinges();
   ASSERT_EQ(hinges.size(), 4u);
   for (int i = 0; i < 3; ++i) {
@@ -86,11 +84,11 @@ TEST(HingeInput, AMemberByItsNameCountsBeforeItsGroup) {
 }
 
 TEST(HingeInput, SpringsFollowLawsByName) {
-  const Structure s = structure(grid +
-                                "hinges:\n  columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}\n"
-                                "  beam x 1.0: {at: both, menegotto_pinto: {yield_moment: 180 kN m, hardening: 0.01, "
-                                "stiffness: 90 MN m, memory: last}}\n"
-                                "  beam x 2.0: {at: start, bouc_wen: {yield_moment: 180 kN m, stiffness_factor: 5}}\n");
+  const Structure s =
+      structure(grid +
+                "hinges:\n  columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}\n  beam x 1.0: "
+                "{at: both, menegotto_pinto: {yield_moment: 180 kN m, hardening: 0.01, stiffness: 90 MN m, memory: "
+                "last}}\n  beam x 2.0: {at: start, bouc_wen: {yield_moment: 180 kN m, stiffness_factor: 5}}\n");
   const auto part = [&](const std::string& name) -> const YieldingPart& {
     return *std::find_if(s.yielding.begin(), s.yielding.end(),
                          [&](const YieldingPart& each) { return each.name == name; });
@@ -107,11 +105,9 @@ TEST(HingeInput, SpringsFollowLawsByName) {
 TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
   const auto warnings = [](const std::string& hinges) {
     const Model model = test::model_of(
-        "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, "
-        "storey_height: "
-        "3 m, "
-        "bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n      "
-        "hinges: " +
+        "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, storey_height: "
+        "3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n    "
+        "  hinges: " +
         hinges + "\n    damping: 5 %\nanalysis: {duration: 1}\n");
     std::string all;
     for (const std::string& text : implausible(model)) all += text;
@@ -135,20 +131,20 @@ TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
             std::string::npos);
 }
 
-TEST(HingeInput, APartHasTheLengthOfItsMember) {
+TEST(HingeInput, AnElementUsesTheLengthOfItsMember) {
   const FrameModel model =
       read(grid + "members: {beam x 1.0: {parts: 4}}\nhinges: {beam x 1.0: {at: both, yield_moment: 210 kN m}}");
   for (const Hinge& hinge : model.frame.hinges()) EXPECT_DOUBLE_EQ(hinge.member_length, 6);
 }
 
-TEST(HingeInput, RefusesTwoMeaningsOfHardening) {
+TEST(HingeInput, RejectsTwoDefinitionsOfHardening) {
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, hardening: 0.1, spring_hardening: 0.1}}}",
           at("4:72", "hinges.beams.bouc_wen.spring_hardening"), mentions({"spring_hardening"}));
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, spring_hardening: 1}}}",
           at("4:74", "hinges.beams.bouc_wen.spring_hardening"), mentions({"5 %", "[0, 1)"}));
 }
 
-TEST(HingeInput, RefusesWhatIsWrong) {
+TEST(HingeInput, ReportsErrors) {
   refused("{beam x 1.1: {at: both, yield_moment: 1}}", at("4:10"),
           mentions({"beam x 1.1", "beam x 1.0", "hinges.beam"}));
   refused("{beams: {yield_moment: 1}}", at("4:17", "hinges.beams"), mentions({"at: both"}));
@@ -189,7 +185,7 @@ TEST(HingeInput, RefusesWhatIsWrong) {
           mentions({"sharpness", "yield_moment", "stiffness", "stiffness_factor"}));
 }
 
-TEST(HingeInput, RefusesEndsThatCannotYield) {
+TEST(HingeInput, RejectsEndsThatCannotYield) {
   const std::string released = grid.substr(0, grid.find("grid:")) + "members: {beam x 1.0: {releases: {end: [ry]}}}\n" +
                                grid.substr(grid.find("grid:"));
   try {
@@ -200,8 +196,8 @@ TEST(HingeInput, RefusesEndsThatCannotYield) {
   }
   // 10 t at each node, 98 kN, on a cantilever of 1 m.
   const std::string bracket =
-      "material: {E: 30 GPa}\nnodes: {a: [0, 0], b: [1 m, 0]}\n"
-      "members: {arm: {between: [a, b], section: {rectangle: [0.4, 0.4]}}}\n";
+      "material: {E: 30 GPa}\nnodes: {a: [0, 0], b: [1 m, 0]}\nmembers: {arm: {between: [a, b], section: {rectangle: "
+      "[0.4, 0.4]}}}\n";
   refused("{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true",
           at("4:15", "hinges.arm"), mentions({"-98.07 kN m", "-90 kN m"}), bracket);
   refused(
@@ -210,17 +206,13 @@ TEST(HingeInput, RefusesEndsThatCannotYield) {
       at("4:15", "hinges.arm"), mentions({"geometry: p_delta"}), bracket);
 }
 
-// The weaker sense is 100 kN m, the other one 400 kN m: 10 mm to one side yield, to the other side they do not.
-TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
+// The yield moments are 100 kN m and 400 kN m: 10 mm causes yielding in one direction only.
+TEST(HingeInput, AnInitialDisplacementMustNotYieldAHinge) {
   const auto displaced = [](const std::string& by) {
-    return "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m]}\n"
-           "      members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: "
-           "{a: "
-           "fixed}\n"
-           "      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: [400 "
-           "kN "
-           "m, -100 kN m]}}\n"
-           "    damping: 5 %\n    initial_displacement: " +
+    return "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m]}\n      "
+           "members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: {a: "
+           "fixed}\n      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: "
+           "[400 kN m, -100 kN m]}}\n    damping: 5 %\n    initial_displacement: " +
            by + "\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
   };
   int refusals = 0;
@@ -237,15 +229,12 @@ TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
   EXPECT_THROW(test::model_of(displaced("-50 mm")), InputError);
 }
 
-TEST(HingeInput, AreShownAsTheyWereResolved) {
+TEST(HingeInput, AreInTheResolvedModel) {
   const Model model = test::model_of(
-      "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n"
-      "      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, "
-      "beams: "
-      "{rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n"
-      "      hinges: {columns: {at: feet, yield_moment: 250 kN m, hardening: 2 %, ultimate_rotation: 0.04}}\n"
-      "    damping: 5 %\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: "
-      "1}\n");
+      "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, storey_height: 3 "
+      "m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n      "
+      "hinges: {columns: {at: feet, yield_moment: 250 kN m, hardening: 2 %, ultimate_rotation: 0.04}}\n    damping: 5 "
+      "%\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n");
   const YAML::Node hinge = YAML::Load(resolved_yaml(model))["structures"]["a"]["hinges"]["column 1.1 start"];
   EXPECT_EQ(hinge["law"].as<std::string>(), "hinge");
   EXPECT_EQ(hinge["yield_moment"].as<double>(), 250e3);

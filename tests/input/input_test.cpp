@@ -23,32 +23,30 @@ std::string error_of(const std::function<void()>& action) {
   return test::refusal<InputError>([&] { action(); });
 }
 
-// Keys of these tests; a reader's own stand in the catalogue.
+// Keys of these tests.
 constexpr std::string_view laws[] = {"hertz", "hertz_damped"};
 constexpr keys::Key quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed = bounds::any) {
-  return {.key = key, .takes = keys::Takes::quantity, .dimension = dimension, .bounds = allowed};
+  return {key, keys::quantity(dimension, allowed)};
 }
 constexpr keys::Key integer(std::string_view key, const Bounds& allowed = bounds::any) {
-  return {.key = key, .takes = keys::Takes::integer, .bounds = allowed};
+  return {key, keys::integer(allowed)};
 }
-constexpr keys::Key quantities[] = {
-    quantity("gap", dimension::length),
-    quantity("ratio", dimension::none),
-    quantity("stiffness", dimension::stiffness),
-    quantity("hertz", dimension::hertz_stiffness),
-    quantity("period", dimension::time),
-    quantity("v", dimension::velocity),
-    {.key = "mass", .takes = keys::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
-    {.key = "start", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
-    {.key = "end", .takes = keys::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
-const keys::Section test_section{.name = "test", .place = "", .meaning = "", .keys = quantities};
+constexpr keys::Key quantities[] = {quantity("gap", dimension::length),
+                                    quantity("ratio", dimension::none),
+                                    quantity("stiffness", dimension::stiffness),
+                                    quantity("hertz", dimension::hertz_stiffness),
+                                    quantity("period", dimension::time),
+                                    quantity("v", dimension::velocity),
+                                    {"mass", keys::quantity(dimension::mass), keys::optional, "", "100 t"},
+                                    {"start", keys::quantity(dimension::time), keys::otherwise("7 ms")},
+                                    {"end", keys::quantity(dimension::time), keys::otherwise("never")}};
+const keys::Section test_section{"test", "", "", quantities};
 
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
-// That table, read by one word after the other.
+// Reads a text with the keys of this table.
 Input model(const std::string& text, std::span<const keys::Key> table) {
   static std::vector<std::unique_ptr<keys::Section>> sections;
-  sections.push_back(
-      std::make_unique<keys::Section>(keys::Section{.name = "test", .place = "", .meaning = "", .keys = table}));
+  sections.push_back(std::make_unique<keys::Section>(keys::Section{"test", "", "", table}));
   return model(text).in(*sections.back());
 }
 
@@ -56,7 +54,7 @@ std::string error_in(const std::string& text) {
   return error_of([&] { model(text); });
 }
 
-TEST(Input, AliasThatContainsItselfIsRefused) {
+TEST(Input, RecursiveAliasIsRejected) {
   EXPECT_THROW(Input::read_text("structures: &x\n  a: *x\n", "m.yaml"), InputError);
 }
 
@@ -64,7 +62,7 @@ TEST(Input, MissingFileIsNamed) {
   EXPECT_TRUE(test::mentions(error_of([] { Input::read_file("no/such.yaml"); }), {"no/such.yaml"}));
 }
 
-TEST(Input, FolderIsNoFile) {
+TEST(Input, FolderIsNotAFile) {
   const std::string folder = std::filesystem::temp_directory_path().string();
   EXPECT_TRUE(test::mentions(error_of([&] { Input::read_file(folder); }), {folder, "YAML"}));
 }
@@ -81,12 +79,12 @@ TEST(Input, FileKeepsItsTextNameAndFolder) {
   std::filesystem::remove(file);
 }
 
-TEST(Input, ResultsAreNoModel) {
+TEST(Input, ResultsAreNotAModel) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("{}_results.h5", getpid());
   std::ofstream(file) << "results";
   try {
     Input::read_file(file.string());
-    ADD_FAILURE() << "results were read as a model";
+    ADD_FAILURE() << "a results file was read as a model";
   } catch (const InputError& error) {
     EXPECT_TRUE(test::mentions(error.what(), {"--resume"}));
   }
@@ -106,13 +104,13 @@ TEST(Input, EmptyFileAndSecondDocumentAreRefused) {
   EXPECT_TRUE(test::mentions(error_in("a: 1\n---\nb: 2\n"), {"model.yaml:2:1", "YAML"}));
 }
 
-TEST(Input, KeyGivenTwiceIsRefusedAtTheSecondPlace) {
+TEST(Input, DuplicateKeyIsReportedAtTheSecondLocation) {
   EXPECT_TRUE(test::mentions(error_in("links:\n  - gap: 1\n    law: hertz\n    gap: 2\n"),
                              {"model.yaml:4:5", "links[0]", "gap"}));
   EXPECT_TRUE(test::mentions(error_in("a: {b: 1, b: 1}"), {"model.yaml:1:11", "a", "b"}));
 }
 
-TEST(Input, UnknownKeyIsReportedAtItsOwnPlaceWithTheNearestKnown) {
+TEST(Input, UnknownKeyIsReportedWithTheNearestKnown) {
   const Input link = model("links:\n  - law: hertz\n    gpa: 2\n").at("links").items().at(0);
   EXPECT_TRUE(
       test::mentions(error_of([&] { link.only_keys({"gap", "law"}); }), {"model.yaml:3:5", "links[0]", "gpa", "gap"}));
@@ -138,7 +136,7 @@ TEST(Input, QuantitiesAreConverted) {
   EXPECT_DOUBLE_EQ(input.quantity("period"), 0.8);
 }
 
-TEST(Input, AbsentQuantityIsTheDefaultOfItsWord) {
+TEST(Input, AbsentQuantityHasTheDefaultOfItsKey) {
   const Input input = model("gap: 20 mm").in(test_section);
   EXPECT_DOUBLE_EQ(input.quantity("start"), 0.007);
   EXPECT_DOUBLE_EQ(*input.find_quantity("gap"), 0.02);
@@ -146,7 +144,7 @@ TEST(Input, AbsentQuantityIsTheDefaultOfItsWord) {
   EXPECT_TRUE(test::mentions(error_of([&] { input.quantity("end"); }), {"model.yaml:1:1", "end"}));
 }
 
-TEST(Input, NothingIsReadBesideTheCatalogue) {
+TEST(Input, OnlyKeysOfTheSectionAreRead) {
   const Input input = model("{gap: 20 mm, gpa: 3}").in(test_section);
   EXPECT_THROW(input.find("gpa"), std::logic_error);
   EXPECT_THROW(input.has("gpa"), std::logic_error);
@@ -158,22 +156,17 @@ TEST(Input, NothingIsReadBesideTheCatalogue) {
   EXPECT_TRUE(test::mentions(error_of([&] { input.only_keys(); }), {"model.yaml:1:14", "gpa", "gap"}));
 }
 
-TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
-  constexpr keys::Key table[] = {
-      {.key = "pair", .takes = keys::Takes::quantity, .form = keys::Form::list, .dimension = dimension::length},
-      {.key = "masses",
-       .takes = keys::Takes::quantity,
-       .form = keys::Form::named,
-       .inside = &test_section,
-       .dimension = dimension::mass}};
+TEST(Input, ListsAndNamesKeepTheirKey) {
+  constexpr keys::Key table[] = {{"pair", keys::quantity(dimension::length).list()},
+                                 {"masses", keys::quantity(dimension::mass).or_map(test_section).named()}};
   const Input input = model("{pair: [1 mm, 2 mm], masses: {gap: 3 t, b: {mass: 4 t}}}", table);
   EXPECT_DOUBLE_EQ(input.at("pair").items()[1].as_quantity(), 0.002);
   const auto masses = input.at("masses").entries();
-  EXPECT_DOUBLE_EQ(masses[0].second.as_quantity(), 3000) << "the name of a user is no key, whatever it is";
+  EXPECT_DOUBLE_EQ(masses[0].second.as_quantity(), 3000) << "a user-defined name is not a key, even if it equals one";
   EXPECT_DOUBLE_EQ(masses[1].second.quantity("mass"), 4000);
 }
 
-TEST(Input, WrongQuantityNamesPlaceKeyValueAndExample) {
+TEST(Input, WrongQuantityNamesLocationKeyValueAndExample) {
   const Input link = model("links:\n  - {law: hertz, gap: 20 kN, mass: [1], stiffness: , v: nan}\n")
                          .at("links")
                          .items()[0]
@@ -251,8 +244,7 @@ TEST(Input, BooleansAreTrueOrFalse) {
 }
 
 TEST(Input, ChoiceOffersTheNearestName) {
-  constexpr keys::Key table[] = {{.key = "law", .takes = keys::Takes::choice, .choices = laws, .noun = "contact law"},
-                                 {.key = "other", .takes = keys::Takes::choice, .choices = laws}};
+  constexpr keys::Key table[] = {{"law", keys::choice(laws, "contact law")}, {"other", keys::choice(laws)}};
   const Input input = model("law: hertz_damp\nother: hertz_damp\n", table);
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("law").as_choice(); }),
                              {"model.yaml:1:6", "law", "hertz_damp", "hertz_damped"}));
@@ -283,7 +275,7 @@ TEST(Input, EntriesKeepTheOrderOfTheFile) {
   EXPECT_EQ(entries[2].second.key(), "m");
 }
 
-TEST(Input, KeyErrorStandsAtTheKey) {
+TEST(Input, KeyErrorIsReportedAtTheKey) {
   const Input input = model("ground_motion:\n  scale: 2\n");
   const Input scale = input.at("ground_motion").at("scale");
   EXPECT_EQ(error_of([&] { scale.fail_at_key("no"); }), "model.yaml:2:3: ground_motion.scale: no");

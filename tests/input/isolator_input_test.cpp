@@ -1,4 +1,4 @@
-// Isolators in the input: their meaning, and the report of each mistake in them.
+// Isolators in the input, and their errors.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ using test::at, test::mentions, test::model_of, test::refused;
 
 std::string building(const std::string& isolator,
                      const std::string& rest = "storeys: 3, mass: 200 t, stiffness: 300 MN/m") {
-  return "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}}\nanalysis: {duration: 1}\nstructures:\n"
-         "  a: {shear_building: {isolator: " +
+  return "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}}\nanalysis: {duration: 1}\nstructures:\n  "
+         "a: {shear_building: {isolator: " +
          isolator + ", " + rest + "}, damping: 2 %}\n";
 }
 
@@ -28,16 +28,15 @@ std::string frame(const std::string& feet, const std::string& more = "", bool in
   const std::string bays = in_space ? "[1, 1]" : "1",
                     corners =
                         in_space ? "{0.0.0: 20 t, 0.1.0: 20 t, 0.0.1: 20 t, 0.1.1: 20 t}" : "{0.0: 20 t, 0.1: 20 t}";
-  return "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}}\nanalysis: {duration: 1}\nstructures:\n"
-         "  a:\n    damping: 2 %\n    frame:\n      material: {E: 30 GPa}\n      masses: " +
+  return "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}}\nanalysis: {duration: 1}\nstructures:\n  "
+         "a:\n    damping: 2 %\n    frame:\n      material: {E: 30 GPa}\n      masses: " +
          corners + "\n      grid: {storeys: 1, bays: " + bays +
          ", storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, "
-         "floor_mass: 60 t}\n"
-         "      supports:\n        feet: " +
+         "floor_mass: 60 t}\n      supports:\n        feet: " +
          feet + "\n" + more;
 }
 
-// `message` is the whole text after the name of the file.
+// `message` is the text after the file name.
 TEST(IsolatorInput, IsTheLowestStoreyOfAShearBuilding) {
   const Model model =
       model_of(building("{lead_rubber: {strength: 375 kN, yield_displacement: 12 mm, post_yield_stiffness: 3.5 MN/m}, "
@@ -54,14 +53,14 @@ TEST(IsolatorInput, IsTheLowestStoreyOfAShearBuilding) {
   EXPECT_NE(resolved.find("isolated_period: 2.60"), std::string::npos) << resolved;
 }
 
-TEST(IsolatorInput, LetsTheStoreysAboveItYield) {
+TEST(IsolatorInput, AllowsStoreysAboveToYield) {
   const Model model = model_of(building("{friction_pendulum: {radius: 2 m, friction: 6 %}}",
                                         "storeys: 3, mass: 200 t, stiffness: 300 MN/m, yield_force: [2 MN, 1 MN]"));
   ASSERT_EQ(model.structures[0].yielding.size(), 3u);
   EXPECT_EQ(model.structures[0].yielding[2].name, "storey 3");
 }
 
-TEST(IsolatorInput, StandsUnderTheFeetOfAFrame) {
+TEST(IsolatorInput, IsUnderTheFeetOfAFrame) {
   const Model model =
       model_of(frame("{isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}}", "      gravity: true\n"));
   const Structure& s = model.structures[0];
@@ -72,7 +71,7 @@ TEST(IsolatorInput, StandsUnderTheFeetOfAFrame) {
       << describe(model);
 }
 
-TEST(IsolatorInput, TakesEachAxisByItselfInSpace) {
+TEST(IsolatorInput, TreatsTheAxesSeparatelyInSpace) {
   const Model model =
       model_of(frame("{isolator: {coupled: false, lead_rubber: {strength: 100 kN, yield_displacement: 10 mm, "
                      "post_yield_stiffness: 1 MN/m}}}",
@@ -81,7 +80,7 @@ TEST(IsolatorInput, TakesEachAxisByItselfInSpace) {
   EXPECT_EQ(model.structures[0].yielding[1].name, "isolator 0.0.0 y");
 }
 
-TEST(IsolatorInput, SaysWhatIsWrongInAShearBuilding) {
+TEST(IsolatorInput, ReportsErrorsInAShearBuilding) {
   refused(building("lead_rubber"), at("4:34", "structures.a.shear_building.isolator"),
           mentions({"isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}"}));
   refused(building("{capacity: 300 mm}"), at("4:34", "structures.a.shear_building.isolator"),
@@ -100,7 +99,7 @@ TEST(IsolatorInput, SaysWhatIsWrongInAShearBuilding) {
           at("4:110", "structures.a.shear_building.stiffness"), mentions({"storeys: 2"}));
 }
 
-TEST(IsolatorInput, TakesFrictionThatGrowsWithTheVelocity) {
+TEST(IsolatorInput, TakesVelocityDependentFriction) {
   const Model model = model_of(building("{friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}"));
   const YieldingPart& part = model.structures[0].yielding[0];
   EXPECT_NEAR(part.spring->stiffness(), 600e3 * 9.80665 * (0.5 + 0.08 / 0.5e-3), 1e-3);
@@ -115,7 +114,7 @@ TEST(IsolatorInput, TakesFrictionThatGrowsWithTheVelocity) {
           mentions({"0.08", "0.04", "friction"}));
 }
 
-TEST(IsolatorInput, SaysWhatIsWrongInAFrame) {
+TEST(IsolatorInput, ReportsErrorsInAFrame) {
   const std::string law = "lead_rubber: {strength: 100 kN, yield_displacement: 10 mm, post_yield_stiffness: 1 MN/m}";
   refused(frame("{isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}}"),
           at("11:26", "structures.a.frame.supports.feet.isolator"),
@@ -130,7 +129,7 @@ TEST(IsolatorInput, SaysWhatIsWrongInAFrame) {
           at("11:40", "structures.a.frame.supports.feet.isolator"), mentions({"ground_motion", "0.0"}));
 }
 
-TEST(IsolatorInput, IsNotBrakedByRayleighDamping) {
+TEST(IsolatorInput, RejectsRayleighDamping) {
   std::string text = building("{friction_pendulum: {radius: 2 m, friction: 6 %}}");
   text.replace(text.find("damping: 2 %"), 12, "damping: {rayleigh: {ratio: 2 %}}");
   refused(text, at("4:142", "structures.a.damping.rayleigh"),

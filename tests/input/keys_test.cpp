@@ -1,5 +1,4 @@
-// The catalogue of the input and the reader are the same: every example is read, every word is used, no other key is
-// asked for.
+// The tables of keys agree with the reader: every example can be read, every key is used, and no other key is read.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +32,7 @@ using test::map_of;
 using test::with_key;
 using test::with_keys;
 
-/// Models stand beside the records that the examples name.
+/// Models are in the folder of the records that the examples refer to.
 Model read(const std::string& text) { return read_model(Input::read_text(text, testing::TempDir() + "words.yaml")); }
 
 std::string refusal(const std::string& text) {
@@ -45,7 +44,7 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-/// Calls this for every word of every section.
+/// Calls a function for every key of every section.
 void for_each_key(const std::function<void(const Section&, const Key&)>& act) {
   for (const Section* s : keys::sections())
     for (const Key& spec : s->keys) act(*s, spec);
@@ -63,27 +62,27 @@ TEST_F(Words, EachExampleIsRead) {
   });
 }
 
-// Nothing takes a list of lists of empty maps.
-TEST_F(Words, EachWordIsUsed) {
+// No key takes a list of lists of empty maps.
+TEST_F(Words, EachKeyIsUsed) {
   for_each_key([](const Section& s, const Key& spec) {
     const std::string text = with_key(s, spec, "[[[{}]]]");
-    EXPECT_NE(refusal(text), "") << s.place << "." << spec.key << " is taken and never read:\n" << text;
+    EXPECT_NE(refusal(text), "") << s.place << "." << spec.key << " is accepted and never read:\n" << text;
   });
 }
 
-TEST_F(Words, EachKeyThatIsReadHasAWord) {
+TEST_F(Words, EachKeyThatIsReadIsInATable) {
   std::set<std::string> known{"no_such_key"};
   for_each_key([&](const Section&, const Key& spec) { known.emplace(spec.key); });
   for (const laws::Entry& law : laws::catalogue())
     for (const Key& spec : keys::parameters_of(law).keys) known.emplace(spec.key);
   for (const Section* s : keys::sections())
     for (const std::string& key : known) {
-      const Key requested{.key = key};
+      const Key requested(key, keys::text());
       const std::vector<const char*> values = s->find(key) ? std::vector{"1", "{a: 1}", "[1, 2]"} : std::vector{"1"};
       for (const char* value : values) {
         const Keys keys = keys_around(*s, s->find(key) ? *s->find(key) : requested, value);
         std::string message;
-        // Another error than InputError is one of the program.
+        // Any error other than InputError is a programming error.
         ASSERT_NO_THROW(message = refusal(with_keys(*s, keys))) << s->place << "." << key;
         if (s->find(key) || s == &keys::link || s == &keys::wall) continue;
         EXPECT_TRUE(message.find("unknown key") != message.npos ||
@@ -105,7 +104,7 @@ TEST_F(Words, EachParameterOfEachLawIsRead) {
   }
 }
 
-TEST_F(Words, SayEverythingThatAPageShows) {
+TEST_F(Words, AreCompletelyDescribed) {
   std::set<std::string_view> names;
   std::vector<const Section*> all(keys::sections().begin(), keys::sections().end());
   for (const laws::Entry& law : laws::catalogue()) all.push_back(&keys::parameters_of(law));

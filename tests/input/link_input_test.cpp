@@ -1,4 +1,4 @@
-// Every mistake in a link and its law: where it is, what was read, what is allowed, what to type.
+// Errors in a link and its law: location, text that was read, allowed values, text to type.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ std::string floors(const std::string& ends) {
          ends + "}\n" + analysis;
 }
 
-TEST(LinkInput, SaysWhichOfItsKeysIsMissing) {
+TEST(LinkInput, ReportsMissingKeys) {
   refused(link("gap: 20 mm, law: hertz, stiffness: 2.75e9"), at("5:5", "links[0]"),
           mentions({"between: [left, right]"}));
   refused(link("between: [left, right], law: hertz, stiffness: 2.75e9"), at("5:5", "links[0]"),
@@ -40,7 +40,7 @@ TEST(LinkInput, SaysWhichOfItsKeysIsMissing) {
           mentions({"law: hertz_damped"}));
 }
 
-TEST(LinkInput, AsksForADesignSpeedWhereAClosedGapHasNone) {
+TEST(LinkInput, RequiresADesignVelocityForAClosedGap) {
   const std::string closed =
       "between: [left, right], gap: 0, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.65";
   refused(link(closed), at("5:35", "links[0].gap"),
@@ -105,7 +105,7 @@ TEST(LinkInput, TakesAGapThatIsALengthOfAtLeastZero) {
           mentions({"20 mm"}));
 }
 
-TEST(LinkInput, RefusesStructuresThatOverlapAtTheStart) {
+TEST(LinkInput, RejectsStructuresThatOverlapAtTheStart) {
   refused(file("structures:\n"
                "  a: {body: {mass: 1}, initial_displacement: 30 mm}\n"
                "  b: {body: {mass: 1}}\n"
@@ -115,7 +115,7 @@ TEST(LinkInput, RefusesStructuresThatOverlapAtTheStart) {
           at("5:28", "links[0].gap"), mentions({"10 mm", "30 mm"}));
 }
 
-TEST(LinkInput, HasANameOfItsOwn) {
+TEST(LinkInput, HasAUniqueName) {
   refused(law("hertz, stiffness: 2.75e9}\n"
               "  - {between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9"),
           at("6:15", "links[1].between"), mentions({"left-right", "name: second"}));
@@ -173,7 +173,7 @@ TEST(LawInput, NeedsItsParameters) {
   refused(law("stereomechanical"), at("5:47", "links[0].law"), mentions({"stereomechanical"}));
 }
 
-TEST(LawInput, TakesItsDampingOnceAndOnlyOnce) {
+TEST(LawInput, TakesItsDampingExactlyOnce) {
   refused(law("hertz_damped, stiffness: 2.75e9"), at("5:47", "links[0].law"),
           mentions({"hertz_damped", "damping_factor", "damping_coefficient"}));
   refused(law("kelvin_voigt, stiffness: 9.35e7, restitution: 0.65, damping_ratio: 0.1"),
@@ -201,7 +201,7 @@ TEST(LawInput, TakesARestitutionAboveZeroAndUpToOne) {
           mentions({"bilinear_hertz", "yield_ratio", "0.1", "0.3535533905932738"}));
 }
 
-TEST(LawInput, TakesOnlyWhatItUses) {
+TEST(LawInput, TakesOnlyKeysThatItUses) {
   refused(law("hertz, stiffness: 2.75e9, restitution: 0.65"), at("5:86", "links[0].restitution"), mentions({"hertz"}));
   refused(law("hertz, stiffness: 2.75e9, impact_velocity: 1 m/s"), at("5:90", "links[0].impact_velocity"),
           mentions({"impact_velocity", "hertz"}));
@@ -215,7 +215,7 @@ TEST(LawInput, TakesOnlyWhatItUses) {
           at("5:121", "links[0].impact_velocity"), mentions({"impact_velocity", "damping_coefficient"}));
 }
 
-TEST(LawInput, TakesParametersThatCanBe) {
+TEST(LawInput, RejectsInvalidParameters) {
   refused(law("hertz, stiffness: 0"), at("5:65", "links[0].stiffness"), mentions({"0", "stiffness"}));
   refused(law("hertz, stiffness: -5 GN/m^1.5"), at("5:65", "links[0].stiffness"), mentions({"-5e+09", "stiffness"}));
   refused(law("hertz, stiffness: .inf"), at("5:65", "links[0].stiffness"), mentions({"2.75e9 N/m^1.5", ".inf"}));

@@ -1,5 +1,5 @@
 #pragma once
-/// A small model around each section of the input, with one word of it.
+/// Small models that contain one key of a section of the input.
 
 #include <algorithm>
 #include <fstream>
@@ -8,11 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/keys/devices.hpp>
-#include <pounding/input/keys/hinges.hpp>
-#include <pounding/input/keys/isolators.hpp>
 #include <pounding/input/keys/sections.hpp>
-#include <pounding/input/keys/springs.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding::test {
@@ -21,7 +17,7 @@ using keys::Key;
 using keys::Need;
 using keys::Section;
 
-/// Keys with their values, as they are typed.
+/// Keys with their values as typed.
 using Keys = std::map<std::string, std::string>;
 
 inline std::string map_of(const Keys& keys) {
@@ -33,8 +29,8 @@ inline std::string map_of(const Keys& keys) {
 inline const std::string shaken =
     "ground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
 inline const std::string pair =
-    "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}\n"
-    "  right: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n";
+    "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}\n  right: {oscillator: {mass: 150 t, "
+    "period: 0.4}, damping: 5 %}\n";
 inline const std::string rectangle = "{rectangle: [0.4 m, 0.6 m]}";
 
 inline const std::string others =
@@ -64,17 +60,14 @@ inline const std::string grid_of_space =
     "{storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle +
     ", floor_mass: 20 t}";
 inline const std::string two_in_space =
-    "analysis: {duration: 1}\nstructures:\n"
-    "  left: {frame: {material: {E: 30 GPa}, grid: " +
-    grid_of_space + "}, damping: 5 %}\n" +
-    "  right: {frame: {origin: [6.02 m, 0 m], material: {E: 30 GPa}, grid: " + grid_of_space + "}, damping: 5 %}\n";
+    "analysis: {duration: 1}\nstructures:\n  left: {frame: {material: {E: 30 GPa}, grid: " + grid_of_space +
+    "}, damping: 5 %}\n" + "  right: {frame: {origin: [6.02 m, 0 m], material: {E: 30 GPa}, grid: " + grid_of_space +
+    "}, damping: 5 %}\n";
 
-// Four storeys whose columns can be hit, beside a wall.
+// Four storeys, whose columns can be hit, next to a wall.
 inline const std::string beside_wall =
-    "analysis: {duration: 1}\nstructures:\n  right: {wall: {}}\n"
-    "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 4, bays: 1, "
-    "storey_height: 3 m, "
-    "bay_width: 6 m, columns: " +
+    "analysis: {duration: 1}\nstructures:\n  right: {wall: {}}\n  left: {frame: {material: {E: 30 GPa, density: 2500}, "
+    "mass: consistent, grid: {storeys: 4, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: " +
     rectangle + ", beams: " + rectangle + "}}, damping: 5 %}\n";
 
 /// Two storeys that yield by this spring.
@@ -88,7 +81,7 @@ inline std::string isolated(const std::string& isolator) {
   return in_space({{"supports", "{a: {isolator: " + isolator + "}, d: fixed}"}, {"gravity", "true"}});
 }
 
-/// A model around one section, whose keys stand at the @.
+/// Model around a section; the @ is replaced by the keys.
 inline std::string around(const Section& s) {
   Keys with_floor = bent;
   with_floor["floors"] = "[{nodes: [b, c]}]";
@@ -131,11 +124,10 @@ inline std::string around(const Section& s) {
       {&keys::i_section, in_frame({{"sections", "{one: {i_section: @}}"}})},
       {&keys::tube, in_frame({{"sections", "{one: {tube: @}}"}})},
       {&keys::grid, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, grid: @, damping: 5 %}}}"},
-      {&keys::bay_width,
-       shaken +
-           "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, bays: [1, 1], "
-           "storey_height: 3 m, columns: " +
-           rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
+      {&keys::bay_width, shaken +
+                             "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, "
+                             "bays: [1, 1], storey_height: 3 m, columns: " +
+                             rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
       {&keys::member, in_frame({{"members", "{c1: @, " + others + "}"}})},
       {&keys::releases,
        in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", releases: @}, " + others + "}"}})},
@@ -176,7 +168,7 @@ inline std::string around(const Section& s) {
   return models.at(&s);
 }
 
-/// Keys that a section needs beside those that its table calls required, and values for its minimal models.
+/// Keys that a section needs in addition to its required keys, and values for its minimal models.
 inline const std::map<const Section*, Keys> beside = {
     {&keys::model, {{"analysis", "{duration: 1}"}}},
     {&keys::analysis, {{"duration", "1"}}},
@@ -201,7 +193,7 @@ inline const std::map<const Section*, Keys> beside = {
     {&keys::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
     {&keys::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
 
-/// Keys beside one word; an empty value takes the key out.
+/// Keys in addition to a key; an empty value removes the key.
 inline const std::map<std::string, Keys> beside_key = {
     {"reduction.modes", {{"links", ""}}},
     {"reduction.error", {{"links", ""}}},
@@ -304,7 +296,7 @@ inline const std::map<std::string, Keys> beside_key = {
     {"ties.rigid", {{"master", "b"}, {"nodes", "[c]"}}},
     {"between.structure", {{"floor", "4"}}}};
 
-/// The keys of a minimal section with this word.
+/// Keys of a minimal section that contains this key.
 inline Keys keys_around(const Section& s, const Key& spec, const std::string& value) {
   Keys keys;
   for (const Key& each : s.keys)
@@ -332,7 +324,7 @@ inline Keys keys_around(const Section& s, const Key& spec, const std::string& va
   return keys;
 }
 
-/// The keys of a link by this law with one of its parameters.
+/// Keys of a link with this law and one of its parameters.
 inline Keys keys_of_law(const laws::Entry& law, const Key& spec) {
   const auto is = [&](const Key& each, laws::Need need) {
     const auto found = std::ranges::find(law.parameters, each.key, &laws::ParameterInfo::name);
@@ -365,7 +357,7 @@ inline std::string with_key(const Section& s, const Key& spec, const std::string
   return with_keys(s, keys_around(s, spec, value));
 }
 
-/// The records that the examples name.
+/// Records that the examples refer to.
 inline void write_records(const std::string& folder) {
   std::ofstream(folder + "plain.csv") << "0, 0\n0.1, 1\n0.2, -1\n0.3, 0\n";
   std::ofstream(folder + "values.txt") << "0 1 -1\n0\n";
@@ -374,11 +366,11 @@ inline void write_records(const std::string& folder) {
   std::ofstream(folder + "moved.csv") << "t [s], d [mm]\n0, 0\n0.5, 3\n1, 2\n";
   std::ofstream(folder + "channels.csv") << "t [s]; ns [mm]; ew [mm]\n0; 0; 0\n0,5; 3; 1\n1; 2; 4\n";
   std::string knet =
-      "Origin Time       2001/02/03 04:05:00\nLat.              40.0\nLong.             142.5\nDepth. (km)       30\n"
-      "Mag.              6.2\nStation Code      ABC001\nStation Lat.      41.5000\nStation Long.     140.9000\n"
-      "Station Height(m) 39\nRecord Time       2001/02/03 04:05:43\nSampling Freq(Hz) 20Hz\nDuration Time(s)  1\n"
-      "Dir.              90 deg\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   4.954\n"
-      "Last Correction   2001/02/03 04:05:43\nMemo.             \n";
+      "Origin Time       2001/02/03 04:05:00\nLat.              40.0\nLong.             142.5\nDepth. (km)       "
+      "30\nMag.              6.2\nStation Code      ABC001\nStation Lat.      41.5000\nStation Long.     "
+      "140.9000\nStation Height(m) 39\nRecord Time       2001/02/03 04:05:43\nSampling Freq(Hz) 20Hz\nDuration Time(s) "
+      " 1\nDir.              90 deg\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   4.954\nLast Correction   "
+      "2001/02/03 04:05:43\nMemo.             \n";
   for (int i = 0; i < 20; ++i) knet += fmt::format("{:8d}{}", 13190 + (i % 2 ? -7813 : 7813), i % 8 == 7 ? " \n" : " ");
   for (const char* name : {"knet.txt", "RSN6_IMPVALL.I_I-ELC180.AT2", "EW.AT2", "NS.AT2", "UP.AT2"})
     std::ofstream(folder + name) << knet << "\n";

@@ -1,5 +1,4 @@
-// Links between all structures that stand beside each other: which pairs, which floors, the same as named by hand, and
-// mistakes.
+// Links between all adjacent structures: pairs, floors, agreement with links defined by hand, and errors.
 
 #include <gtest/gtest.h>
 
@@ -21,26 +20,23 @@ using test::at, test::mentions, test::refused;
 std::string house(const std::string& name, const std::string& at, int storeys = 1, const std::string& height = "3 m") {
   return fmt::format(
       "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa, density: 2500}}, mass: consistent, grid: {{storeys: {}, "
-      "bays: [1, 1], storey_height: {}, "
-      "bay_width: 6 m, columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
+      "bays: [1, 1], storey_height: {}, bay_width: 6 m, columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: "
+      "20 t}}}}, damping: 5 %}}\n",
       name, at, storeys, height);
 }
 
 std::string plane(const std::string& name, const std::string& at) {
   return fmt::format(
       "  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: 1, storey_height: 3 m, "
-      "bay_width: 6 m, "
-      "columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
+      "bay_width: 6 m, columns: {{circle: 0.4}}, beams: {{circle: 0.4}}, floor_mass: 20 t}}}}, damping: 5 %}}\n",
       name, at);
 }
 
 std::string mast(const std::string& name, const std::string& at) {
   return fmt::format(
       "  {}: {{frame: {{dimension: 3, origin: [{}], material: {{E: 30 GPa}}, nodes: {{foot: [0, 0, 0], top: [0, 0, "
-      "3]}}, "
-      "members: {{c: {{between: [foot, top], section: {{circle: 0.4}}}}}}, supports: {{foot: fixed}}, masses: {{top: 1 "
-      "t}}, "
-      "floors: [{{nodes: [top], rigid: false}}]}}, damping: 5 %}}\n",
+      "3]}}, members: {{c: {{between: [foot, top], section: {{circle: 0.4}}}}}}, supports: {{foot: fixed}}, masses: "
+      "{{top: 1 t}}, floors: [{{nodes: [top], rigid: false}}]}}, damping: 5 %}}\n",
       name, at);
 }
 
@@ -72,17 +68,16 @@ std::vector<std::string> names(const std::string& yaml) {
   return all;
 }
 
-// Two rows, shifted against each other, and a house diagonally behind c, which stands 3.05 m from e across the others'
-// corner.
+// Two staggered rows, and a house diagonally behind c, 3.05 m from e across the corner of the others.
 const std::string block = house("e", "9.04, 6.05") + house("a", "0, 0") + house("b", "6.02, 0") +
                           house("c", "12.07, 0") + house("d", "3, 6.05") + house("f", "18.09, 6.02");
 
-TEST(Neighbours, OfAPlanAreThoseFoundByHand) {
+TEST(Neighbours, OfAPlanAgreeWithThoseFoundByHand) {
   EXPECT_EQ(pairs(block),
             (Names{"b-e 50 mm", "c-e 50 mm", "d-e 40 mm", "a-b 20 mm", "a-d 50 mm", "b-c 50 mm", "b-d 50 mm"}));
 }
 
-TEST(Neighbours, StandNearEnough) {
+TEST(Neighbours, AreWithinTheMaximumDistance) {
   EXPECT_EQ(pairs(block, 0.045), (Names{"d-e 40 mm", "a-b 20 mm"}));
   // e faces f over 3.05 m; further pairs in line have another house between them.
   EXPECT_EQ(pairs(block, 100), (Names{"b-e 50 mm", "c-e 50 mm", "d-e 40 mm", "e-f 3050 mm", "a-b 20 mm", "a-d 50 mm",
@@ -104,11 +99,11 @@ TEST(Neighbours, DoNotMeetAtACornerOnly) {
   EXPECT_EQ(pairs(house("a", "0, 0") + house("b", "6.02, 5.99")), (Names{"a-b 20 mm"}));
 }
 
-TEST(Neighbours, HaveNothingBetweenThem) {
+TEST(Neighbours, HaveNoStructureBetweenThem) {
   const std::string ends = house("a", "0, 0") + house("c", "12.04, 0");
   EXPECT_EQ(pairs(ends, 10), (Names{"a-c 6040 mm"}));
   EXPECT_EQ(pairs(ends + house("b", "6.02, 0"), 10), (Names{"a-b 20 mm", "b-c 20 mm"}));
-  // A house that reaches only half way into their space is in the way, too.
+  // A house that extends only half way into the space between them also blocks the pair.
   EXPECT_EQ(pairs(ends + house("b", "6.02, 3"), 10), (Names{"a-b 20 mm", "b-c 20 mm"}));
   EXPECT_EQ(pairs(ends + house("b", "6.02, 6.01"), 10), (Names{"a-c 6040 mm"}));
   EXPECT_EQ(pairs(house("a", "0, 0") + house("c", "6.04, 0") + mast("b", "6.02, 3")),
@@ -124,12 +119,12 @@ TEST(Neighbours, MayHaveNoWidth) {
   EXPECT_EQ(pairs(house("a", "0, 0") + mast("b", "6.5, 6.1")), Names{});
 }
 
-TEST(Neighbours, OfPlaneFramesStandInARow) {
+TEST(Neighbours, OfPlaneFramesAreInARow) {
   EXPECT_EQ(pairs(plane("c", "12.05") + plane("a", "0") + plane("b", "6.02")), (Names{"b-c 30 mm", "a-b 20 mm"}));
   EXPECT_EQ(pairs(plane("a", "0") + plane("b", "6.02") + plane("c", "12.05"), 10), (Names{"a-b 20 mm", "b-c 30 mm"}));
 }
 
-TEST(Neighbours, OnlyStructuresWithAPlaceAre) {
+TEST(Neighbours, AreStructuresWithAPosition) {
   EXPECT_EQ(pairs("  o: {oscillator: {mass: 1 t, period: 1}, damping: 5 %}\n" + house("a", "0, 0") +
                   "  w: {wall: {}}\n" + house("b", "6.02, 0")),
             (Names{"a-b 20 mm"}));
@@ -157,7 +152,7 @@ void expect_same_links(const std::string& found, const std::string& by_hand) {
   }
 }
 
-TEST(LinksOfNeighbours, AreThoseNamedByHand) {
+TEST(LinksOfNeighbours, AgreeWithLinksDefinedByHand) {
   const std::string structures = house("a", "0, 0", 3) + house("b", "6.02, 0", 2) + house("c", "3, 6.05", 3);
   const std::string rest = ", points: 3, friction: 0.3, law: hertz_damped, stiffness: auto, restitution: 0.65}\n";
   expect_same_links(model(structures, "  - {between: neighbours" + rest),
@@ -167,7 +162,7 @@ TEST(LinksOfNeighbours, AreThoseNamedByHand) {
             (Names{"a.1-b.1", "a.2-b.2", "a.1-c.1", "a.2-c.2", "a.3-c.3", "b.1-c.1", "b.2-c.2"}));
 }
 
-TEST(LinksOfNeighbours, LeaveThosePairsThatAreLinkedAbove) {
+TEST(LinksOfNeighbours, SkipPairsThatAreLinkedAbove) {
   const std::string structures = house("a", "0, 0") + house("b", "6.02, 0") + house("c", "12.04, 0");
   const Model read = test::model_of(model(
       structures,
@@ -180,8 +175,8 @@ TEST(LinksOfNeighbours, LeaveThosePairsThatAreLinkedAbove) {
           at("7:6", "links[1].between"));
 }
 
-TEST(LinksOfNeighbours, GoAsTheFloorsStand) {
-  // 3 m and 6 m beside 2 m, 4 m and 6 m.
+TEST(LinksOfNeighbours, FollowTheElevationsOfFloors) {
+  // 3 m and 6 m next to 2 m, 4 m and 6 m.
   const std::string structures = house("a", "0, 0", 2) + house("b", "6.02, 0", 3, "2 m");
   refused(linked(structures), at("5:15", "links[0].between"), mentions({"floors: any", "floors: level", "3 m", "1"}));
   EXPECT_EQ(names(linked(structures, "between: neighbours, floors: level, points: 1")), (Names{"a.2-b.3"}));
@@ -194,20 +189,19 @@ TEST(LinksOfNeighbours, GoAsTheFloorsStand) {
 // A tower of 4 m on a podium of 8 m: its upper floor is set back by 4 m.
 const std::string podium =
     "  a: {frame: {dimension: 3, material: {E: 30 GPa}, nodes: {a0: [0, 0, 0], b0: [4, 0, 0], c0: [8, 0, 0], a1: [0, "
-    "0, 3], b1: [4, 0, 3], c1: [8, 0, 3], a2: [0, 0, 6], b2: [4, 0, 6]},\n"
-    "    members: {m1: {between: [a0, a1], section: {circle: 0.4}}, m2: {between: [b0, b1], section: {circle: 0.4}}, "
-    "m3: {between: [c0, c1], section: {circle: 0.4}}, "
-    "m4: {between: [a1, a2], section: {circle: 0.4}}, m5: {between: [b1, b2], section: {circle: 0.4}}},\n"
-    "    supports: {a0: fixed, b0: fixed, c0: fixed}, masses: {a1: 5 t, b1: 5 t, c1: 5 t, a2: 5 t, b2: 5 t}, floors: "
-    "[{nodes: [a1, b1, c1]}, {nodes: [a2, b2]}]}, damping: 5 %}\n";
+    "0, 3], b1: [4, 0, 3], c1: [8, 0, 3], a2: [0, 0, 6], b2: [4, 0, 6]},\n    members: {m1: {between: [a0, a1], "
+    "section: {circle: 0.4}}, m2: {between: [b0, b1], section: {circle: 0.4}}, m3: {between: [c0, c1], section: "
+    "{circle: 0.4}}, m4: {between: [a1, a2], section: {circle: 0.4}}, m5: {between: [b1, b2], section: {circle: "
+    "0.4}}},\n    supports: {a0: fixed, b0: fixed, c0: fixed}, masses: {a1: 5 t, b1: 5 t, c1: 5 t, a2: 5 t, b2: 5 t}, "
+    "floors: [{nodes: [a1, b1, c1]}, {nodes: [a2, b2]}]}, damping: 5 %}\n";
 
-TEST(LinksOfNeighbours, LeaveFloorsThatAreSetBack) {
+TEST(LinksOfNeighbours, SkipFloorsThatAreSetBack) {
   EXPECT_EQ(names(linked(podium + house("b", "8.02, -3", 2))), (Names{"a.1-b.1"}));
   EXPECT_EQ(names(linked(podium + house("b", "8.02, -3", 2), "between: neighbours, within: 5 m")),
             (Names{"a.1-b.1", "a.2-b.2"}));
 }
 
-TEST(LinksOfNeighbours, TakeTheGapThatIsDrawn) {
+TEST(LinksOfNeighbours, UseTheDrawnGap) {
   const Model read = test::model_of(linked(house("a", "0, 0") + house("b", "6.02005, 0") + house("c", "0, 6.02"),
                                            "between: neighbours, points: 1, gap: 20 mm"));
   for (const Link& link : read.links) EXPECT_EQ(link.gap, 0.02) << link.name;
@@ -217,7 +211,7 @@ TEST(LinksOfNeighbours, TakeTheGapThatIsDrawn) {
           at("5:32", "links[0].gap"), mentions({"gap"}));
 }
 
-TEST(LinksOfNeighbours, SayWhatIsWrong) {
+TEST(LinksOfNeighbours, ReportErrors) {
   const std::string near = house("a", "0, 0") + house("b", "6.02, 0");
   refused(linked(near, "between: neighbors"), at("5:15", "links[0].between"), mentions({"neighbors", "neighbours"}));
   refused(linked(near, "between: all"), at("5:15", "links[0].between"),

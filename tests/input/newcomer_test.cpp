@@ -1,4 +1,4 @@
-// Mistakes of a first hour: tabs, decimal commas, units in words, names that other programs and papers use.
+// Errors of new users: tabs, decimal commas, spelled-out units, names from other programs and papers.
 
 #include <gtest/gtest.h>
 
@@ -19,11 +19,10 @@ using test::at, test::mentions, test::refused;
 
 const std::string analysis = "analysis: {duration: 1}\n";
 const std::string oscillators =
-    "structures:\n"
-    "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
-    "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
+    "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n  right: {oscillator: {mass: 150 t, "
+    "period: 0.4, damping: 5 %}}\n";
 
-// Two oscillators with these keys of their link, which stands in line 5, and this rest.
+// Two oscillators with these keys of their link on line 5, followed by `rest`.
 std::string link(const std::string& keys, const std::string& rest = analysis) {
   return oscillators + "links:\n  - {between: [left, right], " + keys + "}\n" + rest;
 }
@@ -40,8 +39,8 @@ std::string ground(const std::string& text) { return "ground_motion: " + text + 
 // A mast with this material and these supports.
 std::string mast(const std::string& material, const std::string& support = "fixed") {
   return "structures:\n  a:\n    frame:\n      material: {" + material +
-         "}\n      nodes: {foot: [0, 0], top: [0, 3 m]}\n"
-         "      members: {c: {between: [foot, top], section: {circle: 0.4}}}\n      supports: {foot: " +
+         "}\n      nodes: {foot: [0, 0], top: [0, 3 m]}\n      members: {c: {between: [foot, top], section: {circle: "
+         "0.4}}}\n      supports: {foot: " +
          support + "}\n      masses: {top: 10 t}\n    damping: 5 %\n" + analysis;
 }
 
@@ -82,7 +81,7 @@ TEST(Newcomer, WritesDecimalCommas) {
   refused(damped("restitution: 0,65"), at("5:95", "links[0]"), mentions({"0,65", "0.65"}));
 }
 
-TEST(Newcomer, WritesUnitsAsWords) {
+TEST(Newcomer, SpellsOutUnits) {
   refused(one("mass: 100 t, period: 0.8, damping: 5 percent"), at("2:55", "structures.a.oscillator.damping"),
           mentions({"5 %", "percent"}));
   refused(one("mass: 100 t, period: 0.8, damping: 5 pct"), at("2:55", "structures.a.oscillator.damping"),
@@ -117,7 +116,7 @@ TEST(Newcomer, WritesUnitsAsWords) {
           mentions({"2400 kg/m^3", "25 kN/m^3", "N/m^3"}));
 }
 
-TEST(Newcomer, AsksForRestitutionsThatCannotBe) {
+TEST(Newcomer, TypesImpossibleRestitutions) {
   refused(damped("restitution: 0"), at("5:93", "links[0].restitution"),
           mentions({"kelvin_voigt", "0", "stereomechanical", "restitution"}));
   refused(damped("restitution: 0 %"), at("5:93", "links[0].restitution"),
@@ -202,7 +201,7 @@ TEST(Newcomer, LeavesOutTheUnitOfASpring) {
   refused(mast("E: 30 GPa", "{fix: [ux, uz], springs: {ry: 1e-7}}"), at("5:34", "structures.a.frame.nodes.top"),
           mentions({"springs: {ux: 20 MN/m, ry: 100 MN m}", "1e-07 N m", "top"}));
   EXPECT_NO_THROW(test::model_of(mast("E: 30 GPa", "{fix: [uz, ry], springs: {ux: 1.8}}")))
-      << "a warning tells of its period";
+      << "a warning reports its period";
 }
 
 }  // namespace newcomer_test

@@ -1,4 +1,4 @@
-// Every mistake in structures, ground motion and analysis: where it is, what was read, what is allowed, what to type.
+// Errors in structures, ground motion and analysis: location, text that was read, allowed values, text to type.
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,8 @@ namespace read_model_test {
 using test::at, test::mentions, test::refused;
 
 const std::string two_oscillators =
-    "structures:\n"
-    "  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
-    "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
+    "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n  right: {oscillator: {mass: 150 t, "
+    "period: 0.4, damping: 5 %}}\n";
 const std::string analysis = "analysis: {duration: 1}\n";
 
 std::string whole(const std::string& rest) { return two_oscillators + rest + "\n"; }
@@ -55,7 +54,7 @@ TEST(ModelInput, IsAMapWithStructures) {
           at("3:3", "structures"), mentions({"a"}));
 }
 
-TEST(StructureInput, HasANameThatFilesCanHold) {
+TEST(StructureInput, HasANameThatFilesAllow) {
   refused(file("structures: {a.b: {body: {mass: 1}}}\nanalysis: {duration: 1}\n"), at("1:14", "structures.a.b"),
           mentions({".", "/", "left_building"}));
   refused(file("structures: {a/b: {body: {mass: 1}}}\nanalysis: {duration: 1}\n"), at("1:14"),
@@ -74,7 +73,7 @@ TEST(StructureInput, HasOneKnownKind) {
           mentions({"mass", "damping", "initial_velocity", "initial_displacement"}));
 }
 
-TEST(StructureInput, OfAWallHasNothingElse) {
+TEST(StructureInput, OfAWallHasNoKeys) {
   refused(structure("{wall: {mass: 1}}"), at("2:14", "structures.a.wall.mass"), mentions({"wall: {}"}));
   refused(structure("{wall: 3}"), at("2:13", "structures.a.wall"), mentions({"wall: {}"}));
   refused(structure("{wall: {}, initial_velocity: 1}"), at("2:17", "structures.a.initial_velocity"),
@@ -114,7 +113,7 @@ TEST(StructureInput, OfAnOscillatorHasAPeriodOrAStiffness) {
           at("2:39", "structures.a.oscillator.period"), mentions({"0.5 s", ".inf"}));
 }
 
-TEST(StructureInput, OfAShearBuildingHasAValueAStorey) {
+TEST(StructureInput, OfAShearBuildingHasOneValuePerStorey) {
   refused(structure("{shear_building: {mass: 5 t, stiffness: 1 MN/m}, damping: 0}"),
           at("2:23", "structures.a.shear_building"), mentions({"storeys: 5"}));
   refused(structure("{shear_building: {storeys: 0, mass: 5 t, stiffness: 1 MN/m}, damping: 0}"),
@@ -182,7 +181,7 @@ TEST(DampingInput, TakesTwoModesOrTwoPeriods) {
           at("2:109", "structures.a.damping.rayleigh.periods"), mentions({"0.5 s", "2", "3"}));
 }
 
-TEST(InitialMotionInput, IsAVelocityOrADisplacementAFloor) {
+TEST(InitialMotionInput, IsAVelocityOrADisplacementPerFloor) {
   refused(building("damping: 0, initial_velocity: 1 m"), at("2:97", "structures.a.initial_velocity"),
           mentions({"0.3 m/s", "1 m"}));
   refused(building("damping: 0, initial_velocity: [1, 2, 3]"), at("2:97", "structures.a.initial_velocity"),
@@ -201,7 +200,7 @@ TEST(AnalysisInput, HasADurationUnlessTheGroundMotionHasOne) {
   refused(whole("analysis: {duration: 5 m}"), at("4:22", "analysis.duration"), mentions({"0.5 s", "5 m"}));
 }
 
-TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
+TEST(AnalysisInput, TakesOptionsOfTheIntegrator) {
   refused(whole("analysis: {duration: 1, tolerance: 0}"), at("4:36", "analysis.tolerance"),
           mentions({"5 %", "[1e-10, 0.1]"}));
   refused(whole("analysis: {duration: 1, tolerance: 0.5}"), at("4:36", "analysis.tolerance"),
@@ -238,24 +237,24 @@ TEST(GroundMotionInput, IsOneKindInItsUnits) {
           mentions({"pga: 0.35 g"}));
 }
 
-TEST(GroundMotionInput, SaysThatARecordIsMissing) {
+TEST(GroundMotionInput, ReportsAMissingRecord) {
   refused(ground("{record: nothere.at2}"), at("1:25", "ground_motion.record"), mentions({"nothere.at2"}));
 }
 
-TEST(GroundMotionInput, SaysWhereARecordIsBroken) {
+TEST(GroundMotionInput, ReportsErrorsInARecord) {
   const std::string path = testing::TempDir() + "broken_record.csv";
   std::ofstream(path) << "0, 1\n0.1, abc\n0.2, 3\n";
   refused(ground("{record: " + path + "}"), at("1:25", "ground_motion.record"), mentions({path, "abc", "2"}));
   std::remove(path.c_str());
 }
 
-TEST(ModelInput, IsTakenWhenNothingIsWrong) {
+TEST(ModelInput, IsAcceptedIfValid) {
   EXPECT_NO_THROW(test::model_of(whole("title: good\nlinks: []\ncompare: no_pounding\n" + analysis)));
   EXPECT_NO_THROW(
       test::model_of(structure("{shear_building: {storeys: 2, mass: 5 t, stiffness: 1 MN/m, damping: 5 %}}")));
 }
 
-TEST(ModelInput, IsReadAgainWithOtherValuesAndAnotherGround) {
+TEST(ModelInput, CanBeReadAgainWithOtherValuesAndGroundMotion) {
   const Input input = Input::read_text(ground("{record: nothere.at2}"), "row.yaml");
   const GroundSection given(Harmonic{.amplitude = 1, .period = 0.5, .duration = 2});
   Input period = input.at("structures").at("left").at("oscillator").at("period");
@@ -267,7 +266,7 @@ TEST(ModelInput, IsReadAgainWithOtherValuesAndAnotherGround) {
   period.rewrite("-1 s");
   try {
     stiffness();
-    ADD_FAILURE() << "a period of -1 s was taken";
+    ADD_FAILURE() << "a period of -1 s was accepted";
   } catch (const InputError& error) {
     EXPECT_TRUE(mentions(error.what(), {"structures.left.oscillator.period"}));
   }

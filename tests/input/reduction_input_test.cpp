@@ -1,4 +1,4 @@
-// The word `reduction`: its meaning, and the report of each mistake in it.
+// The key `reduction`, and its errors.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,7 @@ std::string pair(const std::string& reduction, const std::string& own = "",
   const auto frame = [&](const std::string& name, const std::string& origin, const std::string& beside) {
     return "  " + name + ": {frame: {origin: [" + origin +
            "], material: {E: 30 GPa}, grid: {storeys: 3, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: "
-           "{circle: 0.5}, beams: {circle: "
-           "0.5}, floor_mass: 20 t}" +
+           "{circle: 0.5}, beams: {circle: 0.5}, floor_mass: 20 t}" +
            more + "}, damping: " + damping + beside + "}\n";
   };
   return "structures:\n" + frame("left", "0", own) + frame("right", "6.02", "") +
@@ -35,13 +34,13 @@ void refused(const std::string& yaml, const test::Facts& facts,
   test::expect_message(test::refusal<InputError>([&] { model_of(yaml); }), "test.yaml:", facts, line);
 }
 
-TEST(ReductionInput, IsNoneWhereNothingIsSaid) {
+TEST(ReductionInput, IsNoneByDefault) {
   const Model model = model_of(pair(""));
   EXPECT_EQ(reduction_of(model, 0).kind, Reduction::Kind::none);
   EXPECT_EQ(resolved_yaml(model).find("reduction"), std::string::npos);
 }
 
-TEST(ReductionInput, TakesWordsAndNumbers) {
+TEST(ReductionInput, TakesChoicesAndNumbers) {
   EXPECT_EQ(model_of(pair(", reduction: auto")).analysis.reduction.kind, Reduction::Kind::automatic);
   EXPECT_EQ(model_of(pair(", reduction: all modes")).analysis.reduction.kind, Reduction::Kind::all_modes);
   EXPECT_EQ(model_of(pair(", reduction: none")).analysis.reduction.kind, Reduction::Kind::none);
@@ -60,7 +59,7 @@ TEST(ReductionInput, TakesWordsAndNumbers) {
   EXPECT_EQ(bound.text(), "{error: 0.0001, of: [members]}");
 }
 
-TEST(ReductionInput, TakesACheckByItselfAndBesideNumbers) {
+TEST(ReductionInput, TakesACheckWithAndWithoutNumbers) {
   const auto text = [](const std::string& how) {
     return model_of(pair(", reduction: " + how)).analysis.reduction.text();
   };
@@ -85,7 +84,7 @@ TEST(ReductionInput, MayDifferForOneStructure) {
       << resolved_yaml(model);
 }
 
-TEST(ReductionInput, RefusesWhatIsNoDepth) {
+TEST(ReductionInput, RejectsInvalidSizes) {
   refused(pair(", reduction: often"), {"often", "analysis.reduction"});
   refused(pair(", reduction: {}"), {"reduction: {links: 5, ground: 20}", "reduction: auto"});
   refused(pair(", reduction: {links: 0}"), {"analysis.reduction.links"});
@@ -96,8 +95,8 @@ TEST(ReductionInput, RefusesWhatIsNoDepth) {
   refused(pair(", reduction: {shift: 3}"), {"shift"});
 }
 
-// A word that is kept where it can be is no error; numbers are.
-TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
+// The choices skip structures that cannot be reduced; explicit sizes are errors for them.
+TEST(ReductionInput, RejectsNumbersForStructuresThatCannotBeReduced) {
   const std::string own = ", reduction: {links: 5, ground: 20}";
   const auto both = [&](const std::string& law, const std::string& damping, const std::string& more,
                         const std::string& message) {
@@ -116,8 +115,8 @@ TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
   EXPECT_NO_THROW(model_of(pair("", own) + "devices: {tie: {between: [left.2, right.2], bar: {stiffness: 1e7}}}\n"));
 }
 
-// Its matrix is full: of thousands of modes there shall be none where the modes of the reduced structure have the
-// ratio.
+// The damping matrix is dense, so it is not formed for thousands of modes if the modes of the reduced structure are
+// damped.
 TEST(ReductionInput, NeedsNoMatrixOfModalDamping) {
   const auto matrix_of = [](const std::string& reduction, const std::string& own = "") {
     const Model model = model_of(pair(reduction, own, "hertz, stiffness: 1e9", "{modal: {ratio: 5 %}}"));
@@ -126,7 +125,7 @@ TEST(ReductionInput, NeedsNoMatrixOfModalDamping) {
     return model.structures[0].modal_damping.size() > 0;
   };
   EXPECT_TRUE(matrix_of(""));
-  EXPECT_TRUE(matrix_of(", reduction: auto")) << "small structures are not reduced by it";
+  EXPECT_TRUE(matrix_of(", reduction: auto")) << "auto does not reduce small structures";
   EXPECT_FALSE(matrix_of(", reduction: {links: 2}"));
   EXPECT_FALSE(matrix_of("", ", reduction: {links: 2}"));
 }
@@ -137,8 +136,7 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
                       inside = location == "inside" ? ", damping: {modal: {ratio: 5 %}}" : "";
     const std::string yaml =
         "structures:\n  a: {frame: {material: {E: 30 GPa}, grid: {storeys: 40, bays: 20, storey_height: 3 m, "
-        "bay_width: 6 m, columns: "
-        "{circle: 0.5}, beams: {circle: 0.5}, floor_mass: 20 t}" +
+        "bay_width: 6 m, columns: {circle: 0.5}, beams: {circle: 0.5}, floor_mass: 20 t}" +
         inside + "}" + beside + "}\nanalysis: {duration: 1" + reduction + "}\n";
     const ModeSolver quick = [](const SparseMatrix& mass, const SparseMatrix&, int count) {
       return Eigenmodes{Eigen::VectorXd::Ones(count), Eigen::MatrixXd::Zero(mass.rows(), count)};
@@ -156,14 +154,14 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
   EXPECT_EQ(read("beside", ", reduction: auto").structures[0].modal_damping.size(), 0);
   try {
     read("beside", ", reduction: {check: true}");
-    ADD_FAILURE() << "equations of all unknowns with a matrix of 1680 modes were promised";
+    ADD_FAILURE() << "the full system with a matrix of 1680 modes was accepted";
   } catch (const InputError& error) {
     const std::string text = error.what();
     EXPECT_TRUE(test::mentions(text, {"a", "damping: 5 %", "check: false", "analysis.reduction.check", "1680"}));
   }
 }
 
-TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {
+TEST(ReductionInput, RejectsNumbersForWallsAndBodies) {
   const std::string pair =
       "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
   refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n", {"ground"});

@@ -1,4 +1,4 @@
-// Laws of yielding storeys in the input: what is read, what the report of the resolved model says, and the errors.
+// Hysteretic laws of storeys in the input: reading, resolved model, errors.
 
 #include <gtest/gtest.h>
 
@@ -34,22 +34,21 @@ TEST(SpringInput, GivesEachStoreyItsLawWithItsStiffness) {
     EXPECT_EQ(storeys[i].name, fmt::format("storey {}", i + 1));
     EXPECT_DOUBLE_EQ(storeys[i].spring->stiffness(), k);
     EXPECT_DOUBLE_EQ(storeys[i].spring->yield_deformation(), fy / k);
-    // Far beyond its yield deformation a storey carries its yield force and the hardening.
+    // Far beyond its yield deformation a storey carries the yield force plus hardening.
     const double far = 100 * fy / k;
     EXPECT_NEAR(k * far + storeys[i].spring->evaluate({far, 0}).force, 0.05 * k * far + 0.95 * fy, 1e-9 * fy);
   }
 }
 
-TEST(SpringInput, OfAnOscillatorGoesByItsPeriod) {
+TEST(SpringInput, OfAnOscillatorFollowsFromItsPeriod) {
   const Model model = test::model_of(
       "analysis: {duration: 1}\nstructures: {a: {oscillator: {mass: 100 t, period: 0.5 s, damping: 5 %, spring: "
-      "{bilinear: {yield_force: 100 kN}}}, "
-      "initial_velocity: 1}}\n");
+      "{bilinear: {yield_force: 100 kN}}}, initial_velocity: 1}}\n");
   const double k = 1e5 * std::pow(4 * M_PI, 2);
   EXPECT_DOUBLE_EQ(model.structures[0].yielding.at(0).spring->stiffness(), k);
 }
 
-TEST(SpringInput, StandsInTheResolvedModelWithItsDefaults) {
+TEST(SpringInput, IsInTheResolvedModelWithItsDefaults) {
   const std::string text = resolved_yaml(
       test::model_of(building("spring: {menegotto_pinto: {yield_force: [600 kN, 400 kN], memory: last}}")));
   EXPECT_NE(text.find("spring:\n      menegotto_pinto:\n        yield_force: [600000, 400000]\n        hardening: [0, "
@@ -59,12 +58,12 @@ TEST(SpringInput, StandsInTheResolvedModelWithItsDefaults) {
   EXPECT_NE(text.find("memory: last"), text.npos) << text;
 }
 
-TEST(SpringInput, ThatIsBilinearIsThatOfItsOwnKeys) {
+TEST(SpringInput, ThatIsBilinearAgreesWithYieldForce) {
   EXPECT_EQ(resolved_yaml(test::model_of(building("spring: {bilinear: {yield_force: 600 kN, hardening: 5 %}}"))),
             resolved_yaml(test::model_of(building("yield_force: 600 kN, hardening: 5 %"))));
 }
 
-TEST(SpringInput, SaysWhereItIsWrongAndWhatToType) {
+TEST(SpringInput, ReportsErrorsWithTheirLocation) {
   refused(building("spring: bouc_wen"), at("4:86", "structures.a.shear_building.spring"),
           mentions({"spring: {bouc_wen: {yield_force: 2 MN}}"}));
   refused(building("spring: {boucwen: {yield_force: 600 kN}}"), at("4:87", "structures.a.shear_building.spring"),

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers of an input that are far from those of buildings, mostly because their unit is missing.
+/// Detects numbers in an input that are implausible for buildings, usually because of a missing unit.
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace pounding {
 
-/// Doubts about the numbers of a complete input, as they are typed: a bare `pga: 0.35`, which is 0.036 g; `floor_mass:
-/// 90`, which is 90 kg and disappears beside the mass of the members; densities, damping ratios, factors on inertias,
-/// heights and numbers of isolators. One doubt per key; an input that read_model() refuses may throw InputError.
+/// Warnings about implausible numbers as typed: `pga: 0.35` without a unit, which is 0.036 g; `floor_mass: 90`, which
+/// is 90 kg; densities, damping ratios, stiffness factors, heights and isolator parameters. One warning per key. May
+/// throw InputError for an input that read_model() does not accept.
 std::vector<Warning> doubtful_numbers(const Input& input);
 
 }  // namespace pounding

@@ -1,27 +1,27 @@
 #pragma once
-/// The numbers that a key of the input allows.
+/// Bounds on the numbers of an input key.
 
 #include <limits>
 #include <string>
 
 namespace pounding {
 
-/// An interval of numbers, in SI.
+/// Interval of numbers in SI units.
 struct Bounds {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool without_low = false, without_high = false;  ///< the end itself is not allowed
+  bool without_low = false, without_high = false;  ///< true if the end point is excluded
 
-  /// Whether there is a smallest or a largest number.
+  /// True if there is a lower or an upper bound.
   constexpr bool has_low() const noexcept { return low > -std::numeric_limits<double>::infinity(); }
   constexpr bool has_high() const noexcept { return high < std::numeric_limits<double>::infinity(); }
-  /// Whether the key takes it.
+  /// True if the value is within the bounds.
   constexpr bool contain(double value) const noexcept {
     const bool above = without_low ? value > low : value >= low;
     const bool below = without_high ? value < high : value <= high;
     return above && below;
   }
-  /// " > 0", " >= 0", " in (0, 1]", in SI; "" when every number is allowed.
+  /// " > 0", " >= 0", " in (0, 1]", in SI units; empty if unbounded.
   std::string text() const;
 };
 

@@ -21,11 +21,9 @@ void warn_about_hinges(const Input& hinges, std::vector<Warning>& warnings) {
       if (double value = 1; parse_number(text.substr(0, text.find_first_of(" %")), value) && value == 0)
         continue;  // zero has one meaning
       warnings.push_back(
-          {"hardening",
-           fmt::format(
-               "{}: is the ratio of the member end; version 0.2.0 took {} as that of the bare spring, which is now "
-               "spring_hardening: {}",
-               hardening->path(), text, text)});
+          {"hardening", fmt::format("{}: this is the hardening ratio of the member end; version 0.2.0 used {} as the "
+                                    "ratio of the spring alone, which is now spring_hardening: {}",
+                                    hardening->path(), text, text)});
       return;
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// Keys that an earlier version read with another meaning.
+/// Keys with a different meaning in an earlier version.
 
 #include <vector>
 

@@ -27,7 +27,7 @@ double read_mass(const CollisionInput& keys, std::string_view name, const std::s
   return mass;
 }
 
-/// The reduced mass; a wall is infinitely heavy.
+/// Reduced mass; a wall has infinite mass.
 double reduced_mass(const CollisionInput& keys) {
   const double m1 = read_mass(keys, "m1", keys.m1);
   if (keys.m2 == "wall") return m1;
@@ -80,11 +80,11 @@ Collision read_collision(const CollisionInput& keys) {
   if (c.law.takes_restitution) {
     if (keys.restitution.empty())
       throw InputError(
-          fmt::format("{}restitution is missing: the one to calibrate for, such as 0.65", keys.before_names));
+          fmt::format("{}restitution is missing; type the target restitution, such as 0.65", keys.before_names));
     c.settings.restitution = read(keys, "restitution", keys.restitution, dimension::none);
   } else if (!keys.restitution.empty()) {
-    throw InputError(
-        fmt::format("{}restitution: {} takes no restitution, it loses no energy", keys.before_names, keys.law));
+    throw InputError(fmt::format("{}restitution: {} takes no restitution, since it dissipates no energy",
+                                 keys.before_names, keys.law));
   }
   const auto given = given_parameters(keys);
   for (const auto& [name, text] : given)
@@ -92,7 +92,7 @@ Collision read_collision(const CollisionInput& keys) {
   if (const auto n = c.settings.values.find("exponent"); n != c.settings.values.end()) c.exponent = n->second;
   for (const auto& [name, text] : given) {
     const auto p = std::ranges::find(c.law.parameters, name, &laws::ParameterInfo::name);
-    // An unknown name stays in, so that make_law refuses it and says which ones there are.
+    // An unknown name is kept, so that make_law rejects it and lists the known ones.
     const Dimension expected =
         p == c.law.parameters.end() ? dimension::none : parse_unit_dimension(laws::resolved_unit(p->unit, c.exponent));
     c.settings.values[name] = p == c.law.parameters.end() ? 0 : read(keys, name, text, expected);
@@ -102,13 +102,13 @@ Collision read_collision(const CollisionInput& keys) {
     if (p.need == laws::Need::required && !is_given && p.unit.find('n') != std::string_view::npos &&
         !keys.exponent.empty())
       throw InputError(
-          fmt::format("{}exponent {} needs {}{} with it: a typical one is known for the usual exponent only",
+          fmt::format("{}exponent {} requires {}{}, which has a typical value for the default exponent only",
                       keys.before_names, keys.exponent, keys.before_names, p.name));
     if (p.need == laws::Need::required && !is_given)
       c.assumed.push_back(fmt::format("{} {:g} {}", p.name, p.typical, laws::resolved_unit(p.unit, c.exponent)));
   }
   if (keys.velocity.empty())
-    c.assumed.push_back(fmt::format("closing speed {:g} m/s", c.velocity));
+    c.assumed.push_back(fmt::format("approach velocity {:g} m/s", c.velocity));
   else
     c.velocity = read(keys, "velocity", keys.velocity, dimension::velocity);
   return c;
@@ -116,7 +116,7 @@ Collision read_collision(const CollisionInput& keys) {
 
 std::vector<CalibratedRow> calibrate(const Collision& c) {
   if (c.law.formulas.empty()) return {calibrated(c, "")};
-  // A value that every formula refuses is wrong in itself.
+  // A value that every formula rejects is invalid.
   laws::Settings settings = c.settings;
   settings.formula = c.law.formulas[1 % c.law.formulas.size()].name;
   laws::make_law(settings);

@@ -1,6 +1,5 @@
 #pragma once
-/// A free impact of two bodies by every damping formula of a law: what `pounding calibrate` and Python's calibrate()
-/// tell.
+/// Free impact of two bodies with every damping formula of a law, for `pounding calibrate` and calibrate() in Python.
 
 #include <string>
 #include <string_view>
@@ -11,14 +10,14 @@
 
 namespace pounding {
 
-/// A collision as a user says it: numbers in SI or with their units; empty for what was not said.
+/// A collision as typed: numbers in SI units or with a unit; empty if not given.
 struct CollisionInput {
   std::string law, restitution, m1, m2 = "wall", stiffness, velocity, exponent;
-  std::vector<std::pair<std::string, std::string>> parameters = {};  ///< other parameters of the law: name, value
-  std::string_view before_names = {};  ///< what stands before a name when it is typed, "--" on a command line
+  std::vector<std::pair<std::string, std::string>> parameters = {};  ///< other parameters of the law: name and value
+  std::string_view before_names = {};  ///< prefix of names in messages, "--" on the command line
 };
 
-/// A collision in SI units, and which of its values are only typical ones.
+/// A collision in SI units, with the list of values that are assumed.
 struct Collision {
   const laws::Entry& law;
   laws::Settings settings;
@@ -27,23 +26,23 @@ struct Collision {
   std::vector<std::string> assumed;
 };
 
-/// One formula at work.
+/// Result of one formula.
 struct CalibratedRow {
   std::string_view formula;
   double number = 0, coefficient = 0;  ///< of the damping, see laws::Entry
   laws::FreeImpact impact;
-  std::string refused;  ///< why the formula has no value here
+  std::string refused;  ///< reason why the formula has no value here
 };
 
-/// What a row says of an impact that "has no number" or "does not end". Throws InputError, which begins with `before`,
-/// where no other formula could answer: for the exact one, and for a law without formulas.
+/// Text of a row for an impact that "has no number" or "does not end". For the exact formula, or a law without
+/// formulas, throws InputError with `before` as a prefix, since no other row can succeed.
 std::string refused_impact(std::string_view before, std::string_view formula, std::string_view why);
 
-/// Throws InputError for a value that is missing or wrong, std::invalid_argument for an unknown law.
+/// Throws InputError for a missing or invalid value, std::invalid_argument for an unknown law.
 Collision read_collision(const CollisionInput& keys);
 
-/// One row a formula; one without a name for a law that has none. Throws std::invalid_argument for a value or a
-/// parameter that the law refuses whatever the formula.
+/// One row per formula, or one without a name if the law has no formulas. Throws std::invalid_argument for a value that
+/// the law rejects with every formula.
 std::vector<CalibratedRow> calibrate(const Collision& collision);
 
 }  // namespace pounding

@@ -16,10 +16,9 @@ std::variant<Bar, BarSection> read_bar(const Input& node) {
   node.only_keys();
   const auto stiffness = node.find("stiffness"), young = node.find("E"), area = node.find("area");
   if (stiffness && (young || area))
-    (young ? young : area)->fail_at_key("and stiffness say the same; keep one of the two");
+    (young ? young : area)->fail_at_key("and stiffness both define the stiffness; keep one of the two");
   if (stiffness) return Bar{stiffness->as_quantity()};
-  if (!young && !area)
-    node.fail("says nothing of its stiffness; type stiffness: 50 MN/m, or E: 210 GPa and area: 20 cm^2");
+  if (!young && !area) node.fail("the stiffness is missing; type stiffness: 50 MN/m, or E: 210 GPa and area: 20 cm^2");
   return BarSection{node.at("E").as_quantity(), node.at("area").as_quantity()};
 }
 
@@ -34,21 +33,20 @@ Damper read_damper(const Input& node) {
   } catch (const InputError&) {
     if (damper.is_linear() || !coefficient.is_scalar()) throw;
     coefficient.fail(
-        fmt::format("beside the exponent {0:g} takes a force for 1 m/s such as \"200 kN (s/m)^{0:g}\"; \"{1}\" is none",
+        fmt::format("takes a force at 1 m/s with the exponent {0:g}, such as \"200 kN (s/m)^{0:g}\"; \"{1}\" was read",
                     a, excerpt(coefficient.as_text())));
   }
   if (const auto stiffness = node.find("stiffness")) damper.stiffness = stiffness->as_quantity();
   if (const auto rounding = node.find("rounding_velocity")) {
-    if (damper.has_stiffness()) rounding->fail_at_key("rounds a damper without a stiffness; keep one of the two");
+    if (damper.has_stiffness()) rounding->fail_at_key("smooths a damper without a stiffness; keep one of the two");
     if (damper.is_linear())
-      rounding->fail_at_key(
-          "rounds a power of the velocity; type an exponent such as exponent: 0.35 beside it, or leave it out");
+      rounding->fail_at_key("smooths a nonlinear damper; add an exponent such as exponent: 0.35, or leave it out");
     damper.rounding_velocity = rounding->as_quantity();
   }
   return damper;
 }
 
-// The numbers of a law of yielding, its stiffness among them.
+// Parameters of a hysteretic law, including its stiffness.
 hysteresis::Settings read_law(const Input& node, const hysteresis::Entry& entry) {
   node.only_keys();
   hysteresis::Settings law{.law = std::string(entry.name)};
@@ -68,7 +66,7 @@ DeviceOptions read_parts(const Input& node) {
   return options;
 }
 
-// Fails at the place of the option that the model has refused. Ends stand in a list, or one key says them.
+// Fails at the location of the option that the model rejected. The ends are a list, or follow from one key.
 [[noreturn]] void fail_at_device(const ModelError& error, const Input& device, const Input& ends) {
   const auto end = [&ends](std::size_t i) { return ends.is_list() ? ends.items()[i] : ends; };
   switch (error.option()) {
@@ -89,7 +87,7 @@ DeviceOptions read_parts(const Input& node) {
   }
 }
 
-// A node of a frame, a floor by its number, or the ground.
+// Node of a frame, floor number, or ground.
 DeviceEnd read_end(const Input& node, bool is_frame) {
   const std::string text = node.as_text();
   if (text == "ground") return {};
@@ -121,12 +119,12 @@ void read_own_device(const std::string& name, const Input& node, const Structure
   const auto storey = node.find("storey"), between = node.find("between"), axis = node.find("axis");
   const bool is_frame = model.structures[static_cast<std::size_t>(structure.number())].dimension > 1;
   if (storey && between)
-    between->fail_at_key("a device stands in a storey or between two points; keep one of storey and between");
+    between->fail_at_key("a device is in a storey or between two points; keep one of storey and between");
   if (storey && is_frame)
-    storey->fail_at_key("belongs to shear buildings; in a frame name two nodes, such as between: [a, b]");
+    storey->fail_at_key("is for shear buildings; in a frame give two nodes, such as between: [a, b]");
   if (!storey && !between)
-    node.fail(is_frame ? "its ends are missing; type between: [a, b] with two nodes"
-                       : "its place is missing; type storey: 1, or between: [ground, 2] with two floors");
+    node.fail(is_frame ? "the ends are missing; type between: [a, b] with two nodes"
+                       : "the location is missing; type storey: 1, or between: [ground, 2] with two floors");
   DeviceOptions options = read_parts(node);
   std::pair<DeviceEnd, DeviceEnd> ends;
   if (between) {

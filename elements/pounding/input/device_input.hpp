@@ -1,5 +1,5 @@
 #pragma once
-/// Reading devices between two structures and inside one.
+/// Reads devices between two structures and inside one.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace pounding {
 
-/// Reads one device, the node under its name, and adds it to the model, which has its structures. Throws InputError.
+/// Reads one device between two structures of the model and adds it. Throws InputError.
 void read_device(const std::string& name, const Input& node, Model& model);
-/// Likewise inside a structure, which the model has.
+/// Reads one device inside a structure of the model and adds it. Throws InputError.
 void read_own_device(const std::string& name, const Input& node, const StructureHandle& structure, Model& model);
 
 }  // namespace pounding

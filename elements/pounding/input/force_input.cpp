@@ -17,26 +17,26 @@ namespace {
 
 constexpr std::array<std::string_view, 5> force_kinds = {"record", "harmonic", "sum", "pulse", "step_force"};
 
-/// Keys that stand beside some kinds only.
+/// Keys that only some kinds of forces allow.
 struct Beside {
   std::string_view key, kinds;
 };
 constexpr Beside beside[] = {{"channel", "record"}, {"units", "record"}, {"step", "record"},
                              {"scale", "record"},   {"duration", "sum"}, {"start", "record or sum"}};
 
-/// A harmonic has its period, or its frequency in Hz.
+/// Period of a harmonic, from its period or frequency.
 double read_period(const Input& node) {
   const auto period = node.find("period"), frequency = node.find("frequency");
   if (period && frequency) frequency->fail_at_key("\"period\" and \"frequency\" are both given; keep one of them");
   if (!frequency) return node.quantity("period");
   if (frequency->as_text().find("rad") != std::string::npos)
     frequency->fail(
-        fmt::format("takes turns in a second such as \"2.5 Hz\"; \"{}\" is a circular frequency, divide by 2 pi",
+        fmt::format("takes a frequency in Hz such as \"2.5 Hz\"; \"{}\" is an angular frequency, divide it by 2 pi",
                     frequency->as_text()));
   return 1 / frequency->as_quantity();
 }
 
-/// Reads the history of one force, whose values have this dimension.
+/// Reads the time history of a force with values of this dimension.
 class HistoryReader {
  public:
   HistoryReader(const Input& force, const Dimension& values) : force_(force), values_(values) {}
@@ -77,10 +77,10 @@ class HistoryReader {
       if (!found) continue;
       if (kind)
         found->fail_at_key(
-            fmt::format("\"{}\" and \"{}\" are both given; make two forces of them, which add", *kind, candidate));
+            fmt::format("\"{}\" and \"{}\" are both given; write two forces, which add up", *kind, candidate));
       kind = candidate;
     }
-    if (!kind) force_.fail("its course over time is missing; it is one of record, harmonic, sum, pulse, step_force");
+    if (!kind) force_.fail("the time history is missing; give one of record, harmonic, sum, pulse, step_force");
     return *kind;
   }
 
@@ -93,7 +93,7 @@ class HistoryReader {
       part.only_keys();
       sum.parts.push_back({.amplitude = amplitude(part), .period = read_period(part), .phase = read_phase(part)});
     }
-    if (sum.parts.empty()) list.fail("takes one harmonic or more; type sum: [{amplitude: 20 kN, period: 0.5 s}]");
+    if (sum.parts.empty()) list.fail("takes at least one harmonic; type sum: [{amplitude: 20 kN, period: 0.5 s}]");
     return GroundMotion(sum, values_);
   }
 
@@ -105,7 +105,7 @@ class HistoryReader {
     options.step = force_.find_quantity("step").value_or(0);
     options.force = values_;
     const double scale = force_.quantity("scale");
-    if (scale == 0) force_.at("scale").fail("takes a number other than 0; leave the force out");
+    if (scale == 0) force_.at("scale").fail("takes a number other than 0; for no force leave the entry out");
     try {
       return scaled(read_named_record(file, options), scale).delayed(force_.quantity("start"));
     } catch (const InputError& error) {
@@ -122,16 +122,16 @@ class HistoryReader {
 std::vector<ForceOptions> read_forces(const Input& list) {
   if (!list.is_list())
     list.fail(
-        "takes a list, one force a line; type - {floor: 3, harmonic: {amplitude: 20 kN, period: 0.5 s, duration: 10 "
-        "s}}");
-  if (list.items().empty()) list.fail("holds no force; leave it out");
+        "takes a list with one force per line; type - {floor: 3, harmonic: {amplitude: 20 kN, period: 0.5 s, duration: "
+        "10 s}}");
+  if (list.items().empty()) list.fail("the list is empty; leave it out");
   std::vector<ForceOptions> forces;
   for (const Input& item : list.items()) {
     item.only_keys();
     ForceOptions& force = forces.emplace_back();
     if (const auto floor = item.find("floor")) force.floor = static_cast<int>(floor->as_integer());
     if (const auto node = item.find("node")) {
-      if (force.floor) node->fail_at_key("a force acts on a floor or on a node; keep one of the two");
+      if (force.floor) node->fail_at_key("a force acts on a floor or a node; keep one of the two");
       force.node = node->as_text();
     }
     if (const auto dof = item.find("dof")) force.dof = dof->as_choice();

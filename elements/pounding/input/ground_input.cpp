@@ -38,12 +38,12 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
   const auto units = section.find("units");
   const auto scale = section.find("scale");
   const auto pga = given == Given::acceleration ? section.find("pga") : std::nullopt;
-  if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the strength; keep one of them");
+  if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the intensity; keep one of them");
 
   double factor = 1;
   if (scale) {
     factor = scale->as_quantity();
-    if (factor == 0) scale->fail("takes a number other than 0; leave \"ground_motion\" out for a still ground");
+    if (factor == 0) scale->fail("takes a number other than 0; for no ground motion leave \"ground_motion\" out");
   }
   const double velocity = section.quantity("initial_velocity");
   RecordOptions options;
@@ -60,7 +60,7 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
     }
   }();
   if (pga) {
-    if (record.measures.pga == 0) pga->fail("the record is zero throughout and cannot be scaled to a peak");
+    if (record.measures.pga == 0) pga->fail("all values of the record are zero, so it cannot be scaled to a peak");
     factor = pga->as_quantity() / record.measures.pga;
   }
   const GroundMotion motion = scaled(record, factor);
@@ -77,7 +77,7 @@ GroundMotion read_harmonic(const Input& node, Given given) {
   return GroundMotion(harmonic).with_initial_motion(node.quantity("initial_velocity"));
 }
 
-/// `sum` with `duration` beside it.
+/// Reads `sum` with its `duration`.
 GroundMotion read_sum(const Input& section, std::initializer_list<std::string_view> beside, Given given) {
   std::vector<std::string_view> allowed{"sum", "duration"};
   if (given == Given::acceleration) allowed.push_back("initial_velocity");
@@ -90,7 +90,7 @@ GroundMotion read_sum(const Input& section, std::initializer_list<std::string_vi
     sum.parts.push_back(
         {.amplitude = part.quantity("amplitude"), .period = part.quantity("period"), .phase = read_phase(part)});
   }
-  if (sum.parts.empty()) list.fail("takes one harmonic or more; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
+  if (sum.parts.empty()) list.fail("takes at least one harmonic; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
   if (given == Given::displacement) return motion_of_displacement(sum);
   return GroundMotion(sum).with_initial_motion(section.quantity("initial_velocity"));
 }
@@ -121,11 +121,11 @@ GroundMotion read_pulse(const Input& node) {
                             .start = node.quantity("start")});
 }
 
-/// A circular frequency. In units 1 Hz and 1 rad/s are the same number, so the one that is not meant is refused.
+/// Reads an angular frequency. Hz and rad/s are the same SI unit, so a value in Hz is rejected.
 double read_omega(const Input& node, std::string_view key) {
   const Input value = node.at(key);
   if (value.as_text().find("Hz") != std::string::npos)
-    value.fail(fmt::format("takes a circular frequency such as \"15 rad/s\"; \"{}\" is in Hz, multiply by 2 pi",
+    value.fail(fmt::format("takes an angular frequency such as \"15 rad/s\"; \"{}\" is in Hz, multiply it by 2 pi",
                            excerpt(value.as_text())));
   return value.as_quantity();
 }
@@ -162,7 +162,7 @@ GroundMotion read_synthetic(const Input& node) {
   }
 }
 
-// Keys of the section that say nothing about the motion itself are allowed beside it.
+// Also allows other keys, which do not describe the motion.
 GroundMotion read_motion(const Input& section, std::initializer_list<std::string_view> beside) {
   std::vector<std::string_view> allowed(motion_kinds.begin(), motion_kinds.end());
   allowed.insert(allowed.end(), beside);
@@ -178,7 +178,7 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
   if (!kind) {
     section.only_keys(allowed);
     section.fail(
-        "takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
+        "takes one of record, harmonic, sum, pulse, synthetic, displacement; for no ground motion leave "
         "\"ground_motion\" out");
   }
   for (const std::string_view key : {"channel", "step"})
@@ -190,7 +190,7 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
     velocity->fail_at_key("belongs to a record, a harmonic (inside it) or a sum");
   for (const std::string_view key : {"units", "scale", "pga"})
     if (const auto found = section.find(key))
-      found->fail_at_key(fmt::format("belongs to a record; a {} states its own strength", *kind));
+      found->fail_at_key(fmt::format("belongs to a record; the values of a {} are absolute", *kind));
   section.only_keys(allowed);
   const Input node = section.at(*kind);
   if (kind == "harmonic") return read_harmonic(node, Given::acceleration);
@@ -212,21 +212,21 @@ TravellingWave read_wave(const Input& node) {
   const std::vector<Input> parts = direction->items();
   if (parts.size() != 2) direction->fail("takes x, y, or two numbers; type direction: [0.6, 0.8]");
   wave.direction = Eigen::Vector3d(parts[0].as_quantity(), parts[1].as_quantity(), 0);
-  if (!(wave.direction.norm() > 0)) direction->fail("has no length; type direction: [0.6, 0.8]");
+  if (!(wave.direction.norm() > 0)) direction->fail("the vector is zero; type direction: [0.6, 0.8]");
   wave.direction.normalize();
   return wave;
 }
 
 }  // namespace
 
-// A bare number above a full turn is one in degrees.
+// A number without a unit above a full cycle is rejected, since it is probably in degrees.
 double read_phase(const Input& harmonic) {
   const auto phase = harmonic.find("phase");
   if (!phase) return 0;
   const std::string text = phase->as_text();
   const double angle = phase->as_quantity(dimension::none, bounds::any);
   if (text.find('%') != std::string::npos)
-    phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", excerpt(text)));
+    phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" was read", excerpt(text)));
   if (!(std::abs(angle) <= 2 * std::numbers::pi))
     phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg",
                             excerpt(text), angle * 180 / std::numbers::pi));

@@ -22,7 +22,7 @@ std::string joined(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
-// Whether a key is the rest of a number with a decimal comma, as in {gap: 20,5 mm}: digits, then a unit or nothing.
+// True if the key is the rest of a number with a decimal comma, as in {gap: 20,5 mm}: digits, then possibly a unit.
 bool is_after_comma(std::string_view key) {
   const std::size_t digits = std::min(key.find_first_not_of("0123456789"), key.size());
   return digits > 0 && (digits == key.size() || key[digits] == ' ' ||
@@ -34,15 +34,14 @@ std::string allowed_text(const Dimension& dimension, const Bounds& allowed) {
   return fmt::format("{}{} such as \"{}\"", quantity_name(dimension), allowed.text(), quantity_example(dimension));
 }
 
-// Whether the key of a map is a name that the user has chosen, and not a word.
+// True if the key of a map is a user-defined name.
 bool names_values(keys::Form form, std::string_view key) {
   if (form == keys::Form::by_storey) return !key.empty() && key.front() >= '0' && key.front() <= '9';
   return form == keys::Form::named || form == keys::Form::named_lists;
 }
 
-// How to type a value that is the name of an allowed key, or that has such a key alone, else how to type a name that is
-// a key inside of allowed ones: `"spring: {bouc_wen: {yield_force: 150 kN}}"`, where "law: bouc_wen" was read. Empty
-// where it is neither.
+// Corrected text if the value of an unknown key is the name of an allowed key, or of a key inside allowed ones:
+// `"spring: {bouc_wen: {yield_force: 150 kN}}"` if "law: bouc_wen" was read. Empty if it is neither.
 std::string ways_to_type(const keys::Section& section, std::span<const std::string_view> allowed,
                          const YAML::Node& value) {
   const bool holds_one = value.IsMap() && value.size() == 1;
@@ -65,8 +64,7 @@ std::string ways_to_type(const keys::Section& section, std::span<const std::stri
 
 }  // namespace
 
-/// Walks a whole tree before it is read, and refuses keys that nothing could read. Paths are made only for messages:
-/// the names in them may be long.
+/// Checks all keys of a tree before it is read: plain names, without duplicates and merge keys.
 class Input::WrongKeys {
  public:
   explicit WrongKeys(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
@@ -88,11 +86,12 @@ class Input::WrongKeys {
     for (const auto& entry : map) {
       if (!entry.first.IsScalar()) fail(entry.first, "a key must be a plain name");
       const std::string& key = entry.first.Scalar();
-      if (key == "<<") fail(entry.first, "the merge key << is not read; repeat the keys that it stands for");
+      if (key == "<<") fail(entry.first, "merge keys (<<) are not supported; repeat the keys");
       if (double number = 0; entry.second.IsNull() && is_after_comma(key) && parse_number(before.second, number))
-        fail(entry.first, fmt::format("\"{0},{1}\" is read as two entries, since commas part them; a number takes a "
-                                      "decimal point: {2}: {0}.{1}",
-                                      excerpt(before.second), excerpt(key), excerpt(before.first)));
+        fail(entry.first,
+             fmt::format(
+                 "\"{0},{1}\" is read as two entries, since a comma separates them; type a decimal point: {2}: {0}.{1}",
+                 excerpt(before.second), excerpt(key), excerpt(before.first)));
       before = {key, entry.second.IsScalar() ? entry.second.Scalar() : std::string()};
       if (!seen.insert(key).second)
         fail(entry.first, fmt::format("key \"{}\" is given twice; keep one of them", excerpt(key)));
@@ -116,8 +115,8 @@ class Input::WrongKeys {
 Input Input::read_file(const std::string& path) {
   if (std::error_code ignored; path.ends_with(".h5") && std::filesystem::exists(path, ignored))
     throw InputError(
-        fmt::format("{0}: results, and no model; type pounding run --resume {0} to go on with a run, or pounding plot "
-                    "{0} to see one",
+        fmt::format("{0}: this is a results file, not a model; type pounding run --resume {0} to resume a run, or "
+                    "pounding plot {0} to plot it",
                     excerpt(path)));
   return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
@@ -139,7 +138,7 @@ Input::Input(std::shared_ptr<const Source> source, YAML::Node node, std::string 
       key_(std::move(key)),
       location_(key_location),
       key_location_(key_location) {
-  // A value that was left out has no place of its own.
+  // An empty value has no location; its key has one.
   if (const YAML::Mark mark = node_.Mark(); !node_.IsNull() && !mark.is_null())
     location_ = {mark.line + 1, mark.column + 1};
 }
@@ -174,14 +173,14 @@ Input Input::in(const keys::Section& section) const {
 }
 
 const keys::Key& Input::spec() const {
-  if (!spec_) throw std::logic_error(fmt::format("{} is read and has no word in the catalogue of the input", path_));
+  if (!spec_) throw std::logic_error(fmt::format("{} is read, but is not a key of the input", path_));
   return *spec_;
 }
 
 std::optional<Input> Input::find(std::string_view key) const {
   expect_map();
   if (section_ && !section_->find(key))
-    throw std::logic_error(fmt::format("the key {} is read in {} and is not in its table", key, section_->name));
+    throw std::logic_error(fmt::format("the key {} is read in {}, but is not in its table", key, section_->name));
   for (const auto& entry : node_)
     if (entry.first.Scalar() == key) return child(key, entry.first, entry.second);
   return std::nullopt;
@@ -195,7 +194,7 @@ Input Input::at(std::string_view key, std::string_view example) const {
 }
 
 void Input::only_keys() const {
-  if (!section_) throw std::logic_error(fmt::format("the keys of {} have no table", path_));
+  if (!section_) throw std::logic_error(fmt::format("{} has no section of keys", path_));
   std::vector<std::string_view> keys;
   for (const keys::Key& each : section_->keys) keys.push_back(each.key);
   only_keys(keys);
@@ -212,7 +211,7 @@ void Input::only_keys(std::span<const std::string_view> allowed) const {
     const std::string ways = section_ ? ways_to_type(*section_, allowed, entry.second) : std::string();
     fail_at({mark.line + 1, mark.column + 1},
             fmt::format("unknown key \"{}\".{}", excerpt(key),
-                        ways.empty() ? suggestion(key, allowed) : fmt::format(" Type {} in its place.", ways)));
+                        ways.empty() ? suggestion(key, allowed) : fmt::format(" Type {} instead.", ways)));
   }
 }
 
@@ -238,13 +237,13 @@ std::vector<Input> Input::items() const {
 }
 
 std::string Input::as_text() const {
-  if (node_.IsNull()) fail("takes a text; nothing was read");
+  if (node_.IsNull()) fail("takes a text; an empty value was read");
   if (!is_scalar()) fail(fmt::format("takes a text; a {} was read", is_map() ? "map" : "list"));
   return node_.Scalar();
 }
 
 void Input::rewrite(const std::string& text) {
-  if (!is_scalar()) fail("takes no other value, since it is no single one");
+  if (!is_scalar()) fail("cannot be replaced, since it is not a single value");
   node_ = text;
 }
 
@@ -254,7 +253,7 @@ double Input::as_quantity(const Dimension& dimension) const { return as_quantity
 
 double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) const {
   if (!is_scalar()) {
-    const std::string_view read = node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list";
+    const std::string_view read = node_.IsNull() ? "an empty value" : is_map() ? "a map" : "a list";
     fail(fmt::format("takes {}; {} was read", allowed_text(dimension, allowed), read));
   }
   double value = 0;
@@ -301,7 +300,7 @@ long long Input::as_integer(long long low, long long high) const {
   const std::string takes = fmt::format("takes an integer{}; ", range);
 
   if (!is_scalar())
-    fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list"));
+    fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "an empty value" : is_map() ? "a map" : "a list"));
   const std::string& text = node_.Scalar();
   long long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -352,7 +351,7 @@ void Input::fail_at(const Location& location, std::string_view message) const {
 
 void Input::expect_map() const {
   if (is_map()) return;
-  const std::string_view read = node_.IsNull() ? "nothing" : is_scalar() ? "a single value" : "a list";
+  const std::string_view read = node_.IsNull() ? "an empty value" : is_scalar() ? "a single value" : "a list";
   const bool shown = spec_ && part_ == Part::value && spec_->example.starts_with('{');
   fail(fmt::format("takes keys with values such as {}; {} was read", shown ? spec_->example : "{key: value}", read));
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading a YAML input so that every mistake is reported with its place, what was read and what to type.
+/// Reads YAML input. Errors contain the location, the text that was read and the text to type.
 
 #include <filesystem>
 #include <initializer_list>
@@ -20,26 +20,26 @@
 
 namespace pounding {
 
-/// One node of a YAML file, with its place. Cheap to copy; the file's text lives as long as any of its nodes.
+/// A node of a YAML file with its location. Cheap to copy; the text of the file lives as long as any of its nodes.
 ///
-/// A node that is read by a section of the catalogue (words/sections.hpp) knows the words of its keys, and so do its
-/// children: their dimensions, bounds, choices, defaults and examples are those of the words. A key that is asked for
-/// and is not in the section is a std::logic_error, and so is a value that is asked for without a word.
+/// A node with a section of keys (keys/sections.hpp) passes the keys on to its children, which define dimensions,
+/// bounds, choices, defaults and examples. Throws std::logic_error for a key that is not in the section, and for a
+/// value without a key.
 ///
-/// Every function that reads throws InputError with "file:line:column: key.path: " in front (counted from 1).
+/// All reading functions throw InputError with the prefix "file:line:column: key.path: " (counted from 1).
 class Input {
  public:
-  /// The whole file. Throws for a missing file, a text that is not UTF-8, bad YAML, a key given twice, an empty file,
-  /// more than one document, and for what goes beyond the limits of yaml_limits.hpp.
+  /// Reads one file. Throws if it is missing, empty, not UTF-8 or not valid YAML, if it contains duplicate keys or
+  /// several documents, or if it exceeds the limits of yaml_limits.hpp.
   static Input read_file(const std::string& path);
-  /// A text in memory, with or without the mark of UTF-8 in front; `name` stands for the file in messages, and its
-  /// folder is where relative paths start. `files` holds contents of files by the names that the text gives them, such
-  /// as those of records; other files are read from disk.
+  /// Reads a text in memory, with or without a byte order mark. `name` is the file name in messages; relative paths
+  /// start at its folder. `files` contains files, such as records, by their names in the text; other files are read
+  /// from disk.
   using Files = std::shared_ptr<const std::map<std::string, std::string>>;
   static Input read_text(std::string text, std::string name, Files files = {});
 
   Input(const Input&) = default;
-  /// yaml-cpp's own assignment would write into the tree that both share.
+  /// The assignment of YAML::Node would write into the shared tree.
   Input& operator=(const Input& other) {
     source_ = other.source_;
     node_.reset(other.node_);
@@ -53,79 +53,79 @@ class Input {
     return *this;
   }
 
-  /// The whole file as it was read.
+  /// Text of the whole file.
   const std::string& text() const noexcept { return source_->text; }
-  /// The file as the user named it.
+  /// Name of the file as given by the user.
   const std::string& file() const noexcept { return source_->name; }
-  /// The folder that relative paths in the file start from.
+  /// Folder of the file, at which relative paths start.
   std::filesystem::path directory() const;
-  /// Content of the file that this scalar names; null unless read_text() was given it.
+  /// Content of the file that this scalar names; null if it was not passed to read_text().
   const std::string* file_content() const;
-  /// Where this node is, "links[0].gap"; empty for the whole file.
+  /// Path of this node, "links[0].gap"; empty for the whole file.
   const std::string& path() const noexcept { return path_; }
-  /// The last part of path().
+  /// Last component of path().
   const std::string& key() const noexcept { return key_; }
 
-  /// The kind of the node in YAML.
+  /// YAML type of the node.
   bool is_map() const { return node_.IsMap(); }
   bool is_list() const { return node_.IsSequence(); }
   bool is_scalar() const { return node_.IsScalar(); }
 
-  /// This node, whose keys are those of this section from here on.
+  /// This node with the keys of a section.
   Input in(const keys::Section& section) const;
-  /// Whether the section of this node has the key at all.
+  /// True if the section of this node has the key.
   bool knows(std::string_view key) const { return section_ && section_->find(key); }
 
-  /// The child with this key, or nothing.
+  /// The child with this key; `nullopt` if there is none.
   std::optional<Input> find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key).has_value(); }
-  /// The child with this key, which must be there. `example` completes the message, by default that of the word: type
-  /// "gap: 20 mm".
+  /// The child with this key. Throws if there is none; the message contains `example`, by default the example of the
+  /// key: type "gap: 20 mm".
   Input at(std::string_view key, std::string_view example = {}) const;
-  /// Refuses every key that is not in the section, at its own place, with the nearest allowed one.
+  /// Throws at the first key that is not in the section, with the nearest allowed key.
   void only_keys() const;
-  /// Refuses every other key, some of those of the section.
+  /// Throws at the first key that is not in this list.
   void only_keys(std::span<const std::string_view> allowed) const;
   void only_keys(std::initializer_list<std::string_view> allowed) const {
     only_keys(std::span(allowed.begin(), allowed.size()));
   }
-  /// The children of a map, in the order of the file.
+  /// Children of a map, in the order of the file.
   std::vector<std::pair<std::string, Input>> entries() const;
-  /// The members of a list.
+  /// Items of a list.
   std::vector<Input> items() const;
 
-  /// A scalar as it was written.
+  /// Text of a scalar.
   std::string as_text() const;
-  /// An integer in the bounds of the word, or in other ones that the model sets.
+  /// An integer within the bounds of the key, or within bounds set by the model.
   long long as_integer() const;
   long long as_integer(long long low, long long high) const;
   /// true or false.
   bool as_bool() const;
-  /// A number in SI or with its unit, as the word says; "5 %" is 0.05. `dimension` and `allowed` are given where the
+  /// A number in SI units or with a unit; "5 %" is 0.05. `dimension` and `allowed` replace those of the key if the
   /// model sets them.
   double as_quantity() const;
   double as_quantity(const Dimension& dimension) const;
   double as_quantity(const Dimension& dimension, const Bounds& allowed) const;
-  /// One quantity for all `count` places, or a list of `count` of them from the ground up.
+  /// One quantity for all `count` items, or a list of `count` quantities from the ground up.
   std::vector<double> as_quantities(int count) const;
   std::vector<double> as_quantities(int count, const Bounds& allowed) const;
-  /// One of the choices of the word, of a whole value one of those that stand in its place.
+  /// One of the choices of the key, or one of the texts that replace its whole value.
   std::string as_choice() const;
-  /// One of the names; `what` is what they name: unknown law "hertz_damp". Did you mean "hertz_damped"?
+  /// One of the names; `what` is the noun for the message: unknown law "hertz_damp". Did you mean "hertz_damped"?
   std::string as_choice(std::string_view what, std::span<const std::string_view> allowed) const;
 
-  /// The quantity under a key, which must be there unless its word has a default.
+  /// Quantity under a key. Throws if it is missing and has no default.
   double quantity(std::string_view key) const;
-  /// The quantity under a key, or nothing when the key is absent.
+  /// Quantity under a key; `nullopt` if it is missing.
   std::optional<double> find_quantity(std::string_view key) const;
 
-  /// Puts another text in the place of this scalar: all nodes of the tree read it from now on. text() stays as it was
-  /// read. Throws InputError for a map or a list.
+  /// Replaces this scalar in the tree that all nodes share; text() does not change. Throws InputError for a map or a
+  /// list.
   void rewrite(const std::string& text);
 
-  /// Throws InputError with this node's place in front.
+  /// Throws InputError with the location of this node.
   [[noreturn]] void fail(std::string_view message) const;
-  /// Throws InputError at the place of the node's key, for a key that should not be there.
+  /// Throws InputError with the location of the key, for a key that is not allowed.
   [[noreturn]] void fail_at_key(std::string_view message) const;
 
  private:
@@ -139,7 +139,7 @@ class Input {
 
   class WrongKeys;
 
-  /// Part of what stands under the key of the word.
+  /// Position of the node in the value of its key.
   enum class Part { value, of_name, item };
 
   Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key,

@@ -13,19 +13,18 @@ namespace pounding {
 
 namespace {
 
-// One coefficient, or those of slow and of fast sliding with the rate between them.
+// Reads one coefficient, or those of slow and fast sliding with the rate.
 void read_friction(const Input& friction, const std::optional<Input>& rate, IsolatorOptions& options) {
   if (!friction.is_list()) {
     if (rate)
-      rate->fail_at_key(
-          "is that between two coefficients; type friction: [4 %, 8 %] beside it, those of slow and of fast sliding");
+      rate->fail_at_key("requires two coefficients of friction; type friction: [4 %, 8 %], for slow and fast sliding");
     options.law.values.emplace("friction", friction.as_quantity());
     return;
   }
   const std::vector<Input> both = friction.items();
   if (both.size() != 2)
     friction.fail(fmt::format("takes one coefficient, or [slow, fast]; a list of {} was read", both.size()));
-  if (!rate) friction.fail("depends on the velocity, and says not how fast; type rate: 60 s/m beside it");
+  if (!rate) friction.fail("depends on the velocity, and the rate is missing; add rate: 60 s/m");
   options.velocity = IsolatorOptions::Velocity{.slow_friction = both[0].as_quantity(), .rate = rate->as_quantity()};
   options.law.values.emplace("friction", both[1].as_quantity());
 }
@@ -34,7 +33,8 @@ void read_friction(const Input& friction, const std::optional<Input>& rate, Isol
 
 IsolatorOptions read_isolator_law(const Input& isolator) {
   if (!isolator.is_map())
-    isolator.fail("takes a law with its numbers; type isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}");
+    isolator.fail(
+        "takes one law with its parameters; type isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}");
   isolator.only_keys();
   const hysteresis::Entry* entry = law_among_keys(isolator, "an isolator");
   if (!entry) isolator.fail("the law is missing; type isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}");

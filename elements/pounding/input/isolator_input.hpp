@@ -6,8 +6,8 @@
 
 namespace pounding {
 
-/// Reads a section `isolator` but for `coupled`. Numbers that a law needs are there; what they may be, the weight on it
-/// apart, is checked. Throws InputError at the place of what is wrong.
+/// Reads the section `isolator`, except `coupled`. Checks all parameters except the weight. Throws InputError with the
+/// location.
 IsolatorOptions read_isolator_law(const Input& isolator);
 
 }  // namespace pounding

@@ -25,15 +25,15 @@ const laws::Entry& entry_of(const Input& law) {
   }
 }
 
-// A zero is left to the law, which says what it means or which laws take it.
+// The law decides whether zero is allowed.
 double read_restitution(const Input& node, const laws::Entry& entry) {
   const double value = node.as_quantity(dimension::none, bounds::any);
   const auto refuse = [&](const std::string& why) {
-    node.fail(fmt::format("takes a number in {}0, 1] such as 0.65, the speed after an impact over that before it; {}",
+    node.fail(fmt::format("takes a ratio of the speeds after and before an impact in {}0, 1] such as 0.65; {}",
                           entry.sticks_at_zero ? '[' : '(', why));
   };
   if (value > 1 && value <= 100 && value == std::floor(value)) refuse(fmt::format("did you mean \"{:g} %\"?", value));
-  if (value > 1) refuse(fmt::format("\"{}\" would gain energy at each impact; 1 loses none", excerpt(node.as_text())));
+  if (value > 1) refuse(fmt::format("\"{}\" would add energy at each impact; 1 is elastic", excerpt(node.as_text())));
   if (value < 0) refuse(fmt::format("\"{}\" is outside", excerpt(node.as_text())));
   return value;
 }
@@ -53,7 +53,7 @@ LawInput read_law(const Input& node) {
   for (const laws::ParameterInfo& parameter : entry.parameters)
     if (laws::must_be_given(entry.parameters, parameter, [&](std::string_view name) { return link.has(name); }) &&
         !link.has(parameter.name))
-      law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name,
+      law_node.fail(fmt::format("{0} requires {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name,
                                 parameter.meaning, parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
   if (const auto restitution = link.find("restitution")) settings.restitution = read_restitution(*restitution, entry);
@@ -65,13 +65,14 @@ LawInput read_law(const Input& node) {
       formula->fail_at_key(fmt::format("the law {} has no damping formula; leave it out", settings.law));
     settings.formula = formula->as_choice(fmt::format("formula of {}", settings.law), formulas);
   }
-  // A unit such as "N/m^n" depends on the exponent that the link chose.
+  // A unit such as "N/m^n" depends on the exponent of the link.
   for (const laws::ParameterInfo& parameter : entry.parameters) {
     const auto value = link.find(parameter.name);
     if (!value) continue;
     if (parameter.name == "stiffness" && entry.presses_soil && is_estimate(*value))
-      value->fail(fmt::format("is estimated from two solid bodies, and {} presses soil; type {}: {:g} {}", settings.law,
-                              parameter.name, parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
+      value->fail(fmt::format("can be estimated for two solid bodies only, and {} compresses soil; type {}: {:g} {}",
+                              settings.law, parameter.name, parameter.typical,
+                              laws::resolved_unit(parameter.unit, exponent)));
     if (parameter.name == "stiffness") read.stiffness = read_stiffness_estimate(*value);
     if (parameter.name == "stiffness" && read.stiffness) continue;
     settings.values.emplace(

@@ -10,18 +10,17 @@
 
 namespace pounding {
 
-/// The law of a link as it is typed.
+/// The law of a link as typed.
 struct LawInput {
   laws::Settings settings;
-  std::optional<StiffnessEstimate> stiffness;  ///< where the settings have none
+  std::optional<StiffnessEstimate> stiffness;  ///< set if the settings have no stiffness
 };
 
-/// The law that a link names, with its parameters. Beside them the link may hold what every link can, and no other key.
-/// Throws InputError with the place.
+/// Reads the law of a link with its parameters. Rejects keys that neither the law nor links in general allow. Throws
+/// InputError with the location.
 LawInput read_law(const Input& node);
 
-/// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that
-/// the text names.
+/// Location in the link of an error of its law: the first key of the link that the text mentions.
 Input location_of_law(const std::string& refusal, const Input& node);
 
 }  // namespace pounding

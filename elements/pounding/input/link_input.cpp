@@ -75,7 +75,7 @@ std::optional<FacingFloors> read_floors(const Input& link) {
   return choice == "all" ? FacingFloors::all : choice == "level" ? FacingFloors::level : FacingFloors::any;
 }
 
-// Location of the option that the model has refused.
+// Location of the option that the model rejected.
 Input location_of(const ModelError& error, const Input& link, const Input& between) {
   const auto at = [&](const char* key) { return link.find(key).value_or(link); };
   switch (error.option()) {
@@ -97,7 +97,7 @@ Input location_of(const ModelError& error, const Input& link, const Input& betwe
   }
 }
 
-// The gap may be left out where it is drawn.
+// The gap is optional if it follows from the drawing.
 LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   LinkOptions options;
   if (const auto preload = node.find("preload")) options.preload = preload->as_bool();
@@ -126,7 +126,7 @@ void require_neighbours(const Input& between) {
   if (read == allowed[0]) return;
   const bool is_near = !nearest_name(read, allowed).empty();
   between.fail(is_near
-                   ? fmt::format("unknown word \"{}\".{}", excerpt(read), suggestion(read, allowed))
+                   ? fmt::format("unknown value \"{}\".{}", excerpt(read), suggestion(read, allowed))
                    : "takes two structures, the left one first; type between: [left, right], or between: neighbours");
 }
 
@@ -134,7 +134,7 @@ void read_links_of_neighbours(const Input& node, const Input& between, Model& mo
   try {
     const double within = node.quantity("within");
     if (const auto gap = node.find("gap"); gap && gap->is_list())
-      gap->fail("takes one gap for all neighbours; leave it out, and each pair has the distance that is drawn");
+      gap->fail("takes one gap for all neighbours; leave it out to use the drawn distance of each pair");
     const auto [options, law] = read_options_and_law(node, read_floors(node), 1, true);
     link_neighbours(model, options, law, within);
   } catch (const ModelError& error) {

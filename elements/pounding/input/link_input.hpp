@@ -8,11 +8,11 @@
 
 namespace pounding {
 
-/// Adds the links of one entry of the section to the model, whose structures have been read. Throws InputError with the
-/// place.
+/// Adds the links of one entry of the section to the model, which already has its structures. Throws InputError with
+/// the location.
 void read_link(const Input& node, Model& model);
 
-/// The two ends that stand under `between`, the left one first. Throws InputError.
+/// The two ends under `between`, the left one first. Throws InputError.
 std::pair<ContactLocation, ContactLocation> read_ends(const Input& between, const Model& model);
 
 }  // namespace pounding

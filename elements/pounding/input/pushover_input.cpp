@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
                                          : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-// Parts between any of these characters; empty ones are kept between commas only.
+// Splits a text at any of these characters.
 std::vector<std::string_view> split(std::string_view text, std::string_view separators, bool keeps_empty) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -36,7 +36,7 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
   return parts;
 }
 
-// An option in words, which names itself in messages.
+// An option, with its name for messages.
 class Option {
  public:
   Option(const PushoverInput& keys, std::string_view name) : name_(keys.mark + std::string(name)) {}
@@ -56,13 +56,13 @@ const Structure& find_structure(const Model& model, const PushoverInput& keys) {
   }
   if (!keys.structure.empty()) option.refuse(unknown_name("structure", keys.structure, names));
   if (yielding.size() != 1)
-    option.refuse(yielding.empty() ? "no structure of this model yields; give yield_force to an oscillator or a "
+    option.refuse(yielding.empty() ? "no structure of this model yields; add yield_force to an oscillator or a "
                                      "shear_building, or hinges to a frame"
                                    : fmt::format("{} structures of this model yield; name one of them, such as {}",
                                                  yielding.size(), yielding.front()));
   for (const Structure& s : model.structures)
     if (s.name == yielding.front()) return s;
-  option.refuse("it is not there");
+  option.refuse("structure not found");
 }
 
 double read_target(const Option& option, std::string_view text, double height) {
@@ -70,29 +70,30 @@ double read_target(const Option& option, std::string_view text, double height) {
   const std::string whole(text);
   if (text.ends_with(roof)) text = trimmed(text.substr(0, text.size() - roof.size()));
   double number = 0, target = 0;
-  if (text.empty()) option.refuse(R"(a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
+  if (text.empty()) option.refuse(R"(no target displacement; type one such as "250 mm" or "2 % roof")");
   if (text.ends_with('%')) {
     if (!parse_number(trimmed(text.substr(0, text.size() - 1)), number))
-      option.refuse(fmt::format(R"("{}" is no part of the height; type one such as "2 % roof")", excerpt(whole)));
+      option.refuse(
+          fmt::format(R"("{}" is not a fraction of the height; type one such as "2 % roof")", excerpt(whole)));
     if (std::isnan(height))
       option.refuse(fmt::format(
-          R"(the heights of this structure are not known, so "{}" is no length; give height to its storeys, or type a displacement such as "250 mm")",
+          R"("{}" requires the height of the structure, which is unknown; add height to its storeys, or type a displacement such as "250 mm")",
           excerpt(whole)));
     target = number / 100 * height;
   } else if (parse_number(text, number)) {
-    option.refuse(
-        fmt::format(R"("{0}" has no unit; type "{0} mm", or a part of the height such as "2 % roof")", excerpt(text)));
+    option.refuse(fmt::format(R"("{0}" has no unit; type "{0} mm", or a fraction of the height such as "2 % roof")",
+                              excerpt(text)));
   } else {
     try {
       target = parse_quantity(text, dimension::length);
     } catch (const InputError& error) {
-      option.refuse(fmt::format(R"({}; or a part of the height such as "2 % roof")", error.what()));
+      option.refuse(fmt::format(R"({}; or a fraction of the height such as "2 % roof")", error.what()));
     }
   }
   if (target == 0)
-    option.refuse(R"(a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
+    option.refuse(R"(the target displacement must not be zero; type one such as "250 mm" or "2 % roof")");
   if (std::abs(target) > height)
-    option.refuse(fmt::format(R"("{}" is farther than the roof is high, {}; type less)", excerpt(whole),
+    option.refuse(fmt::format(R"("{}" exceeds the height of the roof, {}; type a smaller displacement)", excerpt(whole),
                               format_quantity(height, dimension::length)));
   return target;
 }
@@ -118,12 +119,13 @@ std::vector<double> read_forces(const Option& option, const std::string& path, s
       if (double force = 0; parse_number(item, force))
         forces.push_back(force);
       else
-        option.refuse(fmt::format("{}:{}: \"{}\" is no number; the file holds one force a floor, from the ground up",
-                                  path, number, excerpt(item)));
+        option.refuse(
+            fmt::format("{}:{}: \"{}\" is not a number; the file contains one force per floor, from the ground up",
+                        path, number, excerpt(item)));
   }
   if (forces.size() != floors)
     option.refuse(fmt::format(
-        "{} holds {} numbers, and the structure has {} floor{}; write one force a floor, from the ground up", path,
+        "{} contains {} numbers, but the structure has {} floor{}; write one force per floor, from the ground up", path,
         forces.size(), floors, floors == 1 ? "" : "s"));
   return forces;
 }

@@ -37,7 +37,7 @@ AnalysisSettings read_analysis(const Input& node) {
       radius->fail(
           node.find("integrator")
               ? fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name())
-              : "belongs to generalized_alpha; type integrator: generalized_alpha beside it");
+              : "belongs to generalized_alpha; add integrator: generalized_alpha");
     settings.scheme.spectral_radius = radius->as_quantity();
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
@@ -50,7 +50,8 @@ AnalysisSettings read_analysis(const Input& node) {
 CheckpointSettings read_checkpoints(const Input& node) {
   if (!node.is_map() || node.entries().empty())
     node.fail(
-        "takes how often; type checkpoint: {every: 60 s} for run time, {every_simulated: 1 s} for simulated time");
+        "takes an interval; type checkpoint: {every: 60 s} for wall-clock time, {every_simulated: 1 s} for simulated "
+        "time");
   node.only_keys();
   return {node.find_quantity("every").value_or(0), node.find_quantity("every_simulated").value_or(0)};
 }
@@ -60,7 +61,7 @@ Input component(const Input& motion, int axis) {
   return motion.at("components").at(names[axis]);
 }
 
-// Modal damping of a structure, beside its kind or inside it.
+// Modal damping of a structure, at its level or inside its kind.
 Input modal_damping_in(const Input& location) {
   std::optional<Input> damping = location.find("damping");
   for (const auto& [spec, inside] : location.entries())
@@ -68,7 +69,7 @@ Input modal_damping_in(const Input& location) {
   return damping && damping->is_map() ? damping->find("modal").value_or(location) : location;
 }
 
-// Location in the input of what the complete model was refused for.
+// Location in the input of an error of the complete model.
 Input location_of(const ModelError& error, const Input& input) {
   const Input structures = input.at("structures");
   const auto motion = input.find("ground_motion");
@@ -108,7 +109,8 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   for (const auto& [name, location] : structures.entries()) read_structure(name, location, model);
   if (const auto links = root.find("links")) {
     if (!links->is_list())
-      links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
+      links->fail(
+          "takes a list with one link per line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
     for (const Input& link : links->items()) read_link(link, model);
   }
   if (const auto devices = root.find("devices"))

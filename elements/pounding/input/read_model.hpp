@@ -6,9 +6,9 @@
 
 namespace pounding {
 
-/// Reads, checks and completes a whole model; `modes` finds what damping and the first periods need. Throws InputError
-/// with file, line and column. `stiffness_factor` multiplies the stiffness of every contact. `ground`, unless null, is
-/// the motion in the place of that of the input, which is not read.
+/// Reads, checks and completes the model of an input file. `modes` computes the natural modes for damping and periods.
+/// `stiffness_factor` multiplies all contact stiffnesses. `ground`, if not null, replaces the ground motion of the
+/// input. Throws InputError with file, line and column.
 Model read_model(const Input& input, const ModeSolver& modes = dense_modes, double stiffness_factor = 1,
                  const GroundSection* ground = nullptr);
 

@@ -20,10 +20,10 @@ Reduction read_reduction(const Input& node) {
   const auto links = node.find("links"), ground = node.find("ground"), modes = node.find("modes"),
              error = node.find("error"), of = node.find("of");
   if (of && !error)
-    of->fail_at_key("says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
+    of->fail_at_key("selects responses for an error bound, which is missing; type {error: 1e-4, of: [acceleration]}");
   if (error) {
     for (const auto& other : {links, ground, modes})
-      if (other) other->fail_at_key("is a depth, and error finds the depth by itself; keep one of the two");
+      if (other) other->fail_at_key("is a size, and error determines the size automatically; keep one of the two");
     reduction.kind = Reduction::Kind::automatic;
     reduction.error = error->as_quantity();
     if (of)
@@ -42,7 +42,7 @@ Reduction read_reduction(const Input& node) {
     reduction.kind = Reduction::Kind::automatic;
     return reduction;
   }
-  if (!links && !ground) node.fail("takes how deep; type reduction: {links: 5, ground: 20}, or reduction: auto");
+  if (!links && !ground) node.fail("the size is missing; type reduction: {links: 5, ground: 20}, or reduction: auto");
   reduction.kind = Reduction::Kind::blocks;
   if (links) reduction.links = static_cast<int>(links->as_integer());
   if (ground) reduction.ground = static_cast<int>(ground->as_integer());
@@ -66,7 +66,7 @@ void check_reductions(const Model& model, const Input& root) {
     if (model.structures[i].size() > small_structure)
       root.at("analysis")
           .at("reduction")
-          .fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: auto, which reduces what can be", name,
+          .fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: auto, which skips such structures", name,
                             reason));
   }
 }

@@ -1,16 +1,16 @@
 #pragma once
-/// The word `reduction`.
+/// The key `reduction`.
 
 #include <pounding/input/input.hpp>
 #include <pounding/model/model.hpp>
 
 namespace pounding {
 
-/// Reads the value of `reduction`. Throws InputError with its place.
+/// Reads the value of `reduction`. Throws InputError with the location.
 Reduction read_reduction(const Input& node);
 
-/// Refuses numbers for what cannot be reduced, at their place in the input of a complete model. `root` is the whole
-/// file.
+/// Checks that structures with an explicit reduction can be reduced. `root` is the whole file of the complete model.
+/// Throws InputError with the location.
 void check_reductions(const Model& model, const Input& root);
 
 }  // namespace pounding

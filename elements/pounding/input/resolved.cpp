@@ -16,20 +16,19 @@
 namespace pounding {
 namespace {
 
-// Larger damping matrices are told by their note.
+// Larger damping matrices are described by a note.
 constexpr int max_shown_matrix = 20;
 
-// Every digit that a double needs, and no more.
+// Shortest text that determines the double.
 std::string exact(double value) { return fmt::format("{}", value); }
 
-// A word or number that needs no quotes. Whether a text needs them the emitter finds out by regular expressions, most
-// of the time that emitting takes.
+// Text that needs no quotes. The regular expressions with which the emitter checks this dominate its run time.
 struct Plain {
   std::string_view text;
 };
 YAML::Emitter& operator<<(YAML::Emitter& out, const Plain& plain) { return out.WriteIntegralType(plain.text); }
 
-// One of our own keys, before its value.
+// Writes the key, which needs no quotes, before its value.
 YAML::Emitter& field(YAML::Emitter& out, std::string_view key) { return out << YAML::Key << Plain{key} << YAML::Value; }
 
 void emit(YAML::Emitter& out, std::string_view key, double value) { field(out, key) << Plain{exact(value)}; }
@@ -46,7 +45,7 @@ std::vector<double> periods(const Structure& s) {
   return all;
 }
 
-// Each with its law, its numbers and its capacity.
+// Law, parameters and capacity of each isolator.
 void emit_isolators(YAML::Emitter& out, const Structure& s) {
   if (!is_isolated(s)) return;
   field(out, "isolators") << YAML::BeginMap;
@@ -63,7 +62,7 @@ void emit_isolators(YAML::Emitter& out, const Structure& s) {
   if (const double period = isolated_period(s); std::isfinite(period)) emit(out, "isolated_period", period);
 }
 
-// Each with its law, its numbers and the moment that gravity and loads give it at rest.
+// Law, parameters and static moment of each hinge.
 void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
   const auto is_hinge = [](const YieldingPart& part) { return part.kind == YieldingPart::Kind::hinge; };
   if (std::ranges::none_of(parts, is_hinge)) return;
@@ -80,7 +79,7 @@ void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
   out << YAML::EndMap;
 }
 
-// The matrices of a frame are too large to show.
+// Frames without their matrices, which are too large.
 void emit_frame(YAML::Emitter& out, const Structure& s) {
   field(out, "unknowns") << s.size();
   std::vector<double> masses, elevations;
@@ -103,7 +102,7 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
   emit_isolators(out, s);
 }
 
-// The law of the storeys with its numbers, storey by storey; a bilinear one as in its own keys where these say all.
+// Law and parameters of the storeys. A bilinear law uses the keys yield_force and hardening if these are sufficient.
 void emit_springs(YAML::Emitter& out, std::span<const YieldingPart> storeys) {
   const YieldingPart& first = storeys.front();
   const bool plain = first.law == "bilinear" && first.parameters.size() == 2;

@@ -1,5 +1,5 @@
 #pragma once
-/// A model as text, with all that was left out.
+/// Complete model as text.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace pounding {
 
-/// A complete model with every default and calibrated parameter filled in, SI, as YAML. It is written from the model
-/// alone and is for people: it cannot be read as an input again.
+/// Complete model as YAML in SI units, with all defaults and calibrated parameters. It is for information only and
+/// cannot be read as an input.
 std::string resolved_yaml(const Model& model);
 
 }  // namespace pounding

@@ -23,8 +23,8 @@ const hysteresis::Entry& law_of(const Input& spring) {
       spring.fail(error.what());
     }
     if (!spring.knows(name))
-      spring.fail(fmt::format("{} is no law of storeys; pounding words spring lists them", name));
-    spring.fail(fmt::format("says the law alone; type spring: {{{}: {{yield_force: 2 MN}}}} with its numbers", name));
+      spring.fail(fmt::format("{} is not available for storeys; see `pounding words spring`", name));
+    spring.fail(fmt::format("the parameters of the law are missing; type spring: {{{}: {{yield_force: 2 MN}}}}", name));
   }
   spring.only_keys();
   const hysteresis::Entry* chosen = law_among_keys(spring, "a storey");
@@ -40,7 +40,7 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
     if (const auto found = map.knows(entry.name) ? map.find(entry.name) : std::nullopt) {
       if (chosen)
         found->fail_at_key(
-            fmt::format("{} follows one law, and {} is given too; keep one of the two", what, chosen->name));
+            fmt::format("{} has one law, and {} is also given; keep one of the two", what, chosen->name));
       chosen = &entry;
     }
   return chosen;

@@ -1,5 +1,5 @@
 #pragma once
-/// Reads the law by which storeys yield.
+/// Reads the hysteretic law of storeys.
 
 #include <functional>
 #include <map>
@@ -12,18 +12,18 @@
 
 namespace pounding {
 
-/// The law of yielding whose name is a key of this map; nullptr for none. `what` follows it, for the refusal of a
-/// second one: "a storey".
+/// The hysteretic law whose name is a key of this map; null if there is none. Throws InputError for a second one;
+/// `what` names the owner in the message: "a storey".
 const hysteresis::Entry* law_among_keys(const Input& map, const char* what);
 
-/// The numbers of a law that are chosen by words, as they are given in its map.
+/// The choices of a law that are given in its map.
 std::map<std::string, std::string, std::less<>> read_choices(const Input& law, const hysteresis::Entry& entry);
 
-/// The key of the law that a refusal begins with, or the law itself.
+/// Location of an error of the law: the key that the text begins with, else the law.
 Input location_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry);
 
-/// Reads the section `spring`, for storeys with these stiffnesses [N/m], the first of which has this number. Throws
-/// InputError at the place of what is missing, unknown or out of range.
+/// Reads the section `spring` for storeys with these stiffnesses [N/m]; `first_storey` is the number of the first one.
+/// Throws InputError with the location.
 SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness, int first_storey = 1);
 
 }  // namespace pounding

@@ -10,7 +10,7 @@
 namespace pounding {
 namespace {
 
-// One for both bodies, or [left, right].
+// One value for both bodies, or [left, right].
 std::array<double, 2> read_both(const Input& node) {
   if (!node.is_list()) {
     const double both = node.as_quantity();
@@ -25,7 +25,7 @@ std::array<double, 2> read_both(const Input& node) {
 void refuse_beside(const Input& node, std::string_view key, std::initializer_list<std::string_view> others) {
   for (const std::string_view other : others)
     if (const auto found = node.find(other))
-      found->fail_at_key(fmt::format("has no part in an estimate by {}; keep one of the two", key));
+      found->fail_at_key(fmt::format("is not used in an estimate from {}; keep one of the two", key));
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ std::optional<StiffnessEstimate> read_stiffness_estimate(const Input& node) {
     return StiffnessOfPenetration{penetration->as_quantity(), node.quantity("velocity")};
   }
   if (const auto velocity = node.find("velocity"))
-    velocity->fail_at_key("belongs to penetration; type penetration: 5 mm beside it");
+    velocity->fail_at_key("belongs to penetration; add penetration: 5 mm");
   const auto area = node.find("area"), length = node.find("length");
   if (area || length) {
     refuse_beside(node, "slabs", {"poisson", "density", "radius"});

@@ -1,5 +1,5 @@
 #pragma once
-/// Estimates of the stiffness of a contact in the input.
+/// Estimates of the contact stiffness in the input.
 
 #include <optional>
 
@@ -8,9 +8,9 @@
 
 namespace pounding {
 
-/// Whether a stiffness is given as `auto` or as a map, which an estimate follows from.
+/// True if the stiffness is `auto` or a map, and therefore estimated.
 bool is_estimate(const Input& node);
-/// The estimate that `stiffness: auto` or a map asks for; nothing for a number. Throws InputError at what is wrong.
+/// The estimate for `stiffness: auto` or a map; `nullopt` for a number. Throws InputError with the location.
 std::optional<StiffnessEstimate> read_stiffness_estimate(const Input& node);
 
 }  // namespace pounding

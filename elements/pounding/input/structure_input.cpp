@@ -31,13 +31,13 @@ void read_yielding(const Input& body, Structure& s) {
   const std::optional<Input> force = body.find("yield_force"), hardening = body.find("hardening");
   if (const auto spring = body.find("spring")) {
     for (const auto& beside : {force, hardening})
-      if (beside) beside->fail_at_key("belongs to a bilinear storey, and a spring is given too; keep one of the two");
+      if (beside) beside->fail_at_key("belongs to a bilinear storey, and spring is also given; keep one of the two");
     const std::vector<double> stiffness = stiffness_of_storeys(s);
     return let_storeys_yield(s,
                              read_storey_spring(*spring, stiffness, s.size() - static_cast<int>(stiffness.size()) + 1));
   }
   if (hardening && !force)
-    hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
+    hardening->fail_at_key("belongs to storeys that yield; add yield_force: 2 MN, or leave it out");
   if (!force) return;
   const int storeys = static_cast<int>(stiffness_of_storeys(s).size());
   const auto forces = force->as_quantities(storeys);
@@ -45,7 +45,7 @@ void read_yielding(const Input& body, Structure& s) {
   let_storeys_yield(s, forces, ratios);
 }
 
-// The damping is read with that of every other structure.
+// Damping is read in common for all kinds.
 Structure read_oscillator(const Input& body) {
   body.only_keys();
   OscillatorOptions options{.mass = body.quantity("mass")};
@@ -65,16 +65,16 @@ Structure read_oscillator(const Input& body) {
 IsolatorOptions read_building_isolator(const Input& isolator) {
   IsolatorOptions options = read_isolator_law(isolator);
   if (const auto coupled = isolator.find("coupled"))
-    coupled->fail_at_key("is for frames in space; a shear building moves along x only, so leave it out");
+    coupled->fail_at_key("is for frames in space; a shear building moves along x only. Leave it out");
   return options;
 }
 
-// That of the storeys above the isolators, where there are any.
+// Stiffness of the storeys, or of those above the isolators.
 std::vector<double> read_stiffness(const Input& node, int storeys, bool is_isolated) {
   if (is_isolated && node.is_list() && static_cast<int>(node.items().size()) != storeys)
     node.fail(
-        fmt::format("takes one value, or a list of {}, of the storeys above the isolators, whose law has their "
-                    "stiffness; a list of {} was read",
+        fmt::format("takes one value, or a list of {} for the storeys above the isolators, whose stiffness follows "
+                    "from their law; a list of {} was read",
                     storeys, node.items().size()));
   return node.as_quantities(storeys);
 }
@@ -88,7 +88,7 @@ Structure read_shear_building(const Input& body) {
   if (const int above = storeys - (options.isolator ? 1 : 0); above > 0) {
     options.stiffness = read_stiffness(body.at("stiffness"), above, options.isolator.has_value());
   } else if (const auto idle = body.find("stiffness")) {
-    idle->fail_at_key("is that of storeys above the isolators, and there are none; type storeys: 2, or leave it out");
+    idle->fail_at_key("applies to storeys above the isolators, and there are none; type storeys: 2, or leave it out");
   }
   if (const auto height = body.find("height")) options.height = height->as_quantities(storeys);
   Structure s = make_shear_building(options);
@@ -109,7 +109,7 @@ struct Kind {
   Structure (*read)(const Input& body);
 };
 
-// The kinds of structures. A new one has its line here, and its key and its section in words/structures.cpp.
+// Kinds of structures. Each kind also has a key and a section in keys/structures.cpp.
 constexpr Kind structure_kinds[] = {{"body", read_body},
                                     {"oscillator", read_oscillator},
                                     {"shear_building", read_shear_building},
@@ -126,15 +126,15 @@ const Kind& kind_of(const Input& location) {
     if (!location.has(kind.key)) continue;
     if (chosen)
       location.find(kind.key)->fail_at_key(
-          fmt::format("a structure has one kind, and a {} is given too; keep one of the two", chosen->key));
+          fmt::format("a structure has one kind, and {} is also given; keep one of the two", chosen->key));
     chosen = &kind;
   }
   if (!chosen)
-    location.fail(fmt::format("the kind of the structure is missing; it is one of {}", fmt::join(keys, ", ")));
+    location.fail(fmt::format("the kind of the structure is missing; give one of {}", fmt::join(keys, ", ")));
   return *chosen;
 }
 
-// A key may stand under the kind's own word or beside it, not in both places.
+// A key is allowed inside the kind or at the level of the structure, but not at both.
 std::optional<Input> beside_or_inside(const Input& location, const Input& body, std::string_view key) {
   const std::optional<Input> inside = body.is_map() && body.knows(key) ? body.find(key) : std::nullopt;
   const std::optional<Input> beside = location.find(key);
@@ -168,16 +168,14 @@ Damping read_damping(const Input& node, const Structure& s) {
     node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
   if (rayleigh && is_isolated(s))
     rayleigh->fail_at_key(
-        "would brake what the isolators do; type damping: 2 %, which is in proportion to the stiffness above them, or "
-        "damping: {modal: "
-        "{ratio: 2 %}}");
+        "would damp the motion of the isolators; type damping: 2 %, which is proportional to the stiffness above them, "
+        "or damping: {modal: {ratio: 2 %}}");
   if (rayleigh) return read_rayleigh(*rayleigh, s);
   modal->only_keys();
   return ModalDamping{modal->quantity("ratio")};
 }
 
-// Floors have one value each, but a frame moves as a whole; of a wall, and of a frame without floors, the model refuses
-// any.
+// One value per floor, but one value for a frame. The model rejects values for walls and frames without floors.
 OneOrEach read_velocity(const Input& node, const Structure& s) {
   if (s.dimension > 1) return node.as_quantity();
   return node.as_quantities(s.size());
@@ -191,14 +189,14 @@ OneOrEach read_displacement(const Input& node, const Structure& s) {
 std::vector<NodeDisplacement> read_node_displacements(const Input& nodes) {
   std::vector<NodeDisplacement> all;
   for (const auto& [name, node] : nodes.entries()) {
-    if (!node.is_map()) node.fail("takes displacements by their names; type {ux: 5 mm}");
+    if (!node.is_map()) node.fail("takes a map of degrees of freedom; type {ux: 5 mm}");
     node.only_keys();
     for (const auto& [dof, value] : node.entries()) all.push_back({name, dof, value.as_quantity()});
   }
   return all;
 }
 
-// Reads one structure; what the model refuses is reported at its place in the input.
+// Reads one structure and reports errors of the model at their location in the input.
 class StructureInput {
  public:
   StructureInput(const std::string& name, const Input& location) : name_(name), location_(location) {}
@@ -222,7 +220,8 @@ class StructureInput {
     if (node_displacements_) options.initial_node_displacements = read_node_displacements(*node_displacements_);
     if (motion) {
       GroundSection ground = read_ground_section(*motion);
-      if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");
+      if (ground.wave)
+        motion->fail("a wave is allowed only in the ground_motion of the model; give this structure a delay");
       options.ground_motion = std::move(ground.components);
     }
     if (delay) options.delay = delay->as_quantity();
@@ -240,7 +239,7 @@ class StructureInput {
   }
 
  private:
-  // Refusals by the makers of structures get their place here.
+  // Adds the location to errors of the factory functions.
   Structure made(const Kind& kind) const {
     try {
       return kind.read(*body_);
@@ -262,7 +261,8 @@ class StructureInput {
     switch (error.option()) {
       case ModelOption::damping:
         if (error.is_idle()) damping_->fail_at_key(error.what());
-        // The reading has let pass too many modes for modal damping, and what the solver of modes refuses.
+        // These errors are detected by the model: too many modes for modal damping, and errors of the eigenvalue
+        // solver.
         if (damping_->is_map() && damping_->has("modal")) damping_->at("modal").fail_at_key(error.what());
         break;
       case ModelOption::forces:

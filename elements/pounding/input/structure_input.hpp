@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// Reads one structure, its kind and what stands beside it, and adds it to the model. Throws InputError with the place.
+/// Reads one structure with its kind and common keys, and adds it to the model. Throws InputError with the location.
 void read_structure(const std::string& name, const Input& location, Model& model);
 
 }  // namespace pounding

@@ -20,20 +20,19 @@
 namespace pounding {
 namespace {
 
-/// Something that is refused, at its place.
+/// An error and its location.
 struct Refusal {
   YAML::Mark mark;
   std::string text;
 };
 
-/// Size of a value with everything in it.
+/// Size of a value with its children.
 struct Extent {
   std::size_t values = 0;
   int depth = 0;
 };
 
-/// Follows the parser through one document, throws a Refusal where it goes beyond a limit, and so ends the parser's own
-/// recursion too.
+/// Parser events of one document. Throws a Refusal at a limit, which also ends the recursion of the parser.
 class Limits : public YAML::EventHandler {
  public:
   bool is_empty() const { return is_empty_; }
@@ -48,12 +47,12 @@ class Limits : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string& value) override {
     if (value.size() > longest_value)
       throw Refusal{mark,
-                    fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?",
+                    fmt::format("a value of {} bytes starts here, and the maximum is {}; is a quotation mark missing?",
                                 value.size(), longest_value)};
     for (std::string_view rest = value; !rest.empty();) {
       const Character c = first_character(rest);
       if (!c.is_valid || (is_control(c.code) && c.code != '\n' && c.code != '\t'))
-        throw Refusal{mark, fmt::format("\"{}\" holds the control character {}; leave it out", excerpt(value),
+        throw Refusal{mark, fmt::format("\"{}\" contains the control character {}; leave it out", excerpt(value),
                                         excerpt(rest.substr(0, c.size)))};
       rest.remove_prefix(c.size);
     }
@@ -62,7 +61,7 @@ class Limits : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto known = anchors_.find(anchor);
     if (known == anchors_.end())
-      throw Refusal{mark, "does an alias contain itself? This one stands inside its own anchor; write the values out"};
+      throw Refusal{mark, "the alias is inside its own anchor; does an alias contain itself? Write the values out"};
     add(mark, 0, known->second);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
@@ -77,7 +76,7 @@ class Limits : public YAML::EventHandler {
   void OnMapEnd() override { end_collection(); }
 
  private:
-  /// A map or list that has begun.
+  /// An open map or list.
   struct Open {
     YAML::Mark mark;
     YAML::anchor_t anchor;
@@ -93,7 +92,7 @@ class Limits : public YAML::EventHandler {
     open_.pop_back();
     add(ended.mark, ended.anchor, {ended.inside.values + 1, ended.inside.depth + 1});
   }
-  // Every level is counted when it ends, so the whole text never has more values than its root will have.
+  // Levels are counted when they end, so the count never exceeds the final count of the root.
   void add(const YAML::Mark& mark, YAML::anchor_t anchor, const Extent& extent) {
     refuse_depth(mark, extent.depth);
     if (anchor != 0) anchors_[anchor] = extent;
@@ -104,13 +103,12 @@ class Limits : public YAML::EventHandler {
     read_ = std::max(read_ + 1, inside.values);
     if (read_ > max_values)
       throw Refusal{
-          mark, fmt::format(
-                    "more than {} values have been read until here, aliases written out; a model has at most that many",
-                    max_values)};
+          mark, fmt::format("more than {} values up to here, with aliases expanded; this is the maximum for a model",
+                            max_values)};
   }
   void refuse_depth(const YAML::Mark& mark, int more) const {
     if (static_cast<int>(open_.size()) + more > deepest)
-      throw Refusal{mark, fmt::format("more than {} maps and lists are in each other here", deepest)};
+      throw Refusal{mark, fmt::format("more than {} nested maps and lists", deepest)};
   }
 
   std::vector<Open> open_;
@@ -124,29 +122,27 @@ class Limits : public YAML::EventHandler {
   throw InputError(fmt::format("{}:{}:{}: {}", name, line, column, what));
 }
 
-// YAML is indented by blanks only; the parser stumbles over a tab here or a line later.
+// YAML does not allow tabs for indentation; the parser fails on the same or the next line.
 void refuse_tab(const std::string& name, std::string_view text, int last_line) {
   int line = 1;
   for (std::size_t begin = 0; begin < text.size() && line <= last_line; ++line) {
     const std::size_t content = std::min(text.find_first_not_of(" \t", begin), text.size());
     if (const std::size_t tab = text.find('\t', begin); tab < content)
-      fail(
-          name, line, static_cast<int>(tab - begin) + 1,
-          "a tab indents this line, and YAML takes blanks only; replace it by two blanks, and set the editor to do so");
+      fail(name, line, static_cast<int>(tab - begin) + 1,
+           "this line is indented with a tab, and YAML allows spaces only; replace the tab by two spaces");
     begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
   }
 }
 
-// The remedy for an error, by the words of the parser.
+// Remedy for a message of the parser.
 std::string remedy(std::string_view message) {
   constexpr std::pair<std::string_view, const char*> known[] = {
       {"illegal map value", R"(; put a text with a colon in quotes, as in title: "Case 2: soft soil")"},
       {"end of map flow not found", R"(; a "{" lacks its "}")"},
       {"end of sequence flow not found", R"(; a "[" lacks its "]")"},
       {"end of map not found",
-       R"(; look for a missing blank behind "-" or ":", a missing colon, or a line that is indented otherwise than its neighbours)"},
-      {"end of sequence not found",
-       R"(; look for a missing blank behind "-", or a line that is indented otherwise than its neighbours)"}};
+       R"(; look for a missing space after "-" or ":", a missing colon, or inconsistent indentation)"},
+      {"end of sequence not found", R"(; look for a missing space after "-", or inconsistent indentation)"}};
   for (const auto& [keys, what] : known)
     if (message.starts_with(keys)) return what;
   return "";
@@ -158,8 +154,7 @@ void check_document(std::string_view text, const std::string& name) {
   Limits first;
   if (!parser.HandleNextDocument(first)) fail(name, 1, 1, "the file is empty");
   if (parser) {
-    // The parser goes on where the model ended, be it at a second document or at a comma or bracket that closes
-    // nothing.
+    // The parser continues after the model: at a second document, or at an unmatched comma or bracket.
     Limits second;
     parser.HandleNextDocument(second);
     fail(name, second.begin().line + 1, second.begin().column + 1,
@@ -172,8 +167,8 @@ void check_document(std::string_view text, const std::string& name) {
 
 void check_yaml(std::string_view text, const std::string& name) {
   if (text.size() > longest_model)
-    throw InputError(fmt::format("{}: has {} MB, and a model has at most {} MB; is it the right file?", name,
-                                 text.size() / 1'000'000, longest_model / 1'000'000));
+    throw InputError(fmt::format("{}: the file has {} MB, and the maximum for a model is {} MB; is it the right file?",
+                                 name, text.size() / 1'000'000, longest_model / 1'000'000));
   if (const auto wrong = wrong_text(text)) fail(name, wrong->line, wrong->column, wrong->what);
   try {
     check_document(text, name);

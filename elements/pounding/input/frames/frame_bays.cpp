@@ -24,11 +24,10 @@ std::array<std::vector<double>, 2> read_bays(const Input& grid, int dimension) {
     return {read_widths(width, count), {}};
   }
   if (!bays.is_list() || bays.items().size() != 2)
-    bays.fail("takes the bays along x and along y in space; type bays: [3, 2]");
+    bays.fail("takes two numbers in space, along x and along y; type bays: [3, 2]");
   std::array<std::vector<double>, 2> both;
   if (width.is_map()) width.only_keys();
-  if (width.is_list())
-    width.fail("takes one width, or one for each direction in space; type bay_width: {x: 6 m, y: 5 m}");
+  if (width.is_list()) width.fail("takes one width, or one per direction in space; type bay_width: {x: 6 m, y: 5 m}");
   for (const int i : {0, 1}) {
     const int count = static_cast<int>(bays.items()[i].as_integer());
     both[i] = read_widths(width.is_map() ? width.at(i == 0 ? "x" : "y") : width, count);

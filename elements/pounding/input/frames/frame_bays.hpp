@@ -1,5 +1,5 @@
 #pragma once
-/// The bays of a grid frame's input.
+/// Bays of a grid.
 
 #include <array>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// `bays` and `bay_width` of a grid: the widths along x and along y [m], none along y in the plane. Throws InputError.
+/// Reads `bays` and `bay_width` of a grid: widths along x and y [m], none along y in the plane. Throws InputError.
 std::array<std::vector<double>, 2> read_bays(const Input& grid, int dimension);
 
 }  // namespace pounding

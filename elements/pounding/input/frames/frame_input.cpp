@@ -18,7 +18,7 @@
 namespace pounding {
 namespace {
 
-// Reads masses, loads, springs, supports, ties, floors and reports of a frame.
+// Reads all parts of a frame.
 class FrameReader {
  public:
   explicit FrameReader(const Input& body) : body_(body), parts_(body) {}
@@ -50,7 +50,7 @@ class FrameReader {
   struct FloorLocation {
     Input location;
     bool rigid;
-    std::vector<double> weights;  // of the nodes, where the masses are none
+    std::vector<double> weights;  // of the nodes if they have no masses
   };
 
   void read_mass(int node, const Input& value) {
@@ -66,7 +66,7 @@ class FrameReader {
   }
 
   void read_load(int node, const Input& value) {
-    if (!value.is_map()) value.fail("takes forces with their directions; type {uz: -10 kN}");
+    if (!value.is_map()) value.fail("takes forces by direction; type {uz: -10 kN}");
     for (const auto& [key, each] : value.entries()) {
       const Dof dof = parts_.keys().dof_at_key(key, each);
       placed(each, [&, &load = each] { model_.frame.add_load(node, dof, load.as_quantity()); });
@@ -76,11 +76,12 @@ class FrameReader {
   void read_spring(const Input& node) {
     node.only_keys();
     const auto at = node.find("node"), between = node.find("between");
-    if (at && between) between->fail_at_key("a spring stands at one node or between two; keep one of node and between");
-    if (!at && !between) node.fail("its place is missing; type node: a for a spring to the ground, or between: [a, b]");
+    if (at && between) between->fail_at_key("a spring is at one node or between two; keep one of node and between");
+    if (!at && !between)
+      node.fail("the location is missing; type node: a for a spring to the ground, or between: [a, b]");
     const Dof dof = parts_.keys().dof(node.at("dof"));
     const auto stiffness = node.find("stiffness"), damping = node.find("damping");
-    if (!stiffness && !damping) node.fail("has neither stiffness nor damping; type stiffness: 1 MN/m");
+    if (!stiffness && !damping) node.fail("stiffness and damping are missing; type stiffness: 1 MN/m");
     const double k = stiffness ? stiffness->as_quantity(of_spring(dof)) : 0;
     const double c = damping ? damping->as_quantity(of_dashpot(dof)) : 0;
     if (at) {
@@ -104,8 +105,9 @@ class FrameReader {
     const int master = parts_.node_of(at);
     const std::vector<int> nodes = parts_.nodes_of(node.at("nodes"));
     const auto dofs = node.find("dofs"), rigid = node.find("rigid");
-    if (dofs && rigid) rigid->fail_at_key("a rigid tie holds all displacements; keep one of dofs and rigid");
-    if (!dofs && !(rigid && rigid->as_bool())) node.fail("what is tied is missing; type dofs: [ux], or rigid: true");
+    if (dofs && rigid) rigid->fail_at_key("a rigid tie constrains all degrees of freedom; keep one of dofs and rigid");
+    if (!dofs && !(rigid && rigid->as_bool()))
+      node.fail("the degrees of freedom are missing; type dofs: [ux], or rigid: true");
     for (const int each : nodes)
       placed(node, [&] {
         if (dofs)
@@ -146,7 +148,7 @@ class FrameReader {
     if (supports && supports->is_scalar()) {
       if (supports->as_text() != "none")
         supports->fail(fmt::format(
-            "takes supports by their nodes, such as {{a: fixed}}, feet for those of a grid, or none; \"{}\" was read",
+            "takes supports by node such as {{a: fixed}}, with feet for all feet of a grid, or none; \"{}\" was read",
             supports->as_text()));
       model_.is_free = true;
       return;
@@ -173,24 +175,25 @@ class FrameReader {
     floor.nodes = parts_.nodes_of(list);
     for (std::size_t i = 0; i < floor.nodes.size(); ++i)
       for (const FrameFloor* other : all_with(floor, i))
-        list.items()[i].fail(other == &floor ? std::string("stands twice in this floor; keep it once")
-                                             : fmt::format("belongs to floor {} already", other->label));
+        list.items()[i].fail(other == &floor ? std::string("is in this floor twice; keep it once")
+                                             : fmt::format("already belongs to floor {}", other->label));
     floor.elevation = model_.frame.position(floor.nodes.front()).z();
     if (const auto elevation = node.find("elevation")) floor.elevation = elevation->as_quantity();
     const auto label = node.find("label");
     floor.label = label ? label->as_text() : std::to_string(model_.floors.size() + 1);
     for (const FrameFloor& other : model_.floors)
       if (other.label == floor.label)
-        (label ? *label : node).fail(fmt::format("two floors have the label {}; choose another one", floor.label));
+        (label ? *label : node)
+            .fail(fmt::format("the label {} is already used by another floor; choose another label", floor.label));
     if (!model_.floors.empty() && floor.elevation <= model_.floors.back().elevation)
-      node.fail(
-          fmt::format("floors stand in the order from the ground up, and this one at {} is not above floor {} at {}",
-                      height(floor.elevation), model_.floors.back().label, height(model_.floors.back().elevation)));
+      node.fail(fmt::format("floors are listed from the ground up, but this one at {} is not above floor {} at {}",
+                            height(floor.elevation), model_.floors.back().label,
+                            height(model_.floors.back().elevation)));
     model_.floors.push_back(std::move(floor));
     add_floor_location(node, node.find("rigid"));
   }
 
-  // Notes the place of the floor that was added last. Floors in space are rigid unless the input says otherwise.
+  // Stores the location of the last floor. Floors in space are rigid by default.
   void add_floor_location(const Input& location, const std::optional<Input>& rigid) {
     const bool of_grid = floor_locations_.size() < grid_floors_;
     floor_locations_.push_back({location, rigid ? rigid->as_bool() : parts_.dimension() == 3,
@@ -199,7 +202,7 @@ class FrameReader {
 
   std::string height(double z) const { return format_quantity(z + parts_.origin().z(), dimension::length); }
 
-  // The floors that hold the i-th node of this one beside that place.
+  // Floors that contain the i-th node of this floor, apart from that entry.
   std::vector<const FrameFloor*> all_with(const FrameFloor& floor, std::size_t i) const {
     const auto end = floor.nodes.begin() + static_cast<std::ptrdiff_t>(i);
     std::vector<const FrameFloor*> found;
@@ -215,7 +218,7 @@ class FrameReader {
       const FloorLocation& from = floor_locations_[i];
       if (!from.rigid) continue;
       placed(from.location, [&] { make_floor_rigid(model_, static_cast<int>(i), from.weights); });
-      // In space the floor has got a master.
+      // In space a rigid floor has a master node.
       if (model_.frame.nodes() > static_cast<int>(parts_.frame.node_locations.size()))
         parts_.frame.node_locations.push_back(from.location);
     }
@@ -266,11 +269,11 @@ class FrameReader {
   FramePartsInput parts_;
   FrameModel& model_ = parts_.frame.model;
   std::size_t grid_floors_ = model_.floors.size();
-  std::vector<int> common_;  // supports without a motion of their own
+  std::vector<int> common_;  // supports without a separate motion
   std::vector<FloorLocation> floor_locations_;
 };
 
-// At the place of the hinge, isolator, node or member that the refusal begins with, else at the frame.
+// Fails at the hinge, isolator, node or member with which the message begins, else at the frame.
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
   for (std::size_t hinge = 0; hinge < from.hinge_locations.size(); ++hinge)

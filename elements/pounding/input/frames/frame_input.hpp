@@ -1,5 +1,5 @@
 #pragma once
-/// The input of a frame, as it stands under `frame:`.
+/// The `frame:` section of an input file.
 
 #include <string>
 #include <vector>
@@ -10,20 +10,19 @@
 
 namespace pounding {
 
-/// A frame as it was read, and where its nodes, members, hinges and isolators stand in the file.
+/// A frame as read, with the locations of its nodes, members, hinges and isolators in the file.
 struct FrameInput {
   FrameModel model;
   std::vector<Input> node_locations, member_locations, hinge_locations, isolator_locations;
 };
 
-/// Reads and checks everything that needs no matrices. Throws InputError at the place of what is wrong.
+/// Reads and checks everything that does not need matrices. Throws InputError with the location.
 ///
-/// Loads act whenever they are given; `gravity` says whether the weights act too. The origin is added to the elevations
-/// of floors as well.
+/// Loads always act; `gravity` adds the weights. The origin is also added to the elevations of floors.
 FrameInput read_frame(const Input& body);
 
-/// Reads a frame and makes its structure. Throws InputError at the place of what is wrong: of a node, a member or a
-/// hinge where the frame names one, else at the frame.
+/// Reads the frame and creates its structure. Throws InputError at the node, member, hinge or isolator of the error,
+/// else at the frame.
 Structure read_frame_structure(const Input& body);
 
 }  // namespace pounding

@@ -27,7 +27,7 @@ int read_dimension(const Input& body) {
   if (!given) return spatial ? 3 : 2;
   const int dimension = static_cast<int>(given->as_integer());
   if (dimension == 2 && spatial)
-    spatial->fail("is for a frame in space, and its dimension is given as 2; type dimension: 3, or leave y out");
+    spatial->fail("is for a frame in space, but its dimension is 2; type dimension: 3, or leave y out");
   return dimension;
 }
 
@@ -90,27 +90,25 @@ std::vector<Dof> FrameParser::fixed_by(const Input& spec) const {
 GroundComponents FrameParser::ground(const Input& node) const {
   if (const auto components = node.find("components"); components && dimension_ == 2) components->only_keys({"x", "z"});
   const GroundSection ground = read_ground_section(node);
-  if (ground.wave) node.fail("a wave belongs to the ground_motion of all structures; give this support a delay");
+  if (ground.wave) node.fail("a wave is allowed only in the ground_motion of the model; give this support a delay");
   return ground.components;
 }
 
-// Along which axes it acts, and what is held beside them.
+// Reads an isolator and adds the restraints of the other degrees of freedom.
 void FrameParser::read_isolator(const Input& support, const Input& isolator, SupportWish& wish) const {
   wish.isolator = read_isolator_law(isolator);
   if (const auto coupled = isolator.find("coupled")) {
-    if (dimension_ == 2)
-      coupled->fail_at_key("is for frames in space; a plane one moves along x only, so leave it out");
+    if (dimension_ == 2) coupled->fail_at_key("is for frames in space; a plane frame moves along x only. Leave it out");
     wish.isolator->is_coupled = coupled->as_bool();
   }
   if (dimension_ == 3 && wish.isolator->is_coupled)
     isolator.fail(
-        "moves along x and y at once in space, and no law couples the two yet; type coupled: false for each axis by "
-        "itself, which "
-        "carries up to 1.41 times too much along a diagonal");
+        "moves along x and y in space, and coupled laws are not available yet; type coupled: false for separate laws, "
+        "which overestimate the strength along a diagonal by a factor of up to 1.41");
   const auto acts = [&](Dof dof) { return dof == Dof::ux || dof == Dof::uy; };
   if (const auto fix = support.find("fix")) {
     if (std::ranges::any_of(wish.fixed, acts))
-      fix->fail("holds what the isolator lets go; type fix: [uz, ry], or leave fix out");
+      fix->fail("restrains the motion of the isolator; type fix: [uz, ry], or leave fix out");
     return;
   }
   for (const Dof dof : dofs_of(dimension_))
@@ -132,14 +130,14 @@ SupportWish FrameParser::support(const Input& node) const {
     for (const auto& [dof_name, value] : given->entries()) {
       const Dof dof = dof_at_key(dof_name, value);
       if (std::find(wish.fixed.begin(), wish.fixed.end(), dof) != wish.fixed.end())
-        value.fail_at_key(fmt::format("{} is fixed here too; keep one of the two", dof_name));
+        value.fail_at_key(fmt::format("{} is also fixed; keep one of the two", dof_name));
       into.emplace_back(dof, value.as_quantity());
     }
   };
   pairs("springs", wish.springs);
   pairs("dashpots", wish.dashpots);
   if (wish.fixed.empty() && wish.springs.empty() && wish.dashpots.empty())
-    node.fail("holds nothing; type fix: [ux, uz], or springs: {ux: 20 MN/m}");
+    node.fail("the support has no restraints or springs; type fix: [ux, uz], or springs: {ux: 20 MN/m}");
   wish.delay = node.quantity("delay");
   if (const auto motion = node.find("ground_motion")) wish.motion = ground(*motion);
   return wish;

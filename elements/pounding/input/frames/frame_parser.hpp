@@ -1,5 +1,5 @@
 #pragma once
-/// Words of a frame's input that mean other things in the plane than in space: displacements, vectors, supports.
+/// Values that differ between plane and space frames: degrees of freedom, vectors, supports.
 
 #include <Eigen/Core>
 #include <optional>
@@ -16,11 +16,11 @@
 
 namespace pounding {
 
-/// Dimensions of what holds a displacement: other ones for translations than for rotations.
+/// Dimensions of springs and dashpots on a translation or a rotation.
 const Dimension& of_spring(Dof dof);
 const Dimension& of_dashpot(Dof dof);
 
-/// A support as the input asks for it.
+/// A support as specified in the input.
 struct SupportWish {
   std::vector<Dof> fixed;
   std::vector<std::pair<Dof, double>> springs, dashpots;  ///< [N/m], [N m]; [N s/m], [N m s]
@@ -29,24 +29,24 @@ struct SupportWish {
   std::optional<GroundComponents> motion;
 };
 
-/// Reads single words. Everything throws InputError at what is wrong.
+/// Reads single values. All functions throw InputError with the location.
 class FrameParser {
  public:
-  /// `frame` is the whole input: its dimension is given, or 3 where its bays or nodes are those of a space, else 2.
+  /// `frame` is the whole section. The dimension is given, or 3 if its bays or nodes are three-dimensional, else 2.
   explicit FrameParser(const Input& frame);
 
   /// 2 in the plane, 3 in space.
   int dimension() const noexcept { return dimension_; }
 
-  /// A displacement by its name such as ux, among those of a node of this frame.
+  /// A degree of freedom such as ux.
   Dof dof(const Input& item) const;
-  /// A displacement whose name is the key of a value.
+  /// The degree of freedom whose name is the key of a value.
   Dof dof_at_key(const std::string& key, const Input& value) const;
-  /// A list of them.
+  /// A list of degrees of freedom.
   std::vector<Dof> dofs(const Input& list) const;
-  /// [x, z] in the plane, [x, y, z] in space; `example` is for the message.
+  /// [x, z] in the plane, [x, y, z] in space; `example` is used in the message.
   Eigen::Vector3d vector(const Input& node, std::string_view example) const;
-  /// `fixed`, `pinned` or `roller`, or a map of what it fixes and of its springs, dashpots, delay and motion.
+  /// `fixed`, `pinned` or `roller`, or a map with restraints, springs, dashpots, delay and motion.
   SupportWish support(const Input& node) const;
 
  private:

@@ -11,10 +11,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Groups of members of a grid: columns, beams, and one line of columns.
+// Groups of members of a grid: columns, beams, or one column line.
 bool is_group(const std::string& name) { return name == "columns" || name == "beams" || name.starts_with("columns "); }
 
-// "columns 2" for "column 1.2"; nothing for beams.
+// "columns 2" for "column 1.2"; empty for beams.
 std::string line_of(const std::string& member) {
   return member.starts_with("column ") ? "columns " + member.substr(member.find('.') + 1) : std::string();
 }
@@ -52,7 +52,7 @@ FramePartsInput::FramePartsInput(const Input& body) : body_(body), keys_(body), 
       if (!is_of_grid(name)) read_member(name, node);
 }
 
-// Names of the user's members have no dot.
+// Names of user-defined members have no dot.
 bool FramePartsInput::is_of_grid(const std::string& name) const {
   return body_.has("grid") && (name.find('.') != std::string::npos || is_group(name));
 }
@@ -79,7 +79,7 @@ int FramePartsInput::node_of(const Input& item) const {
 std::vector<int> FramePartsInput::nodes_of(const Input& list) const {
   std::vector<int> nodes;
   for (const Input& item : list.items()) nodes.push_back(node_of(item));
-  if (nodes.empty()) list.fail("takes the names of nodes such as [a, b]; the list is empty");
+  if (nodes.empty()) list.fail("takes node names such as [a, b]; the list is empty");
   return nodes;
 }
 
@@ -125,8 +125,7 @@ void FramePartsInput::read_grid(const Input& node) {
   frame.member_locations.assign(made.members(), node);
 }
 
-// Reads the members of the grid that the input changes by their names. One that is named itself has nothing of its
-// group.
+// Reads changes to members of the grid. The entry of a single member replaces that of its group.
 void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid) const {
   const std::vector<std::string> known = grid.member_names();
   for (const auto& [name, node] : members.entries())
@@ -148,7 +147,7 @@ GridMember FramePartsInput::read_member_of_grid(const Input& node) const {
   node.only_keys();
   for (const std::string_view key : {"between", "truss"})
     if (const auto found = node.find(key))
-      found->fail_at_key("belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
+      found->fail_at_key("is not allowed for a member of the grid, which keeps its nodes and remains a beam");
   GridMember own;
   if (const auto section = node.find("section")) own.section = library_.section(*section);
   if (const auto material = node.find("material")) own.material = library_.material(*material);
@@ -169,7 +168,7 @@ void FramePartsInput::check_name(const std::string& name, const Input& location)
 
 void FramePartsInput::read_node(const std::string& name, const Input& node) {
   check_name(name, node);
-  if (name == "feet" && body_.has("grid")) node.fail_at_key("\"feet\" are those of the grid; choose another name");
+  if (name == "feet" && body_.has("grid")) node.fail_at_key("\"feet\" refers to the grid; choose another name");
   const Vector3d position = keys_.vector(node, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]");
   nodes_.emplace(name, placed(node, [&] { return frame.model.frame.add_node(position, name); }));
   frame.node_locations.push_back(node);
@@ -184,7 +183,7 @@ void FramePartsInput::name_member(int member, const std::string& name, const Inp
 void FramePartsInput::add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end,
                                 const Material& material) {
   for (const std::string_view key : {"section", "releases", "offsets", "load", "parts", "reference"})
-    if (const auto found = node.find(key)) found->fail_at_key("belongs to a beam; a truss takes its area only");
+    if (const auto found = node.find(key)) found->fail_at_key("belongs to a beam; a truss has an area only");
   const double area = truss.as_quantity();
   name_member(placed(node, [&] { return frame.model.frame.add_truss(start, end, area, material); }), name, node);
 }
@@ -203,7 +202,7 @@ BeamOptions FramePartsInput::read_beam_options(const Input& node) const {
     if (const auto at = offsets->find("end")) options.end_offset = keys_.vector(*at, example);
   }
   if (const auto reference = node.find("reference")) {
-    if (dimension_ == 2) reference->fail_at_key("is for frames in space; in the plane local y is y; leave it out");
+    if (dimension_ == 2) reference->fail_at_key("is for frames in space; leave it out");
     options.reference = keys_.vector(*reference, "[0, 1, 0]");
   }
   return options;
@@ -211,7 +210,7 @@ BeamOptions FramePartsInput::read_beam_options(const Input& node) const {
 
 void FramePartsInput::read_member(const std::string& name, const Input& node) {
   check_name(name, node);
-  if (members_.contains(name)) node.fail_at_key("the grid has a member of this name; choose another one");
+  if (members_.contains(name)) node.fail_at_key("the grid already has a member of this name; choose another one");
   node.only_keys();
   const Input between = node.at("between");
   if (!between.is_list() || between.items().size() != 2) between.fail("takes two nodes; type between: [a, b]");

@@ -1,5 +1,5 @@
 #pragma once
-/// The nodes and members of a frame's input: its grid and its lists.
+/// Nodes and members of a frame, from its grid and its lists.
 
 #include <map>
 #include <stdexcept>
@@ -13,7 +13,7 @@
 
 namespace pounding {
 
-/// Returns what the call returns; its std::invalid_argument is reported at this place of the input.
+/// Returns the result of the call. Reports a std::invalid_argument at this location of the input.
 template <class Act>
 auto placed(const Input& location, Act&& act) {
   try {
@@ -23,26 +23,26 @@ auto placed(const Input& location, Act&& act) {
   }
 }
 
-/// Reads `grid`, `nodes` and `members` into a frame and knows them by their names afterwards. Everything throws
-/// InputError at what is wrong.
+/// Reads `grid`, `nodes` and `members` into a frame and finds them by name. All functions throw InputError with the
+/// location.
 class FramePartsInput {
  public:
-  /// `body` is the whole input of the frame and outlives this.
+  /// `body` is the whole section of the frame; it must outlive this object.
   explicit FramePartsInput(const Input& body);
 
-  /// The frame so far; the rest of the input is added by the caller.
+  /// The frame; the caller adds the rest of the input.
   FrameInput frame;
 
-  const FrameParser& keys() const { return keys_; }  ///< reads single words of this frame
+  const FrameParser& keys() const { return keys_; }  ///< reads single values of this frame
   int dimension() const { return dimension_; }       ///< 2 in the plane, 3 in space
-  /// Place of the foot of the frame, by which the caller moves it when all is read [m].
+  /// Position of the foot of the frame [m]; the caller moves the complete frame there.
   const Eigen::Vector3d& origin() const { return origin_; }
-  /// Nodes on the ground of the grid, and the shares of the nodes of each of its floors.
+  /// Ground nodes of the grid, and mass fractions of the nodes of a floor.
   const GridParts& grid() const { return grid_; }
   const std::map<std::string, int>& node_numbers() const { return nodes_; }
   const std::map<std::string, int>& member_numbers() const { return members_; }
 
-  /// The node that a key, an item or the items of a list name.
+  /// Nodes named by a key, an item or the items of a list.
   int node_at_key(const std::string& name, const Input& location) const;
   int node_of(const Input& item) const;
   std::vector<int> nodes_of(const Input& list) const;

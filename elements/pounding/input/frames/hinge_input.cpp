@@ -19,11 +19,11 @@
 namespace pounding {
 namespace {
 
-// A member as the input names it: one of the frame, or all parts of one that is cut.
+// A member of the input: one element of the frame, or all elements of a subdivided member.
 struct Whole {
   std::string name;
   int first, last;    // members of the frame
-  double length = 0;  // of all parts
+  double length = 0;  // of all elements
 };
 
 std::vector<Whole> wholes(const Frame& frame) {
@@ -37,16 +37,17 @@ std::vector<Whole> wholes(const Frame& frame) {
   return all;
 }
 
-// Yield moments: sagging, and hogging where two are given.
+// Yield moments: sagging, and hogging if given.
 std::pair<double, std::optional<double>> read_moments(const Input& node) {
   if (!node.is_list()) return {node.as_quantity(dimension::energy, bounds::positive), std::nullopt};
   const std::vector<Input> items = node.items();
   if (items.size() != 2)
-    node.fail(fmt::format(
-        "takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of {} was read",
-        items.size()));
+    node.fail(
+        fmt::format("takes one moment, or two, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of {} was read",
+                    items.size()));
   const double hogging = items[1].as_quantity(dimension::energy, bounds::any);
-  if (!(hogging < 0)) items[1].fail("the second moment is that of hogging, and negative; type [210 kN m, -260 kN m]");
+  if (!(hogging < 0))
+    items[1].fail("the second moment is the hogging moment and must be negative; type [210 kN m, -260 kN m]");
   return {items[0].as_quantity(dimension::energy, bounds::positive), -hogging};
 }
 
@@ -71,7 +72,7 @@ class HingeReader {
  private:
   const Frame& frame() const { return frame_.model.frame; }
 
-  // All level or all upright members.
+  // All horizontal or all vertical members.
   std::vector<Whole> chosen(const std::string& group, const Input& node) const {
     std::vector<Whole> all;
     for (const Whole& whole : wholes_) {
@@ -80,8 +81,8 @@ class HingeReader {
       if (!beam.is_truss() && (group == "beams" ? rise < 1e-6 : rise > 1 - 1e-12)) all.push_back(whole);
     }
     if (all.empty())
-      node.fail_at_key(fmt::format("the frame has no {}: no member is {}; name its members one by one", group,
-                                   group == "beams" ? "level" : "upright"));
+      node.fail_at_key(fmt::format("the frame has no {}: no member is {}; give hinges by member", group,
+                                   group == "beams" ? "horizontal" : "vertical"));
     return all;
   }
 
@@ -133,17 +134,16 @@ class HingeReader {
           found_.insert_or_assign(std::tuple(hinge.member, end, axis), std::pair(hinge, node));
         }
       }
-    if (!is_any)
-      node.at("at").fail("no end stands on a node that the ground holds; type at: start, at: end or at: both");
+    if (!is_any) node.at("at").fail("no end is at a supported node; type at: start, at: end or at: both");
   }
 
-  // Yield moment and what comes after it: rigid-plastic, or of a spring in series.
+  // Reads a rigid-plastic hinge or a spring in series.
   Hinge read_law(const Input& node) const {
     if (const hysteresis::Entry* law = law_among_keys(node, "a hinge")) {
       for (const char* const key : {"yield_moment", "hardening"})
         if (const auto found = node.find(key))
           found->fail_at_key(fmt::format(
-              "belongs to a rigid-plastic hinge, and {0} is given too; write it inside {0}, or leave {0} out",
+              "belongs to a rigid-plastic hinge, and {0} is also given; write it inside {0}, or leave {0} out",
               law->name));
       return read_spring(node.at(law->name), *law);
     }
@@ -163,7 +163,7 @@ class HingeReader {
     if (hogging) {
       if (std::ranges::find(law.parameters, "negative_yield_force", &hysteresis::ParameterInfo::name) ==
           law.parameters.end())
-        moment.fail(fmt::format("{} yields at the same moment both ways; give one", law.name));
+        moment.fail(fmt::format("{} has the same yield moment in both directions; give one", law.name));
       hinge.law->values["negative_yield_moment"] = *hogging;
     }
     const auto stiffness = node.find("stiffness"), factor = node.find("stiffness_factor");
@@ -175,7 +175,7 @@ class HingeReader {
     const auto of_member = node.find("hardening"), of_spring = node.find("spring_hardening");
     if (of_member && of_spring)
       of_spring->fail_at_key(
-          "give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+          "give hardening (ratio of the member end) or spring_hardening (ratio of the spring alone), not both");
     if (of_member) hinge.law->values["hardening"] = of_member->as_quantity();
     for (const hysteresis::ParameterInfo& parameter : law.parameters)
       if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
@@ -189,7 +189,7 @@ class HingeReader {
   FrameInput& frame_;
   std::vector<Whole> wholes_;
   std::vector<int> grounded_;
-  std::map<std::tuple<int, MemberEnd, BendingAxis>, std::pair<Hinge, Input>> found_;  // by member, which is their order
+  std::map<std::tuple<int, MemberEnd, BendingAxis>, std::pair<Hinge, Input>> found_;  // ordered by member
 };
 
 }  // namespace

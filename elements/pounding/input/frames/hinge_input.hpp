@@ -5,8 +5,8 @@
 
 namespace pounding {
 
-/// Adds what stands under `hinges` to a frame that has its members and supports, and notes the places of the hinges.
-/// Throws InputError at the place of what is wrong.
+/// Adds the hinges to a frame with members and supports, and stores their locations. Throws InputError with the
+/// location.
 void read_hinges(const Input& hinges, FrameInput& frame);
 
 }  // namespace pounding

@@ -72,7 +72,7 @@ Value named(const Input& node, std::string_view what, const std::map<std::string
   return found->second;
 }
 
-// Storeys that a key such as "4" or "1-3" names.
+// Storeys of a key such as "4" or "1-3".
 std::pair<int, int> storeys_of(const std::string& key, const Input& location, int storeys) {
   int first = 0, last = 0;
   const char *begin = key.data(), *end = begin + key.size();
@@ -86,10 +86,11 @@ std::pair<int, int> storeys_of(const std::string& key, const Input& location, in
   } else
     is_range = false;
   if (!is_range)
-    location.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", excerpt(key)));
+    location.fail_at_key(
+        fmt::format("\"{}\" is not a storey; type a number such as 4, or a range such as 1-3", excerpt(key)));
   if (first < 1 || last < first || last > storeys)
     location.fail_at_key(
-        fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", excerpt(key), storeys));
+        fmt::format("\"{}\" is out of range: storeys are numbered from 1 at the ground to {}", excerpt(key), storeys));
   return {first, last};
 }
 
@@ -105,7 +106,7 @@ Material read_material(const Input& node) {
   node.only_keys();
   const double young = node.quantity("E");
   const auto shear = node.find("G"), poisson = node.find("poisson");
-  if (shear && poisson) poisson->fail_at_key("G and poisson both set the shear modulus; keep one of them");
+  if (shear && poisson) poisson->fail_at_key("G and poisson both define the shear modulus; keep one of them");
   const double density = node.quantity("density");
   if (shear) return {.young = young, .shear = shear->as_quantity(), .density = density};
   return isotropic(young, density, node.quantity("poisson"));
@@ -119,12 +120,13 @@ Section read_section(const Input& node, int dimension) {
     const auto found = node.find(each);
     if (!found) continue;
     if (shape)
-      found->fail_at_key(fmt::format("a section has one shape, and a {} is given too; keep one of the two", *shape));
+      found->fail_at_key(fmt::format("a section has one shape, and {} is also given; keep one of the two", *shape));
     shape = each;
   }
   for (const std::string_view key : numbers)
     if (const auto found = node.find(key); found && shape)
-      found->fail_at_key(fmt::format("follows from the {}; leave it out, or give numbers only", *shape));
+      found->fail_at_key(
+          fmt::format("follows from the shape {}; leave it out, or give section properties only", *shape));
   if (!shape && !node.has("area")) node.fail(fmt::format("the shape is missing; type {}", section_example));
 
   Section section = shape ? read_shape(*node.find(*shape), *shape) : read_numbers(node, dimension);
@@ -132,8 +134,8 @@ Section read_section(const Input& node, int dimension) {
     const bool wanted = shear->as_bool();
     const bool has = dimension == 2 ? node.has("shear_area_z") : node.has("shear_area_y") && node.has("shear_area_z");
     if (wanted && !shape && !has)
-      shear->fail(dimension == 2 ? "needs shear_area_z; type shear_area_z: 0.13 m^2"
-                                 : "needs shear_area_y and shear_area_z; type shear_area_z: 0.13 m^2");
+      shear->fail(dimension == 2 ? "requires shear_area_z; type shear_area_z: 0.13 m^2"
+                                 : "requires shear_area_y and shear_area_z; type shear_area_z: 0.13 m^2");
     if (!wanted) section = without_shear_deformation(section);
   }
   if (const auto stiffness = node.find("stiffness")) section = with_stiffness(section, stiffness->as_quantity());
@@ -184,9 +186,8 @@ GridSections SectionLibrary::sections_of_grid(const Input& node, int storeys, in
   }
   for (int storey = 1; storey <= storeys; ++storey)
     if (rows[storey - 1].empty())
-      node.fail(fmt::format(
-          "storey {} is missing; the keys name every storey from 1 to {} once, as in {{1-3: C60, 4-5: C50}}", storey,
-          storeys));
+      node.fail(fmt::format("storey {} is missing; list every storey from 1 to {} once, as in {{1-3: C60, 4-5: C50}}",
+                            storey, storeys));
   return rows;
 }
 

@@ -1,4 +1,3 @@
-#include <pounding/input/keys/devices.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/shared.hpp>
 
@@ -11,203 +10,98 @@ namespace {
 constexpr std::string_view comparisons[] = {"no_pounding"};
 
 constexpr Key model_keys[] = {
-    {.key = "title",
-     .takes = Takes::text,
-     .otherwise = "no title",
-     .meaning = "Title of the model, for reports and pictures.",
-     .example = "Two oscillators"},
-    {.key = "ground_motion",
-     .inside = &ground_motion,
-     .otherwise = "a still ground",
-     .meaning = "Motion of the ground under all structures that have none of their own.",
-     .example = "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
-    {.key = "structures",
-     .form = Form::named,
-     .inside = &structure,
-     .need = Need::required,
-     .meaning = "The structures by their names, in the order of the results. A name has no \".\" and no \"/\".",
-     .example = "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}"},
-    {.key = "links",
-     .form = Form::list,
-     .inside = &link,
-     .otherwise = "no links",
-     .meaning = "The places where two structures can hit each other, one member of the list a link.",
-     .example = "[{between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9}]"},
-    {.key = "devices",
-     .form = Form::named,
-     .inside = &device,
-     .otherwise = "no devices",
-     .since = "0.2.0",
-     .meaning = "Bars and dampers between two structures by their names: they always act, both ways.",
-     .example = "{top damper: {between: [left, right], damper: {coefficient: 200 kN s/m}}}"},
-    {.key = "analysis",
-     .inside = &analysis,
-     .meaning = "How long and how exactly the model is run.",
-     .example = "{duration: 10 s}"},
-    {.key = "checkpoint",
-     .inside = &checkpoint,
-     .otherwise = "every second of run time",
-     .meaning =
-         "How often the results file is rewritten while the run goes on, so that a run that was killed can be resumed.",
-     .example = "{every: 60 s}"},
-    {.key = "compare",
-     .takes = Takes::choice,
-     .choices = comparisons,
-     .noun = "comparison",
-     .otherwise = "no comparison",
-     .meaning = "no_pounding also runs the structures without links and reports the ratio of the peaks.",
-     .example = "no_pounding"},
-    {.key = "accept",
-     .takes = Takes::choice,
-     .form = Form::list,
-     .choices = warning_names,
-     .noun = "warning",
-     .otherwise = "no warning",
-     .since = "0.2.0",
-     .meaning = "Warnings about what is implausible that are meant as they are, and not printed.",
-     .example = "[period]"}};
+    {"title", text(), otherwise("no title"), "Title of the model, for reports and pictures.", "Two oscillators"},
+    {"ground_motion", map(ground_motion), otherwise("no ground motion"),
+     "Ground motion of all structures without a separate one.",
+     "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
+    {"structures", map(structure).named(), required,
+     "Structures by name; results follow this order. A name contains neither \".\" nor \"/\".",
+     "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}"},
+    {"links", map(link).list(), otherwise("no links"), "Links: locations at which two structures can collide.",
+     "[{between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9}]"},
+    {"devices", map(device).named(), otherwise("no devices"),
+     "Bars and dampers between two structures, by name. They act permanently, in tension and compression.",
+     "{top damper: {between: [left, right], damper: {coefficient: 200 kN s/m}}}", "0.2.0"},
+    {"analysis", map(analysis), optional, "Duration, accuracy and method of the time integration.", "{duration: 10 s}"},
+    {"checkpoint", map(checkpoint), otherwise("every second of wall-clock time"),
+     "Interval at which the results file is updated during a run, so that an interrupted run can be resumed.",
+     "{every: 60 s}"},
+    {"compare", choice(comparisons, "comparison"), otherwise("no comparison"),
+     "no_pounding also runs the structures without links and reports the ratios of the peak responses.", "no_pounding"},
+    {"accept", choice(warning_names, "warning").list(), otherwise("no warning"), "Plausibility warnings to suppress.",
+     "[period]", "0.2.0"},
+};
 
 constexpr Key analysis_keys[] = {
-    {.key = "duration",
-     .takes = Takes::quantity,
-     .dimension = dimension::time,
-     .bounds = bounds::positive,
-     .otherwise = "that of the ground motion",
-     .meaning = "Length of the run, from time 0.",
-     .example = "10 s"},
-    {.key = "tolerance",
-     .takes = Takes::quantity,
-     .bounds = {.low = min_tolerance, .high = max_tolerance},
-     .otherwise = "1e-4",
-     .meaning = "Largest error, relative to the motion and to the forces of the links.",
-     .example = "1e-5"},
-    {.key = "output_step",
-     .takes = Takes::quantity,
-     .dimension = dimension::time,
-     .bounds = bounds::positive,
-     .otherwise = "the step of the record; without a record a thousandth of the duration",
-     .meaning = "Time between two outputs; at most the duration. It does not change the run.",
-     .example = "0.01 s"},
-    {.key = "integrator",
-     .takes = Takes::choice,
-     .choices = Scheme::names,
-     .otherwise = "esdirk4",
-     .meaning = "Scheme of the time stepping: esdirk4 of order four, generalized_alpha of order two.",
-     .example = "esdirk4"},
-    {.key = "spectral_radius",
-     .takes = Takes::quantity,
-     .bounds = bounds::from_0_to_1,
-     .otherwise = "1",
-     .meaning = "Spectral radius at infinite frequency: 1 damps nothing, 0 all high modes. It needs integrator: "
-                "generalized_alpha.",
-     .example = "0.8"},
-    {.key = "max_step",
-     .takes = Takes::quantity,
-     .dimension = dimension::time,
-     .bounds = bounds::positive,
-     .otherwise = "chosen from the record and from the shortest period",
-     .meaning = "Longest step of the time stepping.",
-     .example = "1 ms"},
-    {.key = "most_steps",
-     .takes = Takes::integer,
-     .bounds = {.low = 1, .high = limits::max_steps},
-     .otherwise = "100000000",
-     .since = "0.2.0",
-     .meaning = "Steps that the run may take. A run that needs more is refused where that is known at its start; "
-                "otherwise it ends there, and "
-                "--resume goes on with it.",
-     .example = "500000000"},
+    {"duration", quantity(dimension::time, bounds::positive), otherwise("duration of the ground motion"),
+     "Simulated time, starting at 0.", "10 s"},
+    {"tolerance", number(min_tolerance, max_tolerance), otherwise("1e-4"),
+     "Error tolerance of the time integration, relative to the peak motion and the peak link forces.", "1e-5"},
+    {"output_step", quantity(dimension::time, bounds::positive),
+     otherwise("time step of the record; without a record, 1/1000 of the duration"),
+     "Time between two outputs; at most the duration. It does not affect the time integration.", "0.01 s"},
+    {"integrator", choice(Scheme::names), otherwise("esdirk4"),
+     "Time integration scheme: esdirk4 (fourth order) or generalized_alpha (second order).", "esdirk4"},
+    {"spectral_radius", number(bounds::from_0_to_1), otherwise("1"),
+     "Spectral radius at infinite frequency: 1 for no numerical damping, 0 for maximum damping of high modes. Requires "
+     "integrator: generalized_alpha.",
+     "0.8"},
+    {"max_step", quantity(dimension::time, bounds::positive), otherwise("from the record and the shortest period"),
+     "Maximum time step.", "1 ms"},
+    {"most_steps", integer(1, limits::max_steps), otherwise("100000000"),
+     "Maximum number of steps. A run that is known to need more does not start; any other run stops at this number and "
+     "can be continued with --resume.",
+     "500000000", "0.2.0"},
     reduction_key,
-    {.key = "collapse_drift",
-     .takes = Takes::quantity,
-     .bounds = bounds::positive,
-     .otherwise = "no end before the duration",
-     .since = "0.2.0",
-     .meaning = "Drift of a storey over its height at which a structure has collapsed. The run ends there, as done, "
-                "and says when, where and "
-                "what had yielded.",
-     .example = "10 %"}};
+    {"collapse_drift", number(bounds::positive), otherwise("no limit"),
+     "Storey drift ratio at which a structure counts as collapsed. The run then ends normally and reports the time, "
+     "the storey and the members that have yielded.",
+     "10 %", "0.2.0"},
+};
 
 constexpr std::string_view bound_by_error[] = {"acceleration", "members"};
 
 constexpr Key reduction_keys[] = {
-    {.key = "links",
-     .takes = Takes::integer,
-     .bounds = {.low = 1, .high = 100},
-     .otherwise = "5",
-     .since = "0.2.0",
-     .meaning = "Blocks of the chain of the links: one is their static answers, each more brings higher frequencies. "
-                "Four serve a tolerance "
-                "of 1e-3, more with light damping.",
-     .example = "5"},
-    {.key = "ground",
-     .takes = Takes::integer,
-     .bounds = {.low = 0, .high = 500},
-     .otherwise = "20",
-     .since = "0.2.0",
-     .meaning = "Blocks of the chain of the ground and of forces over time, with a few coordinates each.",
-     .example = "20"},
-    {.key = "modes",
-     .takes = Takes::integer,
-     .bounds = {.low = 1, .high = 5000},
-     .since = "0.2.0",
-     .meaning =
-         "Lowest natural modes beside the static answers, instead of blocks: for comparison with other programs.",
-     .example = "2"},
-    {.key = "error",
-     .takes = Takes::quantity,
-     .bounds = {.low = 1e-9, .high = 0.1},
-     .otherwise = "0.3 of the tolerance",
-     .since = "0.2.0",
-     .meaning = "As deep as this bound needs, instead of numbers: three times the estimated error of the forces of "
-                "links and of the displacements of "
-                "floors that the reduction makes, over the largest ones.",
-     .example = "1e-4"},
-    {.key = "of",
-     .takes = Takes::choice,
-     .form = Form::list,
-     .choices = bound_by_error,
-     .noun = "response",
-     .otherwise = "forces and displacements alone",
-     .since = "0.2.0",
-     .meaning = "What else the error holds for: accelerations of floors, forces of members.",
-     .example = "[acceleration]"},
-    {.key = "check",
-     .takes = Takes::boolean,
-     .otherwise = "false",
-     .since = "0.2.0",
-     .meaning = "true steps all unknowns through the three hardest impacts after the run, from its state and with its "
-                "link forces, and tells how far they "
-                "are from it. Alone it reduces as auto does.",
-     .example = "true"}};
+    {"links", integer(1, 100), otherwise("5"),
+     "Number of blocks of the Krylov subspace for link forces: the first block contains the static responses, each "
+     "further block adds higher frequencies. Four suffice for a tolerance of 1e-3; light damping needs more.",
+     "5", "0.2.0"},
+    {"ground", integer(0, 500), otherwise("20"),
+     "Number of blocks of the Krylov subspace for ground motion and applied forces, with a few coordinates per block.",
+     "20", "0.2.0"},
+    {"modes", integer(1, 5000), optional,
+     "Number of lowest natural modes used with the static responses instead of blocks, for comparison with other "
+     "programs.",
+     "2", "0.2.0"},
+    {"error", number(1e-9, 0.1), otherwise("0.3 times the tolerance"),
+     "Error bound that determines the number of blocks: three times the estimated reduction error of link forces and "
+     "floor displacements, relative to their peaks.",
+     "1e-4", "0.2.0"},
+    {"of", choice(bound_by_error, "response").list(), otherwise("link forces and floor displacements only"),
+     "Additional responses to which the error bound applies: floor accelerations, member forces.", "[acceleration]",
+     "0.2.0"},
+    {"check", boolean(), otherwise("false"),
+     "true integrates the full system through the three strongest impacts after the run, from its states and with its "
+     "link forces, and reports the difference. Without other keys the structure is reduced as with auto.",
+     "true", "0.2.0"},
+};
 
-constexpr Key checkpoint_keys[] = {{.key = "every",
-                                    .takes = Takes::quantity,
-                                    .dimension = dimension::time,
-                                    .bounds = bounds::positive,
-                                    .need = Need::at_least_one,
-                                    .meaning = "Run time between two checkpoints, by the clock.",
-                                    .example = "60 s"},
-                                   {.key = "every_simulated",
-                                    .takes = Takes::quantity,
-                                    .dimension = dimension::time,
-                                    .bounds = bounds::positive,
-                                    .need = Need::at_least_one,
-                                    .meaning = "Simulated time between two checkpoints.",
-                                    .example = "1 s"}};
+constexpr Key checkpoint_keys[] = {
+    {"every", quantity(dimension::time, bounds::positive), at_least_one, "Wall-clock time between two checkpoints.",
+     "60 s"},
+    {"every_simulated", quantity(dimension::time, bounds::positive), at_least_one,
+     "Simulated time between two checkpoints.", "1 s"},
+};
 
 }  // namespace
 
-constinit const Section model{.name = "model", .place = "", .meaning = "The whole file.", .keys = model_keys};
-constinit const Section analysis{
-    .name = "analysis", .place = "analysis", .meaning = "Length and accuracy of the run.", .keys = analysis_keys};
-constinit const Section reduction{.name = "reduction",
-                                  .place = "analysis.reduction",
-                                  .meaning = "Depth of reduced structures; under a structure for that one alone.",
-                                  .keys = reduction_keys};
-constinit const Section checkpoint{.name = "checkpoint",
-                                   .place = "checkpoint",
-                                   .meaning = "States that a run leaves to be resumed from.",
-                                   .keys = checkpoint_keys};
+constinit const Section model{"model", "", "The whole input file.", model_keys};
+constinit const Section analysis{"analysis", "analysis", "Duration, accuracy and method of the time integration.",
+                                 analysis_keys};
+constinit const Section reduction{"reduction", "analysis.reduction",
+                                  "Size of reduced models. Under a structure, for that structure only.",
+                                  reduction_keys};
+constinit const Section checkpoint{"checkpoint", "checkpoint", "Checkpoints from which a run can be resumed.",
+                                   checkpoint_keys};
 
 }  // namespace pounding::keys

@@ -8,206 +8,95 @@ namespace {
 
 constexpr std::string_view since = "0.2.0";
 
-constexpr Key force_amplitude_key{
-    .key = "amplitude",
-    .takes = Takes::quantity,
-    .dimension = dimension::force,
-    .turning = dimension::energy,
-    .need = Need::required,
-    .since = since,
-    .meaning = "Largest force, of a rotation a moment. Positive begins along the axis, towards +x, the right.",
-    .example = "20 kN"};
-constexpr Key force_period_key{.key = "period",
-                               .takes = Takes::quantity,
-                               .dimension = dimension::time,
-                               .bounds = bounds::positive,
-                               .need = Need::exactly_one,
-                               .since = since,
-                               .meaning = "Period T of the force.",
-                               .example = "0.5 s"};
-constexpr Key frequency_key{.key = "frequency",
-                            .takes = Takes::quantity,
-                            .dimension = dimension::frequency,
-                            .unit = "Hz",
-                            .bounds = bounds::positive,
-                            .need = Need::exactly_one,
-                            .since = since,
-                            .meaning = "Turns in a second, 1/T. Not in rad/s: divide by 2 pi.",
-                            .example = "2 Hz"};
-constexpr Key force_duration_key{.key = "duration",
-                                 .takes = Takes::quantity,
-                                 .dimension = dimension::time,
-                                 .bounds = bounds::positive,
-                                 .need = Need::required,
-                                 .since = since,
-                                 .meaning = "How long the force acts.",
-                                 .example = "10 s"};
-constexpr Key start_key{.key = "start",
-                        .takes = Takes::quantity,
-                        .dimension = dimension::time,
-                        .bounds = bounds::non_negative,
-                        .otherwise = "0 s",
-                        .since = since,
-                        .meaning = "Time at which the force begins.",
-                        .example = "0.2 s"};
-constexpr Key force_phase_key{
-    .key = "phase",
-    .takes = Takes::quantity,
-    .unit = "rad",
-    .bounds = {.low = -2 * std::numbers::pi, .high = 2 * std::numbers::pi},
-    .noun = "an angle",
-    .otherwise = "0",
-    .since = since,
-    .meaning = "Angle of the sine at the start, at most a full turn; a bare number is in rad.",
-    .example = "90 deg"};
+constexpr Key force_amplitude_key("amplitude", quantity(dimension::force).or_rotation(dimension::energy), required,
+                                  "Amplitude of the force, or of the moment on a rotation. A positive value starts in "
+                                  "the positive direction of the axis; +x is to the right.",
+                                  "20 kN", since);
+constexpr Key force_period_key("period", quantity(dimension::time, bounds::positive), exactly_one,
+                               "Period T of the force.", "0.5 s", since);
+constexpr Key frequency_key("frequency", quantity(dimension::frequency, bounds::positive).in("Hz"), exactly_one,
+                            "Frequency 1/T in Hz, not in rad/s.", "2 Hz", since);
+constexpr Key force_duration_key("duration", quantity(dimension::time, bounds::positive), required,
+                                 "Duration of the force.", "10 s", since);
+constexpr Key start_key("start", quantity(dimension::time, bounds::non_negative), otherwise("0 s"),
+                        "Start time of the force.", "0.2 s", since);
+constexpr Key force_phase_key(
+    "phase", number(-2 * std::numbers::pi, 2 * std::numbers::pi).in("rad").called("an angle"), otherwise("0"),
+    "Phase angle of the sine at the start, at most one full cycle. A number without a unit is in rad.", "90 deg",
+    since);
 
 constexpr Key force_keys[] = {
-    {.key = "floor",
-     .takes = Takes::integer,
-     .bounds = {.low = 1},
-     .otherwise = "the only floor, or the body",
-     .since = since,
-     .meaning = "Floor on which the force acts, from 1 at the lowest. A rigid floor is pushed at its centre of mass, "
-                "another one of a frame "
-                "in the plane at its first node.",
-     .example = "1"},
-    {.key = "node",
-     .takes = Takes::text,
-     .since = since,
-     .meaning = "Node of a frame on which the force acts, instead of a floor.",
-     .example = "b"},
-    {.key = "dof",
-     .takes = Takes::choice,
-     .choices = displacements,
-     .noun = "displacement",
-     .otherwise = "ux",
-     .since = since,
-     .meaning = "Displacement on which the force works: of a floor ux, in space also uy and rz; of a node any. On a "
-                "rotation it is a "
-                "moment. The displacement needs a mass.",
-     .example = "ux"},
-    {.key = "harmonic",
-     .inside = &force_harmonic,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "F = A sin(2 pi (t - start)/T + phase) while it lasts.",
-     .example = "{amplitude: 20 kN, period: 0.5 s, duration: 10 s}"},
-    {.key = "sum",
-     .form = Form::list,
-     .minimum = 1,
-     .inside = &force_sum_part,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Harmonics that are added; their duration and start stand beside them.",
-     .example = "[{amplitude: 20 kN, period: 0.5 s}, {amplitude: 5 kN, frequency: 8 Hz, phase: 90 deg}]"},
-    {.key = "pulse",
-     .inside = &force_pulse,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "One pulse of force, however short.",
-     .example = "{shape: half_sine, amplitude: 500 kN, duration: 20 ms}"},
-    {.key = "step_force",
-     .inside = &step_force,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "A force that sets in, at once or within a rise, and stays.",
-     .example = "{amplitude: 50 kN, start: 1 s}"},
-    {.key = "record",
-     .takes = Takes::text,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning =
-         "File of forces in columns, as those of a ground motion; linear between its samples and zero after the last.",
-     .example = "forces.csv"},
-    {.key = "channel",
-     .takes = Takes::text,
-     .otherwise = "the only channel of the file",
-     .since = since,
-     .meaning = "Channel of a record that holds several: its number from 1, or its name.",
-     .example = "2"},
-    {.key = "units",
-     .takes = Takes::text,
-     .otherwise = "that of the file",
-     .since = since,
-     .meaning = "Unit of the forces in a record that states none: N, kN, MN; of moments N m, kN m.",
-     .example = "kN"},
-    {.key = "step",
-     .takes = Takes::quantity,
-     .dimension = dimension::time,
-     .bounds = bounds::positive,
-     .otherwise = "that of the file",
-     .since = since,
-     .meaning = "Time between two values of a record without times; the first is at the start.",
-     .example = "0.01 s"},
-    {.key = "scale",
-     .takes = Takes::quantity,
-     .otherwise = "1",
-     .since = since,
-     .meaning = "Factor on the forces of a record, not 0.",
-     .example = "1.5"},
-    {.key = "duration",
-     .takes = Takes::quantity,
-     .dimension = dimension::time,
-     .bounds = bounds::positive,
-     .otherwise = "none: a sum needs it",
-     .since = since,
-     .meaning = "How long a sum of harmonics acts.",
-     .example = "10 s"},
-    {.key = "start",
-     .takes = Takes::quantity,
-     .dimension = dimension::time,
-     .bounds = bounds::non_negative,
-     .otherwise = "0 s",
-     .since = since,
-     .meaning = "Time at which a sum or a record begins.",
-     .example = "0.2 s"}};
+    {"floor", integer({.low = 1}), otherwise("the only floor, or the body"),
+     "Floor on which the force acts; 1 is the lowest. The force acts at the centre of mass of a rigid floor, and at "
+     "the first node of any other floor of a plane frame.",
+     "1", since},
+    {"node", text(), optional, "Node of a frame on which the force acts, instead of a floor.", "b", since},
+    {"dof", choice(displacements, "displacement"), otherwise("ux"),
+     "Degree of freedom on which the force acts: ux of a floor, in space also uy and rz; any of a node. On a rotation "
+     "the force is a moment. The degree of freedom must have mass.",
+     "ux", since},
+    {"harmonic", map(force_harmonic), exactly_one, "F = A sin(2 pi (t - start)/T + phase), zero after the duration.",
+     "{amplitude: 20 kN, period: 0.5 s, duration: 10 s}", since},
+    {"sum", map(force_sum_part).nonempty_list(), exactly_one,
+     "Sum of harmonics; duration and start are given next to this list.",
+     "[{amplitude: 20 kN, period: 0.5 s}, {amplitude: 5 kN, frequency: 8 Hz, phase: 90 deg}]", since},
+    {"pulse", map(force_pulse), exactly_one, "Single pulse of any duration.",
+     "{shape: half_sine, amplitude: 500 kN, duration: 20 ms}", since},
+    {"step_force", map(step_force), exactly_one, "Constant force that starts suddenly or with a linear rise.",
+     "{amplitude: 50 kN, start: 1 s}", since},
+    {"record", text(), exactly_one,
+     "File of forces in columns, in the format of ground motions. Linear between samples and zero after the last.",
+     "forces.csv", since},
+    {"channel", text(), otherwise("the only channel of the file"),
+     "Channel of a file with several channels: its number, from 1, or its name.", "2", since},
+    {"units", text(), otherwise("unit in the file"),
+     "Unit of the forces if the file does not state one: N, kN, MN; for moments N m, kN m.", "kN", since},
+    {"step", quantity(dimension::time, bounds::positive), otherwise("time step in the file"),
+     "Time step of a record without times; the first value is at the start.", "0.01 s", since},
+    {"scale", number(), otherwise("1"), "Scale factor of a record; not 0.", "1.5", since},
+    {"duration", quantity(dimension::time, bounds::positive), otherwise("none; required for a sum"),
+     "Duration of a sum of harmonics.", "10 s", since},
+    {"start", quantity(dimension::time, bounds::non_negative), otherwise("0 s"), "Start time of a sum or a record.",
+     "0.2 s", since},
+};
 
-constexpr Key force_harmonic_keys[] = {force_amplitude_key, force_period_key, frequency_key,
-                                       force_duration_key,  force_phase_key,  start_key};
-constexpr Key sum_keys[] = {force_amplitude_key, force_period_key, frequency_key, force_phase_key};
-constexpr Key force_pulse_keys[] = {{.key = "shape",
-                                     .takes = Takes::choice,
-                                     .choices = pulse_shapes,
-                                     .noun = "pulse shape",
-                                     .need = Need::required,
-                                     .since = since,
-                                     .meaning = "half_sine has one sign, sine is a full wave, rectangle is constant.",
-                                     .example = "half_sine"},
-                                    force_amplitude_key,
-                                    force_duration_key,
-                                    start_key};
-constexpr Key step_keys[] = {force_amplitude_key,
-                             start_key,
-                             {.key = "rise",
-                              .takes = Takes::quantity,
-                              .dimension = dimension::time,
-                              .bounds = bounds::non_negative,
-                              .otherwise = "0 s",
-                              .since = since,
-                              .meaning = "Time within which the force grows straight to its amplitude.",
-                              .example = "0.5 s"}};
+constexpr Key force_harmonic_keys[] = {
+    force_amplitude_key, force_period_key, frequency_key, force_duration_key, force_phase_key, start_key,
+};
+constexpr Key sum_keys[] = {
+    force_amplitude_key,
+    force_period_key,
+    frequency_key,
+    force_phase_key,
+};
+constexpr Key force_pulse_keys[] = {
+    {"shape", choice(pulse_shapes, "pulse shape"), required,
+     "half_sine has one sign, sine is a full wave, rectangle is constant.", "half_sine", since},
+    force_amplitude_key,
+    force_duration_key,
+    start_key,
+};
+constexpr Key step_keys[] = {
+    force_amplitude_key,
+    start_key,
+    {"rise", quantity(dimension::time, bounds::non_negative), otherwise("0 s"),
+     "Time of the linear rise from zero to the amplitude.", "0.5 s", since},
+};
 
 }  // namespace
 
-constinit const Section force{.name = "forces",
-                              .place = "structures.NAME.forces[]",
-                              .meaning = "A force over time on a floor, a node or a body. Several on one place add.",
-                              .keys = force_keys};
-constinit const Section force_harmonic{.name = "force_harmonic",
-                                       .place = "structures.NAME.forces[].harmonic",
-                                       .meaning = "F = A sin(2 pi (t - start)/T + phase) while it lasts.",
-                                       .keys = force_harmonic_keys};
-constinit const Section force_sum_part{.name = "force_sum",
-                                       .place = "structures.NAME.forces[].sum[]",
-                                       .meaning = "One harmonic of a sum of forces.",
-                                       .keys = sum_keys};
-constinit const Section force_pulse{.name = "force_pulse",
-                                    .place = "structures.NAME.forces[].pulse",
-                                    .meaning = "One pulse of force.",
-                                    .keys = force_pulse_keys};
-constinit const Section step_force{.name = "step_force",
-                                   .place = "structures.NAME.forces[].step_force",
-                                   .meaning = "A force that sets in and stays; it needs the duration of the analysis.",
-                                   .keys = step_keys};
+constinit const Section force{"forces", "structures.NAME.forces[]",
+                              "Force over time on a floor, a node or a body. Several forces at one location add up.",
+                              force_keys};
+constinit const Section force_harmonic{"force_harmonic", "structures.NAME.forces[].harmonic",
+                                       "F = A sin(2 pi (t - start)/T + phase), zero after the duration.",
+                                       force_harmonic_keys};
+constinit const Section force_sum_part{"force_sum", "structures.NAME.forces[].sum[]",
+                                       "Harmonic component of a sum of forces.", sum_keys};
+constinit const Section force_pulse{"force_pulse", "structures.NAME.forces[].pulse", "Single pulse of force.",
+                                    force_pulse_keys};
+constinit const Section step_force{"step_force", "structures.NAME.forces[].step_force",
+                                   "Force that starts and remains constant. Requires the duration of the analysis.",
+                                   step_keys};
 
 }  // namespace pounding::keys

@@ -5,42 +5,27 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/keys/isolators.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 
 namespace pounding::keys {
 namespace {
 
-constexpr Key rate_key{
-    .key = "rate",
-    .takes = Takes::quantity,
-    .dimension = {0, -1, 1},
-    .unit = "s/m",
-    .bounds = bounds::positive,
-    .otherwise = "none",
-    .since = "0.2.0",
-    .meaning = "How fast the friction comes from the slow coefficient to the fast one as the velocity grows.",
-    .example = "60 s/m"};
+constexpr Key rate_key(
+    "rate", quantity({0, -1, 1}, bounds::positive).in("s/m"), otherwise("none"),
+    "Rate at which the friction coefficient changes from the slow to the fast value with the velocity.", "60 s/m",
+    "0.2.0");
 
-/// The words of the laws of isolators: of all laws that yield both ways.
+/// Keys of the laws of isolators: all symmetric hysteretic laws.
 struct OfIsolators : YieldingKeys {
   std::vector<Key> own{
-      {.key = "capacity",
-       .takes = Takes::quantity,
-       .dimension = dimension::length,
-       .bounds = bounds::positive,
-       .otherwise = "none",
-       .since = "0.2.0",
-       .meaning = "Deformation that it can bear. Nothing happens there, but a run that goes beyond says so.",
-       .example = "350 mm"},
-      {.key = "coupled",
-       .takes = Takes::boolean,
-       .otherwise = "true in space, where it is refused",
-       .since = "0.2.0",
-       .meaning = "false lets an isolator of a frame in space follow its law along x and along y, each by itself, "
-                  "which carries up to 1.41 times too "
-                  "much along a diagonal. Laws of both at once are not there yet.",
-       .example = "false"}};
+      {"capacity", quantity(dimension::length, bounds::positive), otherwise("none"),
+       "Deformation capacity. It does not change the response; a run that exceeds it reports a warning.", "350 mm",
+       "0.2.0"},
+      {"coupled", boolean(), otherwise("true, which is not supported in space"),
+       "false applies the law separately along x and along y in a frame in space, which overestimates the strength "
+       "along a diagonal by a factor of up to 1.41. Coupled laws are not available yet.",
+       "false", "0.2.0"}};
 
   template <hysteresis::Law L>
   void add(const L& made) {
@@ -53,17 +38,12 @@ struct OfIsolators : YieldingKeys {
     }
     if (L::name == "friction_pendulum") of_law.push_back(rate_key);
     add_choices(made, of_law);
-    const Section& section =
-        add_section({.name = kept(fmt::format("isolator_{}", L::name)),
-                     .place = kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
-                     .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
-                     .keys = of_law});
-    own.push_back({.key = L::name,
-                   .inside = &section,
-                   .need = Need::exactly_one,
-                   .since = "0.2.0",
-                   .meaning = kept(fmt::format("It follows this law: {}.", L::summary)),
-                   .example = kept(example.text())});
+    const Section& section = add_section({kept(fmt::format("isolator_{}", L::name)),
+                                          kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
+                                          kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), of_law});
+    own.push_back({L::name, map(section), exactly_one,
+                   kept(fmt::format("Hysteretic law of the isolator: {}.", L::summary)), kept(example.text()),
+                   "0.2.0"});
   }
 
  private:
@@ -74,7 +54,7 @@ struct OfIsolators : YieldingKeys {
       spec.form = Form::one_or_list;
       spec.minimum = spec.maximum = 2;
       spec.meaning =
-          "Coefficient of friction mu, or two, [slow, fast], with rate: mu = fast - (fast - slow) exp(-rate |v|).";
+          "Friction coefficient mu, or two, [slow, fast], with rate: mu = fast - (fast - slow) exp(-rate |v|).";
     }
     if (spec.key == "weight") {
       spec.need = Need::optional;
@@ -97,11 +77,9 @@ const OfIsolators& isolators() {
 
 }  // namespace
 
-const Section isolator{
-    .name = "isolator",
-    .place = "structures.NAME.frame.supports.NODE.isolator",
-    .meaning = "An isolator under a foot of a frame, or all isolators of a shear building together, by its law.",
-    .keys = isolators().own};
+const Section isolator{"isolator", "structures.NAME.frame.supports.NODE.isolator",
+                       "Isolator under a foot of a frame, or all isolators of a shear building together, by law.",
+                       isolators().own};
 
 std::vector<const Section*> laws_of_isolators() { return isolators().sections(); }
 

@@ -1,17 +1,14 @@
 #include <pounding/input/keys/key.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/input/keys/devices.hpp>
-#include <pounding/input/keys/hinges.hpp>
-#include <pounding/input/keys/isolators.hpp>
 #include <pounding/input/keys/sections.hpp>
-#include <pounding/input/keys/springs.hpp>
 
 namespace pounding {
 
@@ -26,65 +23,16 @@ std::string Bounds::text() const {
 namespace keys {
 namespace {
 
-// The laws of springs, isolators and hinges follow behind the sections of these names.
-constexpr const Section* without_laws[] = {&model,
-                                           &ground_motion,
-                                           &components,
-                                           &motion,
-                                           &wave,
-                                           &harmonic,
-                                           &sum_part,
-                                           &pulse,
-                                           &synthetic,
-                                           &displacement,
-                                           &moved_harmonic,
-                                           &moved_part,
-                                           &structure,
-                                           &body,
-                                           &oscillator,
-                                           &shear_building,
-                                           &storey_spring,
-                                           &wall,
-                                           &damping,
-                                           &rayleigh,
-                                           &modal,
-                                           &force,
-                                           &force_harmonic,
-                                           &force_sum_part,
-                                           &force_pulse,
-                                           &step_force,
-                                           &frame,
-                                           &material,
-                                           &cross_section,
-                                           &i_section,
-                                           &tube,
-                                           &grid,
-                                           &bay_width,
-                                           &member,
-                                           &releases,
-                                           &offsets,
-                                           &support,
-                                           &support_springs,
-                                           &support_dashpots,
-                                           &isolator,
-                                           &floor,
-                                           &node_masses,
-                                           &node_loads,
-                                           &node_displacements,
-                                           &spring,
-                                           &tie,
-                                           &hinge,
-                                           &report,
-                                           &link,
-                                           &link_end,
-                                           &stiffness,
-                                           &device,
-                                           &own_device,
-                                           &bar,
-                                           &damper,
-                                           &analysis,
-                                           &reduction,
-                                           &checkpoint};
+// Sections without those of hysteretic laws, which follow the sections that contain them.
+constexpr auto without_laws =
+    [](const auto&... sections) {
+      return std::array<const Section*, sizeof...(sections)>{&sections...};
+    }(model, ground_motion, components, motion, wave, harmonic, sum_part, pulse, synthetic, displacement,
+      moved_harmonic, moved_part, structure, body, oscillator, shear_building, storey_spring, wall, damping, rayleigh,
+      modal, force, force_harmonic, force_sum_part, force_pulse, step_force, frame, material, cross_section, i_section,
+      tube, grid, bay_width, member, releases, offsets, support, support_springs, support_dashpots, isolator, floor,
+      node_masses, node_loads, node_displacements, spring, tie, hinge, report, link, link_end, stiffness, device,
+      own_device, bar, damper, analysis, reduction, checkpoint);
 
 }  // namespace
 
@@ -93,7 +41,7 @@ std::optional<double> Key::default_quantity() const {
   try {
     return parse_quantity(otherwise, dimension);
   } catch (const InputError&) {
-    return std::nullopt;  // in words
+    return std::nullopt;  // described in prose
   }
 }
 

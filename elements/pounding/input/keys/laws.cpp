@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view estimated[] = {"auto"};
 
-/// The words of one law, with the texts that they point to.
+/// Keys of one law, with the texts that they refer to.
 struct OfLaw {
   std::deque<std::string> texts;
   std::vector<std::string_view> formulas;
@@ -32,9 +32,8 @@ struct OfLaw {
     link_keys.insert(link_keys.end(), own_keys.begin(),
                      own_keys.begin() + static_cast<std::ptrdiff_t>(law.parameters.size()));
     const std::string_view name = law.name, summary = law.summary;
-    own = {
-        .name = name, .place = kept(fmt::format("links[] with law: {}", name)), .meaning = summary, .keys = own_keys};
-    link = {.name = keys::link.name, .place = keys::link.place, .meaning = keys::link.meaning, .keys = link_keys};
+    own = {name, kept(fmt::format("links[] with law: {}", name)), summary, own_keys};
+    link = {keys::link.name, keys::link.place, keys::link.meaning, link_keys};
   }
 
  private:
@@ -59,7 +58,7 @@ struct OfLaw {
     return spec;
   }
 
-  // Whether there are parameters that are given together, instead of the others.
+  // True if the law has parameters that are given together, instead of the others.
   static bool may_be_together(const laws::Entry& law) {
     return std::ranges::find(law.parameters, laws::Need::together, &laws::ParameterInfo::need) != law.parameters.end();
   }
@@ -69,7 +68,9 @@ struct OfLaw {
       case laws::Need::required: return may_be_together(law) ? Need::at_least_one : Need::required;
       case laws::Need::together: return Need::at_least_one;
       case laws::Need::damping: return Need::exactly_one;
-      case laws::Need::optional: break;
+      case laws::Need::optional:
+      case laws::Need::instead:
+      case laws::Need::extra: break;
     }
     return Need::optional;
   }
@@ -79,20 +80,11 @@ struct OfLaw {
     const std::string unit =
         laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
     const std::string_view typical = kept(fmt::format("{:g}{}{}", parameter.typical, unit.empty() ? "" : " ", unit));
-    const bool is_optional = parameter.need == laws::Need::optional;
-    const bool may_be_estimated = parameter.name == "stiffness" && !law.presses_soil;
-    return {.key = parameter.name,
-            .takes = Takes::quantity,
-            .inside = may_be_estimated ? &stiffness : nullptr,
-            .dimension = parse_unit_dimension(unit),
-            .unit = parameter.unit,
-            .bounds = parameter.name == "exponent" ? bounds::positive : bounds::any,
-            .instead =
-                may_be_estimated ? std::span<const std::string_view>(estimated) : std::span<const std::string_view>(),
-            .need = need_of(parameter, law),
-            .otherwise = is_optional ? typical : std::string_view{},
-            .meaning = parameter.meaning,
-            .example = typical};
+    Value value = quantity(parse_unit_dimension(unit), parameter.name == "exponent" ? bounds::positive : bounds::any)
+                      .in(parameter.unit);
+    if (parameter.name == "stiffness" && !law.presses_soil) value = value.or_map(stiffness).or_one_of(estimated);
+    const Presence presence = parameter.need == laws::Need::optional ? otherwise(typical) : need_of(parameter, law);
+    return {parameter.name, value, presence, parameter.meaning, typical};
   }
 };
 

@@ -18,243 +18,114 @@ constexpr auto law_names = [] {
 }();
 
 constexpr Key link_keys[] = {
-    {.key = "between",
-     .takes = Takes::text,
-     .form = Form::list,
-     .minimum = 2,
-     .maximum = 2,
-     .inside = &link_end,
-     .instead = neighbours,
-     .need = Need::required,
-     .meaning =
-         "The two structures, the left one first; A.3 is floor 3 of A, counted from the ground up. An end may be a map "
-         "that names a floor, a node or an elevation. neighbours links all frames that stand beside each other along x "
-         "or "
-         "along y, but for pairs that links above it join.",
-     .example = "[left, right]"},
-    {.key = "within",
-     .takes = Takes::quantity,
-     .dimension = dimension::length,
-     .bounds = bounds::positive,
-     .otherwise = "1 m",
-     .since = "0.2.0",
-     .meaning = "Neighbours stand at most so far apart.",
-     .example = "1 m"},
-    {.key = "floors",
-     .takes = Takes::choice,
-     .choices = choices_of_floors,
-     .noun = "choice of floors",
-     .otherwise = "the one pair that between names; all of neighbours",
-     .meaning = "Links several floors: all of them, which must face each other up to the lower roof; those that are "
-                "level; or any, "
-                "where a floor that faces none hits the column there.",
-     .example = "all"},
-    {.key = "level_within",
-     .takes = Takes::quantity,
-     .dimension = dimension::length,
-     .bounds = bounds::non_negative,
-     .otherwise = "the depth of the deeper beam, at least 50 mm",
-     .since = "0.3.0",
-     .meaning = "Largest difference in elevation of two floors that are level: they are one pair, and neither hits a "
-                "column there.",
-     .example = "50 mm"},
-    {.key = "gap",
-     .takes = Takes::quantity,
-     .form = Form::one_or_each,
-     .dimension = dimension::length,
-     .otherwise = "the distance drawn between frames; needed where nothing is drawn",
-     .meaning = "Distance between the two at rest: one for all pairs of floors, or a list from the ground up. At least "
-                "0, unless "
-                "preload is true. Between frames it may differ from the distance drawn between faces by 0.1 mm or a "
-                "thousandth.",
-     .example = "20 mm"},
-    {.key = "preload",
-     .takes = Takes::boolean,
-     .otherwise = "false",
-     .since = "0.2.0",
-     .meaning = "A negative gap is the overlap of the two ends where their structures are undeformed: the run begins "
-                "in static "
-                "equilibrium, with the structures pushed apart by the contact.",
-     .example = "true"},
-    {.key = "name",
-     .takes = Takes::text,
-     .otherwise = "the two ends, left.1-right.1",
-     .meaning = "Name in reports and results; of several pairs the first is name.1.",
-     .example = "roof"},
-    {.key = "points",
-     .takes = Takes::integer,
-     .bounds = {.low = 1, .high = 100},
-     .otherwise = "2 where edges overlap, else 1",
-     .meaning =
-         "Contacts along the edge that two floors in space share, from one of its ends to the other. Each takes the "
-         "parameters of the law as they are given, and its share of the masses.",
-     .example = "2"},
-    {.key = "friction",
-     .takes = Takes::quantity,
-     .bounds = bounds::non_negative,
-     .otherwise = "0",
-     .meaning = "Coulomb's coefficient in the plane of the contact; for frames, and laws with a force.",
-     .example = "0.3"},
-    {.key = "sliding_velocity",
-     .takes = Takes::quantity,
-     .dimension = dimension::velocity,
-     .bounds = bounds::positive,
-     .otherwise = "5 mm/s",
-     .meaning = "Velocity s that smooths the friction: F_t = mu F_n v_t/sqrt(v_t^2 + s^2).",
-     .example = "5 mm/s"},
-    {.key = "law",
-     .takes = Takes::choice,
-     .choices = law_names,
-     .need = Need::required,
-     .meaning = "Contact law; its parameters stand beside it. pounding laws describes them.",
-     .example = "hertz_damped"},
-    {.key = "formula",
-     .takes = Takes::text,
-     .otherwise = "exact",
-     .meaning = "Damping formula, one of the law's. exact gives the restitution that is asked for; published formulas "
-                "miss it.",
-     .example = "exact"},
-    {.key = "restitution",
-     .takes = Takes::quantity,
-     .bounds = bounds::from_0_to_1,
-     .otherwise = "none: a law with damping needs it, or a damping value of its own",
-     .meaning = "Coefficient of restitution: the speed of separation over that of approach. With 0 the bodies stick; "
-                "stereomechanical "
-                "and kelvin_voigt take it, the other laws need more.",
-     .example = "0.65"},
-    {.key = "impact_velocity",
-     .takes = Takes::quantity,
-     .dimension = dimension::velocity,
-     .bounds = bounds::positive,
-     .otherwise = "that of each impact",
-     .meaning = "Fixed design velocity of approach with which the damping is calibrated.",
-     .example = "0.5 m/s"},
-    {.key = "reduced_mass",
-     .takes = Takes::quantity,
-     .dimension = dimension::mass,
-     .bounds = bounds::positive,
-     .otherwise = "from the masses of the two ends",
-     .meaning = "m1 m2/(m1 + m2) with which the damping is calibrated; a wall is infinitely heavy.",
-     .example = "60 t"}};
+    {"between", text().or_map(link_end).list(2).or_one_of(neighbours), required,
+     "The two structures, the left one first; A.3 is floor 3 of A, counted from the ground up. An end may be a map "
+     "with a floor, a node or an elevation. neighbours links all adjacent frames along x or y, except pairs that an "
+     "earlier entry links.",
+     "[left, right]"},
+    {"within", quantity(dimension::length, bounds::positive), otherwise("1 m"), "Maximum distance between neighbours.",
+     "1 m", "0.2.0"},
+    {"floors", choice(choices_of_floors, "choice of floors"),
+     otherwise("the pair of ends in between; all for neighbours"),
+     "Floors to link. all: every floor up to the lower roof, each of which must face a floor of the other structure. "
+     "level: only floors at equal elevations. any: floors without a counterpart also hit the column at their "
+     "elevation.",
+     "all"},
+    {"level_within", quantity(dimension::length, bounds::non_negative),
+     otherwise("depth of the deeper beam, at least 50 mm"),
+     "Maximum difference in elevation of two floors that count as level: they form one pair, and no column is hit "
+     "there.",
+     "50 mm", "0.3.0"},
+    {"gap", quantity(dimension::length).or_each(),
+     otherwise("distance between the faces of frames; required for other structures"),
+     "Distance between the two ends at rest: one value for all pairs of floors, or a list from the ground up. At least "
+     "0 unless preload is true. Between frames it must agree with the distance between their faces to within 0.1 mm or "
+     "0.1 %.",
+     "20 mm"},
+    {"preload", boolean(), otherwise("false"),
+     "true permits a negative gap: the overlap of the two ends of the undeformed structures. The run then starts in "
+     "static equilibrium, with the structures pushed apart by the contact force.",
+     "true", "0.2.0"},
+    {"name", text(), otherwise("from the two ends: left.1-right.1"),
+     "Name in reports and results. The first of several pairs is name.1.", "roof"},
+    {"points", integer(1, 100), otherwise("2 if edges overlap, else 1"),
+     "Number of contact points along the common edge of two floors in space, including its ends. Each uses the given "
+     "parameters of the law and its share of the masses.",
+     "2"},
+    {"friction", number(bounds::non_negative), otherwise("0"),
+     "Coulomb friction coefficient in the contact plane; for frames and for laws with a contact force.", "0.3"},
+    {"sliding_velocity", quantity(dimension::velocity, bounds::positive), otherwise("5 mm/s"),
+     "Velocity s that smooths the friction force: F_t = mu F_n v_t/sqrt(v_t^2 + s^2).", "5 mm/s"},
+    {"law", choice(law_names), required,
+     "Contact law; its parameters are keys of the link. `pounding laws` lists them.", "hertz_damped"},
+    {"formula", text(), otherwise("exact"),
+     "Damping formula of the law. exact attains the target restitution; published formulas deviate from it.", "exact"},
+    {"restitution", number(bounds::from_0_to_1),
+     otherwise("none; required by laws with damping, unless the damping is given directly"),
+     "Coefficient of restitution: ratio of the separation speed to the approach speed. With 0 the bodies stick "
+     "together; only stereomechanical and kelvin_voigt allow it.",
+     "0.65"},
+    {"impact_velocity", quantity(dimension::velocity, bounds::positive), otherwise("approach velocity of each impact"),
+     "Fixed approach velocity for which the damping is calibrated.", "0.5 m/s"},
+    {"reduced_mass", quantity(dimension::mass, bounds::positive), otherwise("from the masses at the two ends"),
+     "Reduced mass m1 m2/(m1 + m2) for which the damping is calibrated. A wall has infinite mass.", "60 t"},
+};
 
 constexpr Key end_face_key = [] {
   Key spec = face_key;
-  spec.otherwise = "that of the structure";
-  spec.meaning = "As face of the structure, for this end alone.";
+  spec.otherwise = "face of the structure";
+  spec.meaning = "Like face of the structure, for this end only.";
   return spec;
 }();
 
 constexpr Key link_end_keys[] = {
-    {.key = "structure",
-     .takes = Takes::text,
-     .need = Need::required,
-     .meaning = "Name of the structure.",
-     .example = "left"},
-    {.key = "floor",
-     .takes = Takes::text,
-     .otherwise = "its only floor",
-     .meaning = "Number of the floor, from 1 at the lowest. Give one of floor, node and elevation.",
-     .example = "3"},
-    {.key = "node", .takes = Takes::text, .meaning = "Name of a node of a frame.", .example = "2.1"},
-    {.key = "elevation",
-     .takes = Takes::quantity,
-     .dimension = dimension::length,
-     .meaning = "Elevation above the common datum: the column of a frame there.",
-     .example = "10.5 m"},
-    end_face_key};
+    {"structure", text(), required, "Name of the structure.", "left"},
+    {"floor", text(), otherwise("the only floor"),
+     "Floor number; 1 is the lowest. Give one of floor, node and elevation.", "3"},
+    {"node", text(), optional, "Node of a frame.", "2.1"},
+    {"elevation", quantity(dimension::length), optional,
+     "Elevation above the common datum, at which a column of a frame is hit.", "10.5 m"},
+    end_face_key,
+};
 
 constexpr Key stiffness_keys[] = {
-    {.key = "E",
-     .takes = Takes::quantity,
-     .dimension = dimension::stress,
-     .bounds = bounds::positive,
-     .otherwise = "30 GPa",
-     .since = "0.2.0",
-     .meaning = "Young's modulus of both bodies.",
-     .example = "30 GPa"},
-    {.key = "poisson",
-     .takes = Takes::quantity,
-     .bounds = {.low = 0, .high = 0.5},
-     .otherwise = "0.2",
-     .since = "0.2.0",
-     .meaning = "Poisson's ratio of both bodies, for a stiffness of Hertz.",
-     .example = "0.2"},
-    {.key = "density",
-     .takes = Takes::quantity,
-     .dimension = dimension::density,
-     .bounds = bounds::positive,
-     .otherwise = "2500 kg/m^3",
-     .since = "0.2.0",
-     .meaning = "Density of the balls that have the masses of the two ends, where no radius is given.",
-     .example = "2500 kg/m^3"},
-    {.key = "radius",
-     .takes = Takes::quantity,
-     .form = Form::one_or_list,
-     .minimum = 2,
-     .maximum = 2,
-     .dimension = dimension::length,
-     .bounds = bounds::positive,
-     .otherwise = "that of a ball with the mass of the end; a wall is flat",
-     .since = "0.2.0",
-     .meaning = "Radius of the bodies at the contact, for a stiffness of Hertz: one for both, or [left, right].",
-     .example = "2 m"},
-    {.key = "area",
-     .takes = Takes::quantity,
-     .form = Form::one_or_list,
-     .minimum = 2,
-     .maximum = 2,
-     .dimension = dimension::area,
-     .bounds = bounds::positive,
-     .otherwise = "none: a stiffness of Hertz",
-     .since = "0.2.0",
-     .meaning = "Section of the slabs that meet end to end, with length: one for both, or [left, right].",
-     .example = "3 m^2"},
-    {.key = "length",
-     .takes = Takes::quantity,
-     .form = Form::one_or_list,
-     .minimum = 2,
-     .maximum = 2,
-     .dimension = dimension::length,
-     .bounds = bounds::non_negative,
-     .otherwise = "none: a stiffness of Hertz",
-     .since = "0.2.0",
-     .meaning = "Length of the slabs from the contact to the centre of mass of the floor: one for both, or [left, "
-                "right]. A slab "
-                "without length does not yield.",
-     .example = "9 m"},
-    {.key = "penetration",
-     .takes = Takes::quantity,
-     .dimension = dimension::length,
-     .bounds = bounds::positive,
-     .otherwise = "none: a stiffness of Hertz",
-     .since = "0.2.0",
-     .meaning = "Penetration that an elastic impact of the two ends at this velocity shall have.",
-     .example = "5 mm"},
-    {.key = "velocity",
-     .takes = Takes::quantity,
-     .dimension = dimension::velocity,
-     .bounds = bounds::positive,
-     .otherwise = "0.5 m/s",
-     .since = "0.2.0",
-     .meaning = "Velocity of approach of that impact.",
-     .example = "0.5 m/s"}};
+    {"E", quantity(dimension::stress, bounds::positive), otherwise("30 GPa"), "Young's modulus of both bodies.",
+     "30 GPa", "0.2.0"},
+    {"poisson", number(0, 0.5), otherwise("0.2"), "Poisson's ratio of both bodies, for a Hertz stiffness.", "0.2",
+     "0.2.0"},
+    {"density", quantity(dimension::density, bounds::positive), otherwise("2500 kg/m^3"),
+     "Density of the equivalent spheres with the masses of the two ends, if no radius is given.", "2500 kg/m^3",
+     "0.2.0"},
+    {"radius", quantity(dimension::length, bounds::positive).or_list(2),
+     otherwise("radius of the equivalent sphere; a wall is flat"),
+     "Radius of curvature at the contact, for a Hertz stiffness: one value for both bodies, or [left, right].", "2 m",
+     "0.2.0"},
+    {"area", quantity(dimension::area, bounds::positive).or_list(2), otherwise("none, for a Hertz stiffness"),
+     "Cross-sectional area of slabs that collide end to end; requires length. One value for both bodies, or [left, "
+     "right].",
+     "3 m^2", "0.2.0"},
+    {"length", quantity(dimension::length, bounds::non_negative).or_list(2), otherwise("none, for a Hertz stiffness"),
+     "Length of the slabs from the contact to the centre of mass of the floor: one value for both bodies, or [left, "
+     "right]. A slab of zero length is rigid.",
+     "9 m", "0.2.0"},
+    {"penetration", quantity(dimension::length, bounds::positive), otherwise("none, for a Hertz stiffness"),
+     "Target peak penetration in an elastic impact with the approach velocity given by the key velocity.", "5 mm",
+     "0.2.0"},
+    {"velocity", quantity(dimension::velocity, bounds::positive), otherwise("0.5 m/s"),
+     "Approach velocity for the target penetration.", "0.5 m/s", "0.2.0"},
+};
 
 }  // namespace
 
-constinit const Section link{.name = "links",
-                             .place = "links[]",
-                             .meaning = "One link; the parameters of its law stand beside these keys.",
-                             .keys = link_keys};
-constinit const Section link_end{
-    .name = "between", .place = "links[].between[]", .meaning = "One end of a link.", .keys = link_end_keys};
+constinit const Section link{"links", "links[]",
+                             "Link between two structures. The parameters of its law are further keys.", link_keys};
+constinit const Section link_end{"between", "links[].between[]", "End of a link.", link_end_keys};
 
 constinit const Section stiffness{
-    .name = "stiffness",
-    .place = "links[].stiffness",
-    .meaning =
-        "An estimate of the stiffness of a contact: of Hertz for two balls of the masses that meet (auto is that for "
-        "concrete), or "
-        "for two radii; of two slabs, with area and length; or from a penetration. The report says what was found.",
-    .keys = stiffness_keys};
+    "stiffness", "links[].stiffness",
+    "Estimate of the contact stiffness: Hertz stiffness of two spheres with the masses of the ends (auto uses "
+    "concrete) or with given radii; stiffness of two slabs with area and length; or stiffness for a target "
+    "penetration. The report contains the result.",
+    stiffness_keys};
 
 }  // namespace pounding::keys

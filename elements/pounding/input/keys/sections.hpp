@@ -1,48 +1,58 @@
 #pragma once
-/// The sections of the input, one table each.
+/// Sections of the input.
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <pounding/input/keys/key.hpp>
 #include <pounding/laws/by_name.hpp>
 
 namespace pounding::keys {
 
-/// The whole file, and how it is run: analysis.cpp.
+/// The whole file and its analysis: analysis.cpp.
 extern const Section model, analysis, checkpoint, reduction;
 
-/// Motions of the ground: ground.cpp. A `motion` is one along one axis.
+/// Ground motions: ground.cpp. A `motion` acts along one axis.
 extern const Section ground_motion, components, motion, wave, harmonic, sum_part, pulse, synthetic;
 extern const Section displacement, moved_harmonic, moved_part;
 
-/// Structures of all kinds and their damping: structures.cpp.
+/// Structures and damping: structures.cpp.
 extern const Section structure, body, oscillator, shear_building, wall, damping, rayleigh, modal;
 
-/// Forces over time on them: forces.cpp.
+/// Time-dependent forces: forces.cpp.
 extern const Section force, force_harmonic, force_sum_part, force_pulse, step_force;
 
-/// Frames: frames.cpp; their materials, sections and members: members.cpp; their supports and what acts on nodes:
-/// nodes.cpp.
+/// Frames: frames.cpp; materials, sections and members: members.cpp; supports, nodal masses and loads: nodes.cpp.
 extern const Section frame, grid, bay_width, floor, report;
 extern const Section material, cross_section, i_section, tube, member, releases, offsets;
 extern const Section support, support_springs, support_dashpots, node_masses, node_loads, node_displacements, spring,
     tie;
 
-/// Links without the parameters of their laws, one of the two ends, and estimates of the stiffness: links.cpp.
+/// Storey springs, hinges, isolators and devices, which follow hysteretic laws: springs.cpp, hinges.cpp, isolators.cpp,
+/// devices.cpp.
+extern const Section storey_spring, hinge, isolator, device, own_device, bar, damper;
+
+/// Parameters and choices of each hysteretic law that applies, in the order of the laws.
+std::vector<const Section*> laws_of_springs();
+std::vector<const Section*> laws_of_hinges();
+std::vector<const Section*> laws_of_isolators();
+std::vector<const Section*> laws_of_devices();
+
+/// Links without the parameters of laws, link ends and stiffness estimates: links.cpp.
 extern const Section link, link_end, stiffness;
 
-/// Keys of a link that has this law: those of `link`, and the parameters of the law in the order of its table.
+/// Keys of a link with this law: the keys of `link`, then the parameters of the law in the order of its table.
 const Section& link_with(const laws::Entry& law);
 
-/// Keys that a law adds to a link: its parameters, its formulas, and of restitution, impact_velocity and reduced_mass
-/// those that it takes. Beside the reader, which reads through link_with(), everybody reads these.
+/// Keys that a law adds to a link, for documentation: parameters, formulas and the applicable ones of restitution,
+/// impact_velocity and reduced_mass. The reader uses link_with().
 const Section& parameters_of(const laws::Entry& law);
 
-/// Whether a key of `link` is there for some laws only: formula, restitution, impact_velocity, reduced_mass.
+/// True for keys of `link` that apply to some laws only: formula, restitution, impact_velocity, reduced_mass.
 bool belongs_to_law(std::string_view key) noexcept;
 
-/// Every section in the order of reading, without the laws. The first one is the whole file.
+/// All sections in reading order, without contact laws; the first is the whole file.
 std::span<const Section* const> sections() noexcept;
 
 }  // namespace pounding::keys

@@ -1,73 +1,42 @@
 #pragma once
-/// Words and choices that stand in several tables.
+/// Keys and choices shared by several tables.
 
 #include <pounding/input/keys/sections.hpp>
 
 namespace pounding::keys {
 
-inline constexpr Key damping_key{
-    .key = "damping",
-    .takes = Takes::quantity,
-    .inside = &damping,
-    .bounds = bounds::from_0_below_1,
-    .otherwise = "none: every structure but bodies and walls needs it; 0 for no damping",
-    .meaning =
-        "Damping ratio: Rayleigh damping that has this ratio in modes 1 and 2, of an oscillator in its only mode. "
-        "It stands beside the kind of the structure or among its keys.",
-    .example = "5 %"};
+inline constexpr Key damping_key("damping", number(bounds::from_0_below_1).or_map(damping),
+                                 otherwise("none; required except for bodies and walls, 0 for no damping"),
+                                 "Damping ratio: Rayleigh damping with this ratio in modes 1 and 2, or in the only "
+                                 "mode of an oscillator. Allowed at the level of the structure or inside its kind.",
+                                 "5 %");
 inline constexpr std::string_view reductions[] = {"auto", "none", "all modes"};
-inline constexpr Key reduction_key{.key = "reduction",
-                                   .takes = Takes::choice,
-                                   .inside = &reduction,
-                                   .choices = reductions,
-                                   .noun = "reduction",
-                                   .otherwise = "none",
-                                   .since = "0.2.0",
-                                   .meaning =
-                                       "Structures whose linear equations are solved in a few hundred coordinates. "
-                                       "none: all natural modes of structures with up to "
-                                       "500 unknowns with mass, else factors of all unknowns. auto: larger ones are "
-                                       "reduced, as deep as the tolerance asks. all "
-                                       "modes: natural modes up to 5000 unknowns with mass. Keys say how deep.",
-                                   .example = "{links: 5, ground: 20}"};
-inline constexpr Key velocity_key{.key = "initial_velocity",
-                                  .takes = Takes::quantity,
-                                  .form = Form::one_or_each,
-                                  .dimension = dimension::velocity,
-                                  .otherwise = "0 m/s",
-                                  .meaning =
-                                      "Velocity at time 0 relative to the ground, positive to the right: one for all "
-                                      "floors, or a list from the ground "
-                                      "up; of a frame one along x.",
-                                  .example = "0.5 m/s"};
-inline constexpr Key displacement_key{
-    .key = "initial_displacement",
-    .takes = Takes::quantity,
-    .form = Form::one_or_each,
-    .dimension = dimension::length,
-    .otherwise = "0 m",
-    .meaning =
-        "Displacement at time 0 relative to the ground, positive to the right: one for all floors, or a list from the "
-        "ground up; of a frame relative to its place at rest, and all between the floors follows as if forces held "
-        "them there.",
-    .example = "-5 mm"};
+inline constexpr Key reduction_key(
+    "reduction", choice(reductions, "reduction").or_map(reduction), otherwise("none"),
+    "Model order reduction of linear structures to a few hundred coordinates. none: no reduction; all natural modes up "
+    "to 500 degrees of freedom with mass, else a factorization of the full system. auto: larger structures are reduced "
+    "as far as the tolerance permits. all modes: natural modes up to 5000 degrees of freedom with mass. A map sets the "
+    "size of the reduced model.",
+    "{links: 5, ground: 20}", "0.2.0");
+inline constexpr Key velocity_key("initial_velocity", quantity(dimension::velocity).or_each(), otherwise("0 m/s"),
+                                  "Velocity relative to the ground at time 0, positive to the right: one value for all "
+                                  "floors, or a list from the ground up. A frame takes one value, along x.",
+                                  "0.5 m/s");
+inline constexpr Key displacement_key(
+    "initial_displacement", quantity(dimension::length).or_each(), otherwise("0 m"),
+    "Displacement relative to the ground at time 0, positive to the right: one value for all floors, or a list from "
+    "the ground up. In a frame it is measured from the position at rest, and all other nodes follow statically.",
+    "-5 mm");
 
 inline constexpr std::string_view auto_face[] = {"auto"};
-inline constexpr Key face_key{.key = "face",
-                              .takes = Takes::quantity,
-                              .dimension = dimension::length,
-                              .bounds = bounds::non_negative,
-                              .instead = auto_face,
-                              .otherwise = "0 m: frames are drawn by their faces",
-                              .since = "0.3.0",
-                              .meaning =
-                                  "Distance from the axes by which a frame is drawn to its face, where it is hit; "
-                                  "gaps are measured between faces. auto: half the "
-                                  "depth of the outer columns, the deepest of those in line with the floor or column "
-                                  "that is hit, in all storeys.",
-                              .example = "auto"};
+inline constexpr Key face_key(
+    "face", quantity(dimension::length, bounds::non_negative).or_one_of(auto_face),
+    otherwise("0 m, for a frame drawn along its faces"),
+    "Distance from the member axes of a frame to its face, where contact occurs. Gaps are measured between faces. "
+    "auto: half the depth of the deepest outer column in line with the floor or column in contact, over all storeys.",
+    "auto", "0.3.0");
 
-/// Supports of a node of a frame by one word.
+/// Named supports of a node of a frame.
 inline constexpr std::string_view supports[] = {"fixed", "pinned", "roller"};
 
 /// Pulses over time.

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/input/keys/springs.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 
 namespace pounding::keys {
 namespace {
 
-/// The words of the laws by which storeys yield. The stiffness is that of the storey.
+/// Keys of the hysteretic laws of storeys.
 struct OfLaws : YieldingKeys {
   std::vector<Key> by_name;
 
@@ -24,22 +24,17 @@ struct OfLaws : YieldingKeys {
       if (parameter.info.name == "stiffness") continue;
       Key& spec = own.emplace_back(key_of(parameter, made));
       spec.form = Form::one_or_each;
-      spec.meaning =
-          kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
+      spec.meaning = kept(
+          fmt::format("{}: one value for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
       if (spec.need == Need::required) example.add(spec);
     }
     add_choices(made, own);
     const Section& section =
-        add_section({.name = L::name,
-                     .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
-                     .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)),
-                     .keys = own});
-    by_name.push_back({.key = L::name,
-                       .inside = &section,
-                       .need = Need::exactly_one,
-                       .since = "0.2.0",
-                       .meaning = kept(fmt::format("The storeys follow this law: {}.", L::summary)),
-                       .example = kept(example.text())});
+        add_section({L::name, kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
+                     kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), own});
+    by_name.push_back({L::name, map(section), exactly_one,
+                       kept(fmt::format("Hysteretic law of the storeys: {}.", L::summary)), kept(example.text()),
+                       "0.2.0"});
   }
 };
 
@@ -47,7 +42,7 @@ const OfLaws& laws() {
   static const OfLaws all = [] {
     OfLaws made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // A storey has a stiffness and yields both ways.
+      // Only symmetric laws with a stiffness apply to storeys.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
       if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);
@@ -59,11 +54,9 @@ const OfLaws& laws() {
 
 }  // namespace
 
-const Section storey_spring{
-    .name = "spring",
-    .place = "structures.NAME.shear_building.spring",
-    .meaning = "The law by which storeys yield, by its name. Its stiffness is that of the storey.",
-    .keys = laws().by_name};
+const Section storey_spring{"spring", "structures.NAME.shear_building.spring",
+                            "Hysteretic law of the storeys, by name. Its stiffness is the storey stiffness.",
+                            laws().by_name};
 
 std::vector<const Section*> laws_of_springs() { return laws().sections(); }
 

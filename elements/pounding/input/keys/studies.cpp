@@ -1,262 +1,111 @@
 #include <pounding/input/keys/studies.hpp>
 
 namespace pounding::keys {
-// Named, because a unity build puts tables with the same names of words into one file.
+// Named, since a unity build puts tables with equal names of keys into one file.
 namespace study_tables {
 
-constexpr Key file_keys[] = {{.key = "study",
-                              .inside = &study,
-                              .need = Need::required,
-                              .since = since,
-                              .meaning = "The study of the model. A file with this key runs with pounding study.",
-                              .example = "{factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}}"},
-                             {.key = "model",
-                              .takes = Takes::text,
-                              .otherwise = "the sections of the model in the same file",
-                              .since = since,
-                              .meaning = "File of the model, relative to the file of the study.",
-                              .example = "pair.yaml"},
-                             {.key = "title",
-                              .takes = Takes::text,
-                              .otherwise = "no title",
-                              .since = since,
-                              .meaning = "Title of the study.",
-                              .example = "Gaps of two oscillators"}};
+constexpr Key file_keys[] = {
+    {"study", map(study), required, "The study of the model. A file with this key runs with pounding study.",
+     "{factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}}", since},
+    {"model", text(), otherwise("the sections of the model in the same file"),
+     "File of the model, relative to the file of the study.", "pair.yaml", since},
+    {"title", text(), otherwise("no title"), "Title of the study.", "Gaps of two oscillators", since},
+};
 
 constexpr std::string_view grid[] = {"grid"};
 constexpr std::string_view engines[] = {"auto", "kernel", "solver"};
 constexpr Key study_keys[] = {
-    {.key = "seed",
-     .takes = Takes::integer,
-     .bounds = bounds::non_negative,
-     .otherwise = "1",
-     .since = since,
-     .meaning = "Seed of all random numbers. The same seed gives the same rows on every machine.",
-     .example = "1"},
-    {.key = "factors",
-     .form = Form::named,
-     .inside = &factor,
-     .otherwise = "none",
-     .since = since,
-     .meaning = "Quantities that the study varies, by name. Each is a column of the table.",
-     .example = "{gap: {of: links.*.gap, list: [10 mm, 20 mm]}}"},
-    {.key = "sampling",
-     .takes = Takes::choice,
-     .inside = &sampling,
-     .choices = grid,
-     .noun = "sampling method",
-     .otherwise = "grid",
-     .since = since,
-     .meaning =
-         "Sampling method of factors with distributions. Factors with lists and ranges form a grid; the samples are "
-         "the same at every grid point.",
-     .example = "{sobol: 128}"},
-    {.key = "records",
-     .inside = &records,
-     .otherwise = "the ground motion of the model",
-     .since = since,
-     .meaning = "Ground motions that replace the source of the model's ground motion, one per row.",
-     .example = "{files: records/*.AT2}"},
-    {.key = "intensity",
-     .inside = &intensity,
-     .otherwise = "motions as recorded",
-     .since = since,
-     .meaning = "Intensity measure of the motions, and the levels to which they are scaled.",
-     .example = "{measure: pga, levels: [0.1 g, 0.2 g]}"},
-    {.key = "keep",
-     .takes = Takes::text,
-     .form = Form::one_or_list,
-     .otherwise = "displacement, force and impacts; impulse instead of force with rigid links",
-     .since = since,
-     .meaning = "Response quantities stored for each row. A suffix selects one structure or link: force.left-right.",
-     .example = "[displacement, force]"},
-    {.key = "without_links",
-     .takes = Takes::boolean,
-     .otherwise = "false",
-     .since = since,
-     .meaning = "Also store the response of the structures without links (.alone) and the ratio of both (.ratio).",
-     .example = "true"},
-    {.key = "limits",
-     .takes = Takes::value,
-     .form = Form::named,
-     .otherwise = "none",
-     .since = since,
-     .meaning = "Limits of response quantities. A row with a value above its limit counts as exceeded.",
-     .example = "{drift: 30 mm}"},
-    {.key = "stop_after",
-     .takes = Takes::quantity,
-     .bounds = bounds::from_0_to_1,
-     .otherwise = "5 %",
-     .since = since,
-     .meaning = "Fraction of failed rows that stops the study.",
-     .example = "5 %"},
-    {.key = "engine",
-     .takes = Takes::choice,
-     .choices = engines,
-     .noun = "engine",
-     .otherwise = "auto",
-     .since = since,
-     .meaning = "auto runs a row with the kernel of linear structures if it can, else with the solver.",
-     .example = "auto"}};
+    {"seed", integer(bounds::non_negative), otherwise("1"),
+     "Seed of all random numbers. The same seed gives the same rows on every machine.", "1", since},
+    {"factors", map(factor).named(), otherwise("none"),
+     "Quantities that the study varies, by name. Each is a column of the table.",
+     "{gap: {of: links.*.gap, list: [10 mm, 20 mm]}}", since},
+    {"sampling", choice(grid, "sampling method").or_map(sampling), otherwise("grid"),
+     "Sampling method of factors with distributions. Factors with lists and ranges form a grid; the samples are the "
+     "same at every grid point.",
+     "{sobol: 128}", since},
+    {"records", map(records), otherwise("the ground motion of the model"),
+     "Ground motions that replace the source of the model's ground motion, one per row.", "{files: records/*.AT2}",
+     since},
+    {"intensity", map(intensity), otherwise("motions as recorded"),
+     "Intensity measure of the motions, and the levels to which they are scaled.",
+     "{measure: pga, levels: [0.1 g, 0.2 g]}", since},
+    {"keep", text().or_list(), otherwise("displacement, force and impacts; impulse instead of force with rigid links"),
+     "Response quantities stored for each row. A suffix selects one structure or link: force.left-right.",
+     "[displacement, force]", since},
+    {"without_links", boolean(), otherwise("false"),
+     "Also store the response of the structures without links (.alone) and the ratio of both (.ratio).", "true", since},
+    {"limits", any_value().named(), otherwise("none"),
+     "Limits of response quantities. A row with a value above its limit counts as exceeded.", "{drift: 30 mm}", since},
+    {"stop_after", number(bounds::from_0_to_1), otherwise("5 %"), "Fraction of failed rows that stops the study.",
+     "5 %", since},
+    {"engine", choice(engines, "engine"), otherwise("auto"),
+     "auto uses the kernel for linear structures where possible, else the solver.", "auto", since},
+};
 
 constexpr std::string_view spacings[] = {"even", "log"};
 constexpr Key factor_keys[] = {
-    {.key = "of",
-     .takes = Takes::text,
-     .form = Form::one_or_list,
-     .otherwise = "none, of a factor with a column: the results contain it",
-     .since = since,
-     .meaning =
-         "Path or paths in the model that take the value. * is every link or structure; links are selected by name, "
-         "or by index from 0.",
-     .example = "links.*.gap"},
-    {.key = "times",
-     .takes = Takes::text,
-     .otherwise = "none",
-     .since = since,
-     .meaning = "Path of a number in the model. The value of the factor is then a ratio to that number.",
-     .example = "structures.left.oscillator.period"},
-    {.key = "list",
-     .takes = Takes::value,
-     .form = Form::list,
-     .minimum = 1,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Values: quantities of one unit, or names, such as names of laws.",
-     .example = "[10 mm, 20 mm]"},
-    {.key = "from",
-     .takes = Takes::value,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "First value of a range; needs to and count.",
-     .example = "0.3"},
-    {.key = "to", .takes = Takes::value, .since = since, .meaning = "Last value of a range.", .example = "1.5"},
-    {.key = "count",
-     .takes = Takes::integer,
-     .bounds = {.low = 2, .high = 1e6},
-     .since = since,
-     .meaning = "Number of values in a range, including both ends.",
-     .example = "25"},
-    {.key = "spacing",
-     .takes = Takes::choice,
-     .choices = spacings,
-     .noun = "spacing",
-     .otherwise = "even",
-     .since = since,
-     .meaning = "Spacing of the values in a range; log needs positive ends.",
-     .example = "log"},
-    {.key = "column",
-     .takes = Takes::text,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Column of the table of samples that contains the values.",
-     .example = "gap"},
-    {.key = "uniform",
-     .inside = &uniform,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Uniform distribution.",
-     .example = "{from: 10 mm, to: 40 mm}"},
-    {.key = "normal",
-     .inside = &normal,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Normal distribution.",
-     .example = "{mean: 5 %, sd: 1 %}"},
-    {.key = "lognormal",
-     .inside = &lognormal,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Lognormal distribution.",
-     .example = "{median: 2.75e9, cov: 0.3}"},
-    {.key = "triangular",
-     .inside = &triangular,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Triangular distribution.",
-     .example = "{from: 10 mm, mode: 20 mm, to: 40 mm}"},
-    {.key = "discrete",
-     .inside = &discrete,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Discrete distribution.",
-     .example = "{values: [10 mm, 20 mm], probabilities: [0.3, 0.7]}"},
-    {.key = "scipy",
-     .takes = Takes::value,
-     .form = Form::named,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning = "Continuous distribution of scipy.stats: its name and its parameters in SI.",
-     .example = "{name: gamma, a: 2, scale: 0.01}"},
-    {.key = "truncate",
-     .takes = Takes::value,
-     .form = Form::list,
-     .minimum = 2,
-     .maximum = 2,
-     .otherwise = "no truncation",
-     .since = since,
-     .meaning = "Lower and upper limit of a distribution.",
-     .example = "[15 mm, 30 mm]"}};
+    {"of", text().or_list(), otherwise("none, of a factor with a column: the results contain it"),
+     "Path or paths in the model that take the value. * is every link or structure; links are selected by name, or by "
+     "index from 0.",
+     "links.*.gap", since},
+    {"times", text(), otherwise("none"),
+     "Path of a number in the model. The value of the factor is then a ratio to that number.",
+     "structures.left.oscillator.period", since},
+    {"list", any_value().nonempty_list(), exactly_one,
+     "Values: quantities of one unit, or names, such as names of laws.", "[10 mm, 20 mm]", since},
+    {"from", any_value(), exactly_one, "First value of a range; needs to and count.", "0.3", since},
+    {"to", any_value(), optional, "Last value of a range.", "1.5", since},
+    {"count", integer(2, 1e6), optional, "Number of values in a range, including both ends.", "25", since},
+    {"spacing", choice(spacings, "spacing"), otherwise("even"),
+     "Spacing of the values in a range; log needs positive ends.", "log", since},
+    {"column", text(), exactly_one, "Column of the table of samples that contains the values.", "gap", since},
+    {"uniform", map(uniform), exactly_one, "Uniform distribution.", "{from: 10 mm, to: 40 mm}", since},
+    {"normal", map(normal), exactly_one, "Normal distribution.", "{mean: 5 %, sd: 1 %}", since},
+    {"lognormal", map(lognormal), exactly_one, "Lognormal distribution.", "{median: 2.75e9, cov: 0.3}", since},
+    {"triangular", map(triangular), exactly_one, "Triangular distribution.", "{from: 10 mm, mode: 20 mm, to: 40 mm}",
+     since},
+    {"discrete", map(discrete), exactly_one, "Discrete distribution.",
+     "{values: [10 mm, 20 mm], probabilities: [0.3, 0.7]}", since},
+    {"scipy", any_value().named(), exactly_one,
+     "Continuous distribution of scipy.stats: its name and its parameters in SI.", "{name: gamma, a: 2, scale: 0.01}",
+     since},
+    {"truncate", any_value().list(2), otherwise("no truncation"), "Lower and upper limit of a distribution.",
+     "[15 mm, 30 mm]", since},
+};
 
 constexpr Key value_key(std::string_view key, std::string_view meaning, std::string_view example) {
-  return {.key = key,
-          .takes = Takes::value,
-          .need = Need::required,
-          .since = since,
-          .meaning = meaning,
-          .example = example};
+  return Key(key, any_value(), required, meaning, example, since);
 }
 constexpr Key ratio_key(std::string_view key, Bounds bounds, std::string_view meaning, std::string_view example) {
-  return {.key = key,
-          .takes = Takes::quantity,
-          .bounds = bounds,
-          .need = Need::exactly_one,
-          .since = since,
-          .meaning = meaning,
-          .example = example};
+  return Key(key, number(bounds), exactly_one, meaning, example, since);
 }
 
 constexpr Key from_key = value_key("from", "Lower limit.", "10 mm"), to_key = value_key("to", "Upper limit.", "40 mm");
 constexpr Key uniform_keys[] = {from_key, to_key};
-constexpr Key normal_keys[] = {value_key("mean", "Mean.", "20 mm"),
-                               {.key = "sd",
-                                .takes = Takes::value,
-                                .need = Need::exactly_one,
-                                .since = since,
-                                .meaning = "Standard deviation, in the unit of the mean.",
-                                .example = "4 mm"},
-                               ratio_key("cov", bounds::positive, "Coefficient of variation.", "0.2")};
+constexpr Key normal_keys[] = {
+    value_key("mean", "Mean.", "20 mm"),
+    {"sd", any_value(), exactly_one, "Standard deviation, in the unit of the mean.", "4 mm", since},
+    ratio_key("cov", bounds::positive, "Coefficient of variation.", "0.2"),
+};
 constexpr Key lognormal_keys[] = {
     value_key("median", "Median.", "20 mm"),
     ratio_key("cov", {.low = 0, .high = 1e6, .without_low = true}, "Coefficient of variation.", "0.3"),
-    ratio_key("beta", bounds::positive, "Standard deviation of the natural logarithm.", "0.4")};
-constexpr Key triangular_keys[] = {from_key, value_key("mode", "Most likely value.", "20 mm"), to_key};
-constexpr Key discrete_keys[] = {{.key = "values",
-                                  .takes = Takes::value,
-                                  .form = Form::list,
-                                  .minimum = 1,
-                                  .need = Need::required,
-                                  .since = since,
-                                  .meaning = "Possible values.",
-                                  .example = "[10 mm, 20 mm]"},
-                                 {.key = "probabilities",
-                                  .takes = Takes::quantity,
-                                  .form = Form::list,
-                                  .minimum = 1,
-                                  .bounds = bounds::from_0_to_1,
-                                  .otherwise = "equal probabilities",
-                                  .since = since,
-                                  .meaning = "Probability of each value; their sum is 1.",
-                                  .example = "[0.3, 0.7]"}};
+    ratio_key("beta", bounds::positive, "Standard deviation of the natural logarithm.", "0.4"),
+};
+constexpr Key triangular_keys[] = {
+    from_key,
+    value_key("mode", "Most likely value.", "20 mm"),
+    to_key,
+};
+constexpr Key discrete_keys[] = {
+    {"values", any_value().nonempty_list(), required, "Possible values.", "[10 mm, 20 mm]", since},
+    {"probabilities", number(bounds::from_0_to_1).nonempty_list(), otherwise("equal probabilities"),
+     "Probability of each value; their sum is 1.", "[0.3, 0.7]", since},
+};
 
 constexpr Key samples_key(std::string_view key, std::string_view meaning) {
-  return {.key = key,
-          .takes = Takes::integer,
-          .bounds = {.low = 1, .high = 1e7},
-          .need = Need::exactly_one,
-          .since = since,
-          .meaning = meaning,
-          .example = "128"};
+  return Key(key, integer(1, 1e7), exactly_one, meaning, "128", since);
 }
 constexpr Key sampling_keys[] = {
     samples_key("sobol", "Number of points of a scrambled Sobol sequence, a power of two."),
@@ -264,48 +113,28 @@ constexpr Key sampling_keys[] = {
     samples_key("random", "Number of independent random points."),
     samples_key("saltelli",
                 "Base number of points of Saltelli's scheme for Sobol indices, a power of two. Needs SALib."),
-    {.key = "table",
-     .takes = Takes::text,
-     .need = Need::exactly_one,
-     .since = since,
-     .meaning =
-         "CSV file with one sample per line; its first line has names and units, as in T1,gap (mm). In Python also "
-         "a dict of arrays.",
-     .example = "samples.csv"}};
+    {"table", text(), exactly_one,
+     "CSV file with one sample per line; its first line has names and units, as in T1,gap (mm). In Python also a dict "
+     "of arrays.",
+     "samples.csv", since},
+};
 
-constinit const Section study{
-    .name = "study", .place = "study", .meaning = "A study: the model is run many times.", .keys = study_keys};
-constinit const Section factor{.name = "factor",
-                               .place = "study.factors.NAME",
-                               .meaning = "One factor: where its values go, and what they are.",
-                               .keys = factor_keys};
-constinit const Section uniform{
-    .name = "uniform", .place = "study.factors.NAME.uniform", .meaning = "Uniform distribution.", .keys = uniform_keys};
-constinit const Section normal{
-    .name = "normal", .place = "study.factors.NAME.normal", .meaning = "Normal distribution.", .keys = normal_keys};
-constinit const Section lognormal{.name = "lognormal",
-                                  .place = "study.factors.NAME.lognormal",
-                                  .meaning = "Lognormal distribution.",
-                                  .keys = lognormal_keys};
-constinit const Section triangular{.name = "triangular",
-                                   .place = "study.factors.NAME.triangular",
-                                   .meaning = "Triangular distribution.",
-                                   .keys = triangular_keys};
-constinit const Section discrete{.name = "discrete",
-                                 .place = "study.factors.NAME.discrete",
-                                 .meaning = "Discrete distribution.",
-                                 .keys = discrete_keys};
-constinit const Section sampling{.name = "sampling",
-                                 .place = "study.sampling",
-                                 .meaning = "Sampling method and number of samples.",
-                                 .keys = sampling_keys};
+constinit const Section study{"study", "study", "A study: the model is run many times.", study_keys};
+constinit const Section factor{"factor", "study.factors.NAME",
+                               "Factor: the input values that it replaces, and its distribution.", factor_keys};
+constinit const Section uniform{"uniform", "study.factors.NAME.uniform", "Uniform distribution.", uniform_keys};
+constinit const Section normal{"normal", "study.factors.NAME.normal", "Normal distribution.", normal_keys};
+constinit const Section lognormal{"lognormal", "study.factors.NAME.lognormal", "Lognormal distribution.",
+                                  lognormal_keys};
+constinit const Section triangular{"triangular", "study.factors.NAME.triangular", "Triangular distribution.",
+                                   triangular_keys};
+constinit const Section discrete{"discrete", "study.factors.NAME.discrete", "Discrete distribution.", discrete_keys};
+constinit const Section sampling{"sampling", "study.sampling", "Sampling method and number of samples.", sampling_keys};
 }  // namespace study_tables
 
-constinit const Section study_file{
-    .name = "study_file",
-    .place = "",
-    .meaning = "The file of a study: its keys next to those of the model, or with model.",
-    .keys = study_tables::file_keys};
+constinit const Section study_file{"study_file", "",
+                                   "The file of a study: its keys next to those of the model, or with model.",
+                                   study_tables::file_keys};
 
 std::span<const Section* const> sections_of_studies() noexcept {
   using namespace study_tables;

@@ -20,7 +20,7 @@ extern const Section study, factor, uniform, normal, lognormal, triangular, disc
 /// File of a study: studies.cpp.
 extern const Section study_file;
 
-/// Every section of a study, outer ones first; the first is the file.
+/// All sections of a study, outer ones first; the first is the file.
 std::span<const Section* const> sections_of_studies() noexcept;
 
 }  // namespace pounding::keys

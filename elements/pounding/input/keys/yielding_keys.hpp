@@ -1,6 +1,6 @@
 #pragma once
-/// The words by which inputs choose a law of yielding, whatever yields by it: storeys (springs.cpp), hinges
-/// (hinges.cpp), devices (devices.cpp), isolators (isolators.cpp).
+/// Keys that select a hysteretic law: for storeys (springs.cpp), hinges (hinges.cpp), devices (devices.cpp) and
+/// isolators (isolators.cpp).
 
 #include <deque>
 #include <string>
@@ -16,10 +16,10 @@
 
 namespace pounding::keys {
 
-/// Words and sections made from the tables of laws, with the texts that they point to.
+/// Keys and sections generated from the tables of laws; owns the texts that they refer to.
 class YieldingKeys {
  public:
-  /// A section for each law, in their order.
+  /// One section per law, in the order of the laws.
   std::vector<const Section*> sections() const {
     std::vector<const Section*> all;
     for (const Section& section : sections_) all.push_back(&section);
@@ -27,13 +27,13 @@ class YieldingKeys {
   }
 
  protected:
-  /// Keeps a text as long as the words.
+  /// Stores a text for the lifetime of the keys.
   std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
-  /// Keeps words as long as a section that holds them.
+  /// Stores keys for the lifetime of a section.
   std::vector<Key>& more_keys() { return keys_.emplace_back(); }
   const Section& add_section(const Section& section) { return sections_.emplace_back(section); }
 
-  /// With a capital where the text begins with a word, and not with a symbol.
+  /// Capitalizes the first letter unless it is a symbol of one letter.
   static std::string capital(std::string_view text) {
     std::string all(text);
     if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' '))
@@ -41,32 +41,29 @@ class YieldingKeys {
     return all;
   }
 
-  /// A number in the unit of a table; forces in kN.
+  /// A number with its unit; forces in kN.
   static std::string shown(double value, std::string_view unit) {
     if (unit == "N") return fmt::format("{:g} kN", value / 1e3);
     return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
   }
 
-  /// A number of a law, with its typical value as the example and that of `made` where it may be left out.
+  /// Key of a parameter of a law: the example is its typical value, the default its value in `made`.
   template <class Parameter, class L>
   Key key_of(const Parameter& parameter, const L& made) {
     const hysteresis::ParameterInfo& info = parameter.info;
     const bool is_required = info.need == hysteresis::Need::required;
-    Key spec{.key = info.name,
-             .takes = Takes::quantity,
-             .dimension = parse_unit_dimension(info.unit),
-             .unit = info.unit,
-             .bounds = bounds::any,
-             .need = is_required ? Need::required : Need::optional,
-             .since = "0.2.0",
-             .meaning = kept(fmt::format("{}.", capital(info.meaning))),
-             .example = kept(shown(info.typical, info.unit))};
+    Key spec{info.name,
+             quantity(parse_unit_dimension(info.unit)).in(info.unit),
+             is_required ? required : optional,
+             kept(fmt::format("{}.", capital(info.meaning))),
+             kept(shown(info.typical, info.unit)),
+             "0.2.0"};
     if (!is_required)
       spec.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
     return spec;
   }
 
-  /// The map of a law in a line: "{stiffness: 50 MN/m, yield_force: 600 kN}".
+  /// Map of a law on one line: "{stiffness: 50 MN/m, yield_force: 600 kN}".
   class Example {
    public:
     void add(const Key& spec) { text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ", ", spec.key, spec.example); }
@@ -76,18 +73,13 @@ class YieldingKeys {
     std::string text_;
   };
 
-  /// The numbers of a law that are chosen by words.
+  /// Adds the choices of a law.
   template <class L>
   void add_choices(const L& made, std::vector<Key>& keys) {
     if constexpr (requires { L::choices; })
-      for (const auto& choice : L::choices)
-        keys.push_back({.key = choice.info.name,
-                        .takes = Takes::choice,
-                        .choices = choice.info.words,
-                        .otherwise = choice.info.words[choice.get(made)],
-                        .since = "0.2.0",
-                        .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))),
-                        .example = choice.info.words.back()});
+      for (const auto& each : L::choices)
+        keys.push_back({each.info.name, choice(each.info.words), otherwise(each.info.words[each.get(made)]),
+                        kept(fmt::format("{}.", capital(each.info.meaning))), each.info.words.back(), "0.2.0"});
   }
 
  private:
@@ -96,7 +88,7 @@ class YieldingKeys {
   std::deque<Section> sections_;
 };
 
-/// Calls `visit` with each law of a variant as it is by default.
+/// Calls `visit` with each law of a variant, default-constructed.
 template <class Any>
 struct EachLaw;
 template <class... L>
