@@ -1,4 +1,4 @@
-"""Exit codes, where the words go, and what each command prints."""
+"""Exit codes, standard output and standard error, and the output of each command."""
 
 import json
 import math

@@ -1,7 +1,8 @@
-"""Wrong texts: each ends with a message, soon and within little memory.
+"""Invalid texts: each ends with a message, in bounded time and memory.
 
-`tests/corpus` holds one small file a fault, in a folder for models, one for units (each a quantity that should be a
-mass) and one for records. A file whose name begins with fine_ is read without a message. Larger ones are made here."""
+`tests/corpus` has one small file per fault, in folders for models, units (each a quantity that should be a mass) and
+records. A file whose name begins with fine_ is valid. Larger files are generated here.
+"""
 
 import json
 import os
@@ -15,15 +16,14 @@ from pathlib import Path
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 CORPUS = Path(__file__).parent.parent / "corpus"
-#: Seconds of a processor and bytes that no text may take, bytes of the longest message, and seconds that a busy machine
-#: is waited for.
+#: Limits on processor time [s], memory [bytes] and length of a message [bytes], and the wait for a busy machine [s].
 PATIENCE, MEMORY, LONGEST, WAIT = 10, 1_000_000_000, 2000, 100
 
 MODEL = (CORPUS / "model" / "fine_plain.yaml").read_text()
 
 
 def limited():
-    """Far above MEMORY, so that a text that takes all memory ends, and does not end other programs."""
+    """Far above MEMORY, so that a text that exhausts memory fails without affecting other programs."""
     resource.setrlimit(resource.RLIMIT_AS, (6_000_000_000, 6_000_000_000))
 
 
@@ -39,7 +39,7 @@ class CorpusTest(unittest.TestCase):
         return path
 
     def outcome(self, *words):
-        """Exit code and what was printed, after the checks that hold for every text."""
+        """Exit code and output, after the checks that apply to every text."""
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as told:
             process = subprocess.Popen(
                 [PROGRAM, *map(str, words)],
@@ -102,13 +102,13 @@ class Models(CorpusTest):
         for name, told in {
             "comma_after_map": ":1:11: a second YAML document, or text after the model",
             "second_document": ":8:1: a second YAML document",
-            "latin1_comment": ":1:4: the byte FC is no UTF-8; save the file as UTF-8",
-            "latin1_title": ":1:9: the byte F6 is no UTF-8",
+            "latin1_comment": ":1:4: the byte FC",
+            "latin1_title": ":1:9: the byte F6",
             "utf16": ":1:1: this file is in UTF-16; save it as UTF-8",
             "utf16_without_mark": ":1:1: this file is in UTF-16",
             "utf32": ":1:1: this file is in UTF-32",
-            "mac_lines": ":1:25: a carriage return stands alone",
-            "zero_byte": ":1:9: the control character \\x00 stands here",
+            "mac_lines": ":1:25: a carriage return",
+            "zero_byte": ":1:9: the control character \\x00",
             "zero_in_name": ':3:3: "a\\x00b" holds the control character \\x00',
             "line_feed_in_name": ':3:3: structures.a\\nb: the name "a\\nb" holds a control character',
             "tab_in_link_name": 'links[0].name: the name "a\\tb" holds a control character',
@@ -210,7 +210,7 @@ class Units(CorpusTest):
                         self.refused(*words)
 
     def test_beyond_the_range_of_numbers(self):
-        """Values that are numbers, and whose answers are none."""
+        """Numeric values whose results are not numbers."""
         hertz = ["calibrate", "--law", "hertz_damped", "--m1", "1"]
         for words in (
             [*hertz, "--restitution", "1e-300"],
