@@ -68,7 +68,7 @@ def marked_comments(text, mark):
             found.append((number, words))
             open_at = len(found) - 1
         else:
-            open_at = None  # an empty line begins a paragraph
+            open_at = None  # an empty line starts a new paragraph
         if not alone:
             open_at = len(found) - 1 if words else None
     for block in re.finditer(r"/\*+(.*?)\*/", text, re.DOTALL) if mark == "//" else ():
@@ -183,7 +183,7 @@ class Prose(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """The check itself knows the phrases and finds the texts of a file."""
+    """Checks that the test recognises the phrases and finds the texts of a file."""
 
     def test_KnowsThePhrases(self):
         for text in (

@@ -1,5 +1,6 @@
-"""The archives that `make release` gathers: archives of the version in CMakeLists.txt, their checksums, notes from the
-changelog."""
+"""The archives collected by `make release`: archives of the version in CMakeLists.txt, their checksums, notes from the
+changelog.
+"""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""Pictures of every kind of run, and what they say."""
+"""Pictures of every kind of run, and their texts."""
 
 import contextlib
 import dataclasses
@@ -36,7 +36,7 @@ def axes_titled(figure, words):
 class Pictures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        # A glyph or an option that matplotlib does not know is a fault of the picture.
+        # A glyph or an option unknown to matplotlib is a fault of the picture.
         warnings.simplefilter("error")
         cls.directory = tempfile.TemporaryDirectory()
         cls.files = {kind: Path(cls.directory.name) / f"{kind}.h5" for kind in KINDS}
@@ -126,7 +126,7 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         axes = axes_titled(self.figure("towers", floors={"stiff": "2"}), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
-        # The neighbour is shown at the floor that faces it.
+        # The neighbour is shown at the facing floor.
         self.assertEqual(
             axes.get_legend_handles_labels()[1],
             ["slender, floor 2", "slender, top", "stiff, floor 2", "gap, 40 mm at rest"],
@@ -188,7 +188,7 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         for picture in (*figures.WHOLE, *figures.PANELS):
             for size in ((3.3, 2.4), None):
-                # nothing yields or rotates here, and nothing has a plan: other tests draw these
+                # without yielding, rotations or plans: other tests draw these
                 if picture == "profiles" and size or picture in ("springs", "hinges", "plan", "rotation"):
                     continue
                 figure = figures.figure(run, picture, "", size)
