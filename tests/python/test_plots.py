@@ -219,13 +219,13 @@ class Pictures(unittest.TestCase):
             self.assertEqual(figure.axes[-1].get_xlabel().split()[0], "Time" if count < 8 else "Closing")
 
     def test_floors_that_do_not_exist_are_refused(self):
-        for floors, words in (
-            ({"stif": "1"}, "there is no structure stif; there is slender, stiff"),
-            ({"stiff": "7"}, "stiff has no floor 7; it has 1, 2, 3, 4, 5, 6"),
+        for floors, facts in (
+            ({"stif": "1"}, ["stif", "slender", "stiff"]),
+            ({"stiff": "7"}, ["stiff", "7", "1, 2, 3, 4, 5, 6"]),
         ):
             with self.assertRaises(BadRequest) as caught:
                 self.figure("towers", floors=floors)
-            assert_mentions(str(caught.exception), words)
+            assert_mentions(str(caught.exception), facts)
 
     def test_touches_are_marked(self):
         run = read(self.files["two"])
@@ -310,7 +310,9 @@ class CommandLine(unittest.TestCase):
 
     def test_missing_file_is_named(self):
         missing = self.directory / "none.h5"
-        self.assertEqual(self.run_main(missing, "-o", "x.png"), (2, f"there is no file {missing}\n"))
+        code, message = self.run_main(missing, "-o", "x.png")
+        self.assertEqual(code, 2)
+        assert_mentions(message, str(missing))
 
     def test_other_hdf5_file_is_refused(self):
         other = self.directory / "other.h5"

@@ -194,13 +194,8 @@ class TwoStudies(Files):
             self.refused([], "merge", "study.yaml", "slow.h5", "-o", name)
         first.send_signal(signal.SIGTERM)
         _, told = first.communicate(timeout=30)
-        self.assertEqual(
-            (first.returncode, told),
-            (
-                3,
-                "pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on\n",
-            ),
-        )
+        self.assertEqual(first.returncode, 3)
+        assert_mentions(told, ["signal", "finished rows", "same command"])
         self.assertFalse((self.folder / "slow.h5.parts").exists())
 
     def test_in_one_process_too(self):
