@@ -18,8 +18,7 @@ from pathlib import Path
 
 def row(links, duration, tolerance):
     """Random masses, velocities and gaps; an impact takes half a millisecond, in which one link of a hundred comes into
-    contact.
-    """
+    contact."""
     chance = random.Random(1)
     lines = ["structures:"]
     lines += [

@@ -37,8 +37,7 @@ def models(name, folder):
 
 def equal(first, second):
     """Numbers of datasets that are bitwise identical in both files, and that differ, without times, texts and the
-    input.
-    """
+    input."""
     counts = [0, 0]
 
     def visit(name, one):

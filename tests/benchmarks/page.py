@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Rewrites the measured section of tests/benchmarks/README.md and its plots from build/benchmarks/*.json (called by
-run.py).
-"""
+run.py)."""
 
 import json
 import re

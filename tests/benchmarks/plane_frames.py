@@ -63,8 +63,7 @@ def frame(storeys, bays, stiffer):
 
 def pair():
     """Mass [n], stiffness [n, n], Rayleigh coefficients (a0, b0), facing degrees of freedom of the six links, the two
-    tops.
-    """
+    tops."""
     (m1, k1), (m2, k2) = (frame(*each) for each in zip(STOREYS, BAYS, STIFFER))
     mass = np.concatenate([m1, m2])
     stiffness = np.zeros((len(mass),) * 2)

@@ -112,8 +112,7 @@ def model(count, bays, rigid, apart=False, stiff=False, reduction="none", longer
 
 def process(command, ranks=1):
     """{"seconds", "memory_mb", "steps"} of a process: the wall time, the memory of the largest process, and for each
-    line of the monitor (length of the step [s], wall time since the previous line [s]).
-    """
+    line of the monitor (length of the step [s], wall time since the previous line [s])."""
     if ranks > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-n", ranks, *command]
     steps, start = [], time.perf_counter()

@@ -58,8 +58,7 @@ def section(area, inertia):
 
 def towers(yield_moment):
     """The pair of towers.py with flexible floors, pressed together, with a hinge at both ends of every beam along x of
-    TOWER_STOREYS; no hinges if the yield moment is None.
-    """
+    TOWER_STOREYS; no hinges if the yield moment is None."""
     import towers as of
 
     text = of.model(2, 5, False)

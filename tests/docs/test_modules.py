@@ -1,6 +1,5 @@
 """The folders of pounding/ are modules in one order: each includes only the modules listed in its NEEDS, all of which
-precede it.
-"""
+precede it."""
 
 import re
 import unittest

@@ -49,8 +49,7 @@ def unexplained(items, contract=frozenset()):
 
 def without_docstring(tree, around=""):
     """Public classes, functions, methods and properties of a module; an override may leave its documentation to the
-    base.
-    """
+    base."""
     for node in tree.body:
         if not isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) or node.name.startswith("_"):
             continue

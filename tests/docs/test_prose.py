@@ -144,10 +144,12 @@ def hits(words):
 def sources():
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
-            generated = (
-                "pages" in path.parts or path.name == "words.md" or path.parts[-2:] == ("verification", "README.md")
+            skipped = (  # generated pages, and the phrases themselves
+                "pages" in path.parts
+                or path.name in ("words.md", Path(__file__).name)
+                or path.parts[-2:] == ("verification", "README.md")
             )
-            if path.suffix in (*MARKS, ".py", ".md") and path.is_file() and "build" not in path.parts and not generated:
+            if path.suffix in (*MARKS, ".py", ".md") and path.is_file() and "build" not in path.parts and not skipped:
                 yield path
     yield from (ROOT / name for name in PAGES_AT_THE_TOP)
 

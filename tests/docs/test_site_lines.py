@@ -1,6 +1,5 @@
 """Lines of the site outside the blocks of README and guide: commands of the lessons and in tables, Python calls inside
-sentences, programs in docstrings and in the header of the C interface. The environment is that of test_readme_lines.
-"""
+sentences, programs in docstrings and in the header of the C interface. The environment is that of test_readme_lines."""
 
 import ast
 import importlib.util
@@ -178,8 +177,7 @@ class CommandsInSentences(Lines):
 
 class CallsInSentences(Lines):
     """`results.plot("gap")`, `run(model, tolerance=, ...)`: run unchanged or, if values are omitted, checked for every
-    argument name that is given.
-    """
+    argument name that is given."""
 
     def setUp(self):
         super().setUp()

@@ -1,6 +1,5 @@
 """The build with another PETSc than the system's: messages of `make`, its script and CMake before anything is
-compiled.
-"""
+compiled."""
 
 import fcntl
 import os

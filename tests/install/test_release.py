@@ -1,6 +1,5 @@
 """The archives collected by `make release`: archives of the version in CMakeLists.txt, their checksums, notes from the
-changelog.
-"""
+changelog."""
 
 import contextlib
 import io

@@ -1,6 +1,5 @@
 """Verification book for tests in Python, as tests/support/book.hpp for those in C++: numbers of an independent
-source.
-"""
+source."""
 
 import json
 import os

@@ -64,8 +64,7 @@ class Sample(NamedTuple):
 
 def samples(folder):
     """Files of a run of every kind, of runs that can be resumed (also in their first part), of a pushover and of a
-    study.
-    """
+    study."""
     made = []
 
     def make(kind, holds, model, verb, *words, codes=(0,)):
@@ -154,8 +153,7 @@ def fate_by_signal(code):
 
 def fate_of_reading(path, read):
     """Outcome of a reader of the package on a file, in a separate process: refused, read, an exception, a signal, or
-    hangs.
-    """
+    hangs."""
     from pounding.checked_file import NotResults
 
     def reading():
@@ -235,8 +233,7 @@ def fate_of_package(words, path):
 
 def survey(count, seed, verbs):
     """Number of outcomes: {(kind of file, reader, fate): number}. The first `verbs` files go to every command. For
-    every twentieth file the program starts Python for one of the commands.
-    """
+    every twentieth file the program starts Python for one of the commands."""
     fates = collections.Counter()
     chance = random.Random(seed)
     read = readers()

@@ -32,8 +32,7 @@ LOOKS = 6
 
 def _power(d, n):
     """d^n, continued as an odd function below zero, so that a trial step past the separation meets no corner; bounded
-    for extreme trial values.
-    """
+    for extreme trial values."""
     return math.copysign(min(abs(d), 1e3) ** n, d)
 
 

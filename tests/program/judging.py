@@ -65,8 +65,7 @@ class Verdict:
 
 def grazing_time(row, tolerance, end):
     """First time at which GRAZING tolerances of the displacements could add or remove a touch, a miss or a
-    separation.
-    """
+    separation."""
     reach = GRAZING * tolerance * row.reach
 
     def earlier(speed, opening_acceleration):
@@ -106,8 +105,7 @@ def disturbed(case, quantity, size):
 
 def measure(row):
     """(start, end, values) of each impact by link; values are the peak force (rigid: the impulse) and the separation
-    speed.
-    """
+    speed."""
     return [
         [
             (i.start, i.end, (link.law.mass * (i.approach + i.separation) if link.law.rigid else i.peak, i.separation))

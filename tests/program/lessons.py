@@ -88,8 +88,7 @@ def questions(text):
 
 def unfounded(text, stated, models):
     """Figures of a text that follow from no stated number, such as "8.1 MN", "13 %" or "5 impacts", and occur in no
-    model.
-    """
+    model."""
     given = " ".join([*models, *(new or "" for one in stated for _, new in one.changes)])
     values = [one.value for one in stated]
     ratios = [one.value / other.value for one in stated for other in stated if other.kind == one.kind and other.value]

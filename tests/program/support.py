@@ -128,8 +128,7 @@ class ProgramTest(unittest.TestCase):
 
     def resumed(self, steps, name):
         """Summary of the run of model.yaml that was cut after this number of steps and resumed in another process;
-        `name` is its results file.
-        """
+        `name` is its results file."""
         self.pounding("run", "model.yaml", "-q", "-o", name, "-pounding_ts_max_steps", str(steps))
         done = self.pounding("run", "--resume", name, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -41,8 +41,7 @@ analysis: {{duration: {duration}, tolerance: {tolerance}, output_step: 10 ms{ana
 
 def linear(times, bar=0.0, damper=0.0, ratio=0.05, velocities=(0.0, 0.0), amplitude=AMPLITUDE):
     """Displacements and velocities [time, 2] of the coupled oscillators: complex modes for the free vibration plus the
-    steady state under a sine.
-    """
+    steady state under a sine."""
     m = np.diag(MASSES)
     join = np.array([[1.0, -1.0], [-1.0, 1.0]])
     k = np.diag(STIFFNESSES) + bar * join

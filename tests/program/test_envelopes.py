@@ -1,6 +1,5 @@
 """Envelopes, the run without links next to the run with them, and floor spectra, in the program's output and in the
-file.
-"""
+file."""
 
 import csv
 import json
@@ -22,8 +21,7 @@ def datasets(group):
 
 def peak_responses(time, accelerations, periods, damping):
     """[period, motion]: largest |u| of u'' + 2 z w u' + w^2 u = -a(t) by the Runge-Kutta method of order four with four
-    steps per sample, until one longest period after the end. `accelerations` [time, motion].
-    """
+    steps per sample, until one longest period after the end. `accelerations` [time, motion]."""
     w = 2 * np.pi / np.asarray(periods)[:, None]
     step = (time[1] - time[0]) / 4
     count = int(np.ceil((time[-1] + max(periods)) / step))

@@ -1,6 +1,5 @@
 """Output files of the commands: they replace only earlier ones of the same kind, keep the file mode, and end with exit
-code 0, 2 or 3.
-"""
+code 0, 2 or 3."""
 
 import os
 import subprocess
@@ -165,8 +164,7 @@ class ExitCodes(ProgramTest):
 
     def test_of_commands_of_python_are_those_of_the_program(self):
         """Warnings that cannot be printed do not fail the run; a full device for the screen does not affect the
-        table.
-        """
+        table."""
         self.write(OSCILLATORS)
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
         # The bare limit has a warning.

@@ -1,6 +1,5 @@
 """`mpirun -n 2 pounding run`: the answers of one process, one message per fault, and no process that waits for another
-one forever.
-"""
+one forever."""
 
 import json
 import os
@@ -92,8 +91,7 @@ accept: [tolerance]
 
 def frames(storeys=9, bays="[4, 3]", duration=0.1):
     """A tall frame that hits a low one, under a wave that reaches their feet one after the other, with friction and
-    gravity. Nine storeys on twenty columns have 540 degrees of freedom with mass: too many for the modal base.
-    """
+    gravity. Nine storeys on twenty columns have 540 degrees of freedom with mass: too many for the modal base."""
     return f"""\
 ground_motion:
   components: {{x: {{harmonic: {{amplitude: 3.0, period: 0.2, duration: 1}}}}, y: {{harmonic: {{amplitude: 2.0, period: 0.3, duration: 1}}}}}}

@@ -1,6 +1,5 @@
 """A killed, stopped or cut run resumes in a new process, with results bitwise identical to those of an uninterrupted
-one.
-"""
+one."""
 
 import re
 import signal
@@ -61,8 +60,7 @@ class Resumed(ProgramTest):
 
     def kill(self, *words, beyond=0.0):
         """Kills the run once its file has passed this time. On a slow disk the run may end before its second update:
-        then it is repeated.
-        """
+        then it is repeated."""
         path = self.folder / "out.h5"
         before = path.read_bytes() if path.exists() else None
         for _ in range(5):

@@ -1,6 +1,5 @@
 """The program and the package on a PETSc without MPI: started as one process of several, they report it and run
-nothing.
-"""
+nothing."""
 
 import os
 import subprocess

@@ -1,6 +1,5 @@
 """Files of the working folder that PETSc, Python and matplotlib would read: a folder with a model may come from
-anywhere.
-"""
+anywhere."""
 
 import json
 import os

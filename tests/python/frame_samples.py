@@ -1,6 +1,5 @@
 """Results files of frames, written with h5py in the program's format: two frames 25 mm apart, plane or in space, with
-prescribed motions. All numbers follow from `displacement_of`.
-"""
+prescribed motions. All numbers follow from `displacement_of`."""
 
 import h5py
 import numpy as np
@@ -66,8 +65,7 @@ WITHOUT_LINKS = 0.7
 
 def write(path, dimension=2, nodes="all", members=True, wall=False, compare=False, rigid=False):
     """One file. `nodes`: all, none, or the number of reported nodes; `compare`: with a run without links; `rigid`:
-    rigid floors in space, so that the file contains their plans.
-    """
+    rigid floors in space, so that the file contains their plans."""
     storeys = {"tall": 5, "low": 3}
     with h5py.File(path, "w", track_order=True) as file:
         file.attrs.update(

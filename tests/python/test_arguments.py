@@ -1,6 +1,5 @@
 """Invalid values for every argument of the public functions: each raises InputError, or another ValueError, with a
-message of a few lines.
-"""
+message of a few lines."""
 
 import math
 import os
@@ -109,8 +108,7 @@ class WrongArguments(unittest.TestCase):
 
     def refuses(self, function, allowed=(), values=WRONG, **right):
         """Every argument with every invalid value: no errors but ValueError, ImportError of an optional package, and
-        the allowed ones.
-        """
+        the allowed ones."""
         for name in right:
             for wrong in values:
                 try:

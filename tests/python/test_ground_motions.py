@@ -1,6 +1,5 @@
 """Ground motions in users' files: many layouts compared with numpy's readers, closed forms compared with numpy's
-functions.
-"""
+functions."""
 
 import tempfile
 import unittest

@@ -9,8 +9,7 @@ PACKAGE = Path(__file__).resolve().parents[2] / "python/pounding"
 
 def names_of(package):
     """{module: file} of a package's folder, such as {"pounding.opensees": .../opensees/__init__.py}; for the compiled
-    module its stub file.
-    """
+    module its stub file."""
     files = {}
     for file in sorted([*package.rglob("*.py"), *package.glob("*.pyi")]):
         words = [package.name, *file.relative_to(package).with_suffix("").parts]
@@ -20,8 +19,7 @@ def names_of(package):
 
 def imported(text, modules):
     """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by name, as
-    in importlib.import_module("pounding.plots").
-    """
+    in importlib.import_module("pounding.plots")."""
     found = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):

@@ -47,8 +47,7 @@ class TwoOscillators(unittest.TestCase):
 
     def errors(self, law, step):
         """Root mean squares relative to the program: peak displacements, and of impacts peak force and closing
-        speed.
-        """
+        speed."""
         exact = self.converged(law)
         wanted = [exact.summary["structures"][name]["peak_displacement"][0] for name in ("left", "right")]
         squares = []

@@ -99,8 +99,7 @@ class Element:
 
 def collide(law, step, speed=1.0, gap=0.01):
     """Newmark with constant average acceleration, Newton with the slopes of the element. The left body starts at this
-    speed. Returns the impacts, and the maximum number of iterations per step.
-    """
+    speed. Returns the impacts, and the maximum number of iterations per step."""
     element = Element(law, gap).connect()
     u, v, a = np.zeros(2), np.array([speed, 0.0]), np.zeros(2)
     element.trial(0.0, u, v, a)

@@ -48,8 +48,7 @@ MATERIALS = {
 
 def portal(hinge=None, x=0.0, first=0, stiffer=1.0):
     """A portal of 6 m and 3.5 m; nodes 1 to 4 from the left foot to the right one, with hinges of this material at its
-    feet and at both ends of the beam. Two at a joint could both lose their stiffness and leave it unsupported.
-    """
+    feet and at both ends of the beam. Two at a joint could both lose their stiffness and leave it unsupported."""
     for tag, (dx, y) in enumerate(((0, 0), (0, 3.5), (6, 3.5), (6, 0)), first + 1):
         ops.node(tag, x + dx, y)
     for foot in (first + 1, first + 4):
@@ -111,8 +110,7 @@ def of_springs(springs):
 class Yielding(unittest.TestCase):
     def compare(self, build, nodes, limit, step=5e-4, order=1.6):
         """The models of pounding and OpenSees agree: errors of OpenSees decrease with its step. `nodes`: those of
-        OpenSees by structure.
-        """
+        OpenSees by structure."""
         build()
         shaken()
         run = pounding.run(ours())

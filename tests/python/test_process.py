@@ -231,8 +231,7 @@ class InterruptedStudy(unittest.TestCase):
 
     def test_ctrl_c_at_any_time_is_told_in_one_line(self):
         """While modules are imported, workers start, rows run and the program ends: never the Python location of the
-        interrupt.
-        """
+        interrupt."""
         whole = time.monotonic()
         subprocess.run(self.words, capture_output=True, check=True, **self.how)
         whole = time.monotonic() - whole

@@ -189,8 +189,7 @@ def first_impacts(run):
 
 def differences(run, other):
     """Differences of the peak and the separation of each impact in two runs, in tolerances; infinite if the impacts do
-    not match.
-    """
+    not match."""
     mine, theirs = first_impacts(run), first_impacts(other)
     peaks = [max((peak for _, index, peak, _ in mine if index == k), default=0.0) for k in range(len(run.rows))]
     for (start, index, peak, speed), (there, where, found, speed_there) in itertools.zip_longest(
@@ -209,8 +208,7 @@ def differences(run, other):
 
 def integrate_one(task):
     """One case by both integrators: (number, impacts compared, text, message). Differences from esdirk4 at a tenth of
-    the tolerance are amplified by the motion and are ignored.
-    """
+    the tolerance are amplified by the motion and are ignored."""
     program, seed, number = task
     case = case_of(seed, number) | {"tolerance": COARSE}
     case["duration"] = min(case["duration"], 1.0)

@@ -1,6 +1,5 @@
 """Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, and frames with and without
-hinges and friction, under all laws.
-"""
+hinges and friction, under all laws."""
 
 import math
 import random
@@ -125,8 +124,7 @@ def storeys_of(chance, storeys, low, high):
 
 def building(chance, number, storeys, yields):
     """A shear building whose first period is about 0.1 s per storey; a yielding one yields at 2 to 40 % of its
-    weight.
-    """
+    weight."""
     mass = storeys_of(chance, storeys, 4, 6)
     least = min(mass) if isinstance(mass, list) else mass
     stiffness = storeys_of(chance, storeys, math.log10(least) + 2.7, math.log10(least) + 4)
@@ -193,8 +191,7 @@ def yielding(chance):
 
 def frames(chance):
     """Two plane frames of equal storey height. Under their weight they lean by micrometres, and a gap separates
-    them.
-    """
+    them."""
     height, width = chance.choice([3.0, 3.5]), chance.choice([4.0, 6.0])
     storeys, bays = [chance.randint(1, 4) for _ in range(2)], [chance.randint(1, 2) for _ in range(2)]
     gravity = chance.random() < 0.5
@@ -234,8 +231,7 @@ def frames(chance):
 
 def hinges(chance, s):
     """Hinges of a frame that carries 4 to 40 % of its weight as a sway mechanism of its storeys and feet, all by one
-    law.
-    """
+    law."""
     weight = 9.81 * s["storeys"] * (s["floor_mass"] + 5e3 * (s["bays"] + 1))
     moment = chance.uniform(0.04, 0.4) * weight * s["height"] / (2 * (s["bays"] + 1))
     hardening = chance.choice([0, 0.01, 0.05, 0.2])
@@ -455,8 +451,7 @@ MANY_BOUNCES = 2000
 
 def bounces_of(case, touches):
     """The case cut after MANY_BOUNCES of its impacts, which began at these times; None if there are fewer, or if all
-    contacts are soft or dissipate energy.
-    """
+    contacts are soft or dissipate energy."""
     lossless = any(l["law"] == "stereomechanical" and l["restitution"] == 1 for l in case["links"])
     if not lossless or len(touches) <= MANY_BOUNCES:
         return None

@@ -18,8 +18,7 @@ IN_HAND = 32
 
 def package_run(package, case, folder, seconds):
     """(run, message) by the package in this folder: the run is None if it fails or exceeds this processor time, with
-    the reason.
-    """
+    the reason."""
     if package not in sys.path:
         sys.path.insert(0, package)
     import pounding
@@ -45,8 +44,7 @@ def package_run(package, case, folder, seconds):
 
 def in_processes(task, arguments, jobs):
     """task(argument) of each, in order of completion. If a process dies, for which a pool of multiprocessing would wait
-    forever, the program ends and names the arguments in progress.
-    """
+    forever, the program ends and names the arguments in progress."""
     waiting, left = {}, iter(arguments)
     with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
         while True:

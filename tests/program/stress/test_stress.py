@@ -282,8 +282,7 @@ class TheChecks(unittest.TestCase):
 
     def test_accept_a_spring_that_follows_the_rounding_of_a_rigid_rest(self):
         """Bodies at rest on each other drift for two seconds: a parallel spring of 1.9e10 N/m pulls with 3e-6 N s due
-        to ten round-offs of 0.4 m.
-        """
+        to ten round-offs of 0.4 m."""
         case = stress_cases.case_of(44, 33021)
         self.assertEqual(
             [l["law"] for l in case["links"]], ["stereomechanical", "jankowski", "modified_linear_viscoelastic"]

@@ -1,7 +1,6 @@
 """Study files with random faults, by seed: `python3 mutate_plans.py --count 100000`, with PYTHONPATH set. A plan must
 be read or refused by InputError, within 10 s and 2 GB; any other outcome is written with its seed to the folder
-FOUND.
-"""
+FOUND."""
 
 import argparse
 import collections
@@ -174,8 +173,7 @@ def look(seeds, folder, found):
 
 def survey(count, seed, found):
     """{outcome: number} of this number of mutants; one child process per thousand, since a mutant may end its
-    process.
-    """
+    process."""
     fates = collections.Counter()
     found.mkdir(parents=True, exist_ok=True)
     stats()  # takes a second, once for all children

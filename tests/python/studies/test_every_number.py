@@ -1,6 +1,5 @@
 """Every number of the schema as a factor, compared with a model edited by hand. The models are those of the input
-tests, one per key.
-"""
+tests, one per key."""
 
 import collections
 import copy

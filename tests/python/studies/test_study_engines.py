@@ -1,6 +1,5 @@
 """Engines of studies: columns of the kernel have the meaning of the solver's, the engine is chosen per row, and a
-sample runs on both.
-"""
+sample runs on both."""
 
 import json
 import subprocess

@@ -1,6 +1,5 @@
 """Limits of studies: quantities that a model does not have are refused, and bare numbers common in other units give a
-warning.
-"""
+warning."""
 
 import tempfile
 import unittest

@@ -1,6 +1,5 @@
 """Records of a study together with the ground motion of its model: the wave, components, strengths, and incompatible
-ones.
-"""
+ones."""
 
 import tempfile
 import unittest

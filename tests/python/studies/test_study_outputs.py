@@ -1,6 +1,5 @@
 """Files of studies: replacement of tables, two studies with one table, merges, exports, unsupported arguments, and
-workers whose driver has died.
-"""
+workers whose driver has died."""
 
 import contextlib
 import csv

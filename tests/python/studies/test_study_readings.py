@@ -22,8 +22,7 @@ def cloud():
 
 class Fragility(unittest.TestCase):
     """References by statsmodels 0.14 (GLM, binomial, probit) and by direct minimisation of the likelihood, which agree
-    to 8 digits.
-    """
+    to 8 digits."""
 
     def test_counts_and_clouds_give_the_fits_of_statsmodels(self):
         for (im, n, k), theta, beta, errors in (

@@ -1,6 +1,5 @@
 """Rows of studies: the numbers of single runs, bitwise identical for any schedule, and failures that affect one row
-each.
-"""
+each."""
 
 import dataclasses
 import os
