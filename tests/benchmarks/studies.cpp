@@ -4,10 +4,10 @@
 //
 // RECORD.txt: accelerations [m/s^2] at 0.02 s, one per line; El Centro 1940 from Chopra's book has 1560. 512 pairs of
 // oscillators (periods 0.2 to 2 s, gaps to 60 mm, mass ratios 0.5 to 2, 5 %) by every penalty law, and shear buildings
-// of five and three storeys with three links, each for some SECONDS (1) of processor time. FOLDER: pairs h_kelvin.txt,
-// h_hertz.txt (per line: both periods, damping ratios, masses, the gap, k, and c or a) and their converged peaks
-// reference_kelvin.txt, reference_hertz.txt (both displacements, the force, impacts); the fraction of pairs whose
-// displacements and force are within 1e-4 of them is printed with the speed.
+// of five and three storeys with three links, each for SECONDS of processor time (1 by default). FOLDER: pairs
+// h_kelvin.txt, h_hertz.txt (per line: both periods, damping ratios, masses, the gap, k, and c or a) and their
+// converged peaks reference_kelvin.txt, reference_hertz.txt (both displacements, the force, impacts); the fraction of
+// pairs whose displacements and force are within 1e-4 of them is printed with the speed.
 
 #include <algorithm>
 #include <cmath>

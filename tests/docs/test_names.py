@@ -1,4 +1,4 @@
-"""Every public name has an explanation: in the installed headers in C and C++, and in the Python package."""
+"""Every public name is documented, in the installed headers in C and C++, and in the Python package."""
 
 import ast
 import sys

@@ -1,4 +1,4 @@
-"""Frames with hinges through the program: cost without yielding, in space, on two processes, and resumed."""
+"""Frames with hinges in the program: cost without yielding, in space, on two processes, and resumed."""
 
 import json
 import re

@@ -25,7 +25,7 @@ links:
   - {between: [left, right], floors: all, gap: 20 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}
 analysis: {duration: 4.0, tolerance: 1e-5, output_step: 5 ms}
 """
-#: A portal frame whose columns yield far, and one whose beam hardly yields.
+#: A portal frame whose columns yield far beyond the yield point, and one whose beam hardly yields.
 PORTAL = """\
     frame:
       material: {E: 30 GPa, poisson: 0.2}

@@ -1,4 +1,4 @@
-"""The package together with others in one process, always a new one."""
+"""The package together with other packages in one process; each test starts a new process."""
 
 import os
 import shutil

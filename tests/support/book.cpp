@@ -18,7 +18,7 @@ testing::ScopedTrace trace(const std::source_location& at, const std::string& qu
   return {at.file_name(), static_cast<int>(at.line()), quantity};
 }
 
-// Index of a test among all of its program, whichever of them run.
+// Index of a test among all tests of its program, including those that do not run.
 int place_of(const testing::TestInfo& test) {
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   int place = 0;

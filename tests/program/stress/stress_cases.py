@@ -445,7 +445,7 @@ def case_of(seed, number, only=None):
     return case | {"family": family.__name__}
 
 
-#: More impacts than this are systematic if a rigid contact dissipates nothing.
+#: More impacts than this are systematic if a rigid contact dissipates no energy.
 MANY_BOUNCES = 2000
 
 
