@@ -49,7 +49,7 @@ class Options(ProgramTest):
         fine = self.write(OSCILLATORS.replace("{duration: 3.0}", "{duration: 3.0, tolerance: 1e-9}"))
         self.assertEqual(energy(self.told(fine, "-pounding_ts_rtol", "1e-3")), [])
         done = self.pounding("run", fine, "-q", "-pounding_ts_rtol", "0.05")
-        self.assertEqual(done.stderr.count("a tolerance of 0.05 allows errors of 5 %"), 1)
+        self.assertEqual(done.stderr.count("tolerance of 0.05"), 1)
         coarse = self.write(OSCILLATORS.replace("{duration: 3.0}", "{duration: 3.0, tolerance: 0.05}"))
         self.assertEqual(self.told(coarse, "-pounding_ts_rtol", "1e-4")["warnings"], [])
 
