@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the yardsticks: the benchmark's laws, frame matrices, counting and interpolation.
+"""Tests of the benchmark code: its laws, frame matrices, counting and interpolation.
 
 python3 tests/benchmarks/check.py        # needs numpy and scipy, not OpenSees
 """
@@ -48,8 +48,8 @@ class FreeImpact(unittest.TestCase):
         self.assertAlmostEqual(a * (1 + e), math.log((1 + a) / (1 - a * e)), delta=1e-7)
 
     def test_jankowski_obeys_the_linear_oscillator_in_stretched_time(self):
-        # With s = d^(5/4) the approach is a linear oscillator of ratio z = 2 xi/sqrt(5); the restitution is elastic.
-        # The share of the kinetic energy that is stored at the deepest point is exp(-2 z/sqrt(1 - z^2) acos(z)).
+        # With s = d^(5/4) the approach is a linear oscillator of damping ratio z = 2 xi/sqrt(5); the restitution is
+        # elastic. The fraction of the kinetic energy stored at maximum penetration is exp(-2 z/sqrt(1 - z^2) acos(z)).
         z = 2 * problem.jankowski_ratio() / math.sqrt(5)
         self.assertAlmostEqual(
             free_impact("jankowski")[0], math.exp(-z / math.sqrt(1 - z * z) * math.acos(z)), delta=1e-7
@@ -92,7 +92,7 @@ class Reference(unittest.TestCase):
 
 class PlaneFrame(unittest.TestCase):
     def test_a_cantilever_of_one_storey_bends_as_in_the_book(self):
-        # No bays: one column, its top free to turn after condensation, 3 E I/h^3.
+        # No bays: one column, its top free to rotate after condensation, 3 E I/h^3.
         mass, k = plane_frames.frame(1, 0, 1.0)
         expected = 3 * plane_frames.ELASTICITY * plane_frames.COLUMN[1] / plane_frames.HEIGHT**3
         self.assertAlmostEqual(k[0, 0] / expected, 1, delta=1e-9)

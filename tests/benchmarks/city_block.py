@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""A city block: how reading, set-up, memory, steps and files grow with the number of its buildings.
+"""A city block: growth of reading, set-up, memory, steps and files with the number of buildings.
 
     python3 tests/benchmarks/city_block.py PROGRAM [--sizes 10,20,40,80] [--short 400]
 
 The block is that of examples/25_city_block: a ring of buildings of 6 to 20 storeys, every pair of neighbours linked at
-all common floors by two points, shaken along x and y for 4 s. Of each size a line of JSON: seconds of the processor
-(which other work on the machine moves less than the clock does) for reading alone and for the whole run, the largest
-memory, steps, events, impacts, and the size of the results file. The sizes after --short run for 20 ms only: reading,
-set-up and steps without an impact. Needs the Python package in PYTHONPATH.
+all common floors by two points, with ground motion along x and y for 4 s. Prints one line of JSON per size: processor
+time (less affected by other load than wall-clock time) for reading alone and for the whole run, the peak memory, steps,
+events, impacts, and the size of the results file. The sizes after --short run for 20 ms only: reading, set-up and steps
+without an impact. Needs the Python package in PYTHONPATH.
 """
 
 import argparse
@@ -23,7 +23,7 @@ LESSON = Path(__file__).resolve().parents[2] / "examples/25_city_block/city_bloc
 
 
 def used(command):
-    """(seconds of the processor, MB) of a process."""
+    """(processor time [s], MB) of a process."""
     with tempfile.TemporaryFile() as errors:
         child = subprocess.Popen(
             [str(word) for word in command],

@@ -1,7 +1,7 @@
 """Contact laws as phases between events, and the reference integration that lands on every event.
 
-Written from the equations of the laws alone: shares no line with pounding and none with OpenSees. Opening is negative
-penetration d [m], rate v = d' [m/s] closes, force F [N] pushes apart.
+Written from the equations of the laws; shares no code with pounding or OpenSees. Opening is negative penetration d [m],
+rate v = d' [m/s] closes, force F [N] pushes apart.
 """
 
 import math
@@ -16,8 +16,8 @@ import problem
 class Contact:
     """One link: phase `free` or a phase of its law; `events` end the phase.
 
-    hertz_damped pulls where bodies part faster than v/a. OpenSees leaves it so, pounding cuts the pull: two equations,
-    both are here, the first under the name hertz_damped_pulling.
+    hertz_damped pulls if bodies separate faster than v/a. OpenSees keeps the tension, pounding cuts it. Both equations
+    are here, the first under the name hertz_damped_pulling.
     """
 
     def __init__(self, law, mass):
@@ -47,7 +47,7 @@ class Contact:
         return self.k2 * d + (self.k1 - self.k2) * stretch
 
     def events(self):
-        """(function of d and v, direction of its zero, what follows) for the present phase."""
+        """(function of d and v, direction of its zero, next phase) for the present phase."""
         if self.phase == "free":
             return [(lambda d, v: d, 1, "touch")]
         events = [(lambda d, v: d, -1, "free")]
@@ -63,7 +63,7 @@ class Contact:
         if self.phase == "elastic":
             slip, end = self.slip, self.slip + self.yielding
             events.append((lambda d, v: d - end, 1, "yielding"))
-            if slip > 0:  # from zero slip the lower line begins where the contact ends
+            if slip > 0:  # from zero slip the lower line begins at the end of contact
                 events.append((lambda d, v: d - slip, -1, "lower"))
         if self.phase == "yielding":
             events.append((lambda d, v: v, -1, "elastic"))
@@ -99,8 +99,8 @@ def largest_force(contact, motion, start, end):
 def integrate(slope, contacts, relative, start, breaks, samples, rtol, atol, max_step):
     """Integrates from y = start and returns samples [n, size], peak forces [link][impact], and the largest |y| [size].
 
-    slope(t, y, forces) -> y'; relative(y, link) -> (d, v). `breaks` are times where the load has a corner, the last one
-    is the end.
+    slope(t, y, forces) -> y'; relative(y, link) -> (d, v). `breaks` are times of corners of the load; the last one is
+    the end.
     """
     y, t, step = np.array(start, dtype=float), 0.0, None
     kept = [y.copy()]

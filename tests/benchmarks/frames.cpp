@@ -1,10 +1,10 @@
-// Times of linear frames that pound: one JSON object a run.
+// Run times of linear frames with pounding: one JSON object per run.
 //
 //   frames plane --law NAME --tolerance T --motion FILE [--integrator esdirk4] [--base modal|sparse]
 //   frames space --storeys N --bays N [--bays-y M] [--steps K] [--base modal|sparse]
 //
-// plane: the pair of plane_frames.py, six links, 20 s. space: two frames in space, a link at every column line and
-// floor that face each other, pushed together by constant forces; K steps of 5 ms. Other words are PETSc options.
+// plane: the pair of plane_frames.py, six links, 20 s. space: two frames in space, a link at every facing column line
+// and floor, pushed together by constant forces; K steps of 5 ms. Other arguments are PETSc options.
 
 #include <petscts.h>
 #include <sys/resource.h>
@@ -49,9 +49,9 @@ constexpr double reduced_mass = (3 * floor_mass) * (2 * floor_mass) / (5 * floor
 // 5 % at the first and sixth frequency of the plane pair; reference/plane_frames.json.
 constexpr double by_mass = 0.31244343565330945, by_stiffness = 0.002905632243854408;
 
-// Time step of the frames in space [s].
+// Time step of the space frames [s].
 constexpr double space_step = 5e-3;
-constexpr int settling_steps = 40;  // before the clock starts
+constexpr int settling_steps = 40;  // before timing starts
 
 using Words = std::map<std::string, std::string>;
 
@@ -94,7 +94,7 @@ GridFrame grid(int storeys, int bays_x, int bays_y, double stiffer) {
                    .inertia_z = 0.5 * depth * std::pow(width, 3) / 12,
                    .torsion = 0.2 * std::pow(width, 3) * depth};
   g.material = {.young = elasticity, .shear = elasticity / 2.4};
-  // 36 t where two bays meet, half of it on an edge: a floor counts its bays.
+  // 36 t where two bays meet, half of it at an edge: a floor counts its bays.
   g.floor_mass = {floor_mass * bays_x * std::max(1, bays_y)};
   return g;
 }
@@ -105,7 +105,7 @@ struct Pair {
   std::vector<GridFrame> grids;
   std::vector<AssembledFrame> frames;
 
-  // Links at the right face of the first and the left face of the second, at every common floor and row of columns.
+  // Links from the right face of the first to the left face of the second, at every common floor and row of columns.
   template <class MakeContact>
   Pair(std::vector<GridFrame> both, const MakeContact& make_contact) : grids(std::move(both)) {
     std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
@@ -141,7 +141,7 @@ struct Pair {
     system.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
   }
 
-  // Number of the displacement along x at a node.
+  // Index of the displacement along x at a node.
   int unknown(int frame, int storey, int line, int row = 0) const {
     const auto motion = frames[frame].motion(grids[frame].node(storey, line, row), Dof::ux);
     return system.groups[frame].first + static_cast<int>(Eigen::SparseVector<double>::InnerIterator(motion).index());
@@ -234,7 +234,7 @@ struct Solve {
   }
 };
 
-// Displacements of the tops as the run goes, and the balance of energies.
+// Displacements of the tops and the energy balance during the run.
 struct Watch {
   Stepper& stepper;
   std::array<int, 2> tops;
@@ -271,7 +271,7 @@ nlohmann::json plane(const Words& arguments) {
   if (!arguments.contains("--motion")) throw std::invalid_argument("--motion FILE is needed");
   Pair pair({grid(8, 3, 0, 1.0), grid(6, 2, 0, 1.7)}, [&](int link) { return make_gap_link(law, gap, link); });
   pair.system.grounds = {motion_of(arguments.at("--motion"))};
-  // Errors are measured against a hundredth of what a structure of one second would move at the peak.
+  // Errors are relative to a hundredth of the peak displacement of an oscillator of one second.
   const double w = 2 * M_PI;
   for (Group& group : pair.system.groups) {
     group.displacement_floor = 1e-2 * pair.system.grounds[0].peak() / (w * w);
@@ -322,9 +322,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Both frames pushed towards each other with a force that grows with time; without a gap and with elastic links the
-// static answer to a push of 1 m/s^2 times the time is the motion itself but for the damping, so that the links stay
-// pressed.
+// Both frames are pushed towards each other with a force that grows with time. Without a gap and with elastic links the
+// motion is the static answer to a push of 1 m/s^2 times the time, apart from damping, so that the links stay in
+// contact.
 Eigen::VectorXd static_answer(const Pair& pair, StructureSolver& base) {
   base.set_matrix({0, 0, 1}, std::nullopt);
   Eigen::VectorXd x = base.load().col(0);
@@ -384,7 +384,7 @@ nlohmann::json space(const Words& arguments) {
   const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(arguments), PETSC_COMM_WORLD);
   const Eigen::VectorXd pushed = static_answer(pair, *base);
   Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(arguments), .max_step = space_step});
-  // They press from the start, rather than touch at once.
+  // They press from the start instead of touching simultaneously.
   const Eigen::VectorXd closing = pair.system.gap_jacobian.transpose() * pushed;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
     if (closing[static_cast<Eigen::Index>(i)] > 0)

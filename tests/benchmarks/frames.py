@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
-"""Plane and 3D frames in OpenSees, and in the program `frames` of this folder when its path is given.
+"""Plane and 3D frames in OpenSees, and in the program `frames` of this folder if its path is given.
 
     python3 tests/benchmarks/frames.py OUT.json [FRAMES] [--quick]
 
-plane: error against time for six laws; the error is the larger of the links' peak forces (relative, 1 where contact is
+plane: error against time for six laws; the error is the larger of the links' peak forces (relative, 1 if contact is
 missed) and the top displacements (OpenSees: every 0.1 s over the largest; pounding: the peaks, unless it prints
-"displacement"). space: seconds of a step in contact against the number of equations.
+"displacement"). space: seconds per step in contact against the number of equations.
 
 FRAMES is called as
     frames plane --law LAW --tolerance T --motion FILE [--integrator esdirk4]
       -> {"wall_seconds", "steps", "peaks": [six], "impacts": [six], "peak_displacement": {"left", "right"}}
     frames space --storeys N --bays N --steps K
       -> {"unknowns", "seconds_per_step", "seconds_per_solve", "memory_mb"}
-The masses, stiffnesses and Rayleigh damping are those of plane_frames.py (the coefficients also stand in
+The masses, stiffnesses and Rayleigh damping are those of plane_frames.py (the coefficients are also in
 reference/plane_frames.json), the laws those of problem.py with a reduced mass of 43.2 t, the tops the roof nodes of the
-columns that face each other. FILE has two columns, s and m/s^2, linear in between.
+facing columns. FILE has two columns, s and m/s^2, linear in between.
 """
 
 import json
@@ -33,7 +33,7 @@ TOLERANCES = ["1e-2", "3e-3", "1e-3", "3e-4", "1e-4", "3e-5", "1e-5", "1e-6"]
 INTEGRATORS = ("generalized_alpha", "esdirk4")
 SYSTEMS = ("SparseSYM", "Mumps", "UmfPack")
 ALGORITHMS = ("Newton", "ModifiedNewton")
-# Equations in OpenSees -> the sizes that pounding is asked for, and the steps timed there.
+# Equations in OpenSees -> the sizes run by pounding, and the number of timed steps.
 SPACE = {
     "4536": (["--storeys", "12", "--bays", "5"], 20),
     "19440": (["--storeys", "20", "--bays", "9", "--bays-y", "8"], 4),
@@ -79,14 +79,14 @@ def errors(peaks, moved, truth):
 def plane(program, record, quick):
     truth, laws = reference("plane_frames"), {}
     if abs((motion()[1] ** 2).sum() / truth["record_square_sum"] - 1) > 1e-9:
-        sys.exit("motion.py no longer makes the record that reference/plane_frames.json was made with")
+        sys.exit("motion.py no longer generates the record of reference/plane_frames.json")
     truth = truth["laws"]
     for law in problem.LAWS:
         points = []
         for step in STEPS[:3] if quick else STEPS:
             points.append(opensees_plane(law, step, record, truth[problem.OPENSEES_REFERENCE[law]]))
             if points[-1].get("error", 1) < 5e-4:
-                break  # beyond the error that is compared
+                break  # beyond the compared error
         laws[law] = {"opensees": points, "pounding": {}}
         for integrator in INTEGRATORS if program else ():
             runs = [
@@ -121,7 +121,7 @@ def main(out, program, quick):
     record = Path(out).with_name("motion.txt")
     np.savetxt(record, np.column_stack(motion()), fmt="%.15e")
     if not program:
-        print("the program `frames` is not built (tests/benchmarks/frames.cpp): OpenSees alone is measured")
+        print("the program `frames` is not built (tests/benchmarks/frames.cpp): only OpenSees is measured")
     Path(out).write_text(
         json.dumps(
             {"plane": plane(program, record, quick), "space": space(program, record, quick), "quick": quick}, indent=1

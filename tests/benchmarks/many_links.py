@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A row of bodies whose links touch one after the other, some hundreds of them at a time: time, memory, impacts, and
-that the energy closes.
+"""A row of bodies whose links touch one after the other, with some hundreds of active contacts: time, memory, impacts,
+energy balance.
 
     python3 tests/benchmarks/many_links.py build/pounding --links 10000 --duration 1e-3 --tolerance 1e-3
 """
@@ -17,8 +17,8 @@ from pathlib import Path
 
 
 def row(links, duration, tolerance):
-    """Random masses, velocities and gaps; an impact takes half a millisecond, in which one link of a hundred begins to
-    press."""
+    """Random masses, velocities and gaps; an impact takes half a millisecond, in which one link of a hundred comes into
+    contact."""
     chance = random.Random(1)
     lines = ["structures:"]
     lines += [

@@ -11,7 +11,7 @@ import numpy as np
 
 FOLDER = Path(__file__).parent
 ERRORS = (1e-3, 1e-4, 1e-6)
-# CHOLMOD asks for four threads whatever OMP_NUM_THREADS says; only a limit holds it.
+# CHOLMOD uses four threads for any OMP_NUM_THREADS; only a thread limit prevents it.
 ONE_THREAD = {
     **os.environ,
     "OMP_NUM_THREADS": "1",
@@ -26,7 +26,7 @@ def reference(name):
 
 
 def run_json(command, timeout=3600):
-    """The JSON object that a program prints, with `process_seconds`; or `failed` with the reason."""
+    """The JSON object printed by a program, with `process_seconds`; or `failed` with the reason."""
     start = time.perf_counter()
     try:
         done = subprocess.run(
@@ -42,12 +42,12 @@ def run_json(command, timeout=3600):
 
 
 def displacement_error(u, truth):
-    """Largest difference over the largest displacement [-]."""
+    """Largest difference relative to the largest displacement [-]."""
     return float(np.abs(np.asarray(u) - np.asarray(truth)).max() / np.abs(truth).max())
 
 
 def peak_error(peaks, truth):
-    """Largest relative error of the impacts' peak forces; 1 when impacts are missing or too many."""
+    """Largest relative error of the impacts' peak forces; 1 if the number of impacts differs."""
     if len(peaks) != len(truth):
         return 1.0
     return max((abs(p / t - 1) if t else float(p != 0) for p, t in zip(peaks, truth)), default=0.0)
@@ -56,9 +56,9 @@ def peak_error(peaks, truth):
 def at_error(points, error, key="seconds"):
     """Time at which a work-precision curve reaches `error`: {"seconds", "bound", "best"}.
 
-    points: {"error", key} each. A straight line in logarithms between the last point that misses and the first that
-    reaches; `bound` says that already the cheapest measured point reaches it, so that the time is an upper bound. When
-    none does, seconds is None and best is the most accurate point.
+    points: {"error", key} each. Linear interpolation in logarithms between the last point above the error and the first
+    one at or below it. `bound` is true if the cheapest measured point already reaches it, so that the time is an upper
+    bound. If no point does, seconds is None and best is the point with the smallest error.
     """
     before = None
     for point in sorted(points, key=lambda p: p[key]):
@@ -76,8 +76,8 @@ def factor(peer, ours):
     """(number, text, sense): OpenSees' time over pounding's; sense "=", ">" (a lower bound), "<" (an upper bound) or
     "?".
 
-    OpenSees that misses the error counts with its best run, which only bounds the ratio from below; so does a pounding
-    curve whose cheapest point already reaches the error. An OpenSees curve of that kind bounds it from above.
+    If OpenSees misses the error, its best run is used, which gives a lower bound on the ratio; so does a pounding curve
+    whose cheapest point already reaches the error. Such an OpenSees curve gives an upper bound.
     """
     if ours["seconds"] is None or (peer["seconds"] is None and not peer.get("best")):
         return None, "-", "?"
@@ -89,7 +89,7 @@ def factor(peer, ours):
 
 
 def verdict(value, sense, wanted):
-    """yes, no, or open where the ratio is only bounded on the wrong side."""
+    """yes, no, or open if the ratio is only bounded on the wrong side."""
     if value is None:
         return "-"
     if value >= wanted:

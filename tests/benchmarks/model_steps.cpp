@@ -1,10 +1,10 @@
-// Cost of a step of a model by itself, nothing recorded: one JSON object.
+// Cost of a step of a model without recording: one JSON object.
 //
 //   model_steps MODEL.yaml
 //
-// As `pounding run` steps it. Steps that end at no event, by their length [s] and the number of contacts that press at
-// their ends: of each sort how many there were, and the time [s] that a quarter of them stay below. Sorts of fewer than
-// eight are left out.
+// Steps as `pounding run` does. Steps without an event are grouped by their length [s] and the number of active
+// contacts at their ends; each group has its number of steps and the lower quartile of their times [s]. Groups of fewer
+// than eight are omitted.
 
 #include <petscts.h>
 
@@ -42,7 +42,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 struct StepClock {
   const Stepper& stepper;
   const System& system;
-  std::map<std::pair<long, long>, std::vector<double>> taken{};  // by length [ns] and contacts that press: seconds
+  std::map<std::pair<long, long>, std::vector<double>> taken{};  // by length [ns] and active contacts: seconds
   double begin = 0;                                              // of the step [s]
   long events = 0;
   Clock::time_point last = Clock::now();

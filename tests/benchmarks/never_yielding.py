@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The cost of hinges that never yield: the frames of yielding_frames.py with hinges too strong to yield, beside the
-same frames without hinges.
+"""The cost of hinges that never yield: the frames of yielding_frames.py with hinges too strong to yield, compared with
+the same frames without hinges.
 
     python3 tests/benchmarks/never_yielding.py PROGRAM [--repeats 15] [--models frame,pair,towers]
 
-A line of JSON each: hinges, quartiles of the wall clock of whole runs with and without them, taken in turn [s], their
-ratio, and how many datasets of both results files are equal to the last bit, and how many are not.
+One line of JSON per model: hinges, quartiles of the wall-clock time of whole runs with and without them, run
+alternately [s], their ratio, and the numbers of datasets that are bitwise identical in both results files, and that
+differ.
 """
 
 import argparse
@@ -27,7 +28,7 @@ RIGID = f"      hinges:\n        beams: {{at: both, yield_moment: {STRONG!r}, ha
 
 
 def models(name, folder):
-    """The YAML with hinges and without."""
+    """The YAML with and without hinges."""
     if name == "towers":
         return yielding_frames.towers(STRONG), yielding_frames.towers(None)
     text = getattr(yielding_frames, name)("1e-3", records(folder)[name], "esdirk4")
@@ -35,7 +36,8 @@ def models(name, folder):
 
 
 def equal(first, second):
-    """Datasets of both files that have the same bits, and that have not; clocks, texts and the input aside."""
+    """Numbers of datasets that are bitwise identical in both files, and that differ, without times, texts and the
+    input."""
     counts = [0, 0]
 
     def visit(name, one):

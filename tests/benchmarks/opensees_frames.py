@@ -5,11 +5,11 @@
     python3 opensees_frames.py space SIZE SYSTEM ALGORITHM STEPS MOTION
     python3 opensees_frames.py towers CASE SYSTEM STEPS
 
-plane: the pair of plane_frames.py, 20 s, BandGeneral, Newmark, Newton to increments of 1e-9; `wall_seconds` are those
-of the analysis loop alone. The recorder of the largest forces (one number a link) is part of the run. space: two
-regular 3D frames facing each other with linear links, 0.02 mm apart and started in the strong part of the motion, so
-that links are in contact; seconds of each step. MOTION: two columns, s and m/s^2, every 0.005 s. towers: those of
-towers.py with flexible floors, pressed, Newton; one Rayleigh damping for all, which costs what any does.
+plane: the pair of plane_frames.py, 20 s, BandGeneral, Newmark, Newton to increments of 1e-9; `wall_seconds` is the time
+of the analysis loop only. The recorder of the largest forces (one number per link) is included. space: two regular 3D
+frames facing each other with linear links, 0.02 mm apart and started during strong motion, so that links are in
+contact; seconds of each step. MOTION: two columns, s and m/s^2, every 0.005 s. towers: those of towers.py with flexible
+floors, in contact, Newton; one Rayleigh damping for all, whose cost is independent of its values.
 """
 
 import json
@@ -123,7 +123,7 @@ def links(pairs, law, tag):
 
 
 def excite(file, start=0.0):
-    """The motion from `start` [s] on."""
+    """The motion from time `start` [s]."""
     a = np.loadtxt(file)[round(start / 0.005) :, 1]
     ops.timeSeries("Path", 1, "-dt", 0.005, "-values", *a.tolist())
     ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
@@ -193,7 +193,7 @@ def space(size, system, algorithm, steps, file):
         seconds.append(time.perf_counter() - start)
         iterations.append(ops.testIter())
         touching.append(sum(ops.eleResponse(tag, "material", 1, "stress")[0] != 0 for tag in tags))
-    # The first step also orders the equations and the first factorisation analyses them.
+    # The first step also orders the equations, and the first factorization analyses them.
     return {
         "unknowns": ops.systemSize(),
         "links": len(tags),
@@ -237,7 +237,7 @@ def towers(case, system, steps):
                 for edge in (0, bays):
                     ends = (bays, edge), (0, edge)
                     one, other = (nodes[t](floor, *(end if axis == 0 else end[::-1])) for t, end in zip((a, b), ends))
-                    # Nodes in one place need the axes told.
+                    # Nodes at the same position need explicit axes.
                     ops.element(
                         "twoNodeLink", tag, one, other, "-mat", 1 + axis, "-dir", 1 + axis, "-orient", 1, 0, 0, 0, 1, 0
                     )

@@ -3,8 +3,8 @@
 
     python3 opensees_oscillators.py LAW STEP REPEATS
 
-Average acceleration (Newmark), Newton to increments of 1e-12 m. `wall_seconds` are those of the analysis loop alone,
-one of each repeat, without any recorder; the forces of all impacts come from one more run, which is not timed.
+Average acceleration (Newmark), Newton to increments of 1e-12 m. `wall_seconds` are the times of the analysis loop only,
+one per repeat, without recorders; the forces of all impacts come from a separate run, which is not timed.
 """
 
 import json
@@ -58,7 +58,7 @@ def analyse(step):
 
 
 def impact_peaks(force):
-    """Largest force of each run of steps in contact (a link that is open gives exactly zero)."""
+    """Largest force of each sequence of steps in contact (an open link gives exactly zero)."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], force != 0, [0]])))
     return [float(force[a:b].max()) for a, b in zip(edges[::2], edges[1::2])]
 

@@ -5,8 +5,8 @@
     python3 opensees_yielding.py pair STEP MOTION
 
 elasticBeamColumn and zeroLength hinges of Steel01, Newmark, Newton to increments of 1e-10, BandGeneral. RECORD and
-MOTION: two columns, s and m/s^2, at a fixed step. `wall_seconds` are those of the analysis loop alone, recorders of the
-peaks included.
+MOTION: two columns, s and m/s^2, at a fixed step. `wall_seconds` is the time of the analysis loop only, including
+recorders of the peaks.
 """
 
 import json
@@ -34,7 +34,7 @@ class Builder:
         self.tag = self.hinge_node = 100000
 
     def hinge(self, node, place, material):
-        """A node beside this one that turns by itself."""
+        """A node at the position of this one with its own rotation."""
         self.hinge_node += 1
         self.tag += 1
         ops.node(self.hinge_node, *place)
@@ -95,7 +95,7 @@ def envelope(file, kind, *words):
 
 
 def read(file):
-    """The largest sizes, the last row of an envelope."""
+    """The largest magnitudes, which are the last row of an envelope."""
     return [float(word) for word in file.read_text().splitlines()[-1].split()]
 
 

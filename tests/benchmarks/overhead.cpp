@@ -1,9 +1,9 @@
-// Cost of a kept step of the engine by itself: two oscillators through TSSolve, nothing recorded. One JSON object.
+// Cost of an accepted step of the engine: two oscillators through TSSolve, without recording. One JSON object.
 //
 //   overhead [STEPS]
 //
-// free: apart, steps of fixed length. pounding: the problem of problem.py with hertz_damped, steps chosen for 1e-4.
-// Each by both integrators.
+// free: apart, steps of fixed length. pounding: the problem of problem.py with hertz_damped, adaptive steps at a
+// tolerance of 1e-4. Each by both integrators.
 
 #include <petscts.h>
 
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     constexpr double step = 1e-3, far = 1e3;
     nlohmann::json costs;
     for (const Scheme::Kind scheme : {Scheme::Kind::generalized_alpha, Scheme::Kind::esdirk4}) {
-      // The least of some runs: what disturbs only adds.
+      // The minimum of some runs: other load only adds time.
       Result free, pounding;
       for (int i = 0; i < 5; ++i) {
         const Result a = run(scheme, far, step * static_cast<double>(wanted), step, true),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Rewrites the measured part of tests/benchmarks/README.md and its plots from build/benchmarks/*.json (run.py calls
-it)."""
+"""Rewrites the measured section of tests/benchmarks/README.md and its plots from build/benchmarks/*.json (called by
+run.py)."""
 
 import json
 import re
@@ -22,7 +22,7 @@ def good(points):
 
 
 def best(curves, error, key="seconds"):
-    """(integrator, what at_error gives) of the quickest pounding curve that reaches the error."""
+    """(integrator, result of at_error) of the quickest pounding curve that reaches the error."""
     found = [(name, at_error(good(points), error, key)) for name, points in curves.items()]
     reached = [f for f in found if f[1]["seconds"] is not None]
     return min(reached, key=lambda f: f[1]["seconds"], default=(None, {"seconds": None, "best": None}))
@@ -68,7 +68,7 @@ def oscillators(laws):
             rows.append(row)
         head = ["law", "OpenSees", "pounding", "integrator", "ratio"]
         head += (
-            ["wanted", "reached", "whole process", f"under {PROCESS_WANTED} s"] if error == 1e-4 else ["whole process"]
+            ["target", "reached", "whole process", f"under {PROCESS_WANTED} s"] if error == 1e-4 else ["whole process"]
         )
         text.append(f"Error {error:.0e}:\n\n{table(head, rows)}")
     return "\n\n".join(text)
@@ -106,7 +106,7 @@ def plane(laws):
             ]
         )
     return table(
-        ["law", "OpenSees", "Newton fails at steps of", "pounding", "integrator", "ratio", "wanted", "reached"], rows
+        ["law", "OpenSees", "Newton fails at steps of", "pounding", "integrator", "ratio", "target", "reached"], rows
     )
 
 
@@ -128,16 +128,16 @@ def space(rows):
                         else r.get("failed", f"Newton failed at {r.get('failed_at', 0):.3f} s"),
                     ]
                 )
-        part = f"{size} equations, seconds of a step:\n\n" + table(
-            ["system", "algorithm", "a step", "iterations"], lines
+        part = f"{size} equations, seconds per step:\n\n" + table(
+            ["system", "algorithm", "per step", "iterations"], lines
         )
         if ours and "seconds_per_step" in ours and peers:
             least = min(r["seconds_per_step"] for r in peers)
             value = least / ours["seconds_per_step"]
             part += (
-                f"\n\npounding, {ours['unknowns']} unknowns: {seconds(ours['seconds_per_step'])} a step, "
-                f"{seconds(ours['seconds_per_solve'])} a back-solve, {ours['memory_mb']:.0f} MB; {value:.3g} times less than "
-                f"OpenSees' quickest ({SPACE_WANTED[size]} wanted: {verdict(value, '=', SPACE_WANTED[size])})."
+                f"\n\npounding, {ours['unknowns']} unknowns: {seconds(ours['seconds_per_step'])} per step, "
+                f"{seconds(ours['seconds_per_solve'])} per back-solve, {ours['memory_mb']:.0f} MB; {value:.3g} times less than "
+                f"OpenSees' quickest (target {SPACE_WANTED[size]}: {verdict(value, '=', SPACE_WANTED[size])})."
             )
         elif ours:
             part += f"\n\npounding: {ours.get('failed')}"
@@ -148,7 +148,7 @@ def space(rows):
 
 
 def growth(rows):
-    """How the least and the largest model with flexible floors compare, on one process."""
+    """Comparison of the smallest and the largest model with flexible floors on one process."""
     ours = [
         r
         for r in rows
@@ -160,8 +160,8 @@ def growth(rows):
     per = lambda row, how: row[how]["seconds_per_step"] / row["unknowns"]
     memory = lambda row: row["pressed"]["memory_mb"] / row["unknowns"]
     return (
-        f"From {small['unknowns']} to {large['unknowns']} unknowns the time of a step per unknown grows {per(large, 'apart') / per(small, 'apart'):.2g} times "
-        f"apart and {per(large, 'pressed') / per(small, 'pressed'):.2g} times pressed, memory per unknown "
+        f"From {small['unknowns']} to {large['unknowns']} unknowns the time per step and unknown grows {per(large, 'apart') / per(small, 'apart'):.2g} times "
+        f"without contact and {per(large, 'pressed') / per(small, 'pressed'):.2g} times in contact, memory per unknown "
         f"{memory(large) / memory(small):.2g} times (of which the process itself takes some 70 MB), reading per unknown "
         f"{large['seconds_reading'] / large['unknowns'] / (small['seconds_reading'] / small['unknowns']):.2g} times."
     )
@@ -174,8 +174,8 @@ def tower_steps(rows):
         "processes",
         "reading",
         "set-up",
-        "a step apart",
-        "a step pressed",
+        "per step, apart",
+        "per step, pressed",
         "pressed links",
         "memory",
     ]
@@ -200,7 +200,7 @@ def tower_steps(rows):
 
 
 def tower_reduced(rows):
-    """Reduced towers beside factors of all unknowns on one process; nothing where they were not measured."""
+    """Reduced towers compared with factors of all unknowns on one process; empty if they were not measured."""
     found = [r for r in rows if r["program"] == "reduced"]
     if not found:
         return ""
@@ -208,11 +208,11 @@ def tower_reduced(rows):
         "reduced towers, floors",
         "coordinates of one",
         "set-up",
-        "a step apart",
-        "a step pressed",
+        "per step, apart",
+        "per step, pressed",
         "by factors",
-        "times less",
-        "apart / pressed, with impacts and all that is recorded",
+        "ratio",
+        "apart / pressed, with impacts and recording",
         "memory",
     ]
     whole = {r["case"]: r for r in rows if r["program"] == "pounding" and r["ranks"] == 1 and "pressed" in r}
@@ -263,10 +263,10 @@ def tower_peers(rows):
         "towers, floors",
         "equations",
         "OpenSees",
-        "a step",
+        "per step",
         "iterations",
         "memory",
-        "pounding, a step",
+        "pounding, per step",
         "ratio",
         "reduced",
         "ratio",
@@ -332,10 +332,10 @@ def yielding(measured):
     short = " Shortened runs (`--quick`)." if measured["quick"] else ""
     return (
         f"Measured {about['date']}, {about['cores']} cores; load average {about['load_before']:.1f} before, {about['load_after']:.1f} after.{busy}{short}\n\n"
-        + table(["problem", "OpenSees", "pounding", "integrator", "ratio", "wanted", "reached"], rows)
-        + f"\n\nThe towers in space, {hinges['hinges']} hinges, {hinges['yielded']} of which yield: {seconds(hinges['seconds_per_step'])} a step, "
-        f"{solves:.2g} back-solves of {seconds(hinges['seconds_per_solve'])} for all unknowns ({STEP_SOLVES} wanted: {'yes' if solves <= STEP_SOLVES else 'no'}); "
-        f"without hinges {seconds(elastic['seconds_per_step'])} a step, {elastic['seconds_per_step'] / elastic['seconds_per_solve']:.2g} back-solves."
+        + table(["problem", "OpenSees", "pounding", "integrator", "ratio", "target", "reached"], rows)
+        + f"\n\nThe towers in space, {hinges['hinges']} hinges, {hinges['yielded']} of which yield: {seconds(hinges['seconds_per_step'])} per step, "
+        f"{solves:.2g} back-solves of {seconds(hinges['seconds_per_solve'])} for all unknowns (target {STEP_SOLVES}: {'yes' if solves <= STEP_SOLVES else 'no'}); "
+        f"without hinges {seconds(elastic['seconds_per_step'])} per step, {elastic['seconds_per_step'] / elastic['seconds_per_solve']:.2g} back-solves."
     )
 
 

@@ -1,7 +1,7 @@
 """Matrices of the two plane frames, for the reference only.
 
 Elastic frames of 3.2 m storeys and 6 m bays, columns 0.55 x 0.55 m (70 % of I), beams 0.30 x 0.60 m (50 % of I), E = 25
-GPa, the second frame 1.7 times stiffer in bending; mass at the nodes, both directions, none for rotations; fixed bases.
+GPa, the second frame 1.7 times stiffer in bending; mass at the nodes, both directions, no rotational mass; fixed bases.
 Rayleigh damping of 5 % at the first and sixth frequency of the pair (at 4 Hz if that is higher).
 """
 
@@ -62,7 +62,8 @@ def frame(storeys, bays, stiffer):
 
 
 def pair():
-    """Mass [n], stiffness [n, n], Rayleigh coefficients (a0, b0), facing unknowns of the six links, the two tops."""
+    """Mass [n], stiffness [n, n], Rayleigh coefficients (a0, b0), facing degrees of freedom of the six links, the two
+    tops."""
     (m1, k1), (m2, k2) = (frame(*each) for each in zip(STOREYS, BAYS, STIFFER))
     mass = np.concatenate([m1, m2])
     stiffness = np.zeros((len(mass),) * 2)

@@ -51,7 +51,7 @@ def work_precision(laws, title, file):
 
 
 def ratio(laws, file):
-    """Time of OpenSees over that of the quickest integrator, where both curves are measured."""
+    """Ratio of OpenSees' time to that of the quickest integrator, where both curves are measured."""
     figure, axis = plt.subplots(figsize=(7, 4.6))
     for law, curves in laws.items():
         ours = [good(points) for points in curves["pounding"].values()]

@@ -1,8 +1,8 @@
-"""The benchmark problems: numbers that the reference, OpenSees and pounding share. SI units.
+"""The benchmark problems: data shared by the reference, OpenSees and pounding. SI units.
 
 Two oscillators (100 t, 0.5 s; 150 t, 1.0 s; 5 %; 20 mm apart) under 0.4 g at 1.5 Hz for 10 s, and two plane frames (8
-storeys with 3 bays, 6 storeys with 2 bays) under a synthetic record of 20 s; restitution 0.65, six laws that both
-programs have.
+storeys with 3 bays, 6 storeys with 2 bays) under a synthetic record of 20 s; restitution 0.65, six laws of both
+programs.
 """
 
 import math
@@ -13,7 +13,7 @@ DAMPING = 0.05
 GAP = 0.02
 AMPLITUDE, FREQUENCY = 0.4 * 9.81, 1.5
 DURATION = 10.0
-SAMPLE = 0.05  # displacements are compared at its multiples [s]
+SAMPLE = 0.05  # displacements are compared at multiples of it [s]
 
 RESTITUTION = 0.65
 LINEAR_STIFFNESS = 93.5e6  # N/m
@@ -22,7 +22,7 @@ EXPONENT = 1.5
 DESIGN_SPEED = 0.5  # of the bilinear law [m/s]
 YIELD_RATIO = 0.1  # of the bilinear law
 
-# One storey of both frames where they face each other: 36 t for a full bay, half of it on an edge column.
+# One storey of the facing frames: 36 t for a full bay, half of it at an edge column.
 FLOOR_MASS = 36e3
 FRAME_DURATION = 20.0
 FRAME_SAMPLE = 0.1
@@ -30,7 +30,7 @@ FRAME_SAMPLE = 0.1
 LINEAR = f"stiffness: {LINEAR_STIFFNESS}"
 HERTZ = f"stiffness: {HERTZ_STIFFNESS}"
 ASKED = f"restitution: {RESTITUTION}, formula: "
-# The law as a model of pounding states it.
+# The law in pounding's input format.
 LAWS = {
     "linear_spring": LINEAR,
     "kelvin_voigt": f"{LINEAR}, {ASKED}anagnostopoulos",
@@ -39,9 +39,10 @@ LAWS = {
     "jankowski": f"{HERTZ}, {ASKED}jankowski_2006",
     "bilinear_hertz": f"{HERTZ}, impact_velocity: {DESIGN_SPEED}, yield_ratio: {YIELD_RATIO}, {ASKED}muthukumar_desroches",
 }
-# hertz_damped pulls in OpenSees where bodies part faster than v/a, and is cut in pounding: each has its own reference.
+# In OpenSees hertz_damped pulls if bodies separate faster than v/a; pounding cuts the tension. Each has its own
+# reference.
 OPENSEES_REFERENCE = {law: law for law in LAWS} | {"hertz_damped": "hertz_damped_pulling"}
-# The factor over OpenSees that is wanted at an error of 1e-4: larger where the force jumps at the touch.
+# Target ratio to OpenSees at an error of 1e-4: larger if the force jumps at the touch.
 WANTED = {law: 1000 if law == "kelvin_voigt" else 100 for law in LAWS}
 
 
@@ -70,7 +71,7 @@ def jankowski_ratio(e=RESTITUTION):
 
 
 def bilinear_curve(mass, e=RESTITUTION):
-    """K1, K2 [N/m] and d_y [m], Muthukumar & DesRoches 2006, sized at the design speed."""
+    """K1, K2 [N/m] and d_y [m], Muthukumar & DesRoches 2006, designed for the design speed."""
     n, k, a = EXPONENT, HERTZ_STIFFNESS, YIELD_RATIO
     deepest = ((n + 1) * mass * DESIGN_SPEED**2 / (2 * k)) ** (1 / (n + 1))
     loss = k * deepest ** (n + 1) * (1 - e * e) / (n + 1)
@@ -79,7 +80,7 @@ def bilinear_curve(mass, e=RESTITUTION):
 
 
 def opensees_material(law, mass):
-    """Name and arguments of the uniaxialMaterial, without its tag. Compression and the gap are negative there."""
+    """Name and arguments of the uniaxialMaterial, without its tag. Compression and the gap are negative."""
     k, kh, n = LINEAR_STIFFNESS, HERTZ_STIFFNESS, EXPONENT
     if law == "linear_spring":
         return "ElasticPPGap", k, -1e15, -GAP, 0.0

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Time of `pounding.run` beside its solve, and of a row of a study: each the shortest of many, in milliseconds of
+"""Time of `pounding.run` compared with its solve, and of a row of a study: minimum of many repeats, in milliseconds of
 processor time.
 
     PYTHONPATH=build/python .venv-test/bin/python3 tests/benchmarks/python_overhead.py
@@ -25,7 +25,7 @@ TIMES = 40
 
 
 def best(task):
-    """Shortest processor time [ms]."""
+    """Minimum processor time [ms]."""
     taken = []
     for _ in range(TIMES):
         begin = time.process_time()
@@ -35,7 +35,7 @@ def best(task):
 
 
 def frames():
-    """Time of a row of lesson 7's frames, where records and levels change alone, and of its run in it [ms]."""
+    """Time of a row of lesson 7's frames when only records and levels change, and of the run in it [ms]."""
     model = pounding.Model.from_file(ROOT / "examples/07_plane_frames/model.yaml")
     words = {
         "engine": "solver",
@@ -66,7 +66,7 @@ def main():
     print(
         f"run in C++, from text to numbers     {native:8.3f} ms, of which set-up and solve by its own clock {solve:.3f} (wall), reading {reading:.3f}"
     )
-    print(f"pounding.run beside that             {call:8.3f} ms; its summary as a dict {summary:.3f} more")
+    print(f"pounding.run of the same model       {call:8.3f} ms; its summary as a dict {summary:.3f} more")
     print(f"pounding.run with all arrays         {whole:8.3f} ms")
     print(f"a row of a study                     {row:8.3f} ms, of which its text {case:.3f}")
     whole, run = frames()

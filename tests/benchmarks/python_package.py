@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Cost of the Python package: imports, a law per element of an array of a million, a run beside the program.
+"""Cost of the Python package: imports, a law per element of an array of a million, a run compared with the program.
 
-PYTHONPATH=build/python .venv/bin/python3 tests/benchmarks/python_package.py build/pounding
-... python_package.py --imports           only these
+PYTHONPATH=build/python .venv/bin/python3 tests/benchmarks/python_package.py build/pounding ... python_package.py
+--imports           only these
 """
 
 import subprocess
@@ -21,7 +21,7 @@ MASS = 6e4
 
 
 def best(task, times=7, clock=time.perf_counter):
-    """Shortest time of several [s]."""
+    """Minimum of several times [s]."""
     taken = []
     for _ in range(times):
         begin = clock()
@@ -31,7 +31,7 @@ def best(task, times=7, clock=time.perf_counter):
 
 
 def process(code):
-    """Wall time of a Python process, start included [s]."""
+    """Wall time of a Python process, including its start [s]."""
     return best(lambda: subprocess.run([sys.executable, "-c", code], check=True), 5)
 
 

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""Errors of reduced structures against all natural modes, and what the runs tell of them, for eight pairs of towers in
+"""Errors of reduced structures against all natural modes, and their estimates by the runs, for eight pairs of towers in
 space.
 
     python3 tests/benchmarks/reduction.py PROGRAM [--models NAME,...] [--tolerances 1e-3,1e-4] [--words "auto" "{links:
     5, ground: 20}" ...] python3 tests/benchmarks/reduction.py PROGRAM --conditions [--models NAME,...] python3
-    tests/benchmarks/reduction.py yaml NAME             # prints a model
+    tests/benchmarks/reduction.py yaml NAME             # YAML of a pair
 
-Each pair stands on ground that shakes along x and across the links. Of every run a line of JSON: errors against all
-modes at a tenth of the smallest tolerance, those against all modes at the same tolerance (by_reduction: errors of the
-steps nearly cancel), what the run tells (three times its estimates), coordinates, blocks, seconds. Errors are largest
-differences over largest values: of peak forces and impulses of links, of histories of floors along x and y, of extremes
+The ground moves along x and across the links. Prints one line of JSON per run: errors against all modes at a tenth of
+the smallest tolerance, those against all modes at the same tolerance (by_reduction: time-stepping errors nearly
+cancel), the reported errors (three times the estimates), coordinates, blocks, seconds. Errors are largest differences
+relative to the largest values: of peak forces and impulses of links, of histories of floors along x and y, of extremes
 of member forces.
 
---conditions tells instead how well each model is posed: the same differences where a number of the input is another
-one, over the relative change of that number. A run that keeps its tolerance may differ by as many tolerances.
+--conditions reports the condition of each model instead: the same differences after a change of an input number,
+relative to that change. A run within its tolerance may differ by this number of tolerances.
 """
 
 import argparse
@@ -31,7 +31,7 @@ def kelvin(stiffness):
     return f"kelvin_voigt, stiffness: {stiffness}, restitution: 0.65"
 
 
-# Name -> storeys, bays, rigid floors, points of a floor, law, damping.
+# Name -> storeys, bays, rigid floors, points per floor, law, damping.
 FIVE = "{rayleigh: {ratio: 5 %, modes: [1, 2]}}"
 LIGHT = "{rayleigh: {ratio: 3 %, periods: [1.5, 0.02]}}"
 MODELS = {
@@ -45,7 +45,7 @@ MODELS = {
     "friction": (10, 4, False, 2, HERTZ + ", friction: 0.3", FIVE),
 }
 DURATION, BAY, GAP = 4.0, 6.0, 0.02
-#: Numbers of the input that --conditions changes, by this part.
+#: Input numbers changed by --conditions, and the relative change.
 INPUTS, CHANGE = (
     {"gap": f"gap: {GAP}", "amplitude of the ground": "amplitude: 3", "period of the ground": "period: 1.1"},
     1e-5,
@@ -53,7 +53,7 @@ INPUTS, CHANGE = (
 
 
 def model(name, tolerance, words="none", duration=DURATION):
-    """YAML of a pair; `words`: of reduction."""
+    """YAML of a pair with these values of reduction."""
     storeys, bays, rigid, points, law, damping = MODELS[name]
     lines = [
         "ground_motion: {components: {x: {harmonic: {amplitude: 3, period: 1.1, duration: 4}}, y: {harmonic: {amplitude: 1.5, period: 0.7, duration: 4}}}}",
@@ -139,7 +139,7 @@ def errors(found, exact):
 
 
 def told(summary):
-    """{"force", ...} as the run tells them: the largest of both towers."""
+    """{"force", ...} as reported by the run: the larger of both towers."""
     structures = summary["solver"].get("reduction", {}).values()
     return {
         key: max((s[f"error_{key}"] or 0.0 for s in structures), default=None)
@@ -154,8 +154,8 @@ def main():
     parser.add_argument("--models", default=",".join(MODELS))
     parser.add_argument("--tolerances", default="1e-3,1e-4,1e-5")
     parser.add_argument("--words", nargs="+", default=["auto"])
-    parser.add_argument("--steps-alike", action="store_true", help="compare with all modes at the same tolerance alone")
-    parser.add_argument("--conditions", action="store_true", help="how much the answers change with the input")
+    parser.add_argument("--steps-alike", action="store_true", help="compare with all modes at the same tolerance only")
+    parser.add_argument("--conditions", action="store_true", help="sensitivity of the answers to the input")
     parser.add_argument("--duration", type=float, default=DURATION)
     given = parser.parse_args()
     if given.program == "yaml":
@@ -171,7 +171,7 @@ def main():
 
 
 def conditions(given, folder, name):
-    """Prints a line for each number."""
+    """Prints the results, one line per number."""
     text = model(name, CHANGE / 100, given.words[0], given.duration)
     before = run(given.program, folder, text)
     for what, line in INPUTS.items():

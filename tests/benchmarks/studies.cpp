@@ -1,13 +1,13 @@
-// Histories a second of the kernel of studies, one thread: one JSON object a line.
+// Histories per second of the study kernel, one thread: one JSON object per line.
 //
 //   studies RECORD.txt [SECONDS [FOLDER]]
 //
-// RECORD.txt: accelerations [m/s^2] at 0.02 s, one a line; El Centro 1940 from Chopra's book has 1560. 512 pairs of
+// RECORD.txt: accelerations [m/s^2] at 0.02 s, one per line; El Centro 1940 from Chopra's book has 1560. 512 pairs of
 // oscillators (periods 0.2 to 2 s, gaps to 60 mm, mass ratios 0.5 to 2, 5 %) by every penalty law, and shear buildings
-// of five and three storeys with three links, each for some SECONDS (1) of processor time. FOLDER: pairs h_kelvin.txt,
-// h_hertz.txt (a line: both periods, damping ratios, masses, the gap, k, and c or a) and their converged peaks
-// reference_kelvin.txt, reference_hertz.txt (both displacements, the force, impacts); the share of the pairs whose
-// displacements and force are within 1e-4 of them is printed beside the speed.
+// of five and three storeys with three links, each for SECONDS of processor time (1 by default). FOLDER: pairs
+// h_kelvin.txt, h_hertz.txt (per line: both periods, damping ratios, masses, the gap, k, and c or a) and their
+// converged peaks reference_kelvin.txt, reference_hertz.txt (both displacements, the force, impacts); the fraction of
+// pairs whose displacements and force are within 1e-4 of them is printed with the speed.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ using namespace pounding;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Runs the models round after round until the time is over. A first round fills what laws remember: adams_impact tables
+// Runs the models repeatedly until the time is over. The first round fills the caches of laws: adams_impact tabulates
 // its damping.
 nlohmann::json measured(const std::string& name, const std::vector<study::LinearModel>& models,
                         const study::EvenRecord& record, double seconds) {
@@ -79,7 +79,7 @@ study::LinearModel buildings(double gap, const Samples& samples) {
   return study::modal_form(model);
 }
 
-// Every pair of a file once, beside its converged peaks.
+// Every pair of a file once, compared with its converged peaks.
 nlohmann::json compared(const std::string& folder, const std::string& law, const study::EvenRecord& record) {
   std::ifstream file(folder + "/h_" + law + ".txt"), reference(folder + "/reference_" + law + ".txt");
   double t[2], z[2], m[2], gap = 0, k = 0, damping = 0, peaks[4];

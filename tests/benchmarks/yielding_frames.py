@@ -1,13 +1,13 @@
-"""Frames with hinges for the benchmarks: their numbers, and their models as the program reads them. SI units.
+"""Frames with hinges for the benchmarks: data and models. SI units.
 
 frame: three storeys of 3.2 m and a bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m, 20 t at every node, no
 shear deformation; hinges at the ends of beams (180 kN m) and at feet (250 kN m); El Centro 1940 times 1.5 for 12 s.
 towers: the pair in space of towers.py, pressed together, with 240 rigid-plastic hinges that all yield, or without.
-pair: the plane frames of plane_frames.py, 20 mm apart, with hinges at the same places; their motion, 20 s, elastic
+pair: the plane frames of plane_frames.py, 20 mm apart, with hinges at the same locations; their motion, 20 s, elastic
 contacts.
 
-A hinge is a bilinear spring of 10 times 6EI/L with a hardening of 0.003. Damping goes by the mass alone, in which both
-programs agree.
+A hinge is a bilinear spring of 10 times 6EI/L with a hardening of 0.003. Damping is proportional to mass only, for
+which both programs agree.
 """
 
 import math
@@ -19,20 +19,20 @@ from plane_frames import BAY, BEAM, COLUMN, ELASTICITY, HEIGHT
 HARDENING, STIFFER_THAN_MEMBERS = 0.003, 10.0
 
 FRAME_STOREYS, FRAME_END, FRAME_SCALE = 3, 12.0, 1.5
-FRAME_E, FRAME_MASS = 30e9, 20e3  # Pa, kg at a node
+FRAME_E, FRAME_MASS = 30e9, 20e3  # Pa, kg per node
 FRAME_COLUMN, FRAME_BEAM = (0.4**2, 0.4**4 / 12), (0.3 * 0.5, 0.3 * 0.5**3 / 12)
 FRAME_MOMENTS = 180e3, 250e3  # of beams and of feet [N m]
-#: First period [s], from the independent integration; 5 % there.
+#: First period [s], from the independent integration, with 5 % damping.
 FRAME_PERIOD, DAMPING = 0.6818603273427927, 0.05
 
 #: Yield moments of beams and of feet [N m] of both frames, and the period with a damping of 5 % [s].
 PAIR_MOMENTS, PAIR_PERIOD = ((200e3, 320e3), (260e3, 420e3)), 1.0
 
-#: Storeys of both towers whose beams along x have hinges, 60 a storey, and the yield moment that all of them exceed at
-#: once [N m].
+#: Storeys of both towers whose beams along x have hinges, 60 per storey, and the yield moment that all of them exceed
+#: simultaneously [N m].
 TOWER_STOREYS, TOWER_MOMENT = (1, 2), 1e2
 
-#: A period so short that damping of 5 % there adds nothing that goes by the stiffness.
+#: A period so short that 5 % damping there adds no significant stiffness-proportional damping.
 NO_PERIOD = 1e-12
 
 
@@ -58,7 +58,7 @@ def section(area, inertia):
 
 def towers(yield_moment):
     """The pair of towers.py with flexible floors, pressed together, with a hinge at both ends of every beam along x of
-    TOWER_STOREYS; none for a yield moment of None."""
+    TOWER_STOREYS; no hinges if the yield moment is None."""
     import towers as of
 
     text = of.model(2, 5, False)
@@ -74,7 +74,7 @@ def towers(yield_moment):
 
 
 def frame(tolerance, record, integrator):
-    """The single frame, as the program reads it."""
+    """The single frame in pounding's input format."""
     return (
         f"ground_motion: {{record: {record}, units: m/s^2, scale: {FRAME_SCALE}}}\nstructures:\n  frame:\n    frame:\n      material: {{E: {FRAME_E!r}}}\n"
         f"      grid: {{storeys: {FRAME_STOREYS}, bays: 1, storey_height: {HEIGHT}, bay_width: {BAY}, columns: {section(*FRAME_COLUMN)}, "
@@ -84,7 +84,7 @@ def frame(tolerance, record, integrator):
 
 
 def pair(tolerance, record, integrator):
-    """The two frames, as the program reads them."""
+    """The two frames in pounding's input format."""
     text = f"ground_motion: {{record: {record}, units: m/s^2}}\nstructures:\n"
     for k in range(2):
         storeys, bays, stiffer = plane_frames.STOREYS[k], plane_frames.BAYS[k], plane_frames.STIFFER[k]

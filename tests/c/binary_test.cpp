@@ -1,4 +1,4 @@
-/// The binary form that interface 1 promises, on machines of 64 bits: what was built against it keeps running.
+/// The binary interface of version 1, on 64-bit machines: programs built against it keep running.
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-/// The C interface gives what the C++ laws give, to the last bit, and follows an impact as they do.
+/// The C interface is bitwise identical to the C++ laws, during a whole impact as well.
 
 #include <cmath>
 #include <cstring>
@@ -20,7 +20,7 @@ struct State {
   double penetration, rate;
 };
 
-/// A path in and out of contact, with a press in the restitution.
+/// A path into and out of contact, with a second compression during restitution.
 std::vector<State> random_path(std::mt19937& random) {
   std::uniform_real_distribution<double> deep(1e-3, 1e-2), speed(0.05, 1);
   const double depth = deep(random), v = speed(random);
@@ -81,7 +81,7 @@ TEST(CInterface, CollidesAsTheLawsToTheLastBit) {
   }
 }
 
-// Euler's steps are of first order: they may miss what the largest force does in one of them.
+// Euler's steps are of first order: their error may reach the change of the largest force in one step.
 TEST(CInterface, BallComesBackWithTheRestitutionThatWasAsked) {
   const double mass = laws::typical_reduced_mass, speed = 0.5;
   for (const laws::Entry& entry : laws::catalogue()) {
@@ -132,7 +132,7 @@ TEST(CInterface, BodiesThatAlreadyOpenWhenTheyAreSeenToOverlapTouchAtRest) {
   EXPECT_EQ(contact.closing_speed, 0);
 }
 
-// F = k d + c d' vanishes at d = -c d'/k: that is what stays in the gap, and the next touch is that much further.
+// F = k d + c d' vanishes at d = -c d'/k: this depth remains in the gap, and the next touch is later by it.
 TEST(CInterface, KomodromosLeavesItsIndentationInTheGap) {
   const test::LawInC law = typical("komodromos");
   pnd_contact contact{};
@@ -155,8 +155,7 @@ TEST(CInterface, KomodromosLeavesItsIndentationInTheGap) {
   EXPECT_DOUBLE_EQ(contact.indentation, 1.2 * left);
 }
 
-// k d up to 5 mm, back at 1/e^2 = 4 times the slope: three quarters stay, and the next impact is elastic until 5 mm
-// again.
+// k d up to 5 mm, back at 1/e^2 = 4 times the slope: three quarters remain, and the next impact is elastic up to 5 mm.
 TEST(CInterface, ElastoplasticRemembersWhatWasCrushed) {
   const test::LawInC law = test::made_in_c({.law = "elastoplastic",
                                             .formula = {},

@@ -1,4 +1,4 @@
-/// Refusals of the C interface: their texts, and that they change nothing.
+/// Refusals of the C interface: their texts, and no side effects.
 
 #include <cstring>
 #include <limits>

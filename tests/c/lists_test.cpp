@@ -1,4 +1,4 @@
-/// Texts for user interfaces: every law, parameter and formula, with texts that end where they should.
+/// Texts for user interfaces: every law, parameter and formula, with correctly terminated strings.
 
 #include <cstring>
 #include <string>
@@ -13,7 +13,7 @@
 namespace pounding {
 namespace lists_test {
 
-// A literal's view ends where its zero is.
+// A literal's view ends at its terminating zero.
 void expect_ends(std::string_view view) { EXPECT_EQ(std::strlen(view.data()), view.size()) << view; }
 
 TEST(CInterfaceLists, TextsOfTheTablesEndWithAZero) {
@@ -53,7 +53,7 @@ TEST(CInterfaceLists, LawsAreThoseOfTheCatalogue) {
   }
 }
 
-// The first way to give the damping, at typical values, with the options left out; then each other way.
+// The first set of damping parameters, at typical values without options; then each other set.
 TEST(CInterfaceLists, ParametersListedAreThoseThatCreateTakes) {
   for (size_t i = 0; i < pnd_law_count(); ++i) {
     pnd_law_info info{};

@@ -1,5 +1,5 @@
 #pragma once
-/// Laws made in C from the settings that C++ would take.
+/// Laws created in C from the settings of C++.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ struct Destroy {
 };
 using LawInC = std::unique_ptr<pnd_law, Destroy>;
 
-/// Null when it is refused.
+/// Null if it is refused.
 inline LawInC made_in_c(const laws::Settings& s) {
   std::vector<pnd_value> values;
   for (const auto& [name, value] : s.values) values.push_back({name.c_str(), value});
@@ -29,7 +29,8 @@ inline LawInC made_in_c(const laws::Settings& s) {
   return LawInC(law);
 }
 
-/// Every law with each of its formulas, at a fixed design velocity where it takes one, and with each direct damping.
+/// Every law with each of its formulas, at a fixed design velocity if it needs one, and with each direct damping
+/// parameter.
 inline std::vector<laws::Settings> every_setting() {
   std::vector<laws::Settings> list;
   for (const laws::Entry& entry : laws::catalogue()) {

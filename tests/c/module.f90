@@ -1,4 +1,4 @@
-! The Fortran module hands on what C says: texts, lists, answers, and the life of an impact.
+! The Fortran module passes on the results of C: texts, lists, answers, and a whole impact.
 program module_test
   use, intrinsic :: iso_fortran_env, only: real64
   use pounding
@@ -39,12 +39,12 @@ program module_test
   call expect('a copy', near(copy%touching, 1d0) .and. near(copy%largest_penetration, 1d-2))
   call status_is('an end', PND_OK, pnd_separate(law, 0d0, contact))
   call expect('no impact', .not. contact%touching > 0)
-  ! Asked 0.50 it gives 0.725, as the catalogue of the law says.
+  ! A target of 0.50 gives 0.725, as the law's catalogue states.
   call status_is('a free impact', PND_OK, pnd_collide(law, 6d4, 0.8d0, impact))
   call expect('its restitution', abs(impact%restitution - 0.725d0) < 5d-4)
   call pnd_destroy(law)
 
-  ! 5 mm on a linear spring, back at 1/e^2 times the slope: an indentation of (1 - e^2) 5 mm stays.
+  ! 5 mm on a linear spring, back at 1/e^2 times the slope: an indentation of (1 - e^2) 5 mm remains.
   call status_is('a law that crushes', PND_OK, pnd_create('elastoplastic', 'exact', [pnd_value('stiffness', 1d8), &
                                              pnd_value('exponent', 1d0), pnd_value('restitution', 0.5d0)], law))
   call status_is('a press', PND_OK, pnd_accept(law, 5d-3, 0.3d0, contact))

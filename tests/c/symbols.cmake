@@ -1,4 +1,4 @@
-# The shared library shows the functions of interface 1, nothing but pnd_..., and needs the C++ runtime alone.
+# The shared library exports the functions of interface 1, only names of pnd_..., and needs only the C++ runtime.
 #   cmake -DLIBRARY=... -DREADELF=... -P symbols.cmake
 execute_process(COMMAND ${READELF} --dyn-syms --wide ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${symbols}")

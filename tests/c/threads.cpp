@@ -1,5 +1,5 @@
-// Several threads share laws, follow impacts of their own, and make errors of their own; each finds what one thread
-// alone finds, and its own texts.
+// Several threads share laws, follow separate impacts, and make separate errors; each obtains the results of a single
+// thread, and its own texts.
 #include <pounding.h>
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int threads = 8, rounds = 40;
 
-// The speed after an impact, or after long enough where no force pushes back.
+// The speed after an impact, or after a time limit if no force pushes back.
 double bounce(const pnd_law* law, double speed) {
   pnd_contact contact{};
   pnd_response r{};
@@ -28,7 +28,7 @@ double bounce(const pnd_law* law, double speed) {
   return v;
 }
 
-// Every law in turn, found in the lists and made at its typical values.
+// Every law in turn, found in the lists and created with its typical values.
 std::vector<pnd_law*> typical_laws() {
   std::vector<pnd_law*> laws;
   for (size_t i = 0; i < pnd_law_count(); ++i) {

@@ -1,4 +1,4 @@
-/// Laws of yielding in C: the answers of C++, closed forms, refusals, lists.
+/// Hysteretic laws in C: the answers of C++, closed forms, refusals, lists.
 
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Destroy {
 };
 using YieldingInC = std::unique_ptr<pnd_yielding, Destroy>;
 
-/// Null when it is refused.
+/// Null if it is refused.
 YieldingInC made_in_c(const hysteresis::Settings& s) {
   std::vector<pnd_value> values;
   std::vector<pnd_word> words;
@@ -34,7 +34,7 @@ YieldingInC made_in_c(const hysteresis::Settings& s) {
   return YieldingInC(law);
 }
 
-/// Every law with its typical numbers, and with each word of its choices.
+/// Every law with its typical numbers, and with each of its choices.
 std::vector<hysteresis::Settings> every_setting() {
   std::vector<hysteresis::Settings> all;
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
@@ -86,7 +86,7 @@ TEST(YieldingInC, AnswersAsCppDoesToTheBit) {
   }
 }
 
-// One full cycle of a bilinear spring loses 4 (1 - a) Fy (dmax - dy), and the quarter before it a quarter of that.
+// One full cycle of a bilinear spring dissipates 4 (1 - a) Fy (dmax - dy), and the quarter before it a quarter of that.
 TEST(YieldingInC, BilinearLoopHasItsClosedForm) {
   const double k = 2e7, yield = 1.5e5, a = 0.1, dy = yield / k, far = 4 * dy;
   const YieldingInC law =
@@ -164,8 +164,8 @@ TEST(YieldingInC, ListsAreThoseOfTheLibrary) {
       }
   }
   pnd_yielding_info info{};
-  const std::string none = "there is no law of yielding 99; there are " + std::to_string(pnd_yielding_count());
-  EXPECT_REFUSED(pnd_describe_yielding(99, &info), none.c_str());
+  const std::string count = std::to_string(pnd_yielding_count());
+  EXPECT_REFUSED(pnd_describe_yielding(99, &info), "99", count.c_str());
   pnd_parameter_info parameter{};
   EXPECT_REFUSED(pnd_describe_yielding_parameter(0, 99, &parameter), "99", "4");
 }

@@ -1,4 +1,4 @@
-"""The verification book shows the digits that a tolerance resolves, and its check refuses what says something else."""
+"""The verification book prints the digits that a tolerance resolves, and its check detects differences."""
 
 import sys
 import unittest

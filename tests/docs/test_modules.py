@@ -1,5 +1,5 @@
-"""The folders of pounding/ are modules in one order: each includes only the modules that its NEEDS name, and these
-stand before it."""
+"""The folders of pounding/ are modules in one order: each includes only the modules listed in its NEEDS, all of which
+precede it."""
 
 import re
 import unittest
@@ -12,7 +12,7 @@ ABOVE = ("reproduce", "program")
 
 
 def declared():
-    """Module -> what it needs, in the order of the declarations."""
+    """Module -> its needs, in the order of the declarations."""
     modules = {}
     for part in PARTS:
         text = re.sub(r"#.*", "", (ROOT / part / "CMakeLists.txt").read_text())
@@ -29,7 +29,7 @@ def declared():
 
 
 def includes(path):
-    """The modules that a file includes headers of, each with its line."""
+    """Modules of the headers included by a file, each with its line."""
     for number, line in enumerate(path.read_text().splitlines(), 1):
         found = re.match(r'\s*#include\s+[<"](pounding/)?(\w+)/[\w/]+\.hpp[>"]', line)
         if found and (found.group(1) or found.group(2) in ABOVE):
@@ -81,7 +81,7 @@ class Modules(unittest.TestCase):
                 if folder.is_dir():
                     used = {other for path in sources(folder) for _, other in includes(path)}
                     idle += [
-                        f"{folder.name} needs {need}, but includes nothing of it"
+                        f"{folder.name} needs {need}, but includes none of its headers"
                         for need in declared()[folder.name]
                         if need not in used
                     ]

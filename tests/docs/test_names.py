@@ -1,4 +1,4 @@
-"""Every public name has an explanation: of the installed headers in C and C++, and of the Python package."""
+"""Every public name is documented, in the installed headers in C and C++, and in the Python package."""
 
 import ast
 import sys
@@ -13,7 +13,7 @@ from declarations import declarations, installed_headers  # noqa: E402
 EXPLAINED = {"struct", "class", "union", "enum", "concept", "type", "function"}
 
 
-#: Members of every law of contact or yielding, by the folder whose law.hpp explains them once.
+#: Members of every contact or hysteretic law, by the folder whose law.hpp documents them once.
 LAWS = {
     "laws": ("check", "damping_for", "contact", "respond", "corner", "keep"),
     "hysteresis": (
@@ -33,7 +33,7 @@ LAWS = {
 
 
 def law_contract():
-    """Members of laws that their law.hpp explains."""
+    """Members of laws that are documented in law.hpp."""
     docs = {folder: declarations(ROOT / f"elements/pounding/{folder}/law.hpp")[0] for folder in LAWS}
     return {(folder, name) for folder, names in LAWS.items() for name in names if f" {name}(" in docs[folder]}
 
@@ -48,8 +48,8 @@ def unexplained(items, contract=frozenset()):
 
 
 def without_docstring(tree, around=""):
-    """Public classes, functions, methods and properties of a module; a method may leave it to that which it
-    overrides."""
+    """Public classes, functions, methods and properties of a module; an override may leave its documentation to the
+    base."""
     for node in tree.body:
         if not isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) or node.name.startswith("_"):
             continue
@@ -98,7 +98,7 @@ class Names(unittest.TestCase):
         self.assertEqual(installed & private, set())
 
     def test_TestsKeepTheirNamesInANamespaceOfTheirFile(self):
-        """Tests are compiled in batches, where two files must not have one name for two things."""
+        """Tests are compiled in batches, where no two files may use one name for different entities."""
         unnamed = [
             str(path.relative_to(ROOT))
             for path in sorted((ROOT / "tests").rglob("*_test.cpp"))
@@ -123,7 +123,7 @@ class Names(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """The check itself sees declarations and their comments."""
+    """Checks that this test finds declarations and their comments."""
 
     def read(self, text, suffix=".hpp"):
         with tempfile.TemporaryDirectory() as folder:

@@ -68,7 +68,7 @@ def marked_comments(text, mark):
             found.append((number, words))
             open_at = len(found) - 1
         else:
-            open_at = None  # an empty line begins a paragraph
+            open_at = None  # an empty line starts a new paragraph
         if not alone:
             open_at = len(found) - 1 if words else None
     for block in re.finditer(r"/\*+(.*?)\*/", text, re.DOTALL) if mark == "//" else ():
@@ -144,10 +144,12 @@ def hits(words):
 def sources():
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
-            generated = (
-                "pages" in path.parts or path.name == "words.md" or path.parts[-2:] == ("verification", "README.md")
+            skipped = (  # generated pages, and the phrases themselves
+                "pages" in path.parts
+                or path.name in ("words.md", Path(__file__).name)
+                or path.parts[-2:] == ("verification", "README.md")
             )
-            if path.suffix in (*MARKS, ".py", ".md") and path.is_file() and "build" not in path.parts and not generated:
+            if path.suffix in (*MARKS, ".py", ".md") and path.is_file() and "build" not in path.parts and not skipped:
                 yield path
     yield from (ROOT / name for name in PAGES_AT_THE_TOP)
 
@@ -183,7 +185,7 @@ class Prose(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """The check itself knows the phrases and finds the texts of a file."""
+    """Checks that the test recognises the phrases and finds the texts of a file."""
 
     def test_KnowsThePhrases(self):
         for text in (

@@ -1,7 +1,7 @@
-"""Every command, model and program that the README and the guide print is run, compiled, or at least there.
+"""Every command, model and program printed in the README and the guide is run, compiled, or at least exists.
 
-The environment names the built parts; a test is skipped where its part is not built:
-POUNDING_PROGRAM, POUNDING_PACKAGE (the folder of the Python package), POUNDING_CXX, POUNDING_CC, POUNDING_C_LIBRARY.
+The environment names the built parts; a test is skipped if its part is not built: POUNDING_PROGRAM, POUNDING_PACKAGE
+(the folder of the Python package), POUNDING_CXX, POUNDING_CC, POUNDING_C_LIBRARY.
 """
 
 import json
@@ -23,12 +23,12 @@ PAGES = [
     *sorted((ROOT / "python/docs/guide").glob("*.md")),
 ]
 PATIENCE = 120
-#: Language and text of every block in a fence.
+#: Language and text of every fenced block.
 FENCE = re.compile(r"(?ms)^```([^\n]*)\n(.*?)^```$")
 
 
 def blocks(page, language):
-    """Blocks of this language with the text that is printed below each, if any."""
+    """Blocks of this language, each with the output printed below it, if any."""
     text, found = page.read_text(), []
     for match in FENCE.finditer(text):
         if match.group(1) == language:
@@ -48,7 +48,7 @@ def without_times(text):
     return re.sub(r"\d+\.\d+ s$", "... s", text.strip(), flags=re.MULTILINE)
 
 
-#: Stands for the pair.yaml that pages name.
+#: Used for the pair.yaml that pages name.
 PAIR = """\
 ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 1}}
 structures:
@@ -59,7 +59,7 @@ analysis: {duration: 4}
 """
 
 
-#: Stands for the towers.yaml of the page on reduced structures.
+#: Used for the towers.yaml of the page on reduced structures.
 TOWER = (
     "{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
     "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 120 t}}, damping: 5 %}"
@@ -99,7 +99,7 @@ class Lines(unittest.TestCase):
         return f"#include <stdio.h>\n{includes}\nint main(void) {{\n{given}\n{rest}\n{last}\n}}\n"
 
     def run_c(self, text):
-        """Compiles and runs a block of C, which makes a law and ends with it alive."""
+        """Compiles and runs a block of C with a law that remains alive."""
         c, cxx, library = part("POUNDING_CC"), part("POUNDING_CXX"), part("POUNDING_C_LIBRARY")
         (self.folder / "host.c").write_text(
             self.in_main(text, "double penetration = 2e-3, rate = 0.3;", "pnd_destroy(law);\nreturn 0;")
@@ -123,7 +123,7 @@ class Lines(unittest.TestCase):
 
 class Commands(Lines):
     def refuse_unknown(self, line):
-        """Checks a line of a shell; those of `pounding` are run."""
+        """Checks a shell line; commands of `pounding` are run."""
         words = shlex.split(line, comments=True)
         for command in " ".join(shlex.quote(word) if word != "&&" else word for word in words).split(" && "):
             self.check(shlex.split(command))
@@ -222,7 +222,7 @@ class Commands(Lines):
                 self.assertRegex(extras, rf"(?m)^{name} = ", page)
 
     def test_CommandsOfTheProgramExist(self):
-        # by the package alone: python.demo
+        # by the package only: python.demo
         known = self.done(part("POUNDING_PROGRAM"), "--help") + "  demo \n  lessons \n"
         for page in PAGES:
             for name in re.findall(r"`(?:mpirun -n K )?pounding ([a-z]+)", page.read_text()):

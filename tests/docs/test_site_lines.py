@@ -1,6 +1,5 @@
-"""Lines of the site beside the blocks of README and guide: commands of the lessons and in tables, calls of Python
-inside sentences, programs in docstrings and in the header of the C interface. The environment is that of
-test_readme_lines."""
+"""Lines of the site outside the blocks of README and guide: commands of the lessons and in tables, Python calls inside
+sentences, programs in docstrings and in the header of the C interface. The environment is that of test_readme_lines."""
 
 import ast
 import importlib.util
@@ -18,7 +17,7 @@ from test_readme_lines import PAGES, ROOT, Lines, part
 
 LESSONS = sorted((ROOT / "examples").rglob("*.md"))
 PACKAGE = ROOT / "python/pounding"
-#: Words in commands that stand for something, and something to put there.
+#: Placeholders in commands, and values for them.
 STAND_INS = {
     "MODEL.yaml": "stand_in.yaml",
     "OUT.h5": "out.h5",
@@ -31,7 +30,7 @@ STAND_INS = {
     "L": "hertz_damped",
     "K": "2",
 }
-#: Two buildings whose third floors meet, with the run without links, and with outputs that show each blow.
+#: Two buildings whose third floors collide, with the run without links, and with outputs that resolve each impact.
 STAND_IN = """\
 ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 1}}
 structures:
@@ -43,7 +42,7 @@ analysis: {duration: 1.2, output_step: 1 ms}
 compare: no_pounding
 """
 YIELDS = STAND_IN.replace("stiffness: 90 MN/m", "stiffness: 90 MN/m, yield_force: 0.5 MN, hardening: 5 %")
-#: Commands that need a Python, a host or a folder of their own, and the test that runs them.
+#: Commands that need their own Python, host or folder, and the test that runs them.
 ELSEWHERE = {
     "cmake": "program.cpp_lessons and program.hosts",
     "cc": "program.hosts",
@@ -56,13 +55,13 @@ ELSEWHERE = {
 
 
 def command_lines(page):
-    """Commands of a lesson: lines of its fences for the shell, continued lines joined."""
+    """(page, code) of text between backticks, including tables."""
     blocks = re.findall(r"(?ms)^```sh\n(.*?)^```$", page.read_text())
     return [line for block in blocks for line in block.replace("\\\n", "").splitlines()]
 
 
 def code_in_sentences(pages):
-    """(page, code) of what stands between backticks, in tables too."""
+    """A command without its optional parts, and with all of them; the last one of alternatives between bars."""
     for page in pages:
         text = re.sub(r"(?ms)^```.*?^```$", "", page.read_text())
         for code in re.findall(r"`([^`\n]+)`", text):
@@ -70,13 +69,13 @@ def code_in_sentences(pages):
 
 
 def choices(command):
-    """A command with each optional part left out, and with all of them; of words between bars the last one."""
+    """Three frames of an animation without a given number of frames."""
     command = re.sub(r"(\w+\|)+(\w+)", r"\2", command)
     return {re.sub(r"\s*\[[^]]*\]", "", command), command.replace("[", "").replace("]", "")}
 
 
 def short_film(words):
-    """Three frames of a film whose number of frames is not named."""
+    """after its own settings"""
     return words + ["--frames", "3"] * ("animate" in words and "-o" in words and "--frames" not in words)
 
 
@@ -92,7 +91,7 @@ class CommandsOfLessons(Lines):
             for line in command_lines(page):
                 for command in line.split(" && "):
                     words = shlex.split(command, comments=True)
-                    if "build/pounding" in words:  # behind what is set for it
+                    if "build/pounding" in words:  # only a cut run can be resumed
                         words = words[words.index("build/pounding") :]
                     if words[0] != "build/pounding":
                         self.assertTrue(
@@ -131,7 +130,7 @@ class CommandsInSentences(Lines):
                 if words[0] == "reproduce":
                     words += ["--only", "table2", "-o", "paper"] if "--only" not in words else []
                     words = ["table2" if word == "hertz" else word for word in words]
-                if "--resume" in words:  # only a run that is cut can go on
+                if "--resume" in words:  # only a cut run can be resumed
                     (self.folder / "cut.yaml").write_text(STAND_IN.replace("compare: no_pounding\n", ""))
                     self.done_or_failed("run", "cut.yaml", "-q", "-o", "cut.h5", "-pounding_ts_max_steps", "100")
                     words = ["cut.h5" if word == "out.h5" else word for word in words] + ["cut.h5"] * (
@@ -149,13 +148,13 @@ class CommandsInSentences(Lines):
                         "-o": "-opushed.h5",
                     }
                     words = [given.get(word, word) for word in words]
-                    if len(words) == 2:  # an option by itself
+                    if len(words) == 2:  # an option without an argument
                         words += ["yields.yaml", "--structure", "left", "--to", "2 % roof"]
-                if words[0] == "plot" and words[-1] in ("loops", "hinges"):  # something must yield
+                if words[0] == "plot" and words[-1] in ("loops", "hinges"):  # needs yielding parts
                     (self.folder / "yields.yaml").write_text(YIELDS)
                     self.done(part("POUNDING_PROGRAM"), "run", "yields.yaml", "-q", "-o", "yields.h5")
                     words = ["yields.h5" if word == "out.h5" else word for word in words]
-                if words[0] == "plot" and words[-1] == "plan":  # something must stand in plan
+                if words[0] == "plot" and words[-1] == "plan":  # needs a position in plan
                     self.done(
                         part("POUNDING_PROGRAM"),
                         "run",
@@ -177,8 +176,8 @@ class CommandsInSentences(Lines):
 
 
 class CallsInSentences(Lines):
-    """`results.plot("gap")`, `run(model, tolerance=, ...)`: run as they stand, or, where values are left out, with
-    every name of an argument that is given."""
+    """`results.plot("gap")`, `run(model, tolerance=, ...)`: run unchanged or, if values are omitted, checked for every
+    argument name that is given."""
 
     def setUp(self):
         super().setUp()
@@ -220,7 +219,7 @@ class CallsInSentences(Lines):
         if "..." not in code and "=," not in code and "=)" not in code:
             if code.startswith("record(") and not records():
                 return
-            # needs a model in OpenSees, as in tests/python/test_opensees.py
+            # OpenSees models are those of tests/python/test_opensees.py
             if code.startswith("pounding.from_opensees"):
                 self.assertTrue(callable(self.names["pounding"].from_opensees))
                 return
@@ -241,7 +240,7 @@ class CallsInSentences(Lines):
         known = inspect.signature(function).parameters
         open_ended = any(one.kind is inspect.Parameter.VAR_KEYWORD for one in known.values())
         for word in re.findall(r"(\w+)=", code):
-            self.assertTrue(word in known or open_ended, f"{code}: there is no argument {word}")
+            self.assertTrue(word in known or open_ended, f"{code}: no argument {word}")
 
 
 class ProgramsInComments(Lines):

@@ -1,7 +1,6 @@
-"""Runs the cells of a page of the site, those that nobody sees and that check its numbers included; no notebook is
-needed.
+"""Runs the cells of a page of the site, including the hidden ones that check its numbers; no notebook is needed.
 
-    PYTHONPATH=build/python python3 tests/docs/tutorials.py python/docs/tutorials/one_impact.md
+PYTHONPATH=build/python python3 tests/docs/tutorials.py python/docs/tutorials/one_impact.md
 """
 
 import re
@@ -20,7 +19,7 @@ def main(page: Path) -> None:
     if not any("assert" in cell.group(2) for cell in cells):
         sys.exit(f"{page}: no cell checks a number")
     for cell in cells:
-        # Empty lines in front, so that an error names the line of the page.
+        # Empty lines, so that an error reports the line of the page.
         exec(compile("\n" * text.count("\n", 0, cell.start(2)) + cell.group(2), str(page), "exec"), names)
 
 

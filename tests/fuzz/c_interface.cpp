@@ -1,5 +1,5 @@
-// The C interface. A line is a word: law, formula, then NAME VALUE, each a value of the law; behind an empty line
-// numbers, which are the penetrations and rates of one state after the other.
+// The C interface. One token per line: law, formula, then NAME VALUE, each a parameter of the law; after an empty line
+// numbers: successive pairs of penetration and rate.
 
 #include <cstdlib>
 #include <string>
@@ -15,7 +15,7 @@ using pounding::fuzz::require;
 
 void require_status(int status) {
   if (status == PND_OK) return;
-  require(status == PND_BAD_ARGUMENT || status == PND_FAILED, "a status is one of those of the interface");
+  require(status == PND_BAD_ARGUMENT || status == PND_FAILED, "the status is one of those of the interface");
   const std::string_view text = pnd_error_text();
   require(!text.empty() && text.size() < 512 && text == pounding::message_text(text),
           "an error has a text that can be printed", text);
@@ -79,7 +79,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   pnd_law* law = nullptr;
   const int made = pnd_create(name.c_str(), formula.c_str(), values.data(), values.size(), &law);
   require_status(made);
-  require((made == PND_OK) == (law != nullptr), "a law is made where the status says so");
+  require((made == PND_OK) == (law != nullptr), "a law is created exactly if the status is PND_OK");
   if (law) move(law, text);
   pnd_destroy(law);
   return 0;

@@ -1,4 +1,4 @@
-// Prints a dictionary for libFuzzer: the words of the input, of the laws and of the units.
+// Prints a dictionary for libFuzzer: input keys, and names of laws and units.
 
 #include <cstdio>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
-/// Shared by the fuzz targets. A target is a file with one function that libFuzzer calls, LLVMFuzzerTestOneInput: it
-/// gives bytes to a reader and lets pass the errors that the reader documents. Everything else ends the program:
-/// another exception, a sanitizer, a promise that was not kept.
+/// Shared by the fuzz targets. A target is a file with one function called by libFuzzer, LLVMFuzzerTestOneInput: it
+/// passes bytes to a reader and accepts the reader's documented errors. Everything else ends the program: another
+/// exception, a sanitizer, a broken guarantee.
 
 #include <cstddef>
 #include <cstdint>
@@ -29,14 +29,14 @@ inline void require(bool kept, std::string_view promise, std::string_view read =
   std::abort();
 }
 
-/// A message can be printed as it is.
+/// A message can be printed unchanged.
 inline void require_printable(const std::exception& error) {
   const std::string_view text = error.what();
   require(!text.empty() && text == message_text(text), "messages are short, and UTF-8 without control characters",
           text);
 }
 
-/// Calls a reader that may refuse what it reads.
+/// Calls a reader that may refuse its input.
 template <class Read>
 void refusing(Read&& read) {
   try {
@@ -46,7 +46,7 @@ void refusing(Read&& read) {
   }
 }
 
-/// The next line of `text`, which loses it; empty at the end.
+/// Removes and returns the next line of `text`; empty at the end.
 inline std::string_view next_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   const std::string_view line = text.substr(0, end);

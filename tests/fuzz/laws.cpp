@@ -1,4 +1,4 @@
-// The words of `pounding calibrate`, one a line: law, restitution, m1, m2, stiffness, velocity, exponent, then
+// Arguments of `pounding calibrate`, one per line: law, restitution, m1, m2, stiffness, velocity, exponent, then
 // NAME=VALUE.
 
 #include <pounding/input/collision.hpp>

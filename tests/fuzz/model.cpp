@@ -1,5 +1,5 @@
-// A model file: text to a model, or an InputError. What `check` and a run make of the model before its first step
-// follows.
+// A model file: text to a model, or an InputError. Then everything that `check` and a run compute before the first
+// step.
 
 #include <stdexcept>
 
@@ -9,12 +9,12 @@
 
 namespace {
 
-// The eigenvalues of a large structure take longer than everything that is sought here.
+// The eigenvalues of a large structure would take most of the time.
 constexpr int max_unknowns = 60;
 
 pounding::Eigenmodes modes_of_small(const pounding::SparseMatrix& mass, const pounding::SparseMatrix& stiffness,
                                     int count) {
-  if (mass.rows() > max_unknowns) throw std::invalid_argument("the modes of so many unknowns are not sought here");
+  if (mass.rows() > max_unknowns) throw std::invalid_argument("too many unknowns for modes in this test");
   return pounding::dense_modes(mass, stiffness, count);
 }
 

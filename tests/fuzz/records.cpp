@@ -1,4 +1,4 @@
-// A file of strong motion: the reader finds the format in it. The options that a user may give change with the size.
+// A file of strong motion, whose format the reader detects. Options vary with the size.
 
 #include <cmath>
 

@@ -1,5 +1,4 @@
-// A main for the compilers that have no libFuzzer: gives every file of the folders and files that are named to the
-// target, once.
+// A main for compilers without libFuzzer: passes every file of the given folders and files to the target once.
 
 #include <algorithm>
 #include <filesystem>

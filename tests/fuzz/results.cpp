@@ -1,5 +1,5 @@
-// Damage to a results file: each four bytes of the input are a place, of three bytes, and the byte that stands there.
-// The file of an interrupted run is refused, or read as it was written.
+// Damage to a results file: each four bytes of the input are a position of three bytes and a new byte. The file of an
+// interrupted run is refused, or read correctly.
 
 #include <unistd.h>
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs every fuzz target of a build folder for some minutes in all, one after the other, and prints how many executions each made.
+# Runs every fuzz target of a build folder in turn, for MINUTES in total, and prints the number of executions of each.
 #   run.sh BUILD MINUTES [TARGET...]
-# What the targets learn stays in BUILD/fuzz/corpus for the next time. An input that crashes, takes more than 10 s or more than 1 GB is
-# written to BUILD/fuzz/found.
+# The corpus is kept in BUILD/fuzz/corpus for the next time. An input that crashes, takes more than 10 s or more than 1
+# GB is written to BUILD/fuzz/found.
 set -euo pipefail
 build=$(realpath "$1")
 minutes=$2
@@ -14,7 +14,7 @@ seconds=$((minutes * 60 / ${#targets[@]} + 1))
 
 mkdir -p "$build/fuzz/corpus" "$build/fuzz/found" "$build/fuzz/log"
 export POUNDING_RECORDS=$here/seeds/records UBSAN_OPTIONS=print_stacktrace=1
-# Models name records, here those among the seeds.
+# Models name records, here those of the seeds.
 cd "$here/seeds/records"
 status=0
 for target in "${targets[@]}"; do

@@ -1,4 +1,4 @@
-// The state in a checkpoint: an archive of values, lists and texts. What is read holds no more than the bytes could.
+// The state in a checkpoint: an archive of values, lists and texts. The result is no larger than the bytes allow.
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-// A quantity with its unit. A value that is read is finite, and is read again from what a report writes.
+// A quantity with its unit. An accepted value is finite, and survives a round trip through a report.
 
 #include <cmath>
 

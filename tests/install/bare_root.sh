@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The portable wheel in a root that holds a minimal Debian and python3-venv, and nothing else. For root only.
-#   bare_root.sh SUITE WHEEL...     SUITE: bookworm, trixie, ...; one wheel for each Python
+# The portable wheel in a root with a minimal Debian and python3-venv only. For root only.
+#   bare_root.sh SUITE WHEEL...     SUITE: bookworm, trixie, ...; one wheel per Python
 # ROOTS, a folder, keeps the roots for the next time.
 set -euo pipefail
 suite=$1

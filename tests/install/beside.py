@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The package beside others in one process, imported in every order, each order in a process of its own.
+"""The package together with others in one process, imported in every order, each order in a new process.
 
     beside.py h5py mpi4py.MPI petsc4py.PETSc openseespy.opensees
 
-Every order that works without this package must work with it at each place, and run a model to the same peak force.
+Every order that works without this package must work with it at each position, and run a model to the same peak force.
 POUNDING_EXAMPLES names the folder of the lessons.
 """
 
@@ -12,7 +12,7 @@ import os
 import subprocess
 import sys
 
-#: How a package is used once all are imported.
+#: Use of a package after all imports.
 USES = {
     "h5py": "import io\nwith h5py.File(io.BytesIO(), 'w') as file:\n    file['a'] = [1.0, 2.0]\n    assert file['a'][1] == 2",
     "mpi4py.MPI": "assert mpi4py.MPI.COMM_WORLD.allreduce(3) == 3 * mpi4py.MPI.COMM_WORLD.size",
@@ -23,7 +23,7 @@ USES = {
 
 
 def outcome(order):
-    """Code and last line of a process that imports in this order and uses all of them twice."""
+    """Exit code and last line of a process that imports in this order and uses all of them twice."""
     imports = "\n".join(f"import {name}" for name in order)
     uses = "\n".join(USES[name] for name in (*order, *reversed(order)))
     done = subprocess.run(
@@ -40,10 +40,10 @@ def outcome(order):
 def main():
     others, expected, failed, passed = sys.argv[1:], outcome(["pounding"]), 0, 0
     for order in itertools.permutations(others):
-        # Some codes do not bear each other, whoever else is there.
+        # Some packages are incompatible with each other regardless of pounding.
         code, told = outcome(order)
         if code != 0:
-            print(f"{', '.join(order)}: left out, since without pounding it ends with {code} ({told})")
+            print(f"{', '.join(order)}: skipped, since without pounding it ends with {code} ({told})")
             continue
         for place in range(len(order) + 1):
             whole = [*order[:place], "pounding", *order[place:]]

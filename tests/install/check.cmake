@@ -19,17 +19,17 @@ foreach(project IN ITEMS laws_only newmark whole)
   build(${project} ${SOURCE}/${project})
   execute_process(COMMAND ${WORK}/${project}/${project} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-# Two processes, each with a communicator and a model of its own.
+# Two processes, each with its own communicator and model.
 if(MPIEXEC)
   execute_process(COMMAND ${MPIEXEC} -n 2 ${WORK}/whole/whole COMMAND_ERROR_IS_FATAL ANY)
 endif()
 build(hosts ${HOSTS})
-# Their numbers are held against their pages by tests/program/test_cpp_lessons.py.
+# tests/program/test_cpp_lessons.py compares their numbers with their pages.
 foreach(lesson IN ITEMS 15_your_own_law 16_model_in_cpp)
   build(${lesson} ${HOSTS}/../${lesson})
 endforeach()
 
-# By pkg-config alone.
+# With pkg-config only.
 execute_process(COMMAND sh -ec "
     export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding-c.pc)):$PKG_CONFIG_PATH
     cc -std=c99 -pedantic -o by_pkg_config_in_c '${HOSTS}/c/two_oscillators.c' $(pkg-config --cflags --libs pounding-c) -lm
@@ -41,7 +41,7 @@ execute_process(COMMAND sh -ec "
     ./by_pkg_config"
   WORKING_DIRECTORY ${WORK} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-# The installed headers need nothing that is not installed, and the private ones are not among them.
+# The installed headers include only installed ones, and private headers are not installed.
 file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/pounding/*.hpp)
 foreach(header IN ITEMS pounding/lib.hpp pounding/elements.hpp pounding/links.hpp pounding/core/version.hpp)
   if(NOT header IN_LIST headers)
@@ -61,7 +61,7 @@ execute_process(COMMAND sh -ec "
     c++ -std=c++20 -fsyntax-only all_headers.cpp $(pkg-config --cflags pounding)"
   WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 
-# The installed program draws with the modules installed beside it.
+# The installed program draws with the modules installed next to it.
 file(WRITE ${WORK}/python "#!/bin/sh\nprintf %s \"$PYTHONPATH\" > ${WORK}/path\n")
 file(CHMOD ${WORK}/python PERMISSIONS OWNER_READ OWNER_EXECUTE)
 file(WRITE ${WORK}/results.h5 "")
@@ -72,7 +72,7 @@ if(NOT path STREQUAL "${prefix}/share/pounding/python" OR NOT EXISTS ${path}/pou
   message(FATAL_ERROR "the installed program looks for its modules in ${path}")
 endif()
 
-# Completion asks the program that it completes.
+# Completion runs the program that it completes.
 function(completes words expected)
   execute_process(COMMAND bash -c "
       source '${prefix}/share/bash-completion/completions/pounding'

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Compiles the sources of a build folder once more by Clang, without making code of them: a warning or an error of
-Clang fails.
+"""Checks the sources of a build folder with Clang, without generating code: any warning or error fails.
 
     clang.py BUILD CLANG
 
-Tests are left out: GoogleTest's typed tests need Clang 15.
+Tests are skipped: GoogleTest's typed tests need Clang 15.
 """
 
 import concurrent.futures
@@ -15,7 +14,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-#: Of GCC alone, or of the object that is not made.
+#: Options of GCC only, or of the omitted object file.
 LEFT_OUT = (
     "-fno-semantic-interposition",
     "-fpch-preprocess",
@@ -27,7 +26,7 @@ LEFT_OUT = (
 
 
 def words_of(command, clang):
-    """The words with which Clang reads the source of a command of GCC."""
+    """Arguments with which Clang reads the source of a GCC command."""
     words, kept = iter(shlex.split(command)[1:]), []
     for word in words:
         if word in ("-o", "-include"):
@@ -38,7 +37,7 @@ def words_of(command, clang):
 
 
 def message_of(entry, clang):
-    """What Clang says of a source; nothing where it says nothing."""
+    """Clang's output for a source; empty if there is none."""
     return subprocess.run(
         words_of(entry["command"], clang), cwd=entry["directory"], capture_output=True, text=True
     ).stderr
@@ -51,7 +50,7 @@ def main(build, clang):
         if entry["file"].endswith((".cpp", ".cxx")) and " -o tests/" not in entry["command"]
     ]
     if not entries:
-        sys.exit(f"{build} tells of no sources")
+        sys.exit(f"{build} lists no sources")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         messages = [message for message in pool.map(lambda entry: message_of(entry, clang), entries) if message]
     print(f"{len(entries)} sources, {len(messages)} of them with messages", *messages, sep="\n")

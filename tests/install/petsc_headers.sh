@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Compiles all that calls PETSc against the headers of other versions, without making code of it. A name that is not there, is deprecated or
-# has other arguments is an error.
-#   petsc_headers.sh BUILD VERSION...     BUILD: a build folder with the PETSc of the system, whose configuration the headers are given
+# Compiles all callers of PETSc against the headers of other versions, without generating code. A name that is missing,
+# deprecated or has other arguments is an error.
+#   petsc_headers.sh BUILD VERSION...     BUILD: a build folder with the PETSc of the system, whose configuration is used for the headers
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 build=$(realpath "$1")
@@ -9,7 +9,7 @@ shift
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
-# Findings of configure, from the PETSc of the system; newer versions ask for a little more.
+# Results of configure, from the PETSc of the system; newer versions need a few more.
 mkdir "$place/configured"
 for name in petscconf.h petscfix.h petscpkg_version.h slepcconf.h; do
   found=$(find $(pkg-config --cflags-only-I PETSc slepc | sed 's/-I//g') -maxdepth 1 -name "$name" | head -n 1)
@@ -29,7 +29,7 @@ cat >> "$place/configured/petscconf.h" << 'END'
 END
 others=$(pkg-config --cflags-only-I PETSc slepc hdf5-openmpi | tr ' ' '\n' | grep --invert-match --extended-regexp 'petsc|slepc|^$' | sed 's/^-I/-isystem /')
 
-# One text for each module, as the build has them.
+# One text per module, as in the build.
 mkdir "$place/texts"
 for file in "$root"/lib/pounding/{petsc,linear,reduction,run}/*.cpp "$root"/lib/pounding/stepping/ts_pounding.cpp; do
   echo "#include \"$file\"" >> "$place/texts/$(basename "$(dirname "$file")").cpp"

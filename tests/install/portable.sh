@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The portable wheel of this Python as users install it: into a new environment, in an empty folder; prints how long each part takes.
+# The portable wheel of this Python as users install it: in a new environment, in an empty folder; prints the time of
+# each part.
 #   portable.sh WHEEL...
 set -euo pipefail
 tests=$(realpath "$(dirname "$0")/..")
@@ -25,7 +26,7 @@ told=$(OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=2 venv/bin/pounding run lesso
 case $told in *"was built without MPI"*) ;; *) echo "$told"; exit 1 ;; esac
 export POUNDING_EXAMPLES=$place/lessons
 venv/bin/python3 "$tests/install/test_wheel.py" Wheel Command
-# Tests of the package that need no compiler, with all that it can use.
+# Package tests that need no compiler, with all optional packages.
 export POUNDING_PROGRAM POUNDING_WITHOUT_MPI=1
 POUNDING_PROGRAM=$(echo "$place"/venv/lib/python3*/site-packages/pounding/bin/pounding)
 venv/bin/python3 -m pip install --quiet --disable-pip-version-check "$wheel[all]"

@@ -1,5 +1,5 @@
-# The C++ libraries as shared ones, linked from the objects of the build, which are position independent: installed, they
-# run the program to the same bits, serve an outside project, and show no name but ours.
+# The C++ libraries as shared ones, linked from the position-independent objects of the build. Installed, they run the
+# program with bitwise identical results, serve an outside project, and export only our names.
 #   cmake -DBUILD=... -DWORK=... -DROOT=... -DSOURCE=... "-DSAME=compilers and flags of the build" -P shared.cmake
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
@@ -20,7 +20,7 @@ if(archives)
   message(FATAL_ERROR "not shared: ${archives}")
 endif()
 
-# What the program computes, without its wall time.
+# The results of the program without its wall time.
 function(links_of program result)
   execute_process(COMMAND ${program} run ${ROOT}/examples/02_two_oscillators/model.yaml --json
     OUTPUT_VARIABLE summary COMMAND_ERROR_IS_FATAL ANY)

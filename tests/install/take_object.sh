@@ -1,5 +1,6 @@
 #!/bin/sh
-# A compiler launcher that takes the object of another build of the same sources, POUNDING_OBJECTS, instead of compiling.
+# A compiler launcher that copies the object of another build of the same sources, POUNDING_OBJECTS, instead of
+# compiling.
 for word; do
   [ "$before" = -o ] && object=$word
   before=$word

@@ -1,4 +1,5 @@
-"""The build with another PETSc than the system's: what `make`, its script and CMake say before anything is compiled."""
+"""The build with another PETSc than the system's: messages of `make`, its script and CMake before anything is
+compiled."""
 
 import fcntl
 import os
@@ -19,7 +20,7 @@ def done(*words, folder=ROOT, **environment):
 
 
 def without_python(cache):
-    """A folder with a python3 that fails: what would build ends at once."""
+    """A folder with a python3 that fails: a build ends immediately."""
     folder = Path(cache) / "bin"
     folder.mkdir()
     (folder / "python3").write_text("#!/bin/sh\nexit 1\n")
@@ -97,7 +98,7 @@ class Script(unittest.TestCase):
 
 
 class Configured(unittest.TestCase):
-    """A PETSc of two pkg-config files and the header that says whether it has MPI."""
+    """A PETSc of two pkg-config files and the header that defines whether it has MPI."""
 
     def configured(self, *, mpi, wanted):
         with tempfile.TemporaryDirectory() as place:

@@ -1,5 +1,4 @@
-"""Parts of the portable wheel that need neither its libraries nor a network: its command, its licences, what is
-refused."""
+"""Parts of the portable wheel that need neither its libraries nor a network: its command, its licences, refusals."""
 
 import subprocess
 import sys
@@ -63,14 +62,14 @@ class Command(Folder):
 
 
 def copied(source, to):
-    """Leaves a file of the name that shutil.copy would give it; the source need not be there."""
+    """Writes the file that shutil.copy would create; the source need not exist."""
     to = Path(to)
     (to / Path(source).name if to.is_dir() else to).write_text(str(source))
 
 
 class Licences(Folder):
     def add(self, *libraries, package="zlib1g"):
-        """The folder of the licences of a wheel with these libraries, all others but ours from one Debian package."""
+        """The licence folder of a wheel with these libraries, all others but ours from one Debian package."""
         info = Path(tempfile.mkdtemp(dir=self.folder))
         with (
             mock.patch.object(portable_wheel, "debian_package", return_value=(package, "1.0")),

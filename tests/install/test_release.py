@@ -1,4 +1,4 @@
-"""The archives that `make release` gathers: archives of the version in CMakeLists.txt, their checksums, notes from the
+"""The archives collected by `make release`: archives of the version in CMakeLists.txt, their checksums, notes from the
 changelog."""
 
 import contextlib

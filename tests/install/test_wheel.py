@@ -1,4 +1,4 @@
-"""The package as it was installed, and what its extras are for."""
+"""The installed package, and the purpose of its extras."""
 
 import json
 import os

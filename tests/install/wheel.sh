@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The wheel with all its extras as users install it: into a new Python environment, away from the clone.
+# The wheel with all its extras as users install it: in a new Python environment, away from the clone.
 #   wheel.sh WHEEL
 set -euo pipefail
 wheel=$(realpath "$1")
@@ -16,7 +16,7 @@ echo "Installing ${wheel##*/}[all] (packages from PyPI)"
 "${pip[@]}" "$wheel[all]"
 venv/bin/python3 "$tests/install/test_wheel.py"
 venv/bin/python3 "$tests/python/test_process.py" Importing Readme
-# Beside another user of MPI, which is no extra of ours.
+# Together with another user of MPI, which is not an extra of ours.
 "${pip[@]}" mpi4py
 venv/bin/python3 "$tests/python/test_process.py" OneProcess
 venv/bin/python3 "$tests/benchmarks/python_package.py" --imports

@@ -1,16 +1,16 @@
-"""The verification book for tests in Python, as tests/support/book.hpp for those in C++: numbers of an independent
+"""Verification book for tests in Python, as tests/support/book.hpp for those in C++: numbers of an independent
 source."""
 
 import json
 import os
 from collections import Counter
 
-#: Books that a test has written, by its name.
+#: Books written by a test, by name.
 written: Counter[str] = Counter()
 
 
 class Book:
-    """The comparisons of one test with one source; written into the folder POUNDING_BOOK when the test ends."""
+    """Comparisons of one test with one source; written to the folder POUNDING_BOOK when the test ends."""
 
     def __init__(self, test, subject, source, reason):
         self.test = test
@@ -31,7 +31,7 @@ class Book:
         self.test.assertLessEqual(abs(obtained - expected), tolerance, quantity)
 
     def below(self, quantity, obtained, limit):
-        """A difference that is less than the limit."""
+        """A difference that must be less than the limit."""
         self.rows.setdefault(quantity, []).append((0.0, float(obtained), float(limit)))
         self.test.assertLess(obtained, limit, quantity)
 

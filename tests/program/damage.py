@@ -1,8 +1,8 @@
 """Damaged results files, made with seeds: `python3 damage.py --count 10000`, with POUNDING_PROGRAM and PYTHONPATH set.
-They are files of runs of every kind, pushovers and tables of studies. Each has one to sixteen changed bytes, or was
-cut, filled with zeros, or lengthened. Every reader must refuse it by its own message: the package in a process of its
-own, the verbs of the program by exit code 2; none may read it, crash, or take longer than `SECONDS`. Verbs that Python
-does run in children of this process, which has loaded the package.
+They are results of runs of every kind, pushovers and study tables. Each has one to sixteen changed bytes, or is
+truncated, filled with zeros, or lengthened. Every reader must refuse it with an error message: the package in a
+separate process, the commands of the program with exit code 2. None may read it, crash, or take longer than `SECONDS`.
+Commands implemented in Python run in children of this process, which has loaded the package.
 """
 
 import argparse
@@ -23,12 +23,12 @@ from typing import NamedTuple
 from small_models import PUSH, RUNS, STUDY
 from support import PROGRAM
 
-SECONDS = 10  #: of the processor, for one file
-PATIENCE = 120  #: [s] for a process that waits
-#: Whether the package has its compiled part, without which it runs no study.
+SECONDS = 10  #: processor time for one file
+PATIENCE = 120  #: [s] for a waiting process
+#: Whether the package has its compiled part, which studies need.
 WITH_STUDIES = importlib.util.find_spec("pounding._core") is not None
-#: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the
-#: damaged file. Those from the third on are done by Python.
+#: Commands by kind of file; RESULTS is replaced by the file name, and outputs go into the folder of the damaged file.
+#: Those from the third on are implemented in Python.
 VERBS = {
     "run": (
         ["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"],
@@ -55,15 +55,15 @@ VERBS = {
 
 
 class Sample(NamedTuple):
-    """A file that is whole."""
+    """An undamaged file."""
 
     kind: str  #: as in small_models, or pushover, or study
-    holds: str  #: the key of its verbs
+    holds: str  #: the key of its commands
     content: bytes
 
 
 def samples(folder):
-    """A file of a run of every kind, of one that can be resumed, in its first part too, of a pushover and of a
+    """Files of a run of every kind, of runs that can be resumed (also in their first part), of a pushover and of a
     study."""
     made = []
 
@@ -111,7 +111,7 @@ def damaged(content, chance):
     if kind == "tail":
         return bytes(content) + chance.randbytes(chance.randrange(1, 100))
     if kind == "zeros":
-        # A sector that never reached the disk.
+        # A sector that was never written to disk.
         first = place // 512 * 512
         last = min(len(content), first + 512 * chance.randrange(1, 9))
         changed[first:last] = bytes(last - first)
@@ -126,7 +126,7 @@ def damaged(content, chance):
 
 
 def readers():
-    """The functions of the package that read a file, by what it holds."""
+    """The functions of the package that read a file, by kind of file."""
     from pounding.pushover_curve import read_pushover
     from pounding.results import RunData
 
@@ -139,7 +139,7 @@ def readers():
 
 
 def code_of_child(do):
-    """Exit code of a child of this process that does this, as of a subprocess: less than zero for a signal."""
+    """Exit code of a child of this process that runs this, as of a subprocess: negative for a signal."""
     child = os.fork()
     if child == 0:
         bound_time()
@@ -152,7 +152,7 @@ def fate_by_signal(code):
 
 
 def fate_of_reading(path, read):
-    """Outcome of a reader of the package on a file in a process of its own: refused, read, an exception, a signal, or
+    """Outcome of a reader of the package on a file, in a separate process: refused, read, an exception, a signal, or
     hangs."""
     from pounding.checked_file import NotResults
 
@@ -171,7 +171,7 @@ def fate_of_reading(path, read):
 
 
 def bound_time():
-    """Ends this process when it has taken too long, whatever it does with other signals."""
+    """Ends this process at its time limit, whatever it does with other signals."""
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     signal.alarm(PATIENCE)
 
@@ -189,7 +189,7 @@ def fate_by_message(code, messages, opening="pounding: "):
 
 
 def fate_of_verb(words, path):
-    """As `fate_of_reading`, of a verb of the program."""
+    """As `fate_of_reading`, for a command of the program."""
     done = subprocess.run(
         [PROGRAM, *words_for(words, path)],
         cwd=path.parent,
@@ -202,7 +202,7 @@ def fate_of_verb(words, path):
 
 
 def fate_of_package(words, path):
-    """As `fate_of_verb`, of one that the package does, without a new Python."""
+    """As `fate_of_verb`, for a command of the package, without starting Python again."""
     from pounding.__main__ import MODULES, STUDIES
 
     name, given = (
@@ -225,15 +225,15 @@ def fate_of_package(words, path):
             traceback.print_exc()
             return 1
 
-    # The modules that draw and convert name the file at once.
+    # The modules that draw and convert report the file name immediately.
     return fate_by_message(
         code_of_child(verb), (path.parent / "messages").read_text(), str(path) if words[0] in MODULES else "pounding: "
     )
 
 
 def survey(count, seed, verbs):
-    """How often each reader did what: {(kind of file, reader, fate): number}. The first `verbs` files go to every verb;
-    for every twentieth the program starts a Python of its own for one of them."""
+    """Number of outcomes: {(kind of file, reader, fate): number}. The first `verbs` files go to every command. For
+    every twentieth file the program starts Python for one of the commands."""
     fates = collections.Counter()
     chance = random.Random(seed)
     read = readers()
@@ -263,7 +263,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=10000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--verbs", type=int, default=500, help="files that every verb reads, too")
+    parser.add_argument("--verbs", type=int, default=500, help="number of files that every command reads as well")
     options = parser.parse_args()
     fates = survey(options.count, options.seed, options.verbs)
     for (kind, reader, fate), number in sorted(fates.items()):

@@ -1,9 +1,11 @@
-"""A second integrator for rows of bodies and oscillators, to judge the program by: every impact is located and counted.
+"""A second integrator for rows of bodies and oscillators, as a reference for the program. Every impact is located and
+counted.
 
-Nothing here comes from the program. Forces, formulas and damping follow the published laws; where the exact damping has
-no closed form (kuwabara_kono, adams_impact, limited_damper) it is found here by integrating free impacts. The motion is
-advanced by scipy's DOP853 (order 8, relative tolerance 1e-11) from one instant where a force changes its formula to the
-next: touch, reversal, release, corner, separation, jump of the ground. So the integrated functions are smooth.
+It shares no code with the program. Forces, formulas and damping follow the published laws; where the exact damping has
+no closed form (kuwabara_kono, adams_impact, limited_damper) it is computed here by integrating free impacts. The motion
+is advanced by scipy's DOP853 (order 8, relative tolerance 1e-11) from one instant where a force changes its formula to
+the next: touch, reversal, release, corner, separation, jump of the ground. The integrated functions are therefore
+smooth.
 
 SI units. Penetration d > 0 is overlap, rate > 0 closes, force > 0 pushes apart. Displacements are relative to the
 ground.
@@ -21,23 +23,23 @@ from scipy.optimize import brentq, minimize_scalar
 from independent_damping import FORMULAS, GIVEN, bilinear_curve, bilinear_exact
 
 RELATIVE_TOLERANCE = 1e-11
-#: Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s]: the program's
-#: convention.
+#: Lower bound [m/s] on the closing speed in damping formulas that divide by it: the program's convention.
 SLOWEST_CLOSING_SPEED = 1e-6
-#: Points of a step at which signs are looked at. Steps in free flight are at most a twentieth of the shortest period.
+#: Number of points of a step at which signs are checked. Steps in free flight are at most a twentieth of the shortest
+#: period.
 LOOKS = 6
 
 
 def _power(d, n):
-    """d^n, continued oddly below zero so that a trial step past the separation meets no corner; bounded in wild
-    trials."""
+    """d^n, continued as an odd function below zero, so that a trial step past the separation meets no corner; bounded
+    for extreme trial values."""
     return math.copysign(min(abs(d), 1e3) ** n, d)
 
 
 class Law:
-    """One contact law in one link, on the branch that the last located instant left it on.
+    """One contact law in one link, on the branch entered at the last located instant.
 
-    margins(d, rate) are positive while the branch lasts; cross(i, ...) enters the branch behind margin i; force(d,
+    margins(d, rate) are positive while the branch lasts; cross(i, ...) enters the branch beyond margin i; force(d,
     rate) is smooth on a branch. `parameters` are those of a link in an input file.
     """
 
@@ -47,7 +49,8 @@ class Law:
         self.coefficient = self.speed = None
         self.signs = []
         self.slip, self.branch, self.curve = 0.0, "stick", None
-        self.deepest, self.left = 0.0, 0.0  # of elastoplastic: from the sound surface, and what of it is in the gap [m]
+        # of elastoplastic, below the original surface: largest depth, crushed depth [m]
+        self.deepest, self.left = 0.0, 0.0
 
     rigid = property(lambda self: self.name == "stereomechanical")
     ends_at_release = property(lambda self: self.name in ("komodromos", "elastoplastic"))
@@ -100,7 +103,7 @@ class Law:
             depth = self.parameters["depth"]
             if self.signs and self.signs[-1] < 0:  # beyond the depth
                 return (k * _power(d, 1.5) + c * rate, depth - d)
-            # Over d^(3/2): the spring is the stronger one in the end.
+            # Over d^(3/2): the spring dominates in the end.
             return (k + c * math.sqrt(abs(d)) / depth**2 * (3 - 2 * d / depth) * rate, depth - d)
         return ()
 
@@ -133,7 +136,7 @@ class Law:
 
     @property
     def released(self):
-        """The formula pulls, and is cut."""
+        """The formula pulls and is therefore cut."""
         if self.name in ("kelvin_voigt", "modified_linear_viscoelastic", "jankowski", "limited_damper"):
             return False
         if self.name == "elastoplastic":
@@ -179,16 +182,16 @@ class Law:
 
 
 class TooLong(Exception):
-    """The run was given up for its length."""
+    """The run was abandoned for its length."""
 
 
 @dataclass
 class Impact:
     start: float  #: touch [s]
-    approach: float  #: closing speed at the touch [m/s]
+    approach: float  #: closing speed at touch [m/s]
     deceleration: float  #: opening acceleration of the two bodies just before the touch [m/s^2]
     end: float = math.nan  #: separation [s]; nan while pressed
-    separation: float = math.nan  #: opening speed there [m/s]
+    separation: float = math.nan  #: opening speed at separation [m/s]
     return_acceleration: float = math.nan  #: closing acceleration just after the separation [m/s^2]
     peak: float = 0.0  #: largest force [N]; nan for a rigid impact
 
@@ -203,12 +206,13 @@ class Link:
     law: Law
     pressed: bool = False
     impacts: list = field(default_factory=list)
-    #: (time, distance) of approaches that turn without a touch and of partings that turn without a separation [s, m]
+    #: (time, distance) of approaches that reverse without a touch, and of partings that reverse without a separation
+    #: [s, m]
     near_misses: list = field(default_factory=list)
 
 
 class Row:
-    """Masses (mass, stiffness, damping, displacement, velocity) and links, on a ground that accelerates.
+    """Masses (mass, stiffness, damping, displacement, velocity) and links, on accelerating ground.
 
     ground(t) [m/s^2] must be smooth between `corners` [s].
     """
@@ -220,9 +224,9 @@ class Row:
         periods = [2 * math.pi * math.sqrt(m / k) for m, k in zip(self.m, self.k) if k > 0]
         self.longest_step = min([longest_step] + [p / 20 for p in periods])
         self.stopped = None  #: why the run ended early
-        self.slowest_rigid = 0.0  #: rigid touches at most this fast end the run [m/s]
-        self.reach = 0.0  #: largest displacement so far [m]
-        self.deadline = math.inf  #: time.monotonic() at which to give up with TooLong
+        self.slowest_rigid = 0.0  #: rigid touches slower than this end the run [m/s]
+        self.reach = 0.0  #: largest displacement until now [m]
+        self.deadline = math.inf  #: time.monotonic() at which TooLong is raised
         for link in links:
             ends = [i for i in (link.left, link.right) if i is not None]
             link.law.mass = 1 / sum(1 / self.m[i] for i in ends)
@@ -257,7 +261,7 @@ class Row:
         return found
 
     def run(self, end):
-        """To the time `end`, or until `stopped`."""
+        """Integrates to the time `end`, or until `stopped`."""
         stops = [t for t in self.corners if self.t < t < end] + [end]
         for stop in stops:
             self.begin, self.finish = self.t + 1e-15 * stop, stop - 1e-15 * stop
@@ -271,7 +275,7 @@ class Row:
             self.t = max(self.t, stop) if not self.stopped else self.t
 
     def _smooth(self, stop):
-        """From here to the next change of a branch, or to `stop`."""
+        """Integrates to the next change of a branch, or to `stop`."""
         scale = np.concatenate([np.full(self.n, 1e-14), np.full(self.n, 1e-13)])
         solver = DOP853(
             self.slope, self.t, self.y, stop, rtol=RELATIVE_TOLERANCE, atol=scale, max_step=self.longest_step
@@ -280,7 +284,7 @@ class Row:
         while solver.status == "running":
             if time.monotonic() > self.deadline:
                 raise TooLong
-            with np.errstate(over="ignore", invalid="ignore"):  # of steps that are tried and refused
+            with np.errstate(over="ignore", invalid="ignore"):  # number of rejected steps
                 message = solver.step()
             if solver.status == "failed":
                 raise RuntimeError(message)
@@ -317,14 +321,15 @@ class Row:
             if series[a + 1] < 0:
                 if series[a] > 0:
                     return brentq(margin, low, high, xtol=1e-15 * max(1.0, high)) if margin(low) > 0 else low
-                # It begins at zero: either it falls at once, or it rises first and falls in this piece.
+                # It begins at zero: it either falls immediately, or first rises and then falls in this piece.
                 for part in np.geomspace(1e-6, 0.9, 12):
                     inside = low + part * (high - low)
                     if margin(inside) > 0:
                         return brentq(margin, inside, high, xtol=1e-15 * max(1.0, high))
                 return low
             if index == -1:
-                # Closing at one look, opening at the next: the nearest point between them may overlap. Or the reverse.
+                # Closing at one point, opening at the next: the closest approach between them may overlap. Or the
+                # reverse.
                 sign = -1 if link.pressed else 1
                 rates = [sign * self.motion(link, path(t))[1] for t in (low, high)]
                 if rates[0] > 0 > rates[1]:
@@ -335,7 +340,7 @@ class Row:
         return None
 
     def _watch_force(self, path, times):
-        """Follows the largest force of each impact; the largest look is refined when the impact is over."""
+        """Tracks the largest force of each impact; the largest sample is refined when the impact is over."""
         for link in self.links:
             if not link.pressed:
                 continue
@@ -347,7 +352,7 @@ class Row:
             forces = [force(t) for t in times]
             best = int(np.argmax(forces))
             if forces[best] < 0.9 * impact.peak:
-                continue  # the largest force lies at most a look away from the largest look
+                continue  # the largest force is at most one sample away from the largest sample
             impact.peak = max(impact.peak, forces[best])
             low, high = times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)]
             if high > low:
@@ -386,7 +391,7 @@ class Row:
             link.impacts.append(impact)
             return
         if rate <= self.slowest_rigid:
-            self.stopped = "a rigid touch too slow to be told from rest"
+            self.stopped = "a rigid touch too slow to be distinguished from rest"
             return
         for other in self.links:
             shared = {link.left, link.right} & {other.left, other.right} - {None}

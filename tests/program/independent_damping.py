@@ -1,5 +1,4 @@
-"""Damping that gives a restitution e, after the published formulas and in closed form; nothing here comes from the
-program.
+"""Damping that gives a restitution e, by the published formulas and in closed form, independent of the program.
 
 SI units; k [N/m^n] stiffness, m [kg] reduced mass, v [m/s] closing speed.
 """
@@ -27,12 +26,12 @@ def _phase(z):
 
 
 def approach_only_exact(e):
-    """z of a linear oscillator damped in the approach alone: e = exp(-z arccos z/sqrt(1 - z^2))."""
+    """z of a linear oscillator damped during approach only: e = exp(-z arccos z/sqrt(1 - z^2))."""
     return 0.0 if e == 1 else brentq(lambda z: z * _phase(z) + math.log(e), 0, 2 / e, xtol=1e-15)
 
 
 def cut_exact(e):
-    """z of a linear oscillator released where its force is zero: e = exp(-2 z arccos z/sqrt(1 - z^2))."""
+    """z of a linear oscillator released at zero force: e = exp(-2 z arccos z/sqrt(1 - z^2))."""
     return approach_only_exact(math.sqrt(e))
 
 
@@ -67,7 +66,7 @@ JANKOWSKI_RATIO = {
     "jankowski_2005": lambda e: math.sqrt(5) * (1 - e * e) / (2 * math.pi * e),
     "jankowski_2006": lambda e: 9 * math.sqrt(5) / 2 * (1 - e * e) / (e * (e * (9 * math.pi - 16) + 16)),
 }
-#: alpha of the viscous Hertz law, n = 1.5. In stretched time it is a linear oscillator of ratio alpha/sqrt(5).
+#: alpha of the viscous Hertz law, n = 1.5. In stretched time it is a linear oscillator of damping ratio alpha/sqrt(5).
 VISCOUS_HERTZ = {
     "exact": lambda e: math.sqrt(5) * cut_exact(e),
     "antypov_elliott": lambda e: math.sqrt(5) * anagnostopoulos(e),
@@ -79,7 +78,7 @@ def _twice(ratios):
     return {formula: lambda e, ratio=ratio: 2 * ratio(e) for formula, ratio in ratios.items()}
 
 
-#: The damping number by law and formula: a, or c/sqrt(k m).
+#: Damping number by law and formula: a, or c/sqrt(k m).
 FORMULAS = {
     "kelvin_voigt": _twice(VISCOUS_RATIO),
     "kelvin_voigt_no_tension": _twice(CUT_RATIO),
@@ -90,7 +89,7 @@ FORMULAS = {
     "modified_kelvin": LINEAR_DAMPING,
     "hertz_damped": HERTZ_DAMPING,
 }
-#: The parameter that gives the damping directly, and what it is multiplied by to be the damping number.
+#: The parameter that gives the damping directly, and the factor from it to the damping number.
 GIVEN = {
     "kelvin_voigt": ("damping_ratio", 2),
     "kelvin_voigt_no_tension": ("damping_ratio", 2),
@@ -121,7 +120,7 @@ def bilinear_work(curve, d):
 
 @lru_cache(maxsize=None)
 def bilinear_exact(e):
-    """loss = dE (n + 1)/(k d_m^(n+1)) with which the law gives e at its design speed, for k = m = v = 1."""
+    """loss = dE (n + 1)/(k d_m^(n+1)) for which the law gives e at its design speed, for k = m = v = 1."""
 
     def miss(loss):
         curve = bilinear_curve(1, 1, 1, loss)

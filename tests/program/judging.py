@@ -1,4 +1,4 @@
-"""Judges the impacts that the program found by those of independent.py."""
+"""Compares the impacts found by the program with those of independent.py."""
 
 import math
 import time
@@ -6,17 +6,18 @@ from dataclasses import dataclass
 
 from independent import Law, Link, Row
 
-#: Peak forces and separation speeds may differ by this many tolerances of the largest force and approach of their link.
+#: Allowed difference of peak forces and separation speeds, in tolerances of the largest force and approach of their
+#: link.
 ALLOWED = 10
-#: An approach grazes when a displacement by this many tolerances of the largest one could undo it.
+#: An approach grazes if a displacement by this many tolerances of the largest one could change its outcome.
 GRAZING = 10
-#: A disturbance of the input that is multiplied by more than this cannot be followed to ALLOWED tolerances.
+#: Growth of an input disturbance beyond which runs cannot agree to ALLOWED tolerances.
 LARGEST_GAIN = 10
 DISTURBANCE, DISTURBED = 1e-8, ("mass", "velocity", "gap", "amplitude")
 
 
 def ground_of(motion):
-    """ground(t), its corners and its longest step for the ground motion of a case (None is a still ground)."""
+    """ground(t), its corners and its longest step for the ground motion of a case (None: ground at rest)."""
     if not motion:
         return None, (), math.inf
     if motion["kind"] == "harmonic":
@@ -63,11 +64,12 @@ class Verdict:
 
 
 def grazing_time(row, tolerance, end):
-    """When first a touch, a miss or a separation could be undone by GRAZING tolerances of the displacements."""
+    """First time at which GRAZING tolerances of the displacements could add or remove a touch, a miss or a
+    separation."""
     reach = GRAZING * tolerance * row.reach
 
     def earlier(speed, opening_acceleration):
-        """So much sooner such a displacement lets the gap close, or open."""
+        """Time by which such a displacement advances the closing, or opening, of the gap."""
         by_speed = reach / abs(speed) if speed else math.inf
         by_acceleration = math.sqrt(2 * reach / abs(opening_acceleration)) if opening_acceleration else math.inf
         return min(by_speed, by_acceleration, end)
@@ -87,7 +89,7 @@ def grazing_time(row, tolerance, end):
 
 
 def disturbed(case, quantity, size):
-    """A copy of the case with a quantity changed by this part of itself, in alternating directions along the row."""
+    """A copy of the case with a quantity changed by this relative amount, in alternating directions along the row."""
     sign = [1]
 
     def changed(values):
@@ -102,8 +104,8 @@ def disturbed(case, quantity, size):
 
 
 def measure(row):
-    """(start, end, values) of each impact by link; values are the peak force, or of a rigid one the impulse, and the
-    separation speed."""
+    """(start, end, values) of each impact by link; values are the peak force (rigid: the impulse) and the separation
+    speed."""
     return [
         [
             (i.start, i.end, (link.law.mass * (i.approach + i.separation) if link.law.rigid else i.peak, i.separation))
@@ -114,7 +116,7 @@ def measure(row):
 
 
 def largest_of(link, impacts):
-    """Scales that errors are divided by: the largest force or impulse, and the largest closing speed."""
+    """Scales of errors: the largest force or impulse, and the largest closing speed."""
     return (
         max((values[0] for *_, values in impacts), default=0.0),
         max((impact.approach for impact in link.impacts[: len(impacts)]), default=0.0),
@@ -122,8 +124,7 @@ def largest_of(link, impacts):
 
 
 def growth_time(row, other):
-    """When first a peak has changed by more than LARGEST_GAIN times the disturbance, or the impacts are not the
-    same."""
+    """First time at which a peak has changed by more than LARGEST_GAIN times the disturbance, or the impacts differ."""
     times = [r.t if r.stopped else math.inf for r in (row, other)]
     for link, mine, theirs in zip(row.links, measure(row), measure(other)):
         largest = largest_of(link, mine)
@@ -137,7 +138,7 @@ def growth_time(row, other):
 
 
 def difference(row, program, tolerance, until):
-    """(what differs before `until`, impacts compared). program: arrays of the rows of each link in the results."""
+    """(difference before `until`, impacts compared). program: arrays of the rows of each link in the results."""
     before = until * (1 - ALLOWED * tolerance)
     compared = 0
     for index, (link, mine, theirs) in enumerate(zip(row.links, measure(row), program)):
@@ -149,7 +150,7 @@ def difference(row, program, tolerance, until):
         largest = largest_of(link, mine)
         for number, ((start, end, values), row_there) in enumerate(zip(mine, theirs)):
             if not end < before and math.isfinite(until):
-                continue  # its peak may lie behind the cut
+                continue  # its peak may follow the cut
             for value, key, scale in zip(
                 values, ("impulse" if link.law.rigid else "peak_force", "v_separation"), largest
             ):
@@ -166,7 +167,7 @@ def difference(row, program, tolerance, until):
 
 
 def judge(case, program, seconds=math.inf):
-    """Compares the impacts that the program found with those of this integrator. Throws TooLong after `seconds`."""
+    """Compares the impacts found by the program with those of this integrator. Raises TooLong after `seconds`."""
     deadline, tolerance, end = time.monotonic() + seconds, case["tolerance"], case["duration"]
 
     def integrated(case):

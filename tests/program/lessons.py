@@ -1,4 +1,4 @@
-"""Numbers that the README of a lesson states in HTML comments, and the changes of its model that they belong to.
+"""Numbers that the README of a lesson states in HTML comments, with the changes of its model to which they apply.
 
     <!--
     Expect: `links/left-right/peak_force = 7178400` within 1e-5
@@ -6,8 +6,8 @@
     Expect without `wave: {velocity: 500 m/s, direction: x}`: `links/joint/impacts = 0` within 0
     -->
 
-The path before `=` locates the value in the output of `pounding run --json`; the value is in SI units and the tolerance is
-relative. A change applies to every occurrence of its text in the model; "without" removes a whole line.
+The path before `=` locates the value in the output of `pounding run --json`; the value is in SI units and the tolerance
+is relative. A change applies to every occurrence of its text in the model; "without" removes a whole line.
 """
 
 import re
@@ -21,7 +21,7 @@ STATEMENT = re.compile(
 CHANGE = re.compile(rf"(?P<new>{CODE}) instead of (?P<old>{CODE})|without (?P<line>{CODE})")
 #: A lesson in C++ states the line that its program prints.
 PRINTED = re.compile(r"[\d. ]+")
-#: A figure with its unit in a sentence. Times and % compare two numbers of a kind.
+#: A figure with its unit in a sentence. Times and % compare two numbers of the same kind.
 FIGURE = re.compile(
     r"(?<![\w.])(?P<figure>\d+(?:\.(?P<decimals>\d+))?) (?P<unit>MN|kN|N|kJ|J|m/s\^2|mm|m|%|times|impacts)(?![\w/^])"
 )
@@ -30,7 +30,7 @@ UNITS = {"MN": 1e6, "kN": 1e3, "N": 1, "kJ": 1e3, "J": 1, "m/s^2": 1, "mm": 1e-3
 
 @dataclass(frozen=True)
 class Expectation:
-    """One number. `changes` are pairs of texts (old, new), where no new text means that the line goes."""
+    """One number. `changes` are pairs of texts (old, new); without a new text the line is removed."""
 
     model: str | None
     changes: tuple[tuple[str, str | None], ...]
@@ -45,7 +45,7 @@ class Expectation:
 
 
 def expectations(text):
-    """All that a README states. Raises ValueError for a line that begins with "Expect" and cannot be read."""
+    """All numbers stated by a README. Raises ValueError for a line that begins with "Expect" and cannot be read."""
     found = []
     for line in re.finditer(r"(?m)^Expect\b", text):
         paragraph = " ".join(text[line.start() :].split("\n\n")[0].split())
@@ -65,12 +65,12 @@ def expectations(text):
                     )
                 )
             elif not PRINTED.fullmatch(path):
-                raise ValueError(f"{path}: there is no value")
+                raise ValueError(f"{path}: the value is missing")
     return found
 
 
 def changed(model, changes):
-    """The text of a model with these changes. Raises ValueError for one whose text is not in the model."""
+    """The text of a model with these changes. Raises ValueError if the old text is not in the model."""
     for old, new in changes:
         words = r"(?<![\w.])" + r"\s+".join(map(re.escape, old.split())) + r"(?![\w.])"
         if new is None:
@@ -82,12 +82,12 @@ def changed(model, changes):
 
 
 def questions(text):
-    """Exercise and "What if" of a README; empty where it has none."""
+    """Exercise and "What if" of a README; empty if there is none."""
     return text.partition("\n## Exercise\n")[2]
 
 
 def unfounded(text, stated, models):
-    """Figures of a text that follow from no stated number, as "8.1 MN", "13 %" or "5 impacts", and stand in no
+    """Figures of a text that follow from no stated number, such as "8.1 MN", "13 %" or "5 impacts", and occur in no
     model."""
     given = " ".join([*models, *(new or "" for one in stated for _, new in one.changes)])
     values = [one.value for one in stated]
@@ -103,7 +103,7 @@ def unfounded(text, stated, models):
         elif unit == "times":
             possible = ratios + values
         else:
-            possible = [abs(value) / UNITS[unit] for value in values]  # a text tells the size of a push
+            possible = [abs(value) / UNITS[unit] for value in values]  # a text gives the size of a push
         allowed = 0.5 * 10 ** -len(said["decimals"] or "") * (1 + 1e-6)
         if said[0] not in given and not any(abs(value - figure) <= allowed for value in possible):
             wrong.append(said[0])

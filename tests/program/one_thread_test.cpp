@@ -8,7 +8,7 @@
 namespace pounding::program {
 namespace one_thread_test {
 
-// A library of threads that is set by one function and asked by another; `many` and `one` are what it answers.
+// A threading library with one function to set and one to get the number of threads; `many` and `one` are its answers.
 class Threads : public testing::Test {
  protected:
   Threads(const char* set, const char* get, int many, int one)
@@ -18,7 +18,7 @@ class Threads : public testing::Test {
         get_(reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, get))) {}
 
   void SetUp() override {
-    if (!set_ || !get_) GTEST_SKIP() << "nothing here uses this library";
+    if (!set_ || !get_) GTEST_SKIP() << "this library is not loaded";
     forget();
     set_(many_);
     if (get_() != many_) GTEST_SKIP() << "this library has no threads";
@@ -27,7 +27,7 @@ class Threads : public testing::Test {
     forget();
     if (set_) set_(one_);
   }
-  // The number that the program leaves where the environment has this variable.
+  // The number that the program keeps if the environment has this variable.
   int left(const char* name = nullptr, const char* value = nullptr) {
     forget();
     set_(many_);
@@ -59,7 +59,7 @@ TEST_F(BlasThreads, AreThoseOfTheUser) {
   EXPECT_EQ(left("OMP_NUM_THREADS", "2"), many_);
 }
 
-// Without an active level each parallel part has one thread.
+// Without an active level each parallel region has one thread.
 class OpenMPThreads : public Threads {
  protected:
   OpenMPThreads() : Threads("omp_set_max_active_levels", "omp_get_max_active_levels", 1, 0) {}

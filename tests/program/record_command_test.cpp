@@ -1,4 +1,4 @@
-// `pounding record` as a user types it.
+// `pounding record` on the command line.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-"""Small models of every kind that leaves a results file, whose runs take a fraction of a second."""
+"""Small models of every kind that writes a results file; their runs take a fraction of a second."""
 
 from support import MASTS, OSCILLATORS
 
@@ -13,7 +13,7 @@ _PORTAL = """\
         columns: {{at: feet, yield_moment: 90 kN m, hardening: 2 %}}
     damping: 5 %
 """
-#: Two frames whose hinges yield by two laws, and which collide.
+#: Two colliding frames whose hinges yield by two laws.
 HINGES = (
     "ground_motion: {harmonic: {amplitude: 8.0, period: 0.5 s, duration: 0.6 s}}\nstructures:\n"
     + _PORTAL.format(name="left", x=0, mass=40, beams="yield_moment: 60 kN m, hardening: 2 %")
@@ -26,7 +26,7 @@ HINGES = (
     + "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]\n"
     "analysis: {duration: 0.6 s, tolerance: 1e-4, output_step: 10 ms}\n"
 )
-#: Two buildings whose storeys yield, and which collide.
+#: Two colliding buildings whose storeys yield.
 STOREYS = """\
 ground_motion: {harmonic: {amplitude: 5.0, period: 0.6, duration: 1.0}}
 structures:
@@ -35,7 +35,7 @@ structures:
 links: [{between: [left, right], floors: all, gap: 20 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]
 analysis: {duration: 1.0, tolerance: 1e-4, output_step: 10 ms}
 """
-#: A building on isolators that meets a wall with backfill.
+#: A building on isolators that hits a wall with backfill.
 ISOLATORS = """\
 ground_motion: {harmonic: {amplitude: 6.0, period: 1.2, duration: 1.5}}
 structures:
@@ -60,7 +60,7 @@ _TOWER = """\
              floor_mass: {mass} t, rigid_floors: false}}
     damping: 5 %
 """
-#: Two frames of which a few coordinates are left.
+#: Two reduced frames with a few coordinates each.
 REDUCED = (
     "ground_motion: {harmonic: {amplitude: -4, period: 0.7, duration: 1}}\nstructures:\n"
     + _TOWER.format(name="left", x=0, column=0.5, mass=60)
@@ -84,9 +84,9 @@ RUNS = {
     "devices": DEVICES,
     "masts": MASTS,
 }
-#: Words of `pounding pushover` beside the model `HINGES`.
+#: Arguments of `pounding pushover` for the model `HINGES`.
 PUSH = ("--structure", "left", "--to", "120 mm")
-#: 12 rows by the kernel, of which the solver runs some, too.
+#: 12 rows by the kernel, some of which the solver repeats.
 STUDY = """\
 ground_motion: {synthetic: {seed: 1, duration: 0.8 s, pga: 0.3 g, soil: firm}}
 structures:

@@ -1,4 +1,4 @@
-"""Runs of the program in a folder of their own."""
+"""Runs of the program in a temporary folder."""
 
 import json
 import os
@@ -14,12 +14,21 @@ sys.path.append(str(Path(__file__).parents[1] / "python"))
 from messages import assert_mentions  # noqa: E402
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
-#: The program that starts several processes; None where the program has no MPI.
+#: The program that starts several processes; None if pounding is built without MPI.
 LAUNCHER = (
     None
     if os.environ.get("POUNDING_WITHOUT_MPI")
     else os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 )
+
+#: Environment of runs on several processes: Open MPI refuses root and oversubscription by default.
+SURROUNDINGS = {
+    **os.environ,
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+}
 
 #: Two oscillators that hit each other five times in three seconds.
 OSCILLATORS = """\
@@ -32,7 +41,7 @@ links:
   - {between: [left, right], gap: 20 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}
 analysis: {duration: 3.0}
 """
-#: Oscillators that run for longer than any test waits.
+#: Oscillators that run longer than any test waits.
 LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace(
     "{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms, integrator: generalized_alpha}"
 )
@@ -53,7 +62,7 @@ _MAST = """\
       report: {{nodes: all, members: all}}
     damping: 1 %
 """
-#: A slender mast that is thrown against another one; both turn by half a radian.
+#: A slender mast thrown against another one; both rotate by half a radian.
 MASTS = (
     "structures:\n"
     + _MAST.format(name="mast", origin=0)
@@ -62,7 +71,7 @@ MASTS = (
     + "links: [{between: [mast, neighbour], gap: 400 mm, law: hertz_damped, stiffness: 1e7, restitution: 0.6}]\n"
     "analysis: {duration: 0.4, tolerance: 1e-5, output_step: 10 ms}\naccept: [mass]\n"
 )
-#: No step resolves a contact as stiff as this.
+#: No step is short enough for this contact stiffness.
 UNSOLVABLE = """\
 structures:
   a: {body: {mass: 100 t}, initial_velocity: 1 m/s}
@@ -74,19 +83,19 @@ analysis: {duration: 0.2}
 
 
 def checksum(content):
-    """The beginning of a results file of this content."""
+    """The header of a results file with this content."""
     return f"results of pounding\nsize {len(content):020}\ncrc32 {zlib.crc32(content[512:]):08x}\n".encode()
 
 
 def seal(path):
-    """Gives a results file that a test has changed the checksum of what it holds now."""
+    """Updates the checksum of a results file that a test has changed."""
     content = path.read_bytes()
     text = checksum(content)
     path.write_bytes(text + content[len(text) :])
 
 
 def is_sealed(path):
-    """Whether a results file is whole."""
+    """Whether the checksum of a results file is correct."""
     content = path.read_bytes()
     return content.startswith(checksum(content))
 
@@ -118,15 +127,15 @@ class ProgramTest(unittest.TestCase):
         return json.loads(done.stdout)
 
     def resumed(self, steps, name):
-        """Summary of the run of model.yaml that was cut after so many steps and went on in another process; its results
-        file has this name."""
+        """Summary of the run of model.yaml that was cut after this number of steps and resumed in another process;
+        `name` is its results file."""
         self.pounding("run", "model.yaml", "-q", "-o", name, "-pounding_ts_max_steps", str(steps))
         done = self.pounding("run", "--resume", name, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
     def refused(self, code, facts, *words):
-        """Nothing but a message that contains the facts, on standard error, and this exit code."""
+        """Expects this exit code, and only a message with these facts on standard error."""
         done = self.pounding(*words)
         self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
         assert_mentions(done.stderr, facts)

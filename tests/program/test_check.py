@@ -1,4 +1,4 @@
-"""Parts that yield, as `pounding check` tells them before any run."""
+"""Yielding parts as `pounding check` reports them before any run."""
 
 import json
 import unittest
@@ -36,8 +36,8 @@ analysis: {duration: 1}
         self.assertEqual(
             (one["name"], one["law"], one["hinge"], len(others)), ("column 1.0 start", "rigid-plastic", True, 3)
         )
-        # The other end held, a member resists a turn with (4 + p)/(1 + p) EI/L, p = 12EI/(G 5/6 A L^2); the spring of
-        # the plastic rotation is h = a 6EI/L/(1 - a).
+        # With the other end fixed, a member resists a rotation with (4 + p)/(1 + p) EI/L, p = 12EI/(G 5/6 A L^2); the
+        # spring of the plastic rotation is h = a 6EI/L/(1 - a).
         p = 12 * ei / (30e9 / 2.4 * 5 / 6 * 0.4**2 * 4**2)
         k, h = (4 + p) / (1 + p) * ei / 4, 0.03 * 6 * ei / 4 / 0.97
         for name, expected in (

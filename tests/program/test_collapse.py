@@ -1,4 +1,4 @@
-"""A storey that drifts too far ends the run, as done: analysis.collapse_drift."""
+"""A storey drift above analysis.collapse_drift ends the run, with status done."""
 
 import json
 import unittest
@@ -9,7 +9,7 @@ import numpy as np
 from support import ProgramTest
 from messages import assert_mentions
 
-#: A pulse that pushes a building of two storeys far beyond what it can bear.
+#: A pulse that pushes a two-storey building far beyond its capacity.
 MODEL = """\
 ground_motion: {harmonic: {amplitude: 6.0, period: 2.0, duration: 2.0}}
 structures:
@@ -44,7 +44,7 @@ class Collapse(ProgramTest):
         with h5py.File(self.folder / "out.h5") as file:
             self.assertEqual(file.attrs["status"], status)
             end, drift = file["energy/time"][-1], np.abs(file["structures/left/drift"][:]).max()
-        # It ends with the step in which the drift was reached.
+        # The run ends with the step in which the drift was reached.
         self.assertTrue(first - 1.1e-3 <= end < first + 0.02, (first, end))
         self.assertLess(drift, 1.05 * LIMIT * 3)
 
@@ -57,7 +57,7 @@ class Collapse(ProgramTest):
         assert_mentions(again.stderr, "out.h5")
 
     def test_of_the_run_without_links_is_told_too(self):
-        # A stiff neighbour keeps the storey from drifting that far: only without it the building collapses.
+        # A stiff neighbour limits the drift: only the run without links collapses.
         neighbour = """\
   guard: {oscillator: {mass: 2000 t, period: 0.2, damping: 5 %}}
   rest: {oscillator: {mass: 2000 t, period: 0.2, damping: 5 %}}

@@ -1,5 +1,4 @@
-"""A contact that crushes, in the time integration: against the second integrator, and against closed forms of its
-memory."""
+"""Time integration of a crushing contact, compared with the second integrator and with closed forms of its memory."""
 
 import importlib.util
 import json
@@ -20,7 +19,7 @@ structures:
 links: [{{between: [left, right], gap: 20 mm, law: elastoplastic, stiffness: 2.75e9, restitution: {restitution}}}]
 analysis: {{duration: 3.0, tolerance: 1e-7}}
 """
-#: A ball flies to and fro between two walls; a second one follows it and hits it from behind.
+#: A ball bounces between two walls; a second one follows it and hits it from behind.
 BALL = """\
 structures:
   ball: {{body: {{mass: 50 t}}, initial_velocity: {first}}}
@@ -85,7 +84,7 @@ class Crushing(ProgramTest):
             "closed forms: e on sound surfaces; then sqrt(e^2 [1 + (1 - e^2) E1/E2]) above the energy e^2 E1, else 1",
             "run at tolerance 1e-7",
         )
-        # The ball comes back with 0.6 m/s, meets the other one at 2 m/s, and returns with its speed.
+        # The ball rebounds with 0.6 m/s, meets the other one at 2 m/s, and returns with its speed.
         rows, _ = self.impacts(BALL.format(first=1.0, second=2.0, duration=0.5))
         wall = [row for row in rows if row["link"] == b"wall"]
         self.assertEqual(len(wall), 2)
@@ -97,7 +96,7 @@ class Crushing(ProgramTest):
             e * math.sqrt(1 + (1 - e * e) / 4),
             1e-6,
         )
-        # The gap has grown by (1 - e^2) d_m: peaks are counted from there.
+        # The gap has grown by (1 - e^2) d_m, from which peaks are measured.
         crushed = math.sqrt(m / k)
         deepest = crushed * math.sqrt(1 + 4 - e * e)
         book.near(
@@ -107,7 +106,7 @@ class Crushing(ProgramTest):
             1e-8,
         )
         book.near("second largest force [N]", wall[1]["peak_force"], k * deepest, 1e-6 * k * deepest)
-        # Slower than the first rebound nothing is crushed.
+        # Nothing crushes below the first rebound speed.
         rows, _ = self.impacts(BALL.format(first=1.0, second=0.5, duration=1.2))
         wall = [row for row in rows if row["link"] == b"wall"]
         self.assertEqual(len(wall), 2)

@@ -1,4 +1,4 @@
-"""A slice of damage.py: no reader reads a damaged results file, crashes or hangs."""
+"""A short run of damage.py: no reader accepts a damaged results file, crashes or hangs."""
 
 import unittest
 

@@ -3,14 +3,13 @@
 import importlib.util
 import json
 import math
-import os
 import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from support import LAUNCHER, PROGRAM, ProgramTest
+from support import LAUNCHER, PROGRAM, SURROUNDINGS, ProgramTest
 from messages import assert_mentions
 
 WITHOUT_SCIPY = importlib.util.find_spec("scipy") is None
@@ -41,8 +40,8 @@ analysis: {{duration: {duration}, tolerance: {tolerance}, output_step: 10 ms{ana
 
 
 def linear(times, bar=0.0, damper=0.0, ratio=0.05, velocities=(0.0, 0.0), amplitude=AMPLITUDE):
-    """Displacements and velocities [time, 2] of the coupled oscillators: complex modes for the free motion, the steady
-    state of a sine."""
+    """Displacements and velocities [time, 2] of the coupled oscillators: complex modes for the free vibration plus the
+    steady state under a sine."""
     m = np.diag(MASSES)
     join = np.array([[1.0, -1.0], [-1.0, 1.0]])
     k = np.diag(STIFFNESSES) + bar * join
@@ -149,7 +148,7 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
             expected = file["structures/one/displacement"][:, 0, 0]
         for stiffness in (1e10, 1e12, 1e14):
             with self.subTest(stiffness=stiffness):
-                part = 3e7 / stiffness + 2e-6  # the bar gives way by force over stiffness; the run has its tolerance
+                part = 3e7 / stiffness + 2e-6  # the bar deforms by force over stiffness; the run has its tolerance
                 summary, path = self.results(oscillators(f"bar: {{stiffness: {stiffness}}}", damping=0))
                 _, u, _, _, _ = self.motions(path)
                 self.near(u[:, 0], expected, part)
@@ -244,7 +243,7 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
         with h5py.File(path) as coupled, h5py.File(other) as single:
             u = coupled["structures/left/displacement"][:, 0, 0]
             self.near(u, single["structures/left/displacement"][:, 0, 0], 2e-6)
-            self.near(coupled["devices/tie/force"][:], -BAR * u, 1e-6)  # each is interpolated in the steps by itself
+            self.near(coupled["devices/tie/force"][:], -BAR * u, 1e-6)  # each is interpolated separately within steps
             self.assertNotIn("devices", single)
             self.assertNotIn("devices", single["energy"])
 
@@ -350,20 +349,13 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
     def test_two_processes_have_the_answer_of_one(self):
         self.write(self.frames())
         answers = []
-        surroundings = {
-            **os.environ,
-            "OMPI_ALLOW_RUN_AS_ROOT": "1",
-            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-            "OMPI_MCA_rmaps_base_oversubscribe": "1",
-            "OPENBLAS_NUM_THREADS": "1",
-        }
         for name, start in (("one.h5", []), ("two.h5", [LAUNCHER, "-n", "2"])):
             done = subprocess.run(
                 [*start, PROGRAM, "run", "model.yaml", "-q", "-o", name, "-pounding_ts_pounding_base", "sparse"],
                 cwd=self.folder,
                 capture_output=True,
                 text=True,
-                env=surroundings,
+                env=SURROUNDINGS,
                 timeout=300,
             )
             self.assertEqual(done.returncode, 0, done.stderr)

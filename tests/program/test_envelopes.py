@@ -1,5 +1,5 @@
-"""Envelopes, the run without links beside the run with them, and spectra of floors, as the program and the file give
-them."""
+"""Envelopes, the run without links next to the run with them, and floor spectra, in the program's output and in the
+file."""
 
 import csv
 import json
@@ -20,8 +20,8 @@ def datasets(group):
 
 
 def peak_responses(time, accelerations, periods, damping):
-    """[period, motion]: largest |u| of u'' + 2 z w u' + w^2 u = -a(t) by Runge and Kutta's method of order four, four
-    steps from one sample to the next, until the longest period after the end. `accelerations` [time, motion]."""
+    """[period, motion]: largest |u| of u'' + 2 z w u' + w^2 u = -a(t) by the Runge-Kutta method of order four with four
+    steps per sample, until one longest period after the end. `accelerations` [time, motion]."""
     w = 2 * np.pi / np.asarray(periods)[:, None]
     step = (time[1] - time[0]) / 4
     count = int(np.ceil((time[-1] + max(periods)) / step))
@@ -66,7 +66,7 @@ class Envelopes(ProgramTest):
                 self.assertEqual(max(-least, largest), printed["peak_displacement"][0])
                 self.assertLessEqual(least, structure["displacement"][:].min())
                 self.assertGreaterEqual(largest, structure["displacement"][:].max())
-                # At the time of an extreme the outputs, 3 ms apart, are near.
+                # Outputs, 3 ms apart, are close to the extremes.
                 near = np.argmin(np.abs(file["time"][:] - envelope["displacement_time"][0, 0, 1]))
                 self.assertAlmostEqual(structure["displacement"][near, 0, 0] / largest, 1, delta=0.01)
                 np.testing.assert_array_equal(envelope["base_shear"][:], envelope["storey_shear"][:1])
@@ -163,7 +163,7 @@ class WithoutLinks(ProgramTest):
                 )
 
 
-#: A building in space whose stiff corner makes it rotate, beside one that it hits; and one whose floors are not rigid.
+#: A space building that rotates about its stiff corner next to the one that it hits; and one without rigid floors.
 CORNER = """\
 ground_motion:
   components:
@@ -203,12 +203,12 @@ class Torsion(ProgramTest):
             self.assertNotIn("plan", file["structures/loose"])
             names = [name.decode() for name in structure["nodes/names"][:]]
             moved = structure["nodes/displacement"][:]
-            # The corners of the plan are the columns; an edge moves along itself as its nodes do.
+            # The corners of the plan are the columns; an edge moves along itself with its nodes.
             corners = [moved[:, names.index(f"2.{i}.{k}")] for i in (0, 1) for k in (0, 1)]
             edges = np.stack([corners[0][:, 0], corners[1][:, 0], corners[0][:, 1], corners[2][:, 1]], axis=1)
             dense = np.stack([edges.min(axis=0), edges.max(axis=0)], axis=-1)
             np.testing.assert_allclose(envelope["edge_displacement"][1], dense, atol=1e-4 * np.abs(dense).max())
-            # Extremes between steps lie on cubics.
+            # Extremes between steps are those of cubics.
             self.assertTrue((envelope["edge_displacement"][1, :, 0] <= dense[:, 0] + 1e-5 * np.abs(dense).max()).all())
             largest = max(np.hypot(*corner[:, :2].T).max() for corner in corners)
             rotation = np.abs(structure["displacement"][:, 1, 2]).max()
@@ -274,7 +274,7 @@ class MemberForces(ProgramTest):
                 line = next(line for line in report.splitlines() if line.startswith("corner") and " N (kN) " in line)
                 least, largest = float(line.split()[3]), float(line.split()[5])
                 self.assertAlmostEqual(least, min(envelope["axial_force"]["min"]) / 1e3, places=3)
-                # Beams in rigid floors have no axial force, and do not count.
+                # Beams in rigid floors have no axial force and do not count.
                 pairs = [
                     pair
                     for pair in zip(envelope["axial_force"]["min"], envelope["axial_force"]["max"])

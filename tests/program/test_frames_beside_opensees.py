@@ -1,6 +1,6 @@
-"""Frames as models say them, beside the same frames in OpenSees.
+"""Frames of models compared with the same frames in OpenSees.
 
-The models and the stored numbers are in tests/verification/opensees; its README says how both were made.
+The models and the stored numbers are in tests/verification/opensees; its README describes how both were made.
 """
 
 import json
@@ -54,12 +54,12 @@ class Results:
 
 
 def of_one_unit(parts):
-    """Places of the parts that share a unit: translations and turns, forces and moments."""
+    """Indices of the parts with the same unit: translations and rotations, forces and moments."""
     turning = [i for i, part in enumerate(parts) if part.split()[-1][0] in "rMT"]
     return [[i for i in range(len(parts)) if i not in turning], turning]
 
 
-#: Quantities of different units that of_one_unit tells apart.
+#: Quantities of mixed units, split by of_one_unit.
 UNITS = {"nodes": ("displacements of nodes", "turns of nodes"), "members": ("end forces", "end moments")}
 
 
@@ -70,7 +70,7 @@ class Beside(ProgramTest):
         return [Results(self.folder / "out.h5", name) for name in structures]
 
     def agree(self, book, got, wanted, tolerance, quantity, where=""):
-        """To a part of the largest number wanted."""
+        """Difference relative to the largest expected number."""
         got, wanted = np.asarray(got), np.asarray(wanted)
         with self.subTest(quantity=quantity, where=where):
             self.assertEqual(got.shape, wanted.shape)
@@ -81,7 +81,7 @@ class Beside(ProgramTest):
             )
 
     def check_statics(self, book, got, wanted):
-        """The last state of a run under accelerations that are held."""
+        """Last state of a run under constant accelerations."""
         for parts, kind, of in ((got.directions, "nodes", got.node), (got.components, "members", got.member)):
             for name, values in wanted[kind].items():
                 for quantity, places in zip(UNITS[kind], of_one_unit(parts)):
@@ -91,7 +91,7 @@ class Beside(ProgramTest):
         self.agree(book, got.base_shear[:, -1], wanted["base_shear"], LINEAR, "at rest: base shear")
 
     def check_history(self, book, got, wanted, every):
-        """Stored samples, and the largest of the samples of the file, which are those of the reference."""
+        """Stored samples, and the largest samples of the file at the sampling of the reference."""
 
         def check(rows, stored, quantity, where=""):
             self.agree(
@@ -117,7 +117,7 @@ class Linear(Beside):
     def book(self, frames):
         return Book(
             self,
-            f"Frames beside OpenSees: {frames}",
+            f"Frames compared with OpenSees: {frames}",
             OPENSEES,
             "the digits that the references have: everything is linear",
         )
@@ -169,7 +169,7 @@ class Linear(Beside):
         every = round(wanted["history_step"] / wanted["peaks_at_multiples_of"])
         np.testing.assert_allclose(got.time, wanted["peaks_at_multiples_of"] * np.arange(1001), atol=1e-12)
         self.check_history(self.book("a frame in space"), got, wanted["tower"], every)
-        # Floors turn like each of their nodes.
+        # All nodes of a floor rotate by the same angle.
         turn = got.floors[:, 3, got.floor_directions.index("rz")]
         np.testing.assert_allclose(
             turn, got.node("4.0.0")[got.directions.index("rz")], rtol=0, atol=1e-9 * np.abs(turn).max()
@@ -188,9 +188,9 @@ class Pounding(Beside):
     def test_reference_is_that_of_the_peers(self):
         book = Book(
             self,
-            "Frames beside OpenSees: pounding",
+            "Frames compared with OpenSees: pounding",
             "another program's numbers for the same frames, from the matrices of "
-            "OpenSees by the same method, beside the references",
+            "OpenSees by the same method, compared with the references",
             "the digits that both have",
         )
         for law, numbers in reference("plane_pounding")["laws"].items():
@@ -208,7 +208,7 @@ class Pounding(Beside):
     def test_every_law_gives_the_impacts_forces_and_drifts(self):
         book = Book(
             self,
-            "Frames beside OpenSees: pounding",
+            "Frames compared with OpenSees: pounding",
             f"matrices of {OPENSEES}; the impacts integrated from them independently",
             "impacts exactly, forces and drifts to the 1e-4 of the references",
         )
@@ -224,7 +224,7 @@ class Pounding(Beside):
             book.equal(f"{law}: impacts of each link", link["impacts"], impacts)
             book.near(f"{law}: peak force of each link [N]", link["peak_force"], force, POUNDING * force)
         self.assertEqual(links, {})
-        # The columns that face each other.
+        # The facing columns.
         for side, line, storeys in (("left", 3, 8), ("right", 0, 6)):
             got = Results(self.folder / "out.h5", side)
             moved = np.array([got.node(f"{s}.{line}")[got.directions.index("x")] for s in range(1, storeys + 1)])
@@ -239,7 +239,7 @@ class Portals(Beside):
     def book(self):
         return Book(
             self,
-            "Frames beside OpenSees: two portals with stiff beams",
+            "Frames compared with OpenSees: two portals with stiff beams",
             "the two oscillators that they are: DOP853 with located events",
             "half a unit of the last digit printed, and 1e-6 of the value for the run",
         )
@@ -283,8 +283,8 @@ class Portals(Beside):
         modes = json.loads(self.pounding("modes", "model.yaml", "--json").stdout)
         book = Book(
             self,
-            "Frames beside OpenSees: two portals with stiff beams",
-            "the periods and the damping that were asked of the oscillators",
+            "Frames compared with OpenSees: two portals with stiff beams",
+            "the target periods and damping of the oscillators",
             "rounding",
         )
         for side, period in zip(("left", "right"), reference("portals")["periods"]):

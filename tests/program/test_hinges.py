@@ -1,8 +1,6 @@
-"""Frames with hinges through the program: what they cost where nothing yields, in space, on two processes, and
-resumed."""
+"""Frames with hinges in the program: cost without yielding, in space, on two processes, and resumed."""
 
 import json
-import os
 import re
 import subprocess
 import unittest
@@ -10,16 +8,9 @@ import unittest
 import h5py
 import numpy as np
 
-from support import LAUNCHER, PROGRAM, ProgramTest
+from support import LAUNCHER, PROGRAM, SURROUNDINGS, ProgramTest
 from messages import assert_mentions
 
-SURROUNDINGS = {
-    **os.environ,
-    "OMPI_ALLOW_RUN_AS_ROOT": "1",
-    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    "OMPI_MCA_rmaps_base_oversubscribe": "1",
-    "OPENBLAS_NUM_THREADS": "1",
-}
 SHAKE = "ground_motion: {harmonic: {amplitude: 5.0, period: 0.5 s, duration: 1.5 s}}\n"
 MEMBERS = "columns: {rectangle: [0.4 m, 0.4 m]}, beams: {rectangle: [0.3 m, 0.5 m]}"
 ANALYSIS = "analysis: {duration: 2.0 s, tolerance: %s, output_step: 10 ms}\n"
@@ -40,7 +31,7 @@ def by_law(law, more=""):
     return hinges(yields(180), yields(250))
 
 
-#: Laws whose memories differ.
+#: Laws with different memories.
 LAWS = {
     "rigid_plastic": rigid_plastic(),
     "nested": by_law("menegotto_pinto"),
@@ -99,7 +90,7 @@ class Hinges(ProgramTest):
         return json.loads(done.stdout), self.folder / name
 
     def numbers(self, path):
-        """Every dataset of numbers but times of the clock and the checkpoint."""
+        """Every numeric dataset except wall-clock times and the checkpoint."""
         found = {}
 
         def look(name, item):
@@ -130,7 +121,7 @@ class Hinges(ProgramTest):
                     self.assertTrue(values.tobytes() == one[name].tobytes())
 
     def test_without_hardening_at_all_ends_reach_the_load_of_the_mechanism(self):
-        # A portal of 3.2 m whose ends all yield at 120 kN m: the columns carry 4 Mp/h, and the joints turn no further
+        # A portal of 3.2 m whose ends all yield at 120 kN m: the columns carry 4 Mp/h, and the joints rotate no further
         # than the beam.
         for law in (
             "yield_moment: 120 kN m",
@@ -153,8 +144,8 @@ class Hinges(ProgramTest):
                 np.testing.assert_allclose(shear, 4 * 120e3 / 3.2, rtol=1e-6)
 
     def test_hardening_and_ductility_mean_the_same_in_every_form(self):
-        # A spring of a thousand times 6EI/L is nearly a rigid-plastic hinge. A ratio of the bare spring would make it a
-        # thousand times too stiff after yielding.
+        # A spring of a thousand times 6EI/L is nearly a rigid-plastic hinge. Read as the ratio of the bare spring, the
+        # hardening would be a thousand times too stiff.
         found = {}
         for form in (
             "yield_moment: 120 kN m, hardening: 10 %",
@@ -175,9 +166,8 @@ class Hinges(ProgramTest):
         np.testing.assert_allclose(series, rigid, rtol=0.01, atol=0.01 * rigid.max(axis=0).min())
 
     def test_in_space_are_those_in_the_plane(self):
-        # Two equal frames side by side under one floor: half of what shakes in space is one of them. Across their plane
-        # nothing moves. Steps end at corners that are found to a part of their length: the answers agree to the
-        # tolerance of the runs.
+        # Two equal frames side by side under one floor: each carries half of the space model. The out-of-plane motion is zero. Steps end at corners, which are located to a fraction of the step: the answers agree to the tolerance
+        # of the runs.
         for law in ("rigid_plastic", "nested"):
             flat, one = self.results(single(2, LAWS[law]))
             self.assertGreater(flat["structures"]["left"]["yielding"]["yielded"], 4)
@@ -187,7 +177,7 @@ class Hinges(ProgramTest):
                 u, v = plane["structures/left/displacement"][:], space["structures/left/displacement"][:]
                 np.testing.assert_allclose(v[:, :, 0], u[:, :, 0], rtol=0, atol=1e-7 * np.abs(u).max())
                 np.testing.assert_allclose(v[:, :, 1:], 0, atol=1e-9 * np.abs(u).max())
-                # Outputs inside steps are interpolated, and the steps of the two runs differ: the end of the run and
+                # Outputs within steps are interpolated, and the steps of the two runs differ: the end of the run and
                 # the extremes are compared.
                 shear, both = (
                     plane["structures/left/storey_shear"][-1],
@@ -228,7 +218,7 @@ class Hinges(ProgramTest):
                     np.testing.assert_allclose(two[name], one[name], rtol=1e-9, atol=1e-9 * np.abs(one[name]).max())
 
     def test_of_wrong_words_are_refused_with_what_to_type(self):
-        """Each with where it stands; exit code 2 of `check` and of `run`, and no results."""
+        """Each with its location; exit code 2 of `check` and of `run`, and no results."""
 
         def refused(model, *messages):
             self.write(model)

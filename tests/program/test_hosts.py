@@ -1,8 +1,8 @@
-"""The programs of examples/hosts come to the answers of `pounding run` as their steps shrink.
+"""The programs of examples/hosts converge to the answers of `pounding run` with decreasing steps.
 
-Where a touch falls in a step is chance, and so is a part of the error: errors are root mean squares over several step
-lengths, and over as many that are a quarter of them. Jankowski's dashpot d^(1/4) d' leaves the order 5/4: of a step in
-which the bodies meet, an impulse of that power of its length is lost or won. The converged answer is the program's at a
+The position of a touch within a step is random, and so is some of the error: errors are root mean squares over several
+step lengths, and over quarters of these lengths. Jankowski's dashpot d^(1/4) d' limits the order to 5/4: the error in
+impulse of a step with a touch scales with this power of its length. The converged answer is the program's at a
 tolerance of 1e-8.
 """
 
@@ -47,7 +47,7 @@ def answer(*command):
 @unittest.skipUnless(HOSTS.is_dir(), "the hosts are not built")
 class Hosts(unittest.TestCase):
     def errors(self, command, law, lengths):
-        """Root mean square of the relative differences at these numbers of steps, and at four times as many."""
+        """The README of the program states its output."""
         expected, impacts = converged(law)
         squares = []
         for factor in (1, 4):
@@ -70,7 +70,7 @@ class Hosts(unittest.TestCase):
         self.assertLess(fine, finest)
 
     def check_page(self, folder, command):
-        """The README beside the program says what it prints."""
+        """The README next to the program quotes its output."""
         said = EXPECT.search((EXAMPLES / "hosts" / folder).with_name("README.md").read_text())
         *peaks, impacts = map(float, said["answer"].split())
         printed, count = answer(*command(said["steps"]))
@@ -84,13 +84,13 @@ class Hosts(unittest.TestCase):
     def test_c(self):
         self.expect("c/two_oscillators_in_c", 1.25, lambda program, steps: (program, steps))
 
-    # The error that is left is that of the peak force, read at the ends of the steps.
+    # The remaining error is that of the peak force, read at the ends of steps.
     def test_c_with_a_law_without_corners(self):
         self.expect(
             "c/two_oscillators_in_c", 2, lambda program, steps: (program, steps, "hertz_damped"), law="hertz_damped"
         )
 
-    # The implicit codes begin an impact at the end of its first step.
+    # The implicit codes start an impact at the end of its first step.
     def test_fortran(self):
         self.expect("fortran/two_oscillators_in_fortran", 1.25, lambda program, steps: (program, steps), finest=1e-3)
 

@@ -1,4 +1,4 @@
-"""A run that is killed leaves a file that can be read."""
+"""A killed run has a readable results file."""
 
 import random
 import signal
@@ -52,8 +52,7 @@ class KilledRun(ProgramTest):
         self.write(LONG)
         run = subprocess.Popen([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder)
         path = self.folder / "out.h5"
-        # The file is replaced as a whole: the third one holds what was computed until then. A slow disk spaces them
-        # out.
+        # Updates of the file are atomic: the third one has the results until then. A slow disk separates them.
         seen = set()
         deadline = time.monotonic() + 40
         while len(seen) < 3 and time.monotonic() < deadline:

@@ -1,4 +1,4 @@
-"""The equations that `pounding laws` states are those that the damping is computed from."""
+"""The equations printed by `pounding laws` are those used for the damping."""
 
 import json
 import math
@@ -10,7 +10,7 @@ from support import ProgramTest
 FUNCTIONS = {"sqrt": math.sqrt, "ln": math.log, "exp": math.exp, "arccos": math.acos}
 NAMES = FUNCTIONS | {"pi": math.pi}
 TOKEN = re.compile(r"\d+(?:\.\d+)?|[A-Za-z_]+|[-+*/^(){}\[\],=]")
-#: Formulas that are given by a table or an integration.
+#: Formulas given by a table or an integration.
 WITHOUT_EQUATION = {
     ("hertz_damped", "naderpour_2015"),
     ("bilinear_hertz", "exact"),
@@ -18,7 +18,7 @@ WITHOUT_EQUATION = {
     ("adams_impact", "exact"),
     ("limited_damper", "exact"),
 }
-#: Number over z, for n = 1.5, where the number is an oscillator's ratio z in stretched time.
+#: Ratio of the number to z, for n = 1.5, if the number is an oscillator's ratio z in stretched time.
 OF_STRETCHED_TIME = {"jankowski": math.sqrt(5) / 2, "viscous_hertz": math.sqrt(5)}
 
 
@@ -36,7 +36,7 @@ def value(text, **names):
 
 class Equations(ProgramTest):
     def numbers(self, law, restitution):
-        """The damping number by every formula that has one, and its name."""
+        """The damping number by every formula for it, and its name."""
         words = [
             "calibrate",
             "--law",

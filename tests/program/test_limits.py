@@ -1,4 +1,4 @@
-"""Sizes and costs are refused before they are paid for; memory that ends is told, with what was computed before."""
+"""Excessive sizes and costs are refused in advance; running out of memory is reported, and earlier results are kept."""
 
 import os
 import resource
@@ -25,7 +25,7 @@ analysis: {{{analysis}}}
 
 
 def within(gigabytes):
-    """Bounds the memory of a process that begins."""
+    """Limits the memory of a new process."""
     return lambda: resource.setrlimit(resource.RLIMIT_AS, (int(gigabytes * 1e9), int(gigabytes * 1e9)))
 
 
@@ -87,8 +87,7 @@ class Steps(ProgramTest):
 
 class Memory(ProgramTest):
     def test_that_ends_is_told(self):
-        """A row of resting bodies, whose histories grow with every step, in what little is left beside the
-        libraries."""
+        """A row of bodies at rest, whose histories grow with every step, in little memory beyond the libraries."""
         text = OSCILLATORS.replace("duration: 3.0}}", "duration: 30000}}").replace(
             "{duration: 3.0}", "{duration: 30000, output_step: 4 ms}"
         )
@@ -104,7 +103,7 @@ class Memory(ProgramTest):
         assert_mentions(done.stderr, "memory")
 
     def test_for_a_text_is_told(self):
-        """A model of nearly 16 MB, of which the reader of YAML makes a tree."""
+        """A model of nearly 16 MB, which the YAML reader turns into a tree."""
         with open(self.folder / "model.yaml", "w") as file:
             file.write(OSCILLATORS + "accept: [" + "mass," * 900_000 + "mass]\n")
         done = subprocess.run(

@@ -1,4 +1,4 @@
-"""Files that the verbs write: they replace nothing but earlier ones of their kind, keep its mode, and end with exit
+"""Output files of the commands: they replace only earlier ones of the same kind, keep the file mode, and end with exit
 code 0, 2 or 3."""
 
 import os
@@ -45,7 +45,7 @@ class Outputs(ProgramTest):
     def test_inputs_stay_under_every_name(self):
         os.link(self.folder / "rec.csv", self.folder / "hard.csv")
         (self.folder / "soft.csv").symlink_to("rec.csv")
-        # With any suffix, a model, a record and results are inputs.
+        # Models, records and results are inputs, whatever their suffix.
         for given, name in (
             ("rec.csv", "given.png"),
             ("model.yaml", "given.gif"),
@@ -101,7 +101,7 @@ class Outputs(ProgramTest):
                 (device, "not a regular file"),
                 (self.folder / "missing" / made, "irectory"),
             )
-            # One guard serves the files of the program, another one those of Python: one verb of each shows the rest.
+            # The files of the program and those of Python each have one guard: one command of each is enough.
             for target, told in ((fifo, ()), *(others if words[0] in ("record", "export") else ())):
                 with self.subTest(words=words, target=target.name):
                     done = self.pounding(*words, option, target)
@@ -152,7 +152,7 @@ class ExitCodes(ProgramTest):
                 )
                 self.assertEqual((done.stdout, done.stderr), ("0\n", ""))
         with h5py.File(self.folder / "out.h5") as file:
-            self.assertEqual(file.attrs["status"], "done", "the run went on")
+            self.assertEqual(file.attrs["status"], "done", "the run continued")
 
     def test_a_closed_stream_is_no_part_of_the_results(self):
         self.write(OSCILLATORS)
@@ -163,7 +163,8 @@ class ExitCodes(ProgramTest):
         self.assertEqual(self.pounding("export", "out.h5").returncode, 0, "the results are whole")
 
     def test_of_commands_of_python_are_those_of_the_program(self):
-        """Warnings that cannot be printed do not fail the work; a full disk of the screen is not that of the table."""
+        """Warnings that cannot be printed do not fail the run; a full device for the screen does not affect the
+        table."""
         self.write(OSCILLATORS)
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
         # The bare limit has a warning.

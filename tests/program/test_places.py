@@ -1,5 +1,4 @@
-"""Where results are written: names, links and folders that cannot hold them, other programs' files, other runs; and
-signals."""
+"""Locations of results: invalid names, links and folders, files of other programs, other runs; and signals."""
 
 import os
 import resource
@@ -166,7 +165,7 @@ class Signals(Place):
 
     def test_of_a_limit_on_the_size_of_files_leave_nothing_behind(self):
         def limit():
-            signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # Python ignores it, and a child inherits that
+            signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # Python ignores it, and children inherit that
             resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
         done = subprocess.run(
@@ -183,7 +182,7 @@ class Signals(Place):
 
 
 class FirstOfTwoParts(Place):
-    """A run that compares, interrupted in the run without links."""
+    """A comparing run, interrupted in the run without links."""
 
     #: Enough steps for a cut in the first part.
     MODEL = OSCILLATORS + "compare: no_pounding\n"

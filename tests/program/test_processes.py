@@ -1,9 +1,9 @@
-"""`mpirun -n 2 pounding run`: the answers of one process, one voice, and no end that the others wait for."""
+"""`mpirun -n 2 pounding run`: the answers of one process, one message per fault, and no process that waits for another
+one forever."""
 
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import time
@@ -13,32 +13,23 @@ from pathlib import Path
 import h5py
 import numpy as np
 from messages import assert_mentions
-from support import MASTS, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest, is_sealed
+from support import LAUNCHER, MASTS, OSCILLATORS, PROGRAM, SURROUNDINGS, UNSOLVABLE, ProgramTest, is_sealed
 
-LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
-#: Open MPI refuses root and more processes than cores unless it is told.
-SURROUNDINGS = {
-    **os.environ,
-    "OMPI_ALLOW_RUN_AS_ROOT": "1",
-    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    "OMPI_MCA_rmaps_base_oversubscribe": "1",
-    "OPENBLAS_NUM_THREADS": "1",
-}
 SPARSE = ("-pounding_ts_pounding_base", "sparse")
 #: Longest wait [s]; a run that hangs fails its test.
 PATIENCE = 300  # [s]; a loaded machine takes ten times as long
-#: Tolerance, as a part of the largest value of a quantity.
+#: Tolerance, relative to the largest value of a quantity.
 ROUNDING = 1e-9
-#: Quantities that amplify rounding: accelerations of single nodes do by the squares of the highest frequencies, and
-#: where a force is largest its slope is zero, so that its last digits move the instant by their square root.
+#: Quantities that amplify round-off: accelerations of single nodes by the squares of the highest frequencies. At a
+#: maximum of a force its slope is zero, so that round-off moves its time by the square root.
 AMPLIFIED, AMPLIFIED_ROUNDING = ("nodes/acceleration", "/t_peak"), 1e-7
-#: A force of this part of the largest one of its kind may be rounding alone, whose extremes have no instant.
+#: A force below this fraction of the largest one of its kind may be round-off, whose extremes have no defined time.
 MEANT = 1e-5
 
 SHORT = OSCILLATORS.replace("duration: 3.0}", "duration: 1.2}").replace(
     "{duration: 1.2}", "{duration: 1.2, output_step: 10 ms}"
 )
-#: A force instead of the ground, and a short one that only the left oscillator feels.
+#: A force instead of ground motion, and a short one on the left oscillator only.
 PUSHED = """\
 structures:
   left: {oscillator: {mass: 100 t, period: 0.8 s, damping: 5 %}, forces: [{harmonic: {amplitude: 300 kN, period: 0.6 s, duration: 3 s}},
@@ -51,7 +42,7 @@ ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace(
     "{duration: 100000}", "{duration: 100000, output_step: 10 s}"
 )
 
-#: Frames in fewer coordinates than unknowns, which every process makes by itself.
+#: Reduced frames; every process computes the reduction.
 REDUCED = """\
 ground_motion: {harmonic: {amplitude: 4, period: 0.7, duration: 2}}
 structures:
@@ -77,7 +68,7 @@ analysis: {duration: 1, output_step: 5 ms, tolerance: 0.01, reduction: {links: 2
 """
 
 
-#: Plane ones, the left one with `inside`.
+#: Plane frames, the left one with `inside`.
 REDUCED_PLANE = """\
 ground_motion: {{harmonic: {{amplitude: 6, period: 1, duration: 2}}}}
 structures:
@@ -99,8 +90,8 @@ accept: [tolerance]
 
 
 def frames(storeys=9, bays="[4, 3]", duration=0.1):
-    """A tall frame that swings into a low one, under a wave that meets their feet one after the other, with friction
-    and weights. Nine storeys on twenty columns have 540 unknowns with mass: more than are solved by modes."""
+    """A tall frame that hits a low one, under a wave that reaches their feet one after the other, with friction and
+    gravity. Nine storeys on twenty columns have 540 degrees of freedom with mass: too many for the modal base."""
     return f"""\
 ground_motion:
   components: {{x: {{harmonic: {{amplitude: 3.0, period: 0.2, duration: 1}}}}, y: {{harmonic: {{amplitude: 2.0, period: 0.3, duration: 1}}}}}}
@@ -131,7 +122,7 @@ analysis: {{duration: {duration}, output_step: 5 ms}}
 
 
 def numbers(path):
-    """Every dataset of numbers and every one of the summary, but the times of the clock and the checkpoint."""
+    """Every numeric dataset and every number of the summary, except wall-clock times and the checkpoint."""
     found = {}
 
     def look(name, item):
@@ -162,7 +153,7 @@ def words_of(processes, *words):
     return [*launcher, PROGRAM, *map(str, words)]
 
 
-@unittest.skipUnless(LAUNCHER, "there is no mpiexec")
+@unittest.skipUnless(LAUNCHER, "mpiexec is missing")
 class Processes(ProgramTest):
     def on(self, processes, *words, **more):
         return subprocess.run(
@@ -202,16 +193,16 @@ class Answers(Processes):
     def same(self, one, several):
         self.assertEqual(list(one), list(several))
         for name, wanted in one.items():
-            # Work of the solver and its errors are no answers.
+            # Solver work and error estimates differ.
             if name.startswith("solver/") or name == "energy/error" or wanted.size == 0:
                 continue
-            if "/envelope/" in name:  # numbers of /envelopes, which is compared with the largest of each kind
+            if "/envelope/" in name:  # numbers of /envelopes, compared relative to the largest of each kind
                 continue
             if name.startswith("envelopes/") and name.endswith("_time"):
                 self.same_instants(one[name.removesuffix("_time")], wanted, several[name], name)
                 continue
             self.assertEqual(wanted.shape, several[name].shape, name)
-            # Nothing where an impact is not over at the end.
+            # Not a number if an impact has not ended.
             scale = np.max(np.abs(wanted), initial=0, where=~np.isnan(wanted))
             tolerance = AMPLIFIED_ROUNDING if name.endswith(AMPLIFIED) else ROUNDING
             np.testing.assert_allclose(several[name], wanted, rtol=0, atol=tolerance * scale, err_msg=name)
@@ -280,7 +271,7 @@ class AnswersOfReducedStructures(Processes):
 
 
 class AnswersOfMore(Answers):
-    """More processes than structures share one factor. Slow where there are fewer cores than processes."""
+    """More processes than structures share one factorization. Slow if there are fewer cores than processes."""
 
     test_of_a_small_model_are_those_of_one = None
     test_under_forces_are_those_of_one = None
@@ -314,7 +305,7 @@ class Voice(Processes):
         shown = self.on(2, "run", "model.yaml", "-q", *SPARSE, "-pounding_ts_view", "-pounding_ts_monitor")
         self.assertEqual((shown.returncode, shown.stderr), (0, ""))
         self.assertEqual(shown.stdout.count("TS Object:"), 1)
-        # Newer versions of PETSc name the prefix of the options.
+        # Newer versions of PETSc print the prefix of the options.
         steps = re.findall(r"^(\d+) TS (?:\(pounding_\) )?dt", shown.stdout, re.M)
         self.assertEqual(steps, [str(i) for i in range(len(steps))])
         self.assertGreater(len(steps), 100)
@@ -349,7 +340,7 @@ class Voice(Processes):
 
 
 class Alone(Processes):
-    """Commands that nothing is gained for by several processes, which would print and write everything twice."""
+    """Commands that do not benefit from several processes, and would print and write everything twice."""
 
     def test_are_refused(self):
         self.write(OSCILLATORS)
@@ -458,7 +449,7 @@ class Ends(Processes):
         self.assertRegex(self.messages(differ)[0], "model.yaml: .*different models")
 
     def test_when_processes_read_different_records(self):
-        """Oscillators would answer with the record of the first process, and frames would wait for each other."""
+        """Oscillators would respond to the record of the first process, and frames would wait for each other."""
         for model, record in (
             (SHORT, "harmonic: {amplitude: 3.0, period: 0.6, duration: 1.2}"),
             (frames(), "components: {x: {harmonic: {amplitude: 3.0, period: 0.2, duration: 1}}"),
@@ -489,13 +480,13 @@ class Ends(Processes):
 
 
 class Stopped(Processes):
-    #: Long enough for a signal to meet it.
+    #: Long enough to receive a signal.
     MODEL = OSCILLATORS.replace("duration: 3.0}", "duration: 1000}").replace(
         "{duration: 1000}", "{duration: 1000, output_step: 1 s}"
     )
 
     def stop(self, number, *words):
-        """Asks the launcher to stop when the run has begun to step."""
+        """Sends the launcher a stop signal once the run has begun to step."""
         path = self.folder / "out.h5"
         path.unlink(missing_ok=True)
         run = subprocess.Popen(
@@ -524,7 +515,7 @@ class Stopped(Processes):
         self.done(2, "model.yaml", "-o", "whole.h5", *SPARSE)
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number):
-                # On a loaded machine a run may end before the signal comes.
+                # On a loaded machine a run may end before the signal arrives.
                 for _ in range(5):
                     self.stop(number, "model.yaml", "-o", "out.h5", *SPARSE)
                     with h5py.File(self.folder / "out.h5") as file:
@@ -556,7 +547,7 @@ class Stopped(Processes):
 
 class StoppedBetweenLongSteps(Processes):
     def test_within_the_second_that_the_launcher_grants(self):
-        """Some milliseconds a step: a few hundred of them take longer than that."""
+        """Some milliseconds per step, so that a few hundred steps take longer than that."""
         self.write(frames(20, "[5, 5]", 10))
         path = self.folder / "out.h5"
         run = subprocess.Popen(

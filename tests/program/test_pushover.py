@@ -1,4 +1,4 @@
-"""Pushovers as a user types them: what is printed, what is written, and what is refused."""
+"""Pushovers on the command line: printed output, written files, and refusals."""
 
 import json
 import unittest

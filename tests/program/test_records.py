@@ -1,5 +1,4 @@
-"""Record files that mislead: an index in the place of the times, lines of counts, wrong units, names of shipped
-records."""
+"""Misleading record files: an index instead of times, lines of counts, wrong units, names of shipped records."""
 
 import json
 import math
@@ -16,7 +15,7 @@ structures:
 
 
 def motion(i, step=0.005):
-    """A pulse of 0.3 that is over after 2 s."""
+    """A pulse of 0.3 that ends at 2 s."""
     return 0.3 * math.sin(2 * math.pi * 2 * i * step) * math.sin(math.pi * i * step / 2) ** 2
 
 

@@ -1,4 +1,4 @@
-"""`pounding reproduce`: the whole report in one command, and what it refuses."""
+"""`pounding reproduce`: the whole report in one command, and its refusals."""
 
 import csv
 import html.parser
@@ -19,7 +19,7 @@ JUDGEMENTS = {"agrees", "does not agree", "cannot be checked"}
 
 
 class Page(html.parser.HTMLParser):
-    """Addresses, badges and headings of a page."""
+    """Links, badges and headings of a page."""
 
     def __init__(self, text):
         super().__init__()
@@ -109,7 +109,7 @@ class WholeReport(unittest.TestCase):
             [PROGRAM, "reproduce", "-o", self.folder, "--only", "sdof"], capture_output=True, text=True, timeout=120
         )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual((self.folder / "sdof_contact.png").read_bytes(), picture, "the same bits again")
+        self.assertEqual((self.folder / "sdof_contact.png").read_bytes(), picture, "bitwise identical")
 
 
 class Words(ProgramTest):

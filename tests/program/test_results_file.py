@@ -1,4 +1,4 @@
-"""The file that a run leaves: h5py and numpy, nothing of ours."""
+"""The results file of a run, read with h5py and numpy only."""
 
 import json
 import os
@@ -87,7 +87,7 @@ class ResultsFile(ProgramTest):
 
 
 class EarlierFile(ProgramTest):
-    """A results file that is there already survives a run that cannot begin."""
+    """An existing results file is kept if a run cannot start."""
 
     def setUp(self):
         super().setUp()

@@ -1,4 +1,5 @@
-"""A run that was killed, stopped or cut goes on in a new process, to the bits of one that never stopped."""
+"""A killed, stopped or cut run resumes in a new process, with results bitwise identical to those of an uninterrupted
+one."""
 
 import re
 import signal
@@ -11,7 +12,7 @@ import numpy as np
 from support import MASTS, OSCILLATORS, PROGRAM, ProgramTest, seal
 from messages import assert_mentions
 
-#: Durations that take about a second of run time.
+#: Durations with about one second of run time.
 SECOND_ORDER = "integrator: generalized_alpha, spectral_radius: "
 SCHEMES = {SECOND_ORDER + "1": 6, SECOND_ORDER + "0.8": 6, "integrator: esdirk4": 300}
 
@@ -25,12 +26,12 @@ def model(scheme=SECOND_ORDER + "1", duration=6, output="10 ms", more="checkpoin
 
 
 def contents(path):
-    """Every dataset but the times of the clock."""
+    """Every dataset except wall-clock times."""
     found = {}
 
     def look(name, item):
         if isinstance(item, h5py.Dataset) and "wall" not in name:
-            # Texts are objects of Python, whose bytes are addresses.
+            # Texts are Python objects, whose bytes are addresses.
             found[name] = item.asstr()[()].astype(str) if item.dtype.hasobject and item.shape else item[()]
 
     with h5py.File(path) as file:
@@ -58,8 +59,8 @@ class Resumed(ProgramTest):
             return file["time"][-1]
 
     def kill(self, *words, beyond=0.0):
-        """Kills a run as soon as its file has gone on beyond this time. Where writing is slow the run may be over
-        before its second rewrite: then it has another try."""
+        """Kills the run once its file has passed this time. On a slow disk the run may end before its second update:
+        then it is repeated."""
         path = self.folder / "out.h5"
         before = path.read_bytes() if path.exists() else None
         for _ in range(5):
@@ -240,7 +241,7 @@ class Frequency(Resumed):
 
 
 class Refused(Resumed):
-    """Each with its reason, and the file as it was."""
+    """Each with its reason; the file is unchanged."""
 
     def refuse(self, message, *words):
         path = self.folder / "out.h5"

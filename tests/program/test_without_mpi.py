@@ -1,4 +1,5 @@
-"""The program and the package where PETSc has no MPI: started as one process of several they say so and run nothing."""
+"""The program and the package on a PETSc without MPI: started as one process of several, they report it and run
+nothing."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""`pounding words`: every key of the input for people, for programs, and as a schema for editors."""
+"""`pounding words`: every input key for readers, for programs, and as a schema for editors."""
 
 import json
 import os
@@ -184,19 +184,18 @@ class Schema(unittest.TestCase):
             "a negative number": LINK.replace("100 t", "-0.005"),
             "a gap in kN": LINK.replace("20 mm", "20 kN"),
             "a decimal comma": LINK.replace("20 mm", '"1,5 mm"'),
-            "words instead of a number": LINK.replace("20 mm", "small"),
+            "text instead of a number": LINK.replace("20 mm", "small"),
             "a restitution above 1": LINK.replace("0.65", "1.2"),
             "three ends": LINK.replace("[left, right]", "[left, right, left]"),
             "one end": LINK.replace("[left, right]", "[left]"),
-            "links that are no list": PAIR + "links: {between: [left, right]}\n",
+            "a map instead of a list of links": PAIR + "links: {between: [left, right]}\n",
             "no structures": "title: x\n",
             "two kinds": LINK.replace("left: {", "left: {wall: {}, "),
             "no kind": LINK.replace("structures:", "structures:\n  a: {damping: 5 %}"),
             "an unknown kind": LINK.replace("left: {oscillator", "left: {oscilator"),
             "an oscillator without stiffness": LINK.replace(", period: 0.8", ""),
             "period and stiffness": LINK.replace("period: 0.8", "period: 0.8, stiffness: 1 MN/m"),
-            "storeys that are no integer": PAIR
-            + "  a: {shear_building: {storeys: 2.5, mass: 1 t, stiffness: 1 MN/m}}\n",
+            "a fraction of a storey": PAIR + "  a: {shear_building: {storeys: 2.5, mass: 1 t, stiffness: 1 MN/m}}\n",
             "a wall with keys": PAIR + "  a: {wall: {mass: 1}}\n",
             "two motions": LINK + "ground_motion: {pulse: {shape: sine, amplitude: 1, duration: 1}, record: a.at2}\n",
             "an unknown shape": LINK + "ground_motion: {pulse: {shape: cosine, amplitude: 1, duration: 1}}\n",

@@ -1,4 +1,4 @@
-"""Files of the working folder that PETSc, Python and matplotlib would obey: a folder with a model may come from
+"""Files of the working folder that PETSc, Python and matplotlib would read: a folder with a model may come from
 anywhere."""
 
 import json
@@ -11,7 +11,7 @@ import h5py
 from support import OSCILLATORS, PROGRAM, ProgramTest
 from messages import assert_mentions
 
-#: Modules that the commands import, or that Python imports when it starts. Each leaves a file when it is imported.
+#: Modules imported by the commands or by Python at its start. On import each writes one file.
 MODULES = (
     "numpy",
     "h5py",
@@ -31,7 +31,7 @@ STUDY = "study:\n  factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}\n"
 
 
 class Options(ProgramTest):
-    """PETSc reads ~/.petscrc, .petscrc and petscrc, unless it is told not to."""
+    """PETSc reads ~/.petscrc, .petscrc and petscrc by default."""
 
     def setUp(self):
         super().setUp()
@@ -84,7 +84,7 @@ class Options(ProgramTest):
 
 
 class Modules(ProgramTest):
-    """Python puts the working folder in front of its modules."""
+    """Python puts the working folder first in its module path."""
 
     def setUp(self):
         super().setUp()
@@ -138,7 +138,7 @@ class Modules(ProgramTest):
 
 
 class Libraries(ProgramTest):
-    """An empty entry in the search path of a program is the working folder."""
+    """An empty entry in the program search path is the working folder."""
 
     def test_of_the_working_folder_are_not_loaded(self):
         needed = subprocess.run(["ldd", PROGRAM], capture_output=True, text=True, check=True).stdout
@@ -151,7 +151,7 @@ class Libraries(ProgramTest):
 
 
 class Settings(ProgramTest):
-    """matplotlib prefers the file matplotlibrc of the working folder to that of the user."""
+    """matplotlib prefers the matplotlibrc of the working folder to that of the user."""
 
     def test_of_the_working_folder_draw_nothing(self):
         self.write(OSCILLATORS)

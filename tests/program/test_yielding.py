@@ -1,19 +1,17 @@
-"""Storeys that yield, as the program reports them: what a file holds of each part, its sums, a resumed run,
-processes."""
+"""Yielding storeys as the program reports them: datasets of each part, its sums, a resumed run, processes."""
 
 import json
-import os
 import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from support import LAUNCHER, PROGRAM, ProgramTest
+from support import LAUNCHER, PROGRAM, SURROUNDINGS, ProgramTest
 from messages import assert_mentions
 
 STIFFNESS, YIELD, HARDENING = (60e6, 50e6), (0.9e6, 0.6e6), 0.05
-#: Two buildings that yield and collide.
+#: Two yielding buildings that collide.
 PAIR = """\
 ground_motion: {harmonic: {amplitude: 5.0, period: 0.6, duration: 3.0}}
 structures:
@@ -27,7 +25,7 @@ links:
   - {between: [left, right], floors: all, gap: 20 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}
 analysis: {duration: 4.0, tolerance: 1e-5, output_step: 5 ms}
 """
-#: A portal frame whose columns yield far, and one whose beam hardly does.
+#: A portal frame whose columns yield far beyond the yield point, and one whose beam hardly yields.
 PORTAL = """\
     frame:
       material: {E: 30 GPa, poisson: 0.2}
@@ -68,7 +66,7 @@ class Yielding(ProgramTest):
         self.assertEqual(found["names"].tolist(), [b"storey 1", b"storey 2"])
         self.assertEqual(found["laws"].tolist(), [b"bilinear", b"bilinear"])
         np.testing.assert_allclose(found["yield_deformation"], np.divide(YIELD, STIFFNESS))
-        # The drift is a cubic inside a step, the deformation a polynomial of degree five.
+        # The drift is a cubic within a step, the deformation a polynomial of degree five.
         np.testing.assert_allclose(found["deformation"], drift, atol=1e-5 * np.abs(drift).max())
         np.testing.assert_allclose(found["force"], shear, atol=1e-5 * np.abs(shear).max())
 
@@ -122,8 +120,8 @@ class Yielding(ProgramTest):
         self.assertTrue(np.isnan(found["summary/first_yield"]).all() and (found["hysteretic"] == 0).all())
 
     def test_compare_the_damping_with_the_yield_shear(self):
-        # Two modes of a building of two storeys have 5 %: C = a M + b K, and across a storey act the forces on all
-        # floors above.
+        # Both modes of a two-storey building have 5 %: C = a M + b K, and a storey carries the forces of all floors
+        # above.
         _, path = self.results(PAIR.replace("output_step: 5 ms", "output_step: 0.2 ms"))
         m, k = np.diag([2e5, 2e5]), np.array([[sum(STIFFNESS), -STIFFNESS[1]], [-STIFFNESS[1], STIFFNESS[1]]])
         w = np.sqrt(np.linalg.eigvalsh(k / 2e5))
@@ -142,7 +140,7 @@ class Yielding(ProgramTest):
         np.testing.assert_allclose(
             found["summary/peak_plastic"], np.abs(d - f / np.array(STIFFNESS)).max(axis=0), rtol=1e-4
         )
-        # A bilinear storey yields in each swing once: its slope is that of the hardening.
+        # A bilinear storey yields once per swing: its slope is that of the hardening.
         for i in range(2):
             signs = np.sign(np.diff(d[:, i]))[np.abs(np.diff(f[:, i])) < 0.5 * STIFFNESS[i] * np.abs(np.diff(d[:, i]))]
             swings = 1 + np.count_nonzero(np.diff(signs))
@@ -269,14 +267,7 @@ analysis: {{duration: 3 s}}
     def test_are_alike_on_two_processes(self):
         _, path = self.results(PAIR)
         command = [LAUNCHER, "-n", "2", PROGRAM, "run", "model.yaml", "-q", "-o", "two.h5"]
-        surroundings = {
-            **os.environ,
-            "OMPI_ALLOW_RUN_AS_ROOT": "1",
-            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-            "OMPI_MCA_rmaps_base_oversubscribe": "1",
-            "OPENBLAS_NUM_THREADS": "1",
-        }
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, env=surroundings, timeout=300)
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, env=SURROUNDINGS, timeout=300)
         self.assertEqual(done.returncode, 0, done.stderr)
         (_, one), (_, two) = self.springs(path), self.springs(self.folder / "two.h5")
         for key in ("deformation", "force", "hysteretic", "summary/ductility"):

@@ -1,5 +1,5 @@
-"""Results files of frames, written with h5py as the program writes them: two frames 25 mm apart, in the plane or in
-space, that sway with given motions. Nothing is solved; every number in the file follows from `displacement_of`."""
+"""Results files of frames, written with h5py in the program's format: two frames 25 mm apart, plane or in space, with
+prescribed motions. All numbers follow from `displacement_of`."""
 
 import h5py
 import numpy as np
@@ -14,7 +14,7 @@ COMPONENTS = ["N", "Vy", "Vz", "T", "My", "Mz"]
 
 
 def sway(name, time=TIME):
-    """{x, y, rz}: motions of the roof of a structure [m], [rad]. They bring the roofs into contact."""
+    """{x, y, rz}: motions of the roof of a structure [m], [rad], which bring the roofs into contact."""
     slow = name == "tall"
     turn = 2 * np.pi * time / (1.1 if slow else 0.7)
     return {
@@ -25,7 +25,7 @@ def sway(name, time=TIME):
 
 
 def grid(dimension, storeys, x0):
-    """(nodes [N,3], members [M,2], floor_of_node [N], names) of a frame of two bays, and one along y in space."""
+    """(nodes [N,3], members [M,2], floor_of_node [N], names) of a frame of two bays, and in space one more along y."""
     rows = [0.0] if dimension == 2 else [0.0, 4.0]
     nodes, floors, names, numbers = [], [], [], {}
     for s in range(storeys + 1):
@@ -44,8 +44,7 @@ def grid(dimension, storeys, x0):
 
 
 def displacement_of(name, nodes, storeys, dimension, time=TIME):
-    """[n, N, 3]: a share of the roof's motion in proportion to the height, floors rigid about the mean of their
-    nodes."""
+    """[n, N, 3]: the roof's motion scaled by the height, floors rigid about the mean of their nodes."""
     motion = sway(name, time)
     share = nodes[:, 2] / (STOREY * storeys)
     moved = np.zeros((len(time), len(nodes), 3))
@@ -58,15 +57,15 @@ def displacement_of(name, nodes, storeys, dimension, time=TIME):
     return moved
 
 
-#: Extremes that a run tracks inside its steps are larger than what its outputs show.
+#: Extremes tracked within steps exceed those of the outputs.
 BETWEEN_OUTPUTS = 1.1
-#: Motion of the run without links over that of the run with them.
+#: Ratio of the motion without links to the motion with them.
 WITHOUT_LINKS = 0.7
 
 
 def write(path, dimension=2, nodes="all", members=True, wall=False, compare=False, rigid=False):
-    """One file. `nodes`: all, none, or how many of them from the first one on are reported; `compare`: with a run
-    without links; `rigid`: floors in space are rigid, so that the file has their plans."""
+    """One file. `nodes`: all, none, or the number of reported nodes; `compare`: with a run without links; `rigid`:
+    rigid floors in space, so that the file contains their plans."""
     storeys = {"tall": 5, "low": 3}
     with h5py.File(path, "w", track_order=True) as file:
         file.attrs.update(
@@ -111,7 +110,7 @@ def write(path, dimension=2, nodes="all", members=True, wall=False, compare=Fals
     seal(path)
 
 
-#: Half the widths of the floors about the mean of their nodes [m].
+#: Half widths of the floors about the mean of their nodes [m].
 HALVES = (BAY, 2.0)
 
 
@@ -151,7 +150,7 @@ def write_envelope(group, structure):
 
 
 def write_without_links(file, group):
-    """All but the links and the impacts, WITHOUT_LINKS times as large."""
+    """Everything except links and impacts, WITHOUT_LINKS times as large."""
     group.attrs.update(file.attrs)
     for place in ("time", "ground", "structures", "energy", "envelopes"):
         file.copy(place, group)
@@ -241,7 +240,7 @@ def write_wall(group):
 
 
 def write_link(file, floor, y, dimension):
-    """Between the two frames at a floor. Returns the rows of its impacts: (link, start, end, peak force)."""
+    """Link between the two frames at a floor. Returns the rows of its impacts: (link, start, end, peak force)."""
     place = f".{'ab'[int(y > 0)]}" if dimension == 3 else ""
     name = f"tall.{floor}-low.{floor}{place}"
     time = np.linspace(0, 4, 4001)
@@ -280,7 +279,7 @@ def write_link(file, floor, y, dimension):
 
 
 def write_wall_link(file):
-    """From the low frame to a wall on its right, which it never reaches."""
+    """Link from the low frame to a wall on its right, which it never reaches."""
     group = file["links"].create_group("low.3-wall")
     group.attrs.update(
         left="low",

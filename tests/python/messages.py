@@ -5,7 +5,7 @@ import re
 
 
 def assert_mentions(text, facts):
-    """Each fact is in the text, or in one of several texts, not as part of a longer word or number."""
+    """Each fact is in the text, or in one of several texts, and not inside a longer name or number."""
     text = text if isinstance(text, str) else "\n".join(text)
     for fact in [facts] if isinstance(facts, str) else map(str, facts):
         start, end = (r"(?<!\w)" if fact[:1].isalnum() else ""), (r"(?!\w)" if fact[-1:].isalnum() else "")

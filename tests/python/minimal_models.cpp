@@ -1,5 +1,4 @@
-// Writes a small model with each word of the input, as SECTION.KEY.yaml, and the records that they name: minimal_models
-// FOLDER/
+// Writes a small model for each input key, as SECTION.KEY.yaml, and the records that they name: minimal_models FOLDER/
 
 #include <fstream>
 #include <string>

@@ -12,7 +12,7 @@ DURATION = 3.0
 
 
 def two_oscillators():
-    """Nodes 2 and 4 are the masses; no link yet, no analysis."""
+    """Nodes 2 and 4 are the masses; links and analysis are still missing."""
     ops.wipe()
     ops.model("basic", "-ndm", 1, "-ndf", 1)
     for node in (1, 2, 3, 4):

@@ -1,5 +1,5 @@
-/// Helper of the Python tests: `results_writer KIND FILE` writes one sample run, `results_writer forever FILE` writes
-/// a run that goes on again and again, until it is killed.
+/// Helper of the Python tests: `results_writer KIND FILE` writes one sample run, `results_writer forever FILE` rewrites
+/// a growing run until it is killed.
 
 #include <exception>
 #include <iostream>

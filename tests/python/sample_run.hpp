@@ -1,6 +1,6 @@
 #pragma once
-/// Results that look like those of a run, made by a few lines of explicit time stepping, so that reading and drawing
-/// can be tried without the solver.
+/// Results that resemble those of a run, made by a few lines of explicit time stepping, for reading and drawing without
+/// the solver.
 
 #include <algorithm>
 #include <array>
@@ -19,13 +19,13 @@ namespace pounding::sample {
 struct Building {
   std::string name;
   int floors;
-  double mass, stiffness, damping;  ///< of a floor [kg], of a storey [N/m], of a storey [N s/m]
+  double mass, stiffness, damping;  ///< per floor [kg], per storey [N/m], per storey [N s/m]
   std::vector<double> u{}, v{};     ///< relative to the ground [m], [m/s]
 };
 
-/// A linear spring and dashpot that cannot pull, between one floor of two neighbours.
+/// A linear spring and dashpot without tension, between one floor of two neighbours.
 struct Touch {
-  std::size_t left, right, floor;  ///< floor counted from 0
+  std::size_t left, right, floor;  ///< floor index from 0
   double gap;                      ///< [m]
   double force = 0, work = 0, work_at_start = 0;
   bool pressed = false;
@@ -43,7 +43,7 @@ inline double ground(double t) {
          (2.6 * std::sin(turn * 1.35 * t) + 1.7 * std::sin(turn * 2.3 * t + 1) + 0.9 * std::sin(turn * 4.1 * t));
 }
 
-/// A small simulation, and the histories that it leaves.
+/// A small simulation and its histories.
 class Run {
  public:
   Run(std::vector<Building> buildings, std::vector<Touch> touches)

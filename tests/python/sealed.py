@@ -1,4 +1,4 @@
-"""Results files that tests make or change with h5py: given the checksum that readers compare."""
+"""Results files that tests make or change with h5py, with the checksum expected by readers."""
 
 import zlib
 from pathlib import Path
@@ -7,7 +7,7 @@ from pounding.checked_file import BLOCK, block
 
 
 def seal(path):
-    """Makes an HDF5 file whole in the eyes of readers, as it stands."""
+    """Writes the checksum of the current content of an HDF5 file."""
     content = Path(path).read_bytes()
     if content[:8] != b"\x89HDF\r\n\x1a\n":
         content = content[BLOCK:]

@@ -1,4 +1,4 @@
-"""Films: which times they show, that contacts flash, and what they say when they cannot be made."""
+"""Animations: the times shown, flashing contacts, and messages if they cannot be made."""
 
 import contextlib
 import dataclasses

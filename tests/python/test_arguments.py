@@ -1,5 +1,5 @@
-"""Wrong values for every argument of the public functions: each ends in InputError, or another ValueError, with a
-message of a line or some."""
+"""Invalid values for every argument of the public functions: each raises InputError, or another ValueError, with a
+message of a few lines."""
 
 import math
 import os
@@ -82,7 +82,7 @@ WRONG = (
     Ellipsis,
     range(3),
 )
-#: For functions that take long where a value is right.
+#: For functions that take long for a valid value.
 FEW = (math.nan, -1.5, 10**400, "nonsense", "\ud800", b"bytes", 1j, {"a": 1}, [None], [[1], [1, 2]], Broken())
 FRAME = {"frame": {"grid": {"storeys": 2, "bays": 2, "storey_height": "3 m", "bay_width": "6 m"}}}
 
@@ -94,7 +94,7 @@ class WrongArguments(unittest.TestCase):
         made = tempfile.TemporaryDirectory()
         cls.addClassCleanup(made.cleanup)
         cls.folder = Path(made.name)
-        # Some wrong values are names of files.
+        # Some invalid values are file names.
         cls.addClassCleanup(os.chdir, os.getcwd())
         os.chdir(cls.folder)
         (cls.folder / "model.yaml").write_text(MODEL)
@@ -107,8 +107,8 @@ class WrongArguments(unittest.TestCase):
         )
 
     def refuses(self, function, allowed=(), values=WRONG, **right):
-        """Every argument with every wrong value: no other error than ValueError, ImportError of an optional package,
-        and those allowed."""
+        """Every argument with every invalid value: no errors but ValueError, ImportError of an optional package, and
+        the allowed ones."""
         for name in right:
             for wrong in values:
                 try:

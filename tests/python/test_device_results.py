@@ -1,4 +1,4 @@
-"""Bars and dampers in the results of a run, as Python reads, prints and tabulates them."""
+"""Bars and dampers in the results of a run, as read, printed and tabulated by Python."""
 
 import importlib.util
 import unittest
@@ -76,7 +76,7 @@ class Devices(unittest.TestCase):
             device = self.results.devices[one["name"]]
             [line] = [line for line in axes.lines if len(line.get_xdata()) == self.results.time.size]
             np.testing.assert_allclose(line.get_xdata(), 1e3 * device.elongation)
-            # The area of the loop is the energy that it lost and the one that its bar still stores; straight lines
+            # The area of the loop is the energy that it dissipated plus the one stored in its bar; straight lines
             # between the output times miss a little.
             area = float(np.sum(0.5 * (device.force[1:] + device.force[:-1]) * np.diff(device.elongation)))
             stored = 0.5 * device.stiffness * device.elongation[-1] ** 2

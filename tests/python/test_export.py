@@ -1,4 +1,4 @@
-"""Exports as a reader of XDMF sees them: every selection is followed into the HDF5 files and compared with the run."""
+"""Exports as read by an XDMF reader: every selection is followed into the HDF5 files and compared with the run."""
 
 import os
 import subprocess
@@ -52,7 +52,7 @@ class Exports(unittest.TestCase):
         self.results = self.directory / "run.h5"
 
     def grids(self, step, place=None):
-        """{structure: {what: array}} of one time."""
+        """{structure: {quantity: array}} at one time."""
         path = (place or self.directory) / "out.xdmf"
         steps = {
             series.get("Name"): series.findall("Grid")[step]

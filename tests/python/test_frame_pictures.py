@@ -1,4 +1,4 @@
-"""Pictures of models and profiles: what they show, and that nothing in them is unknown to matplotlib."""
+"""Pictures of models and profiles: their content, and no warnings from matplotlib."""
 
 import io
 import os
@@ -74,7 +74,7 @@ class FramePictures(unittest.TestCase):
         run = self.runs["beside"]
         figure = figures.figure(run, "plan")
         self.assertEqual(titles(figure)[:2], ["(a) With its neighbours", "(b) Each alone"])
-        # A roof's motion in proportion to the height: every storey drifts by a fifth, or a third, of it.
+        # A roof's motion scaled by the height: every storey drifts by a fifth, or a third, of it.
         expected = [
             100
             * frame_samples.BETWEEN_OUTPUTS
@@ -132,7 +132,7 @@ class FramePictures(unittest.TestCase):
         ]
         self.assertEqual(len(bodies), 14)
         lines = {lines.get_label(): lines.get_zorder() for lines in axes.collections if lines.get_label() in many}
-        self.assertGreater(lines["n6"], lines["n0"])  # the eye is at large x and small y
+        self.assertGreater(lines["n6"], lines["n0"])  # the camera is at large x and small y
         self.assertGreater(lines["n0"], lines["n7"])
         self.assertEqual(len(axes.texts), 0)
         film = animate(run, frame_times(run, 3))
@@ -274,7 +274,7 @@ class FramePictures(unittest.TestCase):
             profiles_figure(run)
 
     def corner(self):
-        """The run with rigid floors, with a third frame that links along y join to the tall one."""
+        """The run with rigid floors and a third frame that links along y join to the tall one."""
         run = self.runs["rigid"]
         north = replace(run.structures["low"], name="north")
         links = {
@@ -307,7 +307,7 @@ class FramePictures(unittest.TestCase):
                 axis: {line.get_label(): line.get_ydata()[0] for line in axes.lines if "floor" in str(line.get_label())}
                 for axis, axes in along.items()
             }
-            # The neighbour along y is no gap away along x.
+            # The neighbour along y has no gap along x.
             self.assertEqual(
                 at_rest["x"], {"tall, floor 3": 0, "low, floor 3": 25, "north, floor 3 (no link along x)": 0}
             )
@@ -378,7 +378,7 @@ class FramePictures(unittest.TestCase):
         self.assertEqual(
             len([line for line in run.plot("gap", compare=True).axes[0].lines if line.get_linewidth() == 0.8]), 12
         )
-        # Between floors the run without links is interpolated by the height.
+        # Between floors the run without links is interpolated over the height.
         run = self.runs["compared"]
         link = replace(run.links["tall.3-low.3"], right_floor=0, right_end="8 m up", position=np.array([10.0, 0, 8.0]))
         axes = replace(run, links={link.name: link}).plot("displacement", compare=True).axes[0]

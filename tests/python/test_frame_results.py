@@ -1,4 +1,4 @@
-"""Frames in the results file, as pounding.results gives them, and where their nodes are."""
+"""Frames in the results file as returned by pounding.results, and the positions of their nodes."""
 
 import dataclasses
 import os
@@ -147,7 +147,7 @@ class Nodes(Samples):
                 np.testing.assert_allclose(self.moved(dimension)[name], moved, atol=1e-15)
 
     def test_nodes_rotate_about_the_point_whose_motion_is_reported(self):
-        # The motion at a point 1 m and 0.5 m away from the mean of the nodes, as that of a centre of mass is.
+        # The motion at a point 1 m and 0.5 m away from the mean of the nodes, for example a centre of mass.
         run = self.read(3, nodes="none", rigid=True)
         tall = run.structures["tall"]
         turn = tall.along["rz"].displacement
@@ -191,7 +191,7 @@ class Nodes(Samples):
         geometry = dataclasses.replace(
             tall.geometry, floor_of_node=np.where(tall.geometry.floor_of_node == 1, -1, tall.geometry.floor_of_node)
         )
-        geometry.nodes[6:9, 2] = 4.0  # a quarter of the way from floor 1 to floor 2
+        geometry.nodes[6:9, 2] = 4.0  # a quarter of the distance from floor 1 to floor 2
         tall = dataclasses.replace(tall, geometry=geometry)
         moved = node_displacements(tall, line_model(tall))
         floors = tall.displacement

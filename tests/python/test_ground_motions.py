@@ -1,4 +1,4 @@
-"""Ground motions as users hold them: files in many layouts beside numpy's own readers, closed forms beside numpy's
+"""Ground motions in users' files: many layouts compared with numpy's readers, closed forms compared with numpy's
 functions."""
 
 import tempfile
@@ -16,7 +16,7 @@ NOISE = np.round(np.random.default_rng(7).normal(0, 0.2, 203), 4)
 
 
 def grounded(motion, duration=4.0, step=STEP):
-    """The run of an oscillator beside a wall on this ground, an output every `step`."""
+    """The run of an oscillator next to a wall on this ground, with an output every `step`."""
     return pounding.run(
         pounding.Model(
             ground_motion=motion,

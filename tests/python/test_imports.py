@@ -1,4 +1,4 @@
-"""Which module of the package imports which: no circle, and results know no picture."""
+"""Imports between modules of the package: no cycle, and results import no plotting."""
 
 import ast
 import unittest
@@ -8,8 +8,8 @@ PACKAGE = Path(__file__).resolve().parents[2] / "python/pounding"
 
 
 def names_of(package):
-    """{module: file} of a package's folder, such as {"pounding.opensees": .../opensees/__init__.py}; of the compiled
-    module the file that declares it."""
+    """{module: file} of a package's folder, such as {"pounding.opensees": .../opensees/__init__.py}; for the compiled
+    module its stub file."""
     files = {}
     for file in sorted([*package.rglob("*.py"), *package.glob("*.pyi")]):
         words = [package.name, *file.relative_to(package).with_suffix("").parts]
@@ -18,14 +18,14 @@ def names_of(package):
 
 
 def imported(text, modules):
-    """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by a name
-    that is given to a function, as importlib.import_module("pounding.plots") has it."""
+    """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by name, as
+    in importlib.import_module("pounding.plots")."""
     found = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, "an import that starts with a dot"
+            assert node.level == 0, "a relative import"
             inner = {f"{node.module}.{alias.name}" for alias in node.names}
             # `from pounding import records` imports the module pounding.records, `from pounding.results import Link`
             # imports pounding.results.
@@ -40,13 +40,13 @@ def imported(text, modules):
 
 
 def imports_of(package):
-    """{module: modules of the package that it imports}."""
+    """{module: imported modules of the package}."""
     files = names_of(package)
     return {name: imported(file.read_text(), set(files)) for name, file in files.items()}
 
 
 def reached_from(module, imports):
-    """Every module that is loaded with this one, itself only when a circle comes back to it."""
+    """Every module loaded with this one, including itself only in a cycle."""
     found, queue = set(), [module]
     while queue:
         for other in imports[queue.pop()] - found:
@@ -105,7 +105,7 @@ class Imports(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """The imports that the test itself sees."""
+    """Checks of the import reader of this test."""
 
     MODULES = {"p", "p.a", "p.b", "p.b.c"}
 

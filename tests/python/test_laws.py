@@ -1,4 +1,4 @@
-"""Laws on arrays: the bits of the C++ laws, closed forms, shapes, and what is refused."""
+"""Laws on arrays: bitwise identical to the C++ laws, closed forms, shapes, and refusals."""
 
 import copy
 import json

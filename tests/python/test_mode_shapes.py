@@ -1,4 +1,4 @@
-"""Pictures of mode shapes, from what `pounding modes --json` prints and from frames."""
+"""Pictures of mode shapes, from the output of `pounding modes --json` and from frames."""
 
 import contextlib
 import copy
@@ -34,7 +34,7 @@ def mode(period, shape):
 
 
 def example():
-    """A frame in the plane, one in space, and a structure of three floors."""
+    """A plane frame, a space frame, and a structure of three floors."""
     modes = {
         "modes": {"old": [mode(0.5, [0.4, 0.8, 1.0]), mode(0.2, [-1.2, -0.5, 1.0])], "wall": []},
         "geometry": {},

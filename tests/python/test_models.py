@@ -1,4 +1,4 @@
-"""Models in code and from files: the same words, the same texts as the program."""
+"""Models in code and from files: the same keys, and the same texts as the program."""
 
 import os
 import subprocess

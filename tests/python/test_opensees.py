@@ -1,7 +1,7 @@
-"""Gap links in OpenSeesPy models, and these models as ours.
+"""Gap links in OpenSeesPy models, and conversion of these models to pounding.
 
-Where a touch falls in a step is chance, and so is a part of the error: errors are root mean squares over several step
-lengths. What they are compared with is the program at a tolerance of 1e-8.
+The position of a touch within a step is random, and so is some of the error: errors are root mean squares over several
+step lengths. The reference is the program at a tolerance of 1e-8.
 """
 
 import json
@@ -31,7 +31,7 @@ from frames import LinkedPlane, Plane, Space  # noqa: E402
 from messages import assert_mentions, raises
 
 ANALYSIS = {"duration": 1.0}
-LINEAR = 1e-6  # the digits of the references
+LINEAR = 1e-6  # digits of the references
 REDUCED = MASSES[0] * MASSES[1] / sum(MASSES)
 
 
@@ -72,7 +72,7 @@ class TwoOscillators(unittest.TestCase):
         np.testing.assert_array_less(10, coarse / fine)
         np.testing.assert_array_less(fine, 6e-4)
 
-    # A step in which the bodies meet loses an impulse of the 5/4th power of its length.
+    # In a step with a touch the error in impulse scales with the step length to the power 5/4.
     def test_jankowski_converges(self):
         coarse, fine = self.errors("jankowski", 2e-3), self.errors("jankowski", 5e-4)
         np.testing.assert_array_less(4**0.95, coarse / fine)
@@ -83,7 +83,7 @@ class TwoOscillators(unittest.TestCase):
             two_oscillators()
             add()
             newmark(increment=1e-10)
-            # Two in a step without contact, of which the second finds nothing to correct.
+            # Two in a step without contact, the second of which finds no correction.
             return (analyse(1e-3, DURATION, (2, 4))[1] - 2).sum()
 
         def material():
@@ -144,7 +144,7 @@ class TwoOscillators(unittest.TestCase):
         two_oscillators()
         ops.node(5, 3.0)
         for message, wrong in {
-            "there is no node 7": lambda: opensees.link(100, 2, 7, gap=0, law="hertz", stiffness=1e9),
+            "node 7": lambda: opensees.link(100, 2, 7, gap=0, law="hertz", stiffness=1e9),
             r'unknown law "hertzz". Did you mean "hertz"': lambda: opensees.link(
                 100, 2, 4, gap=0, law="hertzz", stiffness=1e9
             ),
@@ -152,7 +152,7 @@ class TwoOscillators(unittest.TestCase):
             "takes a length|length": lambda: opensees.link(100, 2, 4, gap="2 s", law="hertz", stiffness=1e9),
             "no degree of freedom 2": lambda: opensees.link(100, 2, 4, gap=0, law="hertz", stiffness=1e9, dof=2),
             "element 1 is there already": lambda: opensees.link(1, 2, 4, gap=0, law="hertz", stiffness=1e9),
-            r"node 5 at 3 stands beyond node 2.*link\(100, 2, 5": lambda: opensees.link(
+            r"node 5 at 3 .*node 2.*link\(100, 2, 5": lambda: opensees.link(
                 100, 5, 2, gap=0, law="hertz", stiffness=1e9
             ),
             "node 5 has no mass.*reduced_mass": lambda: opensees.link(
@@ -409,8 +409,8 @@ class LinkedFrames(unittest.TestCase):
             return [math.sqrt(np.concatenate(each).mean()) for each in (squares, smooth)]
 
         coarse, fine = error(2e-3), error(5e-4)
-        # Peaks are the largest at ends of steps, which miss the top by chance: of steps four times shorter only a
-        # quarter is sure.
+        # Peaks are the largest values at ends of steps, which randomly miss the maximum: only a quarter is guaranteed
+        # for steps four times shorter.
         np.testing.assert_array_less((4, 12), np.divide(coarse, fine))
         np.testing.assert_array_less(fine, 2e-4)
 
@@ -440,7 +440,7 @@ class EightAndSixStoreys(unittest.TestCase):
         self.assertGreater(min(counts), 0)
 
         def errors(step):
-            """Root mean squares over all impacts, as parts of the largest; of displacements over all facing nodes."""
+            """Root mean squares over all impacts, relative to the largest; for displacements over all facing nodes."""
             made = self.build()
             newmark(increment=1e-10)
             peaks, iterations = analyse(step, self.DURATION, [node for side in made.faces.values() for node in side])
@@ -464,8 +464,8 @@ class EightAndSixStoreys(unittest.TestCase):
 
         coarse, fine = errors(2e-3), errors(1e-3)
         np.testing.assert_array_less(3, coarse / fine)
-        # Until the frames meet Newmark at 1 ms misses the phase of the modes of 0.2 s by (w h)^2/12 w t = 3e-3; they
-        # have a part of the closing speed.
+        # Until the frames meet, Newmark at 1 ms has a phase error of (w h)^2/12 w t = 3e-3 in the modes of 0.2 s, which
+        # contribute to the closing speed.
         np.testing.assert_array_less(fine, 2e-3)
 
 

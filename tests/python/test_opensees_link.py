@@ -1,6 +1,7 @@
-"""The process that serves OpenSees' element genericClient, asked by its protocol: force, slopes, impacts, and its end.
+"""The server for OpenSees' element genericClient, tested through its protocol: force, slopes, impacts, and shutdown.
 
-A free impact of two bodies is integrated here as OpenSees would, and compared with what the law gives two free bodies.
+A free impact of two bodies is integrated here as OpenSees would, and compared with the law's result for two free
+bodies.
 """
 
 import json
@@ -21,7 +22,7 @@ from pounding.opensees.link_process import time_to_close
 SIZE = 8
 MASSES = 100e3, 150e3
 REDUCED = MASSES[0] * MASSES[1] / sum(MASSES)
-#: Restitution 0.6 of a free impact at 1 m/s; the contact lasts some 20 ms.
+#: Restitution 0.6 of a free impact at 1 m/s; the contact lasts about 20 ms.
 HERTZ_DAMPED = {"law": "hertz_damped", "formula": "exact", "values": {"stiffness": 2e9, "restitution": 0.6}}
 LINEAR = {
     "law": "kelvin_voigt_no_tension",
@@ -37,7 +38,7 @@ KOMODROMOS = {**LINEAR, "law": "komodromos"}
 
 
 class Element:
-    """The part of GenericClient that talks."""
+    """The communicating part of GenericClient."""
 
     def __init__(self, law, gap=0.01):
         self.process = subprocess.Popen(
@@ -77,7 +78,7 @@ class Element:
         self.send(5)
 
     def forces(self, v):
-        """On both unknowns, as the element adds them up."""
+        """On both degrees of freedom, as summed by the element."""
         return self.get(10)[:2] + self.get(14).reshape(2, 2) @ v
 
     def impacts(self):
@@ -97,8 +98,8 @@ class Element:
 
 
 def collide(law, step, speed=1.0, gap=0.01):
-    """Newmark of constant average acceleration, Newton with the slopes of the element. The body on the left comes at
-    this speed. Impacts, and the most iterations of a step."""
+    """Newmark with constant average acceleration, Newton with the slopes of the element. The left body starts at this
+    speed. Returns the impacts, and the maximum number of iterations per step."""
     element = Element(law, gap).connect()
     u, v, a = np.zeros(2), np.array([speed, 0.0]), np.zeros(2)
     element.trial(0.0, u, v, a)
@@ -126,7 +127,7 @@ def collide(law, step, speed=1.0, gap=0.01):
 
 class FreeImpact(unittest.TestCase):
     def errors(self, law, steps, names):
-        """Root mean squares over several steps about each of these, relative to the free impact of the law."""
+        """Root mean squares over several steps near each of these, relative to the free impact of the law."""
         values = law["values"]
         made = pounding.laws[law["law"]](**{"formula": law["formula"], **values})
         free = made.free_impact(1.0, REDUCED)
@@ -149,7 +150,7 @@ class FreeImpact(unittest.TestCase):
         np.testing.assert_array_less(fine, 3e-4)
         np.testing.assert_array_less(7, coarse / fine)
 
-    # A dashpot whose force jumps at the touch, or goes with d^(1/4), leaves a part of the first step.
+    # A dashpot whose force jumps at the touch, or scales with d^(1/4), causes an error in the first step.
     def test_laws_whose_dashpot_begins_with_the_touch_converge(self):
         for law, order in ((LINEAR, 1), (JANKOWSKI, 1.25)):
             with self.subTest(law=law["law"]):
@@ -166,7 +167,7 @@ class FreeImpact(unittest.TestCase):
         for time, penetration, rate in ((1e-3, 5e-4, 0.4), (2e-3, 4e-4, -0.6), (3e-3, 0.0, -0.5), (4e-3, 3e-4, 0.5)):
             element.trial(time, (penetration, 0.0), (rate, 0.0))
             element.keep()
-        # It let go at 0.4 mm, and is not touched again at 0.3 mm.
+        # It separated at 0.4 mm, and does not touch again at 0.3 mm.
         self.assertEqual(len(element.impacts()), 1)
         self.assertGreater(element.impacts()[0]["v_separation"], 0)
         element.end()
@@ -244,7 +245,7 @@ class Answers(unittest.TestCase):
         self.assertTrue(math.isnan(self.element.impacts()[0]["t_end"]))
 
     def test_closing_speed_is_that_at_the_touch(self):
-        # From 4 mm apart at 1 m/s with 20 m/s^2, and past the touch when the step ends.
+        # From 4 mm apart at 1 m/s with 20 m/s^2, and past the touch at the end of the step.
         time, rate, opening, acceleration = 1e-3, 1.0, 4e-3, 20.0
         self.element.trial(time, (0.01 - opening, 0.0), (rate, 0.0), (acceleration, 0.0))
         self.element.keep()
@@ -263,7 +264,7 @@ class Answers(unittest.TestCase):
     def test_what_is_no_number_is_answered_and_told(self):
         self.assertTrue(np.isnan(self.force(math.nan, 0.7)).all())
         self.assertIn("penetration", self.element.ask()["error"])
-        # A step that was not kept is forgotten.
+        # A rejected step is discarded.
         self.force(-1e-3, 0.7)
         self.element.keep()
         self.element.get(10)

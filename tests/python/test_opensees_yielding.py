@@ -1,7 +1,7 @@
-"""OpenSees models that yield, as models of ours: hinges, members with plastic lengths, devices, walls with backfill.
+"""Yielding OpenSees models converted to pounding: hinges, members with plastic lengths, devices, walls with backfill.
 
-OpenSees steps by Newmark with Newton: its error falls with the step, against the program at a tolerance of 1e-7. Only
-what acts by mass damps here, since OpenSees' stiffness part leaves out the springs.
+OpenSees uses Newmark and Newton: its error decreases with the step, relative to the program at a tolerance of 1e-7.
+Damping is proportional to mass only, since OpenSees' stiffness-proportional damping excludes the springs.
 """
 
 import math
@@ -48,7 +48,7 @@ MATERIALS = {
 
 def portal(hinge=None, x=0.0, first=0, stiffer=1.0):
     """A portal of 6 m and 3.5 m; nodes 1 to 4 from the left foot to the right one, with hinges of this material at its
-    feet and at both ends of the beam: two at a joint that both lose their stiffness would leave it loose."""
+    feet and at both ends of the beam. Two at a joint could both lose their stiffness and leave it unsupported."""
     for tag, (dx, y) in enumerate(((0, 0), (0, 3.5), (6, 3.5), (6, 0)), first + 1):
         ops.node(tag, x + dx, y)
     for foot in (first + 1, first + 4):
@@ -75,7 +75,7 @@ def plane():
 
 
 def shaken():
-    """Starts mass damping and a harmonic ground motion in the model that is there."""
+    """Adds mass damping and a harmonic ground motion to the current model."""
     ops.rayleigh(A0, 0.0, 0.0, 0.0)
     ops.timeSeries("Trig", 1, 0.0, DURATION + 1, PERIOD, "-factor", AMPLITUDE)
     ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
@@ -103,14 +103,14 @@ def ours(**words):
 
 
 def of_springs(springs):
-    """Largest deformation of each spring over that at which it yields."""
+    """Largest deformation of each spring relative to its yield deformation."""
     return np.abs(springs.largest["peak_deformation"]) / springs.yield_deformation
 
 
 class Yielding(unittest.TestCase):
     def compare(self, build, nodes, limit, step=5e-4, order=1.6):
-        """The model is ours and OpenSees' alike: errors of OpenSees against ours fall with its step. `nodes`: OpenSees'
-        by structure."""
+        """The models of pounding and OpenSees agree: errors of OpenSees decrease with its step. `nodes`: those of
+        OpenSees by structure."""
         build()
         shaken()
         run = pounding.run(ours())

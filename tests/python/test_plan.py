@@ -1,4 +1,4 @@
-"""Frames placed in rows, links between all neighbours, and the block that a lesson makes of them."""
+"""Frames placed in rows, links between all neighbours, and the block used in a lesson."""
 
 import copy
 import os
@@ -165,7 +165,7 @@ class Lesson(unittest.TestCase):
         self.assertEqual(done.stdout, (LESSON / "model.yaml").read_text())
 
     def test_block_is_a_ring(self):
-        """Every building has two neighbours, those that stand before and behind it around the courtyard."""
+        """Every building has two neighbours, the previous and the next one around the courtyard."""
         made = BLOCK["model"](BLOCK["ring"](4, 3), "block", tolerance="1e-3")
         self.assertEqual(len(made.structures), 14)
         names = [

@@ -1,4 +1,4 @@
-"""`pounding plot` from outside: the picture, the exit code, and what it says when Python cannot help."""
+"""`pounding plot` on the command line: the picture, the exit code, and the message if Python cannot help."""
 
 import os
 import stat
@@ -21,7 +21,7 @@ class PlotCommand(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.directory = Path(directory.name)
-        # Neither a shell nor an option parser may stumble over such a name.
+        # Such a name must not confuse a shell or an option parser.
         self.results = self.directory / "-a run; $HOME.h5"
         subprocess.run([WRITER, "alone", self.results], check=True)
 

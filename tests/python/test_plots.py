@@ -1,4 +1,4 @@
-"""Pictures of every kind of run, and what they say."""
+"""Pictures of every kind of run, and their texts."""
 
 import contextlib
 import dataclasses
@@ -36,7 +36,7 @@ def axes_titled(figure, words):
 class Pictures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        # A glyph or an option that matplotlib does not know is a fault of the picture.
+        # A glyph or an option unknown to matplotlib is a fault of the picture.
         warnings.simplefilter("error")
         cls.directory = tempfile.TemporaryDirectory()
         cls.files = {kind: Path(cls.directory.name) / f"{kind}.h5" for kind in KINDS}
@@ -126,7 +126,7 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         axes = axes_titled(self.figure("towers", floors={"stiff": "2"}), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
-        # The neighbour is shown at the floor that faces it.
+        # The neighbour is shown at the facing floor.
         self.assertEqual(
             axes.get_legend_handles_labels()[1],
             ["slender, floor 2", "slender, top", "stiff, floor 2", "gap, 40 mm at rest"],
@@ -188,7 +188,7 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         for picture in (*figures.WHOLE, *figures.PANELS):
             for size in ((3.3, 2.4), None):
-                # nothing yields or rotates here, and nothing has a plan: other tests draw these
+                # without yielding, rotations or plans: other tests draw these
                 if picture == "profiles" and size or picture in ("springs", "hinges", "plan", "rotation"):
                     continue
                 figure = figures.figure(run, picture, "", size)
@@ -219,13 +219,13 @@ class Pictures(unittest.TestCase):
             self.assertEqual(figure.axes[-1].get_xlabel().split()[0], "Time" if count < 8 else "Closing")
 
     def test_floors_that_do_not_exist_are_refused(self):
-        for floors, words in (
-            ({"stif": "1"}, "there is no structure stif; there is slender, stiff"),
-            ({"stiff": "7"}, "stiff has no floor 7; it has 1, 2, 3, 4, 5, 6"),
+        for floors, facts in (
+            ({"stif": "1"}, ["stif", "slender", "stiff"]),
+            ({"stiff": "7"}, ["stiff", "7", "1, 2, 3, 4, 5, 6"]),
         ):
             with self.assertRaises(BadRequest) as caught:
                 self.figure("towers", floors=floors)
-            assert_mentions(str(caught.exception), words)
+            assert_mentions(str(caught.exception), facts)
 
     def test_touches_are_marked(self):
         run = read(self.files["two"])
@@ -310,7 +310,9 @@ class CommandLine(unittest.TestCase):
 
     def test_missing_file_is_named(self):
         missing = self.directory / "none.h5"
-        self.assertEqual(self.run_main(missing, "-o", "x.png"), (2, f"there is no file {missing}\n"))
+        code, message = self.run_main(missing, "-o", "x.png")
+        self.assertEqual(code, 2)
+        assert_mentions(message, str(missing))
 
     def test_other_hdf5_file_is_refused(self):
         other = self.directory / "other.h5"

@@ -1,4 +1,4 @@
-"""Texts that print() and the prompt show of each object: three lines that say something, and never an array."""
+"""Texts that print() and the prompt show for each object: up to three informative lines, and never an array."""
 
 import tempfile
 import unittest

@@ -1,4 +1,4 @@
-"""The package beside others in one process, each time in a process of its own."""
+"""The package together with other packages in one process; each test starts a new process."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ from messages import assert_mentions
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
 ROOT = EXAMPLES.parent
 WITHOUT_MPI = bool(os.environ.get("POUNDING_WITHOUT_MPI"))
-#: Runs a model, and writes and reads a file with h5py's own HDF5.
+#: One run, and one file written and read with h5py's own HDF5.
 RUN = f"""
 def run():
     import io, h5py, numpy
@@ -105,7 +105,7 @@ class Importing(unittest.TestCase):
             "",
         )
 
-    @unittest.skipUnless((ROOT / "python").exists(), "the sources are not here")
+    @unittest.skipUnless((ROOT / "python").exists(), "the sources are missing")
     def test_pictures_do_without_the_compiled_part(self):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(ROOT / "python/pounding", Path(folder) / "pounding")
@@ -216,7 +216,7 @@ class InterruptedStudy(unittest.TestCase):
         self.how = {"cwd": folder.name, "env": os.environ | {"POUNDING_PYTHON": sys.executable}}
 
     def interrupt_at(self, come):
-        """The exit code of a study that gets Ctrl-C, as a terminal sends it, when come(process) returns."""
+        """The exit code of a study that receives Ctrl-C, as sent by a terminal, when come(process) returns."""
         Path(self.how["cwd"], "table.h5").unlink(missing_ok=True)
         study = subprocess.Popen(
             self.words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True, **self.how
@@ -230,8 +230,8 @@ class InterruptedStudy(unittest.TestCase):
         return study.returncode
 
     def test_ctrl_c_at_any_time_is_told_in_one_line(self):
-        """While modules are imported, workers start, rows run and all ends: never where in the code of Python it
-        was."""
+        """While modules are imported, workers start, rows run and the program ends: never the Python location of the
+        interrupt."""
         whole = time.monotonic()
         subprocess.run(self.words, capture_output=True, check=True, **self.how)
         whole = time.monotonic() - whole
@@ -249,7 +249,7 @@ class InterruptedStudy(unittest.TestCase):
             while process.poll() is None and len(children(process)) < count:
                 pass
 
-        # The process that cleans up behind the workers, and the workers.
+        # The workers and the process that cleans up after them.
         fates = Counter(
             self.interrupt_at(lambda process, count=count: has(count, process)) for count in (1, 2, 3) for _ in range(2)
         )
@@ -257,7 +257,7 @@ class InterruptedStudy(unittest.TestCase):
         self.assertLessEqual(set(fates), {0, 3}, fates)
 
     def test_ctrl_c_waits_until_a_worker_has_been_started(self):
-        """Though a thread of another library takes the signal that this one has blocked."""
+        """Even if a thread of another library receives the signal that this one has blocked."""
         said = python("""
             import os, signal, threading, time
             from pounding.studies.execution import _interrupt_held
@@ -277,7 +277,7 @@ class InterruptedStudy(unittest.TestCase):
 
 
 class Readme(unittest.TestCase):
-    @unittest.skipUnless((ROOT / "README.md").exists(), "the sources are not here")
+    @unittest.skipUnless((ROOT / "README.md").exists(), "the sources are missing")
     def test_the_example_prints_what_it_says(self):
         text = (ROOT / "README.md").read_text()
         block = text[text.index("```python") :]

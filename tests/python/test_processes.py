@@ -1,4 +1,4 @@
-"""`mpirun -n 2 python3`: what one process alone meets is met by all, and none waits for one that has gone."""
+"""`mpirun -n 2 python3`: an error on one process reaches all, and none waits for a process that has ended."""
 
 import os
 import shutil
@@ -11,7 +11,7 @@ from messages import assert_mentions
 
 LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 MODEL = Path(os.environ["POUNDING_EXAMPLES"]) / "02_two_oscillators/model.yaml"
-#: Open MPI refuses root and more processes than cores unless it is told.
+#: Open MPI refuses root and oversubscription by default.
 SURROUNDINGS = {
     **os.environ,
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -19,15 +19,15 @@ SURROUNDINGS = {
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OPENBLAS_NUM_THREADS": "1",
 }
-PATIENCE = 100  # [s]; one that hangs fails its test
-#: Each process tells what it met in one piece, because mpirun mixes those of two.
+PATIENCE = 100  # [s]; a hanging run fails its test
+#: Each process prints its message in one piece, because mpirun mixes output.
 BEGIN = f"""
 import os, sys
 import pounding
 second = next(os.environ[name] for name in ("OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK") if name in os.environ) == "1"
 model = pounding.Model.from_file("{MODEL}")
 
-def tell(task):
+def report(task):
     try:
         said = f"{{len(task().impacts)}} impacts"
     except Exception as error:
@@ -35,12 +35,12 @@ def tell(task):
     sys.stdout.write(f"{{second + 1}} {{said}}\\n")
     sys.stdout.flush()
 
-def run(**words):
-    return pounding.run(model, **{{"tolerance": 1e-3, **words}})
+def run(**arguments):
+    return pounding.run(model, **{{"tolerance": 1e-3, **arguments}})
 """
 
 
-@unittest.skipUnless(LAUNCHER, "there is no mpiexec")
+@unittest.skipUnless(LAUNCHER, "mpiexec is missing")
 class Processes(unittest.TestCase):
     def on_two(self, code):
         return subprocess.run(
@@ -53,7 +53,7 @@ class Processes(unittest.TestCase):
         )
 
     def told(self, code):
-        """Lines that each process prints, in order."""
+        """Lines printed by each process, in order."""
         done = self.on_two(code)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         lines = sorted(done.stdout.splitlines())
@@ -65,9 +65,9 @@ class Raised(Processes):
         first, second = self.told("""
             if second:
                 model.links[0]["law"] = "jankowsky"
-            tell(run)
+            report(run)
             model.links[0]["law"] = "jankowski"
-            tell(run)
+            report(run)
         """)
         self.assertEqual(first, second)
         done, refused = first
@@ -75,21 +75,21 @@ class Raised(Processes):
         self.assertEqual(done, "5 impacts")
 
     def test_by_all_is_what_one_process_raises(self):
-        first, second = self.told('model.links[0]["gap"] = "20 s"; tell(run)')
+        first, second = self.told('model.links[0]["gap"] = "20 s"; report(run)')
         self.assertEqual(first, second)
         self.assertNotIn("alone", first[0])
         assert_mentions(first[0], "InputError")
 
     def test_before_the_run_began(self):
-        first, second = self.told('tell(lambda: pounding.run("none.yaml" if second else model))')
+        first, second = self.told('report(lambda: pounding.run("none.yaml" if second else model))')
         self.assertEqual(first, second)
         assert_mentions(first[0], ["InputError", "2", "yaml"])
-        first, second = self.told("tell(lambda: run(options=5 if second else None))")
+        first, second = self.told("report(lambda: run(options=5 if second else None))")
         self.assertEqual(first, second)
         assert_mentions(first[0], ["InputError", "2"])
 
     def test_by_a_file_that_cannot_go_on(self):
-        first, second = self.told('tell(lambda: pounding.resume("none.h5" if second else "nothing.h5"))')
+        first, second = self.told('report(lambda: pounding.resume("none.h5" if second else "nothing.h5"))')
         self.assertEqual(first, second)
         assert_mentions(first[0], ["InputError", "h5"])
 
@@ -99,7 +99,7 @@ class Raised(Processes):
             def progress(time, duration, impacts):
                 if second:
                     raise ValueError("enough")
-            tell(lambda: run(progress=progress))
+            report(lambda: run(progress=progress))
         """)
         self.assertEqual(
             (first, second), (["SolverError: process 2 of 2 failed alone: ValueError: enough"], ["ValueError: enough"])
@@ -108,10 +108,10 @@ class Raised(Processes):
     def test_different_models_are_refused(self):
         for different in (
             'model.links[0]["gap"] = 0.02 + 0.01 * second',
-            'words["options"] = {"ts_max_steps": 10 + second}',
+            'arguments["options"] = {"ts_max_steps": 10 + second}',
         ):
             with self.subTest(different):
-                first, second = self.told(f"words = {{}}; {different}; tell(lambda: run(**words))")
+                first, second = self.told(f"arguments = {{}}; {different}; report(lambda: run(**arguments))")
                 self.assertEqual(first, second)
                 assert_mentions(first[0], "InputError")
 
@@ -143,7 +143,7 @@ class Uncaught(Processes):
         self.assertNotIn("MPI_ABORT", done.stderr)
 
     def test_failure_of_one_while_the_others_wait_for_it(self):
-        """An option of PETSc that only one process has is refused by that one, when the run of the others has begun."""
+        """A PETSc option that only one process has is refused by that process after the run of the others has begun."""
         code = textwrap.dedent("""
             import ctypes
             run()
@@ -153,8 +153,8 @@ class Uncaught(Processes):
         """)
         done = self.ends(code + "run()", "process 2 of 2 failed alone")
         self.assertIn("radius", done.stderr)
-        # Open MPI's own message about the end is lost now and then.
-        done = self.ends(code + "tell(run); tell(run)", error="")
+        # Open MPI's own message about the abort is sometimes lost.
+        done = self.ends(code + "report(run); report(run)", error="")
         assert_mentions(done.stdout, "2")
 
 

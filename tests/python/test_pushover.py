@@ -45,7 +45,7 @@ class Pushover(unittest.TestCase):
 
     def test_gives_the_curve_of_two_storeys_in_series(self):
         found = pounding.pushover(model(), to="2 % roof")
-        # Masses alike, heights 3 and 6 m: the upper storey carries two thirds. The lower one yields at 1 MN, the upper
+        # Equal masses, heights 3 and 6 m: the upper storey carries two thirds. The lower one yields at 1 MN, the upper
         # one at 1.5 MN.
         first = 10e-3 + 2 / 3 * 10e-3
         np.testing.assert_allclose(found.displacement[:2], [0, first], rtol=1e-12)

@@ -1,4 +1,4 @@
-"""The results file as a user sees it: h5py and numpy, nothing of ours."""
+"""The results file read with h5py and numpy only."""
 
 import os
 import random
@@ -149,7 +149,7 @@ class ResultsFile(unittest.TestCase):
 class KilledRun(unittest.TestCase):
     @staticmethod
     def state(path):
-        """Marks of the file that every way of writing changes."""
+        """Marks of the file that change with every write."""
         status = path.stat()
         return status.st_ino, status.st_mtime_ns, status.st_size
 
@@ -159,7 +159,7 @@ class KilledRun(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             path = Path(directory) / "run.h5"
             subprocess.run([WRITER, "running", path], check=True)
-            # On a loaded machine many kills may meet the same one of the two files that the writer leaves in turn.
+            # On a loaded machine many kills may hit the same one of the two files that the writer alternates.
             while kills < 40 or (seen != {"running", "done"} and kills < 400):
                 kills += 1
                 writer = subprocess.Popen([WRITER, "forever", path])
@@ -167,7 +167,7 @@ class KilledRun(unittest.TestCase):
                 before = self.state(path)
                 deadline = time.monotonic() + 20
                 while self.state(path) == before:
-                    self.assertLess(time.monotonic(), deadline, "the writer writes nothing")
+                    self.assertLess(time.monotonic(), deadline, "the writer has not written")
                     time.sleep(0.002)
                 time.sleep(chance.uniform(0, 0.03))
                 writer.send_signal(signal.SIGKILL)
@@ -179,7 +179,7 @@ class KilledRun(unittest.TestCase):
                     self.assertTrue(np.isfinite(file["energy/error"][:]).all())
                     seen.add(status)
             leftovers = [entry.name for entry in Path(directory).iterdir() if entry != path]
-            self.assertLessEqual(len(leftovers), 1, "each run removes what the killed one before it left")
+            self.assertLessEqual(len(leftovers), 1, "each run removes the leftovers of the killed one before it")
         self.assertEqual(seen, {"running", "done"})
 
 

@@ -1,4 +1,4 @@
-"""Runs from Python: the numbers of the program, and what happens to a process and its threads meanwhile."""
+"""Runs from Python: the numbers of the program, and effects on the process and its threads."""
 
 import base64
 import contextlib
@@ -27,7 +27,7 @@ from messages import assert_mentions, raises
 
 FRAMES = TWO_OSCILLATORS.parents[1] / "07_plane_frames/model.yaml"
 PROGRAM = os.environ["POUNDING_PROGRAM"]
-#: No step resolves a contact as stiff as this.
+#: No step is short enough for this contact stiffness.
 UNSOLVABLE = pounding.Model(
     structures={"a": {"body": {"mass": "100 t"}, "initial_velocity": "1 m/s"}, "b": {"body": {"mass": "150 t"}}},
     links=[{"between": ["a", "b"], "gap": "10 mm", "law": "hertz", "stiffness": 1e300}],
@@ -36,7 +36,7 @@ UNSOLVABLE = pounding.Model(
 
 
 def long_model(duration=500.0):
-    """Longer than any test waits, unless told otherwise."""
+    """Runs longer than any test waits by default."""
     model = two_oscillators()
     model.ground_motion["harmonic"]["duration"] = duration
     model.analysis = {
@@ -63,7 +63,7 @@ class RunTest(unittest.TestCase):
         return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=60)
 
     def assert_same_file(self, one, other):
-        """Every dataset of two runs but their wall times, and the name and options that they were called with."""
+        """Every dataset of two runs except wall-clock times, and the name and options of the call."""
         with h5py.File(one) as a, h5py.File(other) as b:
             places = []
             a.visititems(lambda name, item: places.append(name) if isinstance(item, h5py.Dataset) else None)
@@ -163,8 +163,8 @@ class SameAsTheProgram(RunTest):
             inside = (link.time > impact["t_start"]) & (link.time < impact["t_release"])
             force = law.force(link.penetration[inside], link.velocity[inside], impact["v_approach"], in_order=True)
             self.assertGreater(force.size, 100)
-            # The last iteration of a step moves the state by less than this; the largest penetration, which the memory
-            # of bilinear_hertz keeps, lies between two samples.
+            # The last iteration of a step moves the state by less than this; the largest penetration, stored by
+            # bilinear_hertz, lies between two samples.
             rtol = 1e-6 if name == "bilinear_hertz" else 1e-8
             np.testing.assert_allclose(
                 force, link.force[inside], rtol=rtol, atol=1e-9 * impact["peak_force"], err_msg=name
@@ -172,7 +172,7 @@ class SameAsTheProgram(RunTest):
 
     def test_tolerance_and_options_reach_the_run(self):
         rough = pounding.run(two_oscillators(), tolerance=1e-3)
-        # A thousandfold tolerance: 5.6 times fewer steps by the order of the scheme, if it were not for impacts.
+        # A thousandfold tolerance: 5.6 times fewer steps by the order of the scheme, apart from impacts.
         self.assertLess(rough.solver["steps"], pounding.run(two_oscillators()).solver["steps"] / 3)
         assert_mentions(rough.model_yaml, ["tolerance", "0.001"])
         done = self.program(
@@ -191,7 +191,7 @@ class SameAsTheProgram(RunTest):
         printed = without_times(json.loads(done.stdout))
         self.assertIn("energ", printed["warnings"][0])
         self.assertEqual(without_times(by_option.summary), printed)
-        # Options of one run are gone in the next.
+        # Options of one run do not affect the next.
         again = pounding.run(two_oscillators(), tolerance=1e-3)
         self.assertEqual(without_times(again.summary), without_times(rough.summary))
 
@@ -244,7 +244,7 @@ class Failures(RunTest):
         self.assertEqual(pounding.read(self.folder / "out.h5").status, results.status)
 
     def test_energies_that_do_not_close_warn_as_in_the_program(self):
-        # The option loosens the steps, not what the model promises.
+        # The option changes the steps, not the model's own tolerance.
         done = self.program(
             "run",
             TWO_OSCILLATORS,
@@ -488,7 +488,7 @@ class Pictures(RunTest):
         self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], ["left-right", "touch (5)"])
         figure.savefig(self.folder / "gap.pdf")
         self.assertGreater(axes.get_position().width, 0.75)
-        # TrueType, not the outlines of Type 3 that journals refuse.
+        # TrueType instead of Type 3 outlines, which journals refuse.
         written = (self.folder / "gap.pdf").read_bytes()
         self.assertIn(b"CIDFontType2", written)
         self.assertNotIn(b"/Type3", written)

@@ -1,4 +1,4 @@
-"""Storeys that yield in the results of a run, as Python reads, prints, tabulates and draws them."""
+"""Yielding storeys in the results of a run, as read, printed, tabulated and drawn by Python."""
 
 import dataclasses
 import importlib.util
@@ -171,8 +171,8 @@ class HingeMap(unittest.TestCase):
     def test_hinges_stand_at_the_ends_of_their_members(self):
         scene, marks = self.marks()
         self.assertEqual(len(marks), 8)
-        # The columns are 3 m high, and the circles 7 % of that off their ends; the frames begin 0 and 6.02 m from the
-        # origin.
+        # The columns are 3 m high, with the circles at 7 % of the height from their ends; the frames begin 0 and 6.02 m
+        # from the origin.
         apart = scene.scale * 0.02
         for (structure, name), place in (
             (("left", "column 1.0 start"), (0, 0.21)),

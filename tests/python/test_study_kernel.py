@@ -1,4 +1,4 @@
-"""The kernel of studies from Python: columns in, columns out, a reason for a row that cannot be run."""
+"""The study kernel from Python: input and output columns, and a reason for each row that cannot run."""
 
 import threading
 import unittest
@@ -134,7 +134,7 @@ analysis: {duration: 1.0}
             },
             accelerations=True,
         )
-        # Modes of the model are rounded otherwise than those of the pair.
+        # Modes of the model have different round-off from those of the pair.
         left, right = (
             [expected["displacement"][:, k], expected["displacement"][:, k], expected["acceleration"][:, k]]
             for k in (0, 1)

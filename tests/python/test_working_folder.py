@@ -19,7 +19,7 @@ links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e
 analysis: {duration: 1.0, output_step: 5 ms}
 """
 STUDY = MODEL + "study:\n  factors: {gap: {of: links.*.gap, list: [10 mm, 20 mm]}}\n  engine: solver\n"
-#: Python itself imports some others before the package, which cannot leave them out.
+#: Python itself imports some others before the package, which cannot exclude them.
 MODULES = ("numpy", "h5py", "matplotlib", "yaml", "scipy", "argparse", "multiprocessing", "tempfile")
 
 

@@ -1,4 +1,4 @@
-"""Laws of yielding along numpy paths."""
+"""Hysteretic laws along numpy paths."""
 
 import pickle
 import unittest

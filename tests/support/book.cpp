@@ -13,12 +13,12 @@
 namespace pounding::test {
 namespace {
 
-// A failure names the line of the test.
+// A failure reports the line of the test.
 testing::ScopedTrace trace(const std::source_location& at, const std::string& quantity) {
   return {at.file_name(), static_cast<int>(at.line()), quantity};
 }
 
-// Place of a test among all of its program, whichever of them run.
+// Index of a test among all tests of its program, including those that do not run.
 int place_of(const testing::TestInfo& test) {
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   int place = 0;

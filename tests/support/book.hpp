@@ -1,5 +1,5 @@
 #pragma once
-/// The verification book: which numbers the tests compare with sources that the program does not share.
+/// The verification book: numbers that the tests compare with independent sources.
 
 #include <source_location>
 #include <string>
@@ -7,14 +7,13 @@
 
 namespace pounding::test {
 
-/// The comparisons of one test with one source. Each is a check of its own, at the line that asks for it; all of them
-/// are written down when the environment variable POUNDING_BOOK names a folder, from which tests/verification/README.md
-/// is made: one JSON object a book, appended as a line.
+/// The comparisons of one test with one source. Each is a separate check at the line of its call. If the environment
+/// variable POUNDING_BOOK names a folder, all are written to it as one JSON object per book and line;
+/// tests/verification/README.md is generated from them.
 class Book {
  public:
-  /// `subject`: what is verified, in words; tests with the same subject share a section. `source`: closed form,
-  /// publication or independent program that the expected numbers come from. `reason`: why the tolerances are what they
-  /// are.
+  /// `subject`: the verified subject; tests with the same subject share a section. `source`: closed form, publication
+  /// or independent program of the expected numbers. `reason`: justification of the tolerances.
   Book(std::string subject, std::string source, std::string reason);
   ~Book();
   Book(const Book&) = delete;
@@ -28,7 +27,7 @@ class Book {
   void below(const std::string& quantity, double obtained, double limit,
              std::source_location at = std::source_location::current());
 
-  /// EXPECT_EQ: a count, or a number that is met to the last bit.
+  /// EXPECT_EQ: a count, or a number that is bitwise identical.
   void equal(const std::string& quantity, double obtained, double expected,
              std::source_location at = std::source_location::current());
 

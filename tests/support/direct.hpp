@@ -1,5 +1,5 @@
 #pragma once
-/// Marching of a Stepper with error control, and an independent integrator to compare it with.
+/// Marching of a Stepper with error control, and an independent integrator for comparison.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -27,7 +27,7 @@ inline SparseMatrix diagonal(const std::vector<double>& values) {
   return m;
 }
 
-/// Steps to `end` that keep the tolerance of the stepper; how many were tried.
+/// Steps to `end` within the tolerance of the stepper; returns the number of attempts.
 inline long march(Stepper& stepper, double end, double longest) {
   StepController controller(stepper);
   ErrorControl policy(longest);
@@ -36,15 +36,15 @@ inline long march(Stepper& stepper, double end, double longest) {
   return controller.trials();
 }
 
-/// Steps of one length; shorter only where a phase ends, where the ground has a corner, and at the end.
+/// Steps of equal length; shorter only at the end of a phase, at a corner of the ground motion, and at the end.
 inline void march_evenly(Stepper& stepper, double end, double h) {
   StepController controller(stepper);
   FixedSteps policy;
   while (stepper.time() < end * (1 - 1e-12)) controller.advance(h, end, policy);
 }
 
-/// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 against `size`. Steps end at
-/// the `breaks`, just before which f is asked at their ends.
+/// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 of `size`. Steps end at the
+/// `breaks`; at the end of a step f is evaluated just before the break.
 template <class F>
 Eigen::VectorXd integrate(const F& f, Eigen::VectorXd y, double begin, double end, double size,
                           std::vector<double> breaks) {

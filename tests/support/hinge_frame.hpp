@@ -1,5 +1,5 @@
 #pragma once
-/// Plane frames with hinges at unknowns without mass, put together without the library's frames.
+/// Plane frames with hinges at massless degrees of freedom, assembled without the library's frames.
 
 #include <algorithm>
 #include <array>
@@ -21,15 +21,15 @@ namespace pounding::test {
 
 /// Storeys of 3.2 m, one bay of 6 m, E 30 GPa, columns 0.4 x 0.4 m, beams 0.3 x 0.5 m, 20 t at every node in x and z,
 /// no shear deformation. Springs of 10 x 6EI/L at the ends of beams (yield moment 180 kN m) and at feet (250 kN m),
-/// hardening 0.003. Damping 5 % of the first mode, by mass. Unknowns: x, z and rotation node by node, then rotations of
-/// feet, then those of ends of beams.
+/// hardening 0.003. Damping 5 % of the first mode, by mass. Degrees of freedom: x, z and rotation node by node, then
+/// rotations of feet, then those of ends of beams.
 struct HingeFrame {
   struct Options {
     int storeys = 3;
-    double strength = 1;    ///< times the yield moments
-    bool elastic = false;   ///< the stiffness of the springs without the springs
-    int frames = 1;         ///< each a group of its own, 20 m apart
-    bool mirrored = false;  ///< the second frame moves the other way
+    double strength = 1;    ///< multiple of the yield moments
+    bool elastic = false;   ///< stiffness without the springs
+    int frames = 1;         ///< each a separate group, 20 m apart
+    bool mirrored = false;  ///< the second frame moves in the opposite direction
   };
 
   Options options;
@@ -37,7 +37,7 @@ struct HingeFrame {
   std::vector<std::unique_ptr<BilinearSpring>> springs;
   std::vector<std::unique_ptr<Contact>> contacts;
   std::vector<double> spring_stiffness, yield_moment;
-  Eigen::VectorXd base;        ///< the base shear of the first frame is base . (K u + B F)
+  Eigen::VectorXd base;        ///< base shear of the first frame: base . (K u + B F)
   int unknowns = 0;            ///< of one frame
   double first_frequency = 0;  ///< [rad/s]
 
@@ -83,7 +83,7 @@ struct HingeFrame {
 
   int hinges() const { return static_cast<int>(springs.size()); }
 
-  /// Puts a contact between the top floors of two frames: its column of B goes before those of the springs.
+  /// Adds one contact between the top floors of two frames: its column of B precedes those of the springs.
   void add_contact(std::unique_ptr<Contact> contact) {
     Eigen::MatrixXd wider = Eigen::MatrixXd::Zero(system.size(), system.links() + 1);
     wider.rightCols(system.links()) = Eigen::MatrixXd(system.gap_jacobian);
@@ -100,7 +100,7 @@ struct HingeFrame {
     return dense::modes(condensed.stiffness, condensed.mass).squares.cwiseSqrt();
   }
 
-  // Euler-Bernoulli, unknowns x z r (counter-clockwise) at both ends; negative for those that are held.
+  // Euler-Bernoulli, degrees of freedom x z r (counter-clockwise) at both ends; negative for fixed ones.
   static void add_beam(double area, double inertia, double dx, double dz, const std::array<int, 6>& where,
                        Eigen::MatrixXd& k) {
     constexpr double young = 30e9;
@@ -165,7 +165,7 @@ struct HingeFrame {
   }
 };
 
-/// Answers of a run, for the first frame only.
+/// Results of a run, for the first frame only.
 struct HingeFrameRun {
   std::vector<double> peak_floor, end_floor;         ///< [m]
   std::vector<double> ductility, peak_moment, slip;  ///< by hinge
@@ -179,7 +179,7 @@ struct HingeFrameRun {
   }
 };
 
-/// Runs it from rest. `inside`: points of each step at which the base shear is followed.
+/// Runs the frame from rest. `inside`: points per step at which the base shear is tracked.
 inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver, const StepperOptions& options,
                                      double end, int inside = 16,
                                      const std::function<void(StepController&)>& after_step = {}) {

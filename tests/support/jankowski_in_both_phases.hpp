@@ -1,5 +1,5 @@
 #pragma once
-/// A law that the catalogue does not offer, written as a user would.
+/// A law outside the catalogue, written as a user would.
 
 #include <string_view>
 

@@ -17,7 +17,7 @@ using Facts = std::vector<std::string_view>;
 
 inline Facts mentions(Facts facts) { return facts; }
 
-/// True if the text contains each fact, not as part of a longer word or number.
+/// True if the text contains each fact, not as a substring of a longer name or number.
 inline testing::AssertionResult mentions(std::string_view text, const Facts& facts) {
   const auto joined = [](char a, char b) {
     const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
@@ -39,7 +39,7 @@ inline std::string at(const std::string& position, const std::string& key = "") 
   return position + ": " + (key.empty() ? key : key + ": ");
 }
 
-/// The text of the exception of this kind that the call throws; "taken" if it throws none.
+/// The text of the exception of this kind thrown by the call; "taken" if it throws none.
 template <class Error = std::invalid_argument, class Call>
 std::string refusal(Call&& call) {
   try {
@@ -50,7 +50,7 @@ std::string refusal(Call&& call) {
   return "taken";
 }
 
-/// The only one of some texts.
+/// The only one of several texts.
 inline std::string only(const std::vector<std::string>& texts) {
   EXPECT_EQ(texts.size(), 1u) << testing::PrintToString(texts);
   return texts.empty() ? "" : texts.front();

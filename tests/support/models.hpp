@@ -14,13 +14,13 @@ namespace pounding::test {
 
 inline Model model_of(const std::string& yaml) { return read_model(Input::read_text(yaml, "test.yaml")); }
 
-/// Checks that the model is refused with a message at this place of its text that contains the facts.
+/// Checks that the model is refused with a message at this location of its text that contains the facts.
 inline void refused(const std::string& yaml, const std::string& place, const Facts& facts = {},
                     std::source_location line = std::source_location::current()) {
   expect_message(refusal<InputError>([&] { model_of(yaml); }), "test.yaml:" + place, facts, line);
 }
 
-/// Every law as it stands after "law: ".
+/// Every law in the form after "law: ".
 inline constexpr const char* every_law[] = {
     "linear_spring, stiffness: 9.35e7",
     "kelvin_voigt, stiffness: 9.35e7, restitution: 0.65",
@@ -41,7 +41,7 @@ inline constexpr const char* every_law[] = {
     "backfill, stiffness: 250 MN/m, unloading: 500 MN/m, failure_ratio: 0.75, strength: 6 MN",
 };
 
-/// The name of a law that stands as after "law: ".
+/// The name of a law in the form after "law: ".
 inline std::string law_of(const std::string& text) { return text.substr(0, text.find(',')); }
 
 /// The name of a test over every_law.

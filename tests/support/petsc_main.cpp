@@ -1,4 +1,4 @@
-/// Tests that run models: PETSc starts once for all of them.
+/// Tests that run models: PETSc is initialised once for all of them.
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #pragma once
-/// Reference tables that the laws (tests/laws) and the time integration (tests/verification) are both compared with.
+/// Reference tables for the laws (tests/laws) and the time integration (tests/verification).
 ///
 /// Source: an independent script, 8th-order Runge-Kutta (DOP853, rtol 1e-12) confirmed by closed forms to 1e-11, for
-/// the formulas and examples of Naderpour, Barros & Khatami 2015 ("the paper") and the laws it builds on. All digits
-/// printed there are here; a value is right to half a unit of its last digit.
+/// the formulas and examples of Naderpour, Barros & Khatami 2015 ("the paper") and the laws it builds on. All printed
+/// digits are given here; a value is accurate to half a unit of its last digit.
 
 #include <array>
 #include <cmath>
@@ -15,32 +15,32 @@
 
 namespace pounding::reference {
 
-/// Half a unit of the last of so many decimals, and a trace for values that end in a five.
+/// Half a unit of the last of this number of decimals, plus a trace for values that end in a five.
 inline double half_unit(int decimals) { return 0.5000001 * std::pow(10.0, -decimals); }
 
 using Nine = std::array<double, 9>;  ///< asked restitution 0.1, 0.2 ... 0.9
 
 constexpr double requested(std::size_t i) { return static_cast<double>(i + 1) / 10; }
 
-/// How a row is asked of this program.
+/// Settings of this program for a row.
 struct Asking {
   std::string_view law, formula{};
-  double stiffness = 0;                  ///< [N/m^n]; 0: the law's typical value, when it does not matter
+  double stiffness = 0;                  ///< [N/m^n]; 0: the law's typical value, if it does not matter
   double speed = 0.8;                    ///< closing speed [m/s]
-  laws::DampingFormula ratio = nullptr;  ///< gives the damping_ratio where the law does not offer the formula
+  laws::DampingFormula ratio = nullptr;  ///< gives the damping_ratio if the law does not offer the formula
 };
 
-/// A published formula: what it really gives.
+/// A published formula and its actual result.
 struct FormulaRow {
   std::string_view name;
   std::vector<Asking> askings;  ///< all of them give this row
   Nine obtained;                ///< restitution of a free impact, four decimals
-  Nine percent;                 ///< 100 (obtained - asked)/asked, two decimals: the quantity of the paper's Table 3
+  Nine percent;                 ///< 100 (obtained - target)/target, two decimals: the quantity of the paper's Table 3
   std::optional<Nine> damping;  ///< a, zeta or xi, five decimals
 };
 
-/// The formula of the paper's Eq. 16 takes k/v in the units k is printed in; the program takes kN, so another unit of k
-/// is another stiffness: 22 (MN) is asked as 22 kN/m^1.5, 2.2e7 (N) as 2.2e7 kN/m^1.5.
+/// The formula of the paper's Eq. 16 uses k/v in the printed unit of k; the program uses kN, so another unit of k is
+/// another stiffness: 22 (MN) is given as 22 kN/m^1.5, 2.2e7 (N) as 2.2e7 kN/m^1.5.
 inline const std::vector<FormulaRow> formulas{
     {"Hunt-Crossley 1975: 3(1-e)/2",
      {{"hertz_damped", "hunt_crossley"}},
@@ -165,9 +165,9 @@ inline const std::vector<FormulaRow> formulas{
      {-99.98, -99.86, -99.40, -98.14, -94.84, -86.71, -68.75, -37.88, -6.46},
      std::nullopt}};
 
-/// Jankowski's dashpot left on in restitution, contact until d = 0, xi by the paper's Eq. 10: the force pulls at the
-/// end, which no law of the catalogue allows. In stretched time a linear oscillator of ratio z = 2 xi/sqrt(5); never
-/// parts for z >= 1.
+/// Jankowski's dashpot kept in restitution, contact until d = 0, xi by the paper's Eq. 10: the force pulls at the end,
+/// which no law of the catalogue allows. In stretched time a linear oscillator of ratio z = 2 xi/sqrt(5); never
+/// separates for z >= 1.
 inline const FormulaRow jankowski_in_both_phases{
     "Jankowski c in both phases, contact to d = 0",
     {},
@@ -218,7 +218,7 @@ inline constexpr Section51Row rows[] = {
 struct KelvinVoigtRow {
   double requested, ratio, coefficient;  // -, -, N s/m
   double restitution_to_zero_penetration, restitution_to_zero_force;
-  double penetration, force, force_at_penetration;  // largest [m], largest [N], where the penetration is largest [N]
+  double penetration, force, force_at_penetration;  // largest [m], largest [N], at the largest penetration [N]
   double duration_to_zero_penetration, duration_to_zero_force;  // s
 };
 namespace kelvin_voigt {
@@ -231,7 +231,7 @@ inline constexpr KelvinVoigtRow rows[] = {
     {1.0, 0.000000, 0.0, 1.000000, 1.000000, 0.01635175, 1528888.5, 1528888.5, 0.10274107, 0.10274107}};
 }  // namespace kelvin_voigt
 
-/// The example of the paper's section 5: "755.76 kN", which is 755.76 kg, k = 30000 kN/m^1.5, v = 10 m/s, asked 0.7.
+/// The example of the paper's section 5: "755.76 kN", which is 755.76 kg, k = 30000 kN/m^1.5, v = 10 m/s, target 0.7.
 struct Section5Row {
   std::string_view formula;                      // of hertz_damped
   double factor, damping;                        // a [-], zeta [kN s/m^2.5]
@@ -252,7 +252,8 @@ inline constexpr Section5Row rows[] = {
 struct BilinearRow {
   double requested, loss, stiffness, stiffness_1, stiffness_2, yield;  // -, J, effective, K1 and K2 [N/m], m
   double energy,
-      restitution;  // under the loading curve up to the design penetration [J]; where that is just reached [-]
+      // under the loading curve up to the design penetration [J]; where the design penetration is just reached [-]
+      restitution;
 };
 namespace bilinear {
 /// A Hertz spring of 1 N/m^1.5 stops this mass [kg] from this speed [m/s] at the design penetration.

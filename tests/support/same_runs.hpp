@@ -1,5 +1,5 @@
 #pragma once
-/// Whether two runs came to the same bits.
+/// Whether two runs are bitwise identical.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 namespace pounding::test {
 
-/// Every number of the results and of the summary, by its place, without the seconds that a run took.
+/// Every number of the results and of the summary, by name, without run times.
 inline std::map<std::string, std::vector<std::uint64_t>> bits_of(Outcome outcome) {
   std::map<std::string, std::vector<std::uint64_t>> all;
   const auto add = [&](const std::string& place, const std::vector<double>& values) {

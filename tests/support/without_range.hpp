@@ -1,5 +1,5 @@
 #pragma once
-/// A spring that hides its elastic range, so that a run goes the long way at every step.
+/// A spring that hides its elastic range, so that a run takes the slow path at every step.
 
 #include <memory>
 #include <utility>

@@ -1,4 +1,4 @@
-// A code of its own with our laws: semi-implicit Euler, one ball on a wall.
+// A separate code with our laws: semi-implicit Euler, one ball on a wall.
 #include <pounding/laws/all.hpp>
 
 #include <cmath>

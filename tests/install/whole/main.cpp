@@ -1,5 +1,4 @@
-// The installed library in a program that owns MPI and PETSc: each process runs a model of its own on its own
-// communicator.
+// The installed library in a program that owns MPI and PETSc: each process runs its own model on its own communicator.
 #include <petscts.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Random rows of bodies, oscillators, yielding shear buildings and frames with hinges, all laws: every run ends, closes
-its energy and lets nobody through.
+"""Random rows of bodies, oscillators, yielding shear buildings and frames with hinges, all laws: every run ends,
+balances its energy and prevents overlap.
 
     python3 tests/program/stress/stress.py build/pounding --seed 1 --count 100000 --jobs 2 --log seed1.jsonl --keep faults
     python3 tests/program/stress/stress.py build/pounding --seed 1 --family yielding --count 1000
@@ -10,15 +10,15 @@ its energy and lets nobody through.
     python3 tests/program/stress/stress.py build/pounding --seed 1 --against-other-integrator 200
 
 Mass ratios from 1e-3 to 1e3, stiffness over six decades, restitutions 0.05 to 1, gaps from zero to wide, and the
-contacts that are hard to integrate: bodies that graze, rest, and touch at one instant or nearly. A seed and a number
-name a case. One that goes wrong is printed whole, as an input file. Exit code 1 when there is one. With --log every
-case is noted when it is done, and the same command goes on behind those that are in the log.
+contacts that are hard to integrate: bodies that graze, rest, or touch at (nearly) the same instant. A case is
+identified by its seed and number. Failed cases are printed as input files, and the exit code is 1. With --log every
+finished case is recorded, and the same command resumes after the recorded cases.
 
-Where the folder of the Python package stands for the program, cases run inside Python, which costs less than a program
-for each.
+If the folder of the Python package is given instead of the program, cases run inside Python, which is cheaper than one
+process per case.
 
-A body that is pressed on another one by a rigid contact with restitution 1 bounces ever faster, and a run follows every
-bounce. Such a case that is not done in time is judged up to its first thousands of impacts.
+A body pressed against another one by a rigid contact with restitution 1 bounces ever faster, and a run follows every
+bounce. If such a case exceeds its time limit, it is checked up to its first few thousand impacts.
 
 --against-independent compares impacts with the integrator of independent.py, which needs scipy;
 --against-other-integrator compares those of esdirk4 and generalized_alpha.
@@ -42,17 +42,17 @@ from stress_cases import BEYOND_INDEPENDENT, FAMILIES, SPREAD, bounces_of, case_
 from stress_checks import Run, faults_of, touches_in  # noqa: E402
 from stress_in_memory import in_processes, package_run  # noqa: E402
 
-#: A run may take this long [s], and so long to end when it is asked to.
+#: Time limit of a run, and for its end after SIGTERM [s].
 SECONDS, TO_END = 60, 30
 
-#: Comparisons are made at this tolerance, and may take the independent integrator so long [s].
+#: Tolerance of these comparisons, and time limit of the independent integrator [s].
 FINE, LONGEST = 1e-6, 10
-#: The integrators are compared at this tolerance.
+#: Tolerance at which the integrators are compared.
 COARSE = 1e-4
 
 
 def program_run(program, case, folder, *options):
-    """(run, message): the run is None when the program fails, with the reason."""
+    """(run, message): the run is None if the program fails, with the reason."""
     model, results = Path(folder) / "model.yaml", Path(folder) / "results.h5"
     model.write_text(input_file(case))
     with subprocess.Popen(
@@ -80,7 +80,7 @@ def program_run(program, case, folder, *options):
 
 
 def examine(task):
-    """One case: what is wrong with it, and what it took."""
+    """One case: its faults and its cost."""
     program, seed, number, family = task
     case, begin = case_of(seed, number, family), time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
@@ -124,7 +124,7 @@ def report(outcome, kept):
 
 
 def logged(path):
-    """The outcomes that a log holds, by the numbers of their cases; a line that was cut counts as none."""
+    """Outcomes in a log, by case number; truncated lines are ignored."""
     outcomes = {}
     if path and path.exists():
         for line in path.read_text().splitlines():
@@ -137,7 +137,7 @@ def logged(path):
 
 
 def examined(chosen, numbers):
-    """Outcomes of cases as they are done, each noted in the log."""
+    """Outcomes of cases as they finish, each recorded in the log."""
     tasks = [(chosen.program, chosen.seed, number, chosen.family) for number in numbers]
     with open(chosen.log or os.devnull, "a", encoding="utf-8") as log:
         for outcome in in_processes(examine, tasks, chosen.jobs):
@@ -172,13 +172,13 @@ def stress(chosen):
     )
     print(f"slowest case {slowest[1]}: {slowest[0]:.2f} s; worst imbalance, case {worst[1]}: {worst[0]:.3g} tolerances")
     if bouncing:
-        print(f"{bouncing} cases bounce without loss and without end: judged up to some thousands of impacts")
+        print(f"{bouncing} cases bounce endlessly without loss: checked up to a few thousand impacts")
     print(f"{faults} faults")
     return faults
 
 
 def first_impacts(run):
-    """(start, link, peak force or impulse, separation speed) of all impacts, the earliest first."""
+    """(start, link, peak force or impulse, separation speed) of all impacts, in order of time."""
     found = []
     for index, rows in enumerate(run.rows):
         for row in rows:
@@ -188,8 +188,8 @@ def first_impacts(run):
 
 
 def differences(run, other):
-    """For each impact in turn the number of tolerances by which its peak and its separation differ in two runs;
-    infinite where the impacts themselves do."""
+    """Differences of the peak and the separation of each impact in two runs, in tolerances; infinite if the impacts do
+    not match."""
     mine, theirs = first_impacts(run), first_impacts(other)
     peaks = [max((peak for _, index, peak, _ in mine if index == k), default=0.0) for k in range(len(run.rows))]
     for (start, index, peak, speed), (there, where, found, speed_there) in itertools.zip_longest(
@@ -207,8 +207,8 @@ def differences(run, other):
 
 
 def integrate_one(task):
-    """One case by both integrators: (number, impacts compared, text, message). What esdirk4 at a tenth of the tolerance
-    does not agree on is amplified by the motion and tells nothing."""
+    """One case by both integrators: (number, impacts compared, text, message). Differences from esdirk4 at a tenth of
+    the tolerance are amplified by the motion and are ignored."""
     program, seed, number = task
     case = case_of(seed, number) | {"tolerance": COARSE}
     case["duration"] = min(case["duration"], 1.0)
@@ -235,7 +235,7 @@ def integrate_one(task):
 
 
 def compare_integrators(chosen):
-    """Runs cases by both integrators. Returns the number of faults."""
+    """Runs cases by both integrators and returns the number of faults."""
     faults = compared = 0
     tasks = [
         (chosen.program, chosen.seed, number)
@@ -272,7 +272,7 @@ def compare_one(task):
 
 
 def compare(chosen):
-    """Compares cases until the wanted number has been judged; prints how each agreed. Returns the number of faults."""
+    """One case against independent.py: (number, verdict, text, message)."""
     wanted, verdicts, faults, skipped = chosen.against_independent, Counter(), 0, 0
     compared, present = Counter(), Counter()
     tasks = ((chosen.program, chosen.seed, number) for number in range(chosen.first, chosen.first + 100 * wanted))
@@ -317,18 +317,18 @@ def main():
     words.add_argument("--seed", type=int, default=1)
     words.add_argument("--count", type=int, default=10000)
     words.add_argument("--first", type=int, default=0, help="number of the first case")
-    words.add_argument("--family", choices=[family.__name__ for family in FAMILIES], help="cases of this family alone")
+    words.add_argument("--family", choices=[family.__name__ for family in FAMILIES], help="only cases of this family")
     words.add_argument("--jobs", type=int, default=1)
-    words.add_argument("--keep", type=Path, metavar="FOLDER", help="write the cases that go wrong there")
+    words.add_argument("--keep", type=Path, metavar="FOLDER", help="folder for the input files of failed cases")
     words.add_argument(
-        "--log", type=Path, metavar="FILE", help="note every case there, and leave out those that it holds"
+        "--log", type=Path, metavar="FILE", help="record finished cases in this file, and skip those already recorded"
     )
-    words.add_argument("--print", type=int, metavar="NUMBER", help="print this case as an input file, and run nothing")
+    words.add_argument("--print", type=int, metavar="NUMBER", help="print this case as an input file and exit")
     words.add_argument(
-        "--against-other-integrator", type=int, metavar="COUNT", help="run so many cases by both integrators"
+        "--against-other-integrator", type=int, metavar="COUNT", help="run this number of cases by both integrators"
     )
     words.add_argument(
-        "--against-independent", type=int, metavar="COUNT", help="compare so many cases with independent.py"
+        "--against-independent", type=int, metavar="COUNT", help="compare this number of cases with independent.py"
     )
     chosen = words.parse_args()
     if chosen.print is not None:

@@ -1,12 +1,12 @@
-"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames with hinges and friction
-and without, under all laws."""
+"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, and frames with and without
+hinges and friction, under all laws."""
 
 import math
 import random
 
 import numpy as np
 
-#: Laws by the unit of their stiffness, with the formulas that follow from a restitution.
+#: Laws by the unit of their stiffness, with their formulas for a given restitution.
 LINEAR = {
     "linear_spring": [],
     "kelvin_voigt": ["exact", "anagnostopoulos"],
@@ -40,8 +40,8 @@ DIRECT = {
     "jankowski": ("damping_ratio", 0, 5),
     "viscous_hertz": ("damping_ratio", 0, 4),
 }
-#: Laws of storeys and of hinges in series, with values of what they take beside the yield force or moment and the
-#: hardening.
+#: Laws of storeys and of hinges in series, with values of their parameters in addition to the yield force or moment and
+#: the hardening.
 SPRINGS = {
     "bilinear": {},
     "menegotto_pinto": {"memory": ["nested", "last"], "R0": [14, 20]},
@@ -57,9 +57,10 @@ WITH_DESIGN_SPEED = [
     "limited_damper",
 ]
 RESTITUTIONS = [0.05, 0.1, 0.3, 0.5, 0.65, 0.8, 0.95, 1.0]
-#: The loop of bilinear_hertz cannot lose more.
+#: The loop of bilinear_hertz cannot dissipate more.
 LEAST_BILINEAR = 0.5
-#: The balance and the impacts are sums over contacts that amplify one another's errors: this many tolerances.
+#: The energy balance and the impacts are sums over contacts that amplify one another's errors: allowed error in
+#: tolerances.
 SPREAD = 10
 
 
@@ -90,7 +91,7 @@ def link(chance, left, right, gap, restitutions=RESTITUTIONS, laws=LAWS):
         own["restitution"] = max(own["restitution"], LEAST_BILINEAR)
     if law in WITH_DESIGN_SPEED and chance.random() < 0.08:
         own["impact_velocity"] = decades(chance, -2, 0.5)
-    # Its stiffness follows from the closing speed, and a gap that is closed has none.
+    # Its stiffness follows from the closing speed, which a closed gap does not have.
     if law == "bilinear_hertz" and gap <= 1e-3:
         own.setdefault("impact_velocity", 0.5)
     return own
@@ -122,7 +123,7 @@ def storeys_of(chance, storeys, low, high):
 
 
 def building(chance, number, storeys, yields):
-    """A shear building whose first period is some 0.1 s a storey; one that yields does so at 2 to 40 % of its
+    """A shear building whose first period is about 0.1 s per storey; a yielding one yields at 2 to 40 % of its
     weight."""
     mass = storeys_of(chance, storeys, 4, 6)
     least = min(mass) if isinstance(mass, list) else mass
@@ -165,7 +166,7 @@ def quake(chance):
 
 
 def buildings(chance, yields):
-    """A row of shear buildings, or of one beside oscillators, linked floor by floor."""
+    """A row of shear buildings, or of one and oscillators, linked floor by floor."""
     count = chance.choice([2, 2, 2, 3])
     structures = [building(chance, k, chance.randint(1, 8), yields) for k in range(count)]
     gap = chance.choice([0, 1e-3, 5e-3, 0.02, 0.05])
@@ -189,8 +190,8 @@ def yielding(chance):
 
 
 def frames(chance):
-    """Two plane frames of storeys of one height. Under their weight they lean by micrometres, and a gap keeps them
-    apart."""
+    """Two plane frames of equal storey height. Under their weight they lean by micrometres, and a gap separates
+    them."""
     height, width = chance.choice([3.0, 3.5]), chance.choice([4.0, 6.0])
     storeys, bays = [chance.randint(1, 4) for _ in range(2)], [chance.randint(1, 2) for _ in range(2)]
     gravity = chance.random() < 0.5
@@ -213,7 +214,7 @@ def frames(chance):
         }
         for k in range(2)
     ]
-    if chance.random() < 0.2:  # equal frames, whose floors touch at one instant
+    if chance.random() < 0.2:  # equal frames, whose floors touch at the same instant
         structures[1] = structures[0] | {
             "name": "b1",
             "origin": structures[1]["origin"],
@@ -229,8 +230,8 @@ def frames(chance):
 
 
 def hinges(chance, s):
-    """Hinges of a frame that carries 4 to 40 % of its weight as a sway mechanism of its storeys and feet, by one law
-    for all of them."""
+    """Hinges of a frame that carries 4 to 40 % of its weight as a sway mechanism of its storeys and feet, all by one
+    law."""
     weight = 9.81 * s["storeys"] * (s["floor_mass"] + 5e3 * (s["bays"] + 1))
     moment = chance.uniform(0.04, 0.4) * weight * s["height"] / (2 * (s["bays"] + 1))
     hardening = chance.choice([0, 0.01, 0.05, 0.2])
@@ -254,7 +255,7 @@ def hinges(chance, s):
 
 
 def hinged(chance):
-    """Two plane frames whose members yield at their ends; the second one sometimes stays elastic."""
+    """Two plane frames whose members yield at their ends; the second one sometimes remains elastic."""
     case = frames(chance)
     for s in case["structures"]:
         s["gravity"] = False
@@ -264,8 +265,7 @@ def hinged(chance):
 
 
 def rubbing(chance):
-    """Two plane frames that the ground shakes up and down as well and that rub where they hit, most of them with
-    members that yield."""
+    """Two plane frames under horizontal and vertical ground motion with friction at their links; the members usually yield."""
     case = hinged(chance) if chance.random() < 0.7 else frames(chance)
     for own in case["links"]:
         own["friction"] = chance.choice([0.05, 0.2, 0.3, 0.6])
@@ -292,7 +292,7 @@ def shaking(chance):
 
 
 def mixed(chance):
-    """Anything beside anything."""
+    """Any structure next to any other."""
     count, structures = chance.randint(2, 5), []
     for k in range(count):
         speed = chance.choice([0.0, chance.uniform(-1, 1)])
@@ -314,7 +314,7 @@ def mixed(chance):
 
 
 def grazing(chance):
-    """Two oscillators in free vibration whose nearest approach is the gap but for a millionth to a hundredth."""
+    """Two oscillators in free vibration whose closest approach differs from the gap by a fraction of 1e-6 to 1e-2."""
     left = oscillator(chance, 0, chance.uniform(0.1, 1))
     right = oscillator(chance, 1, chance.choice([0.0, chance.uniform(-1, 1)]))
     if chance.random() < 0.3:
@@ -351,7 +351,7 @@ def grazing(chance):
 
 
 def resting(chance):
-    """Bodies at zero gap, or nearly, that the ground presses on a wall, for good or until it turns."""
+    """Bodies at zero or nearly zero gap that the ground presses against a wall, permanently or until it reverses."""
     count = chance.randint(2, 5)
     structures = [(body if chance.random() < 0.7 else oscillator)(chance, k, 0.0) for k in range(count - 1)] + [
         wall(count - 1)
@@ -371,7 +371,7 @@ def resting(chance):
 
 
 def together(chance):
-    """Rows that close everywhere at one instant, or within gaps that differ by 1e-9 to 1e-5 m."""
+    """Rows that close everywhere at the same instant, or with gaps that differ by 1e-9 to 1e-5 m."""
     count, speed = chance.randint(3, 5), chance.uniform(0.1, 1)
     period, damping, bodies = decades(chance, -1, 0.5), chance.choice([0, 0.05]), chance.random() < 0.4
     structures = []
@@ -394,7 +394,7 @@ def together(chance):
     for k in range(count - 1):
         more = 0 if chance.random() < 0.4 else decades(chance, -9, -5)
         links.append(link(chance, f"b{k}", f"b{k + 1}", gap + more))
-    if chance.random() < 0.2:  # a second link beside the first
+    if chance.random() < 0.2:  # a second link parallel to the first
         links.append(link(chance, "b0", "b1", gap + chance.choice([0, decades(chance, -9, -5)])) | {"name": "beside"})
     return {
         "structures": structures,
@@ -405,7 +405,7 @@ def together(chance):
 
 
 def free(chance):
-    """Bodies without a ground motion: undisturbed impacts, where the asked restitution must come out."""
+    """Bodies without ground motion: undisturbed impacts, which must return the target restitution."""
     count = chance.choice([2, 2, 2, 3, 4, 5])
     structures = [body(chance, k, chance.uniform(-1, 1)) for k in range(count)]
     structures[0]["velocity"] = chance.uniform(0.2, 2)
@@ -431,13 +431,12 @@ FAMILIES = {
 }
 
 
-#: Families with structures that independent.py does not know.
+#: Families with structures that independent.py does not support.
 BEYOND_INDEPENDENT = ("towers", "yielding", "frames", "hinged", "rubbing")
 
 
 def case_of(seed, number, only=None):
-    """The case of this seed and number; with `only` the next of its random numbers are spent on a case of that
-    family."""
+    """The case of this seed and number; with `only`, its next random numbers generate a case of that family."""
     chance = random.Random(seed * 1_000_000 + number)
     family = chance.choices(list(FAMILIES), FAMILIES.values())[0]
     family = next((one for one in FAMILIES if one.__name__ == only), family)
@@ -446,13 +445,13 @@ def case_of(seed, number, only=None):
     return case | {"family": family.__name__}
 
 
-#: More impacts than this are no chance, where a rigid contact loses nothing.
+#: More impacts than this are systematic if a rigid contact dissipates no energy.
 MANY_BOUNCES = 2000
 
 
 def bounces_of(case, touches):
-    """The case up to MANY_BOUNCES of its impacts, which began at these times; None where they are fewer, or all
-    contacts are soft or lose energy."""
+    """The case cut after MANY_BOUNCES of its impacts, which began at these times; None if there are fewer, or if all
+    contacts are soft or dissipate energy."""
     lossless = any(l["law"] == "stereomechanical" and l["restitution"] == 1 for l in case["links"])
     if not lossless or len(touches) <= MANY_BOUNCES:
         return None
@@ -460,7 +459,7 @@ def bounces_of(case, touches):
 
 
 def frame_text(s):
-    """A frame as the program reads it."""
+    """A frame in the program's input format."""
     hinges = "".join(f"        {group}: {words}\n" for group, words in s.get("hinges", {}).items())
     hinges = f"      hinges:\n{hinges}" if hinges else ""
     sections = f"columns: {{rectangle: [{s['depth']}, {s['depth']}]}}, beams: {{rectangle: [0.3, 0.5]}}"
@@ -474,7 +473,7 @@ def frame_text(s):
 
 
 def input_file(case):
-    """The case as the program reads it."""
+    """The case in the program's input format."""
 
     def flow(pairs):
         return "{" + ", ".join(f"{key}: {value}" for key, value in pairs.items()) + "}"

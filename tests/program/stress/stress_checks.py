@@ -1,4 +1,4 @@
-"""Checks that hold of every run of a random case, whatever the numbers are."""
+"""Checks that every run of a random case must pass, whatever its numbers."""
 
 import math
 
@@ -7,15 +7,16 @@ import numpy as np
 from stress_cases import LINEAR, SPREAD
 
 
-#: Rounding of velocities where nothing moves [m/s].
+#: Round-off of velocities at rest [m/s].
 STILL = 1e-15
 
-#: Rounding of positions, as part of the longest way, in a run of one step; it grows with the root of their number.
+#: Round-off of positions in a run of one step, relative to the longest path; it grows with the square root of the
+#: number of steps.
 OF_POSITIONS = 4 * np.finfo(float).eps
 
 
 def mass_of(s):
-    """Mass of all floors [kg]; of a frame about twice that of floors and members."""
+    """Mass of all floors [kg]; for a frame about twice that of floors and members."""
     if s["kind"] == "frame":
         return s["storeys"] * (s["floor_mass"] + 5e3 * (s["bays"] + 1))
     mass = s.get("mass", 0)
@@ -23,13 +24,13 @@ def mass_of(s):
 
 
 class Run:
-    """The results of a case, as plain arrays."""
+    """The results of a case as plain arrays."""
 
     def __init__(self, case, path, summary):
         self.case, self.imbalance, self.steps = case, summary["energy"]["error"], summary["solver"]["steps"]
         with h5py.File(path) as file:
             rows = file["impacts"][()]
-            # Bodies and oscillators alone have closed forms.
+            # Only bodies and oscillators have closed forms.
             self.simple = all(s["kind"] in ("body", "oscillator", "wall") for s in case["structures"])
             names = [l.get("name", f"{l['left']}-{l['right']}") for l in case["links"]]
             labels = rows["link"].astype(str)
@@ -49,7 +50,8 @@ class Run:
         self.tolerance = case["tolerance"]
         self.reach = max(float(np.max(np.abs(u), initial=0)) for u, _ in self.motion.values())
         self.speed = max(float(np.max(np.abs(v), initial=0)) for _, v in self.motion.values())
-        # The input is known at the output times; between them it may rise by what the ground does in one of them.
+        # The input energy is known at output times; between them it may rise by the work of the ground in one output
+        # step.
         push = sum(mass_of(s) for s in case["structures"]) * float(np.max(np.abs(self.ground), initial=0))
         self.available = float(np.max(self.energy["input"])) + push * self.speed * float(np.max(np.diff(self.time)))
 
@@ -60,7 +62,7 @@ class Run:
         return 1 / sum(1 / s["mass"] for s in self.ends(l) if s["kind"] != "wall")
 
     def disturbance(self, l):
-        """Largest relative acceleration of the two ends by anything but this contact and its neighbours [m/s^2]."""
+        """Largest relative acceleration of the two ends due to anything but this contact and its neighbours [m/s^2]."""
         total = 0.0
         for s in self.ends(l):
             if s["kind"] == "wall":
@@ -71,7 +73,7 @@ class Run:
         return total
 
     def alone(self, index, row):
-        """No other link presses on these bodies during the impact."""
+        """True if no other link presses on these bodies during the impact."""
         own = self.case["links"][index]
         moving = {s["name"] for s in self.ends(own) if s["kind"] != "wall"}
         for other, rows in zip(self.case["links"], self.rows):
@@ -83,7 +85,7 @@ class Run:
 
 
 def touches_in(path):
-    """When the impacts began that a results file holds [s]; none where there is no file."""
+    """Start times of the impacts in a results file [s]; empty without a file."""
     if not path.exists():
         return np.zeros(0)
     with h5py.File(path) as file:
@@ -91,14 +93,14 @@ def touches_in(path):
 
 
 def exponent_of(l):
-    """The power of the penetration that the force of a link follows."""
+    """Exponent of the penetration in the force of a link."""
     return 1.0 if l["law"] in LINEAR else 1.5
 
 
 def pressing_work(l, d, mass, speed):
-    """Least work that presses a link from touch to the penetration d [J]; nothing that is known for bilinear_hertz."""
+    """Lower bound on the work from touch to the penetration d [J] in one loading."""
     if l["law"] == "bilinear_hertz":
-        # K1 >= K_eff up to d_y, and beyond it the force does not fall.
+        # K1 >= K_eff up to d_y, and beyond it the force does not decrease.
         v = max(l.get("impact_velocity", speed), 1e-6)
         design = (1.25 * mass * v * v / l["stiffness"]) ** 0.4
         stiffness, d_y = l["stiffness"] * math.sqrt(design), 0.1 * design
@@ -108,7 +110,7 @@ def pressing_work(l, d, mass, speed):
 
 
 def asked_exactly(l):
-    """The restitution that an undisturbed impact must give, or nothing."""
+    """Restitution of an undisturbed impact; None if unknown."""
     if l["law"] in ("linear_spring", "hertz"):
         return 1.0
     if "restitution" not in l or l.get("formula", "exact") != "exact" or "impact_velocity" in l:
@@ -122,7 +124,7 @@ def faults_of_impacts(run, index):
     spread = SPREAD * run.tolerance
     mass = run.reduced_mass(l) if run.simple else max(mass_of(s) for s in run.case["structures"])
     disturbance = run.disturbance(l) if run.simple else math.inf
-    # A spring beside a rigid contact that rests follows the rounding of positions.
+    # A spring next to a rigid contact at rest follows the round-off of positions.
     rounding = l.get("stiffness", 0) * (OF_POSITIONS * math.sqrt(run.steps) * run.reach) ** exponent_of(l)
     for number, row in enumerate(rows):
         at = f"link {index} ({l['law']}), impact {number} at {row['t_start']:.9g}:"
@@ -132,7 +134,7 @@ def faults_of_impacts(run, index):
             if not row["t_start"] <= row["t_release"] <= row["t_end"]:
                 yield f"{at} is released outside itself, at {row['t_release']:.17g}"
             if not row["v_separation"] >= -spread * run.speed - STILL:
-                yield f"{at} ends while the bodies close, at {-row['v_separation']:.6g} m/s"
+                yield f"{at} ends with the bodies still closing, at {-row['v_separation']:.6g} m/s"
             if not row["energy_lost"] >= -spread * run.available:
                 yield f"{at} gives {-row['energy_lost']:.6g} J"
         elif number + 1 < len(rows):
@@ -156,10 +158,10 @@ def faults_of_impacts(run, index):
         if not work <= (1 + spread) * allowed + 1e-12 * run.available:
             yield f"{at} penetrates {d:.6g} m, which takes {work:.6g} J; the approach brought {allowed:.6g} J"
         pushed = disturbance * (row["t_end"] - row["t_start"]) / v if v > 1e-5 else math.inf
-        # A crushed surface gives back what it stores.
+        # A crushed surface returns its stored energy.
         expected = asked_exactly(l) if l["law"] != "elastoplastic" or number == 0 else None
         if expected is not None and pushed < 1e-3 and not abs(row["restitution"] - expected) <= spread + 5 * pushed:
-            yield f"{at} restitution {row['restitution']:.9g} where {expected} was asked and nothing disturbs"
+            yield f"{at} restitution {row['restitution']:.9g} instead of {expected} in an undisturbed impact"
 
 
 def faults_of_histories(run, index):
@@ -168,7 +170,7 @@ def faults_of_histories(run, index):
     t, d, force = h["time"], h["penetration"], h["force"]
     trace = 1e-9 * run.reach + 1e-12
     if not all(np.all(np.isfinite(series)) for series in h.values()):
-        yield f"link {index} ({l['law']}): its history holds values that are not finite"
+        yield f"link {index} ({l['law']}): its history contains non-finite values"
     if l["law"] == "stereomechanical":
         if np.max(d, initial=0) > trace:
             yield f"link {index} ({l['law']}): rigid bodies overlap by {np.max(d):.6g} m at {t[np.argmax(d)]:.9g}"
@@ -184,7 +186,7 @@ def faults_of_histories(run, index):
     if np.any(~inside & (force != 0)):
         k = int(np.argmax(~inside & (force != 0)))
         yield f"link {index} ({l['law']}): a force of {force[k]:.6g} N at {t[k]:.9g} outside every impact"
-    # A located separation may lie behind the true one by rounding of the motion; the spring then pulls so much.
+    # A located separation may follow the true one by round-off of the motion; the spring then pulls by this force.
     rounding = 1e-9 * float(np.max(force, initial=0)) + l["stiffness"] * (1e-11 * run.reach) ** exponent_of(l)
     if l["law"] != "kelvin_voigt" and np.min(force, initial=0) < -rounding:
         k = int(np.argmin(force))
@@ -192,19 +194,19 @@ def faults_of_histories(run, index):
     apart = inside & (d < -trace)
     if np.any(apart):
         k = int(np.argmax(apart))
-        yield f"link {index} ({l['law']}): the impact goes on at {t[k]:.9g} across an opening of {-d[k]:.6g} m"
+        yield f"link {index} ({l['law']}): the impact continues at {t[k]:.9g} s across an opening of {-d[k]:.6g} m"
 
 
 def faults_of_bodies(run):
-    """A free body gains the impulses of its links and of the ground, no more."""
+    """The momentum of a free body changes by the impulses of its links and of the ground only."""
     times = run.time
     for name, s in run.structures.items():
         u, v = run.motion[name]
         if not (np.all(np.isfinite(u)) and np.all(np.isfinite(v))):
-            yield f"{name}: its motion holds values that are not finite"
+            yield f"{name}: its motion contains non-finite values"
         if s["kind"] != "body":
             continue
-        if run.case["ground"]:  # the record is sampled; its integral is known to the samples only
+        if run.case["ground"]:  # the record is sampled; its integral is known at the samples only
             continue
         gained = s["mass"] * (v[-1, 0] - s["velocity"])
         given = scale = 0.0
@@ -217,7 +219,7 @@ def faults_of_bodies(run):
 
 
 def faults_of(run):
-    """Everything that is wrong with a run, one line each."""
+    """All faults of a run, one per line."""
     if not run.imbalance < SPREAD * run.tolerance:
         yield f"the energies do not close: {run.imbalance}, {SPREAD * run.tolerance} is allowed"
     for index in range(len(run.case["links"])):

@@ -1,4 +1,4 @@
-"""Cases of stress.py inside one Python process: no program starts for each of them, nor MPI."""
+"""Cases of stress.py inside one Python process, without starting a program or MPI for each."""
 
 import concurrent.futures
 import json
@@ -12,13 +12,13 @@ import h5py
 from stress_cases import bounces_of, input_file
 from stress_checks import Run
 
-#: So many cases are given to the processes at a time.
+#: Number of cases handed to the processes at a time.
 IN_HAND = 32
 
 
 def package_run(package, case, folder, seconds):
-    """(run, message) by the package in this folder: the run is None when it fails, or needs more seconds of a
-    processor, with the reason."""
+    """(run, message) by the package in this folder: the run is None if it fails or exceeds this processor time, with
+    the reason."""
     if package not in sys.path:
         sys.path.insert(0, package)
     import pounding
@@ -43,8 +43,8 @@ def package_run(package, case, folder, seconds):
 
 
 def in_processes(task, arguments, jobs):
-    """task(argument) of each, as they are done. Where a process dies, which a pool of multiprocessing waits for without
-    end, this one ends and names the arguments that it had."""
+    """task(argument) of each, in order of completion. If a process dies, for which a pool of multiprocessing would wait
+    forever, the program ends and names the arguments in progress."""
     waiting, left = {}, iter(arguments)
     with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
         while True:

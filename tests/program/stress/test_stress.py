@@ -1,4 +1,4 @@
-"""A small stress run, a few cases against the independent integrator, and the proof that both notice what is wrong."""
+"""A small stress run, a few cases against the independent integrator, and tests that both detect errors."""
 
 import importlib.util
 import json
@@ -23,7 +23,7 @@ SEED, CASES, JUDGED = 2015, 60, 6
 PACKAGE = os.environ.get("POUNDING_PACKAGE")
 WITHOUT_SCIPY = importlib.util.find_spec("scipy") is None
 
-#: Two free bodies that meet once, at 1 m/s.
+#: Two free bodies that meet at 1 m/s.
 MEETING = {
     "family": "free",
     "structures": [
@@ -95,7 +95,7 @@ class InMemory(unittest.TestCase):
 
 
 class FoundBefore(unittest.TestCase):
-    """Cases that once went wrong, each in a file that says how."""
+    """Cases that failed in the past, each in a file that describes the fault."""
 
     def test_go_well(self):
         files = sorted((Path(__file__).parent / "found").glob("*.yaml"))
@@ -121,8 +121,8 @@ class FoundBefore(unittest.TestCase):
 
 
 #: A light body between two heavy ones that close: it rests in a soft contact that damps it, and bounces on the other
-#: side without loss. An integrator of its own counts 771 bounces in 40 ms and 8,072 in 50 ms; the speeds fall to a
-#: tenth every 10 ms.
+#: side without loss. A separate integrator counts 771 bounces in 40 ms and 8,072 in 50 ms; speeds decrease by a factor
+#: of ten every 10 ms.
 BOUNCING = {
     "family": "together",
     "structures": [
@@ -168,7 +168,7 @@ BOUNCING = {
 
 
 class Located(unittest.TestCase):
-    """Instants that were missed by the length of the step in which they lie."""
+    """Events missed by the length of the step that contains them."""
 
     def impacts_of(self, name, link):
         with tempfile.TemporaryDirectory() as folder:
@@ -201,7 +201,7 @@ class BouncesWithoutEnd(unittest.TestCase):
 
     def test_are_as_many_as_they_are(self):
         run = run_of(BOUNCING | {"duration": 0.04, "tolerance": 1e-7})
-        # a bounce that is faster by a part makes the next ones so, too
+        # a bounce faster by a fraction makes the next ones faster as well
         self.assertAlmostEqual(len(run.rows[1]), 771, delta=4)
         self.assertEqual(list(faults_of(run)), [])
 
@@ -262,7 +262,7 @@ class TheChecks(unittest.TestCase):
 
     def test_find_a_missed_restitution(self):
         self.run_.rows[0]["restitution"] = 0.651
-        self.finds("where 0.65 was asked")
+        self.finds("instead of 0.65")
 
     def test_find_a_penetration_beyond_the_approach(self):
         self.run_.rows[0]["peak_penetration"] *= 1.5
@@ -277,8 +277,8 @@ class TheChecks(unittest.TestCase):
         self.finds("pulls,")
 
     def test_accept_a_spring_that_follows_the_rounding_of_a_rigid_rest(self):
-        """Bodies that rest on each other drift away for two seconds: a spring of 1.9e10 N/m beside pulls 3e-6 N s by
-        ten roundings of 0.4 m."""
+        """Bodies at rest on each other drift for two seconds: a parallel spring of 1.9e10 N/m pulls with 3e-6 N s due
+        to ten round-offs of 0.4 m."""
         case = stress_cases.case_of(44, 33021)
         self.assertEqual(
             [l["law"] for l in case["links"]], ["stereomechanical", "jankowski", "modified_linear_viscoelastic"]

@@ -1,5 +1,5 @@
-"""Study files with random faults, by a seed: `python3 mutate_plans.py --count 100000`, with PYTHONPATH set. A plan is
-read or refused by InputError, within 10 s and 2 GB; what does anything else is written beside its seed into the folder
+"""Study files with random faults, by seed: `python3 mutate_plans.py --count 100000`, with PYTHONPATH set. A plan must
+be read or refused by InputError, within 10 s and 2 GB; any other outcome is written with its seed to the folder
 FOUND."""
 
 import argparse
@@ -31,7 +31,7 @@ structures:
 links:
   - {between: [left, right], gap: 1 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}
 """
-#: Words of `study:` that together use every one of them.
+#: Models of `study:` that together use every key.
 STUDIES = (
     "  factors:\n    ratio: {of: structures.right.oscillator.period, times: structures.left.oscillator.period, list: [0.4, 0.8]}\n"
     "    gap: {of: links.*.gap, from: 1 mm, to: 9 mm, count: 5, spacing: log}\n"
@@ -113,7 +113,7 @@ def mutant(chance):
     """A study file with one to five faults."""
     text = chance.choice(SEEDS)
     for _ in range(chance.choice((1, 1, 1, 2, 3, 5))):
-        # Most of them in the part that Python reads.
+        # The majority is in the section that Python reads.
         begin = text.find("study:") if chance.random() < 0.9 else 0
         tokens = [found.span() for found in TOKEN.finditer(text, max(begin, 0))]
         if not tokens:
@@ -172,7 +172,8 @@ def look(seeds, folder, found):
 
 
 def survey(count, seed, found):
-    """{outcome: number} of so many mutants; a child for each thousand, since one may take its process with it."""
+    """{outcome: number} of this number of mutants; one child process per thousand, since a mutant may end its
+    process."""
     fates = collections.Counter()
     found.mkdir(parents=True, exist_ok=True)
     stats()  # takes a second, once for all children
@@ -200,7 +201,7 @@ def survey(count, seed, found):
                 "hang" if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM else f"status {status}"
             ] += 1
             shutil.copy(folder / "study.yaml", found / f"{now}.yaml")
-            # Mutants before it count again only where they failed.
+            # Earlier mutants count again only if they failed.
             first = int(now.split("-")[1]) + 1
     return fates
 

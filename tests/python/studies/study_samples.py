@@ -1,4 +1,4 @@
-"""A model whose runs take milliseconds, and helpers of the tests of studies."""
+"""A model whose runs take milliseconds, and helpers for tests of studies."""
 
 import os
 
@@ -65,7 +65,7 @@ def write_records(folder, names, peak=3.0):
 
 
 def bent(x):
-    """A portal whose columns stand at x and x + 6 m."""
+    """A portal with columns at x and x + 6 m."""
     return {
         "frame": {
             "material": {"E": "30 GPa", "density": "2500 kg/m^3"},

@@ -1,4 +1,4 @@
-"""Records that analysis.duration cuts: run, study and separation warn with their number."""
+"""Records cut by analysis.duration: run, study and separation warn with their number."""
 
 import json
 import math
@@ -19,7 +19,7 @@ from messages import assert_mentions
 
 
 def write_record(path, duration, unit="acc (g)", size=0.1):
-    """Its intensity arrives evenly, so a cut at half of it takes half."""
+    """Its intensity arrives uniformly, so that half the duration has half of it."""
     count = int(round(duration / 0.01)) + 1
     path.write_text(
         f"time,{unit}\n" + "".join(f"{0.01 * i:.2f},{size if i % 40 < 20 else -size}\n" for i in range(count))
@@ -146,7 +146,7 @@ class Cuts(unittest.TestCase):
         assert_mentions(done.stderr, ["warning", CUT.format(2, 1, 2, 50)])
         self.assertRegex(json.loads(done.stdout)["warnings"][0], CUT.format(2, 1, 2, 50))
         self.assertEqual(self.command("separation", "m.yaml", "--records", "a.csv", "b.csv", "-j", "0").stderr, "")
-        # Without records the model's own motion is the one that counts.
+        # Without records the model's own motion counts.
         self.write("own.yaml", "{record: c.csv}")
         found = self.command("separation", "own.yaml").stderr
         self.assertRegex(found, CUT.format(2, 1, 1, 50))

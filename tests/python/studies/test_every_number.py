@@ -1,5 +1,5 @@
-"""Every number of the schema as a factor, against a model edited by hand. The models are those of the tests of the
-input: one for each word."""
+"""Every number of the schema as a factor, compared with a model edited by hand. The models are those of the input
+tests, one per key."""
 
 import collections
 import copy
@@ -22,14 +22,14 @@ from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
 
 NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^0-9].*)?")
-#: Texts of these keys are names, also where they look like numbers.
+#: Values of these keys are names, even if they look like numbers.
 NAMES = ("name", "channel", "record", "title", "node", "structure", "accept")
 KEEP = ["displacement", "acceleration"]
 WITHOUT_FLOORS = ["impacts", "penetration", "energy_lost"]
 
 
 def numbers(part, keys=()):
-    """Places and texts of all numbers of a model."""
+    """Locations and texts of all numbers of a model."""
     if isinstance(part, (dict, list)):
         for key, value in part.items() if isinstance(part, dict) else enumerate(part):
             if key not in NAMES:
@@ -72,7 +72,7 @@ class EveryNumber(unittest.TestCase):
         ]
 
     def fate(self, parts, keys, text, base):
-        """Compares the row of a factor with that of a model edited by hand; returns what became of both."""
+        """Compares the row of a factor with that of a model edited by hand; returns both outcomes."""
         other, by_hand, path = changed(text), copy.deepcopy(parts), ".".join(map(str, keys))
         put(by_hand, keys, other)
         words = {"factors": {"f": {"of": path, "list": [other]}}}
@@ -114,7 +114,7 @@ class EveryNumber(unittest.TestCase):
         catalogue = json.loads(
             subprocess.run([os.environ["POUNDING_PROGRAM"], "words", "--json"], capture_output=True, check=True).stdout
         )
-        # A word whose example is a name, as `face: auto`, has a test of its own.
+        # A key whose example is a name, such as `face: auto`, has a separate test.
         words = {
             (section["name"], word["key"])
             for section in catalogue

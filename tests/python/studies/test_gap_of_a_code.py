@@ -1,4 +1,4 @@
-"""Gaps of 50, 70 and 100 % of a code's rule, in small: pounding is where a pair needs more than its gap."""
+"""Gaps of 50, 70 and 100 % of a code's rule, on a small scale: pounding occurs if a pair needs more than its gap."""
 
 import importlib.util
 import os
@@ -43,7 +43,7 @@ class GapsOfACode(unittest.TestCase):
         np.testing.assert_array_equal(touch, alone["required_gap"] > found["gap"])
         often = [touch[found["share"] == share].mean() for share in (0.5, 0.7, 1.0)]
         self.assertTrue(1 > often[0] > often[1] > often[2] > 0, often)
-        # The rule by the runs themselves: the spectrum of the script is straight between 200 periods.
+        # The rule by the runs themselves: the spectrum of the script is linear between 200 periods.
         by_pair = {side: alone[f"displacement.{side}.alone"].reshape(25, -1).mean(axis=0) for side in ("left", "right")}
         code = np.hypot(by_pair["left"], by_pair["right"]) * found["share"].reshape(25, -1)[0]
         np.testing.assert_allclose(found["gap"].reshape(25, -1)[0], code, rtol=0.02)

@@ -1,4 +1,4 @@
-"""Same file, same gaps: run, study and separation read a file alike."""
+"""Same file, same gaps: run, study and separation read a file in the same way."""
 
 import tempfile
 import unittest

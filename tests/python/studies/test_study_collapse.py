@@ -1,4 +1,4 @@
-"""Rows that end by collapse_drift: they exceed every limit, and every reader of a table says so."""
+"""Rows that end by collapse_drift: they exceed every limit, and every reader of a table reports it."""
 
 import contextlib
 import io
@@ -23,7 +23,7 @@ from pounding.studies.study import run_plan
 from pounding.studies.summary import summary
 from messages import assert_mentions, raises
 
-#: Two storeys that yield, next to a stiff neighbour.
+#: Two yielding storeys next to a stiff neighbour.
 MODEL = {
     "structures": {
         "left": {
@@ -56,7 +56,7 @@ WORDS = {
     "without_links": "yes",
     "keep": ["drift", "acceleration", "force", "impacts", "impulse", "required_gap", "gap_srss", "collapsed"],
 }
-#: Between stiff neighbours the building stands; without them it collapses.
+#: Between stiff neighbours the building survives; without them it collapses.
 GUARDED = {
     **MODEL,
     "structures": {
@@ -84,7 +84,7 @@ GUARDED = {
 
 
 def write_records(folder):
-    """Three pulses, of which the longer ones push further."""
+    """Three pulses; the longer ones push further."""
     for number, period in enumerate((0.7, 1.2, 2.0)):
         times = np.arange(0, 2.005, 0.01)
         values = np.where(times <= period, np.sin(2 * np.pi * times / period), 0) * 0.2
@@ -133,7 +133,7 @@ class Collapse(unittest.TestCase):
         self.assertEqual(set(study["status"][~fallen]), {DONE})
         for column in ("drift.left", "drift.right", "acceleration.left", "force", "impacts", "impulse"):
             np.testing.assert_array_equal(np.isinf(study[column]), fallen, column)
-        # Whether the run without links collapses is another matter.
+        # Whether the run without links collapses is reported separately.
         for row in range(len(study)):
             alone = json.loads(json.dumps(pounding.run(pounding.Model.from_yaml(study.model_of(row))).summary))[
                 "no_pounding"
@@ -182,7 +182,7 @@ class Collapse(unittest.TestCase):
             np.testing.assert_array_equal(opened[column], self.study[column], column)
         self.assertEqual((opened.collapsed, opened.failed), (self.study.collapsed, {}))
         assert_mentions(repr(opened), f"{self.fallen.sum()}")
-        # They do not run again.
+        # They are not run again.
         self.assertEqual(len(pounding.studies.table.Table(self.plan, self.folder / "s.h5").missing()), 0)
 
     def test_the_report_names_them(self):
@@ -319,7 +319,7 @@ class Collapse(unittest.TestCase):
         self.assertNotIn(None, run.summary["no_pounding"]["amplification"]["left"])
 
     def test_tables_of_earlier_versions_are_read(self):
-        # 0.2.0 wrote six words for the status, no warnings, and the numbers until the collapse.
+        # Version 0.2.0 wrote six status names, no warnings, and the numbers until the collapse.
         old = self.folder / "old.h5"
         image = io.BytesIO()
         from pounding.checked_file import write_study

@@ -1,4 +1,4 @@
-"""Engines of studies: the kernel's columns mean what the solver's do, each row takes one of both by itself alone, and a
+"""Engines of studies: columns of the kernel have the meaning of the solver's, the engine is chosen per row, and a
 sample runs on both."""
 
 import json
@@ -93,7 +93,7 @@ class Engines(unittest.TestCase):
         factors = {**FACTORS, "e": {"of": "links.*.restitution", "list": [0.5, 0.9]}}
         kernel, solver = both(pair(analysis=TIGHT), factors, intensity={"measure": "pga", "levels": ["0.2 g", "0.5 g"]})
         self.assertEqual(len(kernel), 2 * 2 * 3 * 2 * 2)
-        # Both engines take the motion from one place; a run of the row's own model reads it again.
+        # Both engines take the motion from one source; a run of the row's own model reads it again.
         for row in (0, 1, 30, 47):
             ran = pounding.run(pounding.Model.from_yaml(kernel.plan.yaml(row))).summary
             self.assertLess(
@@ -115,8 +115,8 @@ class Engines(unittest.TestCase):
         self.assertEqual([type(way) for way in ready._ways.values()], [Pairs])
         ready._ways = dict.fromkeys(ready._ways, "")
         by_modes = run_batch(batch).values
-        self.assertFalse((columns == by_modes).all(), "the other way has not run")
-        # The eigenvalues of modes are rounded.
+        self.assertFalse((columns == by_modes).all(), "the other method has not run")
+        # Modal eigenvalues have round-off.
         self.assertLess(differences(columns, by_modes).max(), 1e-6)
 
     def test_damping_may_stand_beside_the_oscillator(self):
@@ -142,7 +142,7 @@ class Engines(unittest.TestCase):
         links, structures = pair().links, pair().structures
         left = structures["left"]["oscillator"]
         models = {
-            "a mass of its own": pair(links=[{**links[0], "reduced_mass": "70 t"}]),
+            "a separate mass": pair(links=[{**links[0], "reduced_mass": "70 t"}]),
             "a speed at the start": pair(
                 structures={**structures, "left": {"oscillator": {**left, "initial_velocity": "0.1 m/s"}}}
             ),
@@ -265,7 +265,7 @@ class Engines(unittest.TestCase):
                 {"keep": ["impulse"]},
             ),
             "yielding": (pair(structures=yields), gap, {}),
-            "words for the solver": (pair(analysis={"integrator": "generalized_alpha"}), gap, {}),
+            "keys for the solver": (pair(analysis={"integrator": "generalized_alpha"}), gap, {}),
             "a closed form": (
                 pair(ground_motion={"harmonic": {"amplitude": "1", "period": "0.5 s", "duration": "1 s"}}),
                 gap,
@@ -343,7 +343,7 @@ class Engines(unittest.TestCase):
         def run(*rows):
             found[rows] = run_batch(batch_of(plan, np.array(rows)))
 
-        # A thread makes the study ready for itself; in the second one a refused row comes first.
+        # Each thread prepares the study for itself; in the second one a refused row comes first.
         for rows in ((0, 1, 2), (1, 2), (2,)):
             thread = threading.Thread(target=run, args=rows)
             thread.start()
@@ -394,7 +394,7 @@ class Engines(unittest.TestCase):
                     file["check/solver"][:],
                 ),
             )
-        # Half a second at 1e-3: tolerances, not bits.
+        # Half a second at 1e-3: equal to the tolerance, not bitwise.
         self.assertLess(apart.max(), 1e-2)
         self.assertEqual(sorted(pounding.Study.open(self.folder / "s.h5").check), [0, 17, 35])
 

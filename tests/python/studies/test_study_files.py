@@ -1,5 +1,4 @@
-"""Files of a study: their contents make the plan, wherever the folder is and whatever happens to the files while rows
-run."""
+"""Files of a study: their contents define the plan, independent of the folder and of changes to the files while rows run."""
 
 import json
 import math
@@ -78,7 +77,7 @@ class FilesOfAStudy(unittest.TestCase):
                 name,
             )
             (self.folder / "study.h5").unlink()
-        # Another content under the same name: of the model's own record, of a record of forces, of a record of the
+        # Changed content under the same name: of the model's own record, of a record of forces, of a record of the
         # study, of a sample.
         for name, file in (
             ("own.yaml", "r0.csv"),
@@ -93,7 +92,7 @@ class FilesOfAStudy(unittest.TestCase):
             self.assertNotEqual(read_plan(other / name).digest(), before, name)
             (other / "recs" / file).write_text(text)
             self.assertEqual(read_plan(other / name).digest(), before, name)
-        # The model's own record is of no account where records replace it.
+        # The model's own record is irrelevant if records replace it.
         own = read_plan(self.folder / "own.yaml")
         self.assertEqual(
             [
@@ -109,11 +108,11 @@ class FilesOfAStudy(unittest.TestCase):
             plan = read_plan(self.folder / name)
             for k in (1, 2):
                 run_plan(plan, self.folder / f"s{k}.h5", workers=0, shard=(k, 2))
-            # A study that was killed: chunks without a table.
+            # A killed study: chunks without a table.
             Table(plan, self.folder / "killed.h5").add(run_batch(batch_of(plan, np.arange(1))))
             other = self.copied(f"copy of {name}")
             copy = read_plan(other / name)
-            with mock.patch("pounding.studies.engines.run_batch", side_effect=AssertionError("nothing is left to run")):
+            with mock.patch("pounding.studies.engines.run_batch", side_effect=AssertionError("no row is left to run")):
                 table = Table(copy, other / "whole.h5")
                 for k in (1, 2):
                     table.merge(other / f"s{k}.h5")
@@ -124,7 +123,7 @@ class FilesOfAStudy(unittest.TestCase):
             here = run_plan(copy, None, workers=0)
             for column, values in here.columns.items():
                 np.testing.assert_array_equal(whole[column], values, err_msg=f"{name} {column}")
-            # The model of a row is found in the copy alone.
+            # The model of a row is in the copy only.
             shutil.rmtree(self.folder)
             for study in (whole, here):
                 run = pounding.run(pounding.Model.from_yaml(study.model_of(copy.count - 1)))

@@ -1,5 +1,5 @@
-"""Limits of studies: quantities that a model does not have are refused, and bare numbers that are usual in other units
-are doubted."""
+"""Limits of studies: quantities that a model does not have are refused, and bare numbers common in other units give a
+warning."""
 
 import tempfile
 import unittest
@@ -64,7 +64,7 @@ class Undefined(unittest.TestCase):
             ({"limits": {"drift": "30 mm"}}, "limits"),
         ):
             self.refused(f"{place}", words, **BALL)
-        # The others keep theirs.
+        # The others keep their values.
         both = {**pair().structures, "ball": {"body": {"mass": "10 t"}}}
         kept = make_plan(pair(structures=both), {"keep": ["drift", "displacement.ball"]}, Path()).template.kept
         self.assertEqual(kept.columns, ("drift.left", "drift.right", "displacement.ball"))
@@ -87,7 +87,7 @@ class Undefined(unittest.TestCase):
         self.refused(["left-rigth", "left-right"], {"keep": ["force.left-rigth"]})
 
     def test_a_correlation_that_is_undefined_stays_so(self):
-        # In any order of the links: the first has none, the second one has.
+        # For any order of the links: the first has none, the second has one.
         for links in ([("left", "ball"), ("right", "left")], [("right", "left"), ("left", "ball")]):
             structures = {**pair().structures, "ball": {"body": {"mass": "10 t"}}}
             model = pair(

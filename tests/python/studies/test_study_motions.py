@@ -1,4 +1,5 @@
-"""Records of a study beside the ground motion of its model: the wave, components, strengths, and what does not fit."""
+"""Records of a study together with the ground motion of its model: the wave, components, strengths, and incompatible
+ones."""
 
 import tempfile
 import unittest
@@ -106,7 +107,7 @@ class Motions(unittest.TestCase):
     def test_partners_by_their_names(self):
         one = lambda *texts: [(text,) for text in texts]
         self.assertEqual(partners(["1x", "2x"], ["1y", "2y"], one("1", "2"), one("1", "2")), [0, 1])
-        # RSN1 and RSN10 begin alike.
+        # RSN1 and RSN10 share their beginning.
         self.assertEqual(partners(["RSN1_a", "RSN10_a"], ["RSN10_b", "RSN1_b"], one("p", "q"), one("r", "s")), [1, 0])
         self.assertIsNone(partners(["a1", "a2"], ["a3", "a4"], one("1", "2"), one("3", "4")))
         self.assertIsNone(partners(["a1", "b1"], ["c3", "d4"], one("1", "2"), one("3", "4")))

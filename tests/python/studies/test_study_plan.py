@@ -1,4 +1,4 @@
-"""Plans of studies: the rows that words ask for, and wrong words that end with what to type."""
+"""Plans of studies: the rows of a plan, and invalid input, whose message says what to type."""
 
 import itertools
 import math
@@ -128,7 +128,7 @@ class Plans(unittest.TestCase):
                 np.testing.assert_allclose(
                     [study[f"displacement.{name}"][row] for name in ("left", "right")], peaks, rtol=1e-12
                 )
-        # Levels scale it, with the other numbers of the row.
+        # Levels scale it, together with the other numbers of the row.
         words = {
             "factors": {"T": factors["T"]},
             "intensity": {"measure": "pga", "levels": ["0.2 g", "0.5 g"]},
@@ -180,7 +180,7 @@ class Plans(unittest.TestCase):
                 "k": {"of": "links.*.stiffness", "list": [1e9, 2e9]},
             }
             plan = make_plan(pair(), {**WORDS, "factors": factors, "sampling": {"table": "pairs.csv"}}, Path(folder))
-            # Rows are records times points times levels; points are stiffnesses times samples.
+            # Number of rows: records x points x levels; number of points: stiffnesses x samples.
             self.assertEqual(plan.shape, (3, 4, 2))
             found = plan.columns(np.arange(8))
             for name, values in (("T", [0.4, 0.3]), ("gap", [2e-3, 7.25e-3]), ("share", [0.5, 1])):
@@ -297,7 +297,7 @@ class Plans(unittest.TestCase):
 
 
 class Wrong(unittest.TestCase):
-    """Each message says where, what was read, and what to type."""
+    """Each message gives the location, the input read, and what to type."""
 
     def refused(self, text, model=None, **words):
         with self.assertRaises(InputError) as caught:

@@ -1,4 +1,4 @@
-"""Readings of studies from numbers alone: against references that were made without this package."""
+"""Readings of studies from numbers only, against references computed without this package."""
 
 import importlib.util
 import math
@@ -36,7 +36,7 @@ class Fragility(unittest.TestCase):
             (cloud(), 0.31865994, 0.38273267, None),
         ):
             found = fit(im, n, k)
-            # statsmodels ends its iteration some 1e-8 away from the largest likelihood.
+            # statsmodels stops about 1e-8 below the maximum likelihood.
             self.assertAlmostEqual(found.theta, theta, delta=5e-8)
             self.assertAlmostEqual(found.beta, beta, delta=5e-8)
             if errors:
@@ -48,7 +48,7 @@ class Fragility(unittest.TestCase):
         self.assertEqual(found.bounds, (0.2, 0.3))
         self.assertIn("separated", found.problem)
         self.assertTrue(math.isnan(found.theta))
-        # One row of the other kind makes a finite fit.
+        # A single row of the other outcome makes the fit finite.
         self.assertTrue(fit([0.1, 0.2, 0.3, 0.4], [10] * 4, [0, 1, 9, 10]).is_finite)
 
     def test_separated_at_one_level_has_no_finite_fit_either(self):
@@ -74,8 +74,8 @@ class Fragility(unittest.TestCase):
         twice = of_rows(np.repeat(im, 4), np.repeat(k, 4), np.repeat(np.arange(200), 4).astype(str), bootstrap=300)
         self.assertAlmostEqual(alone.theta, twice.theta, places=9)
         widths = [float(np.diff(one.band(0.3), axis=0)[0, 0]) for one in (alone, twice)]
-        # Copies of a row bring no knowledge: drawn by event the band stays; the standard error of independent rows
-        # would halve.
+        # Copies of a row add no information: with resampling by event the band is unchanged; the standard error of
+        # independent rows would halve.
         self.assertAlmostEqual(widths[0], widths[1], delta=0.15 * widths[0])
         self.assertAlmostEqual(twice.se_log_theta, alone.se_log_theta / 2, places=6)
         low, high = alone.band(0.3)
@@ -131,7 +131,7 @@ class Gaps(unittest.TestCase):
                 gaps.GapCurve.of(generator.normal(size=60), {}).percentile(84, 0.9) for _ in range(2000)
             )
         ]
-        # Order statistics are conservative: at least 90 %, three standard errors of the share below.
+        # Order statistics are conservative: at least 90 %, minus three standard errors of the fraction.
         self.assertGreater(np.mean(held), 0.9 - 3 * math.sqrt(0.09 / 2000))
         self.assertLess(np.mean(held), 0.97)
 

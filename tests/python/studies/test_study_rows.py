@@ -1,4 +1,4 @@
-"""Rows of studies: the numbers of single runs, the same bits however they are run, and failures that cost one row
+"""Rows of studies: the numbers of single runs, bitwise identical for any schedule, and failures that affect one row
 each."""
 
 import dataclasses
@@ -30,7 +30,7 @@ from study_samples import FACTORS, WORDS, Deadly, pair
 from messages import assert_mentions, raises
 
 LESSONS = Path(__file__).resolve().parents[3] / "examples"
-#: Kills of the long form; the fast form has one.
+#: Number of kills in the long form; the fast form has one.
 KILLS = int(os.environ.get("POUNDING_STUDY_KILLS", "2"))
 
 
@@ -39,7 +39,7 @@ def plan_of(**changes):
 
 
 def bits(path):
-    """All columns of a table, their bytes."""
+    """All columns of a table, as bytes."""
     with h5py.File(path) as file:
         return {name: data[:].tobytes() for name, data in file["rows"].items()}
 
@@ -111,8 +111,8 @@ class Rows(unittest.TestCase):
             )
 
         motions = [motion(1, 1.5), motion(2, 1)]
-        # Contacts that move their gap, that press from the start and that are rigid; frames; parts that yield;
-        # isolators; dampers.
+        # Contacts that move their gap, that press from the start and that are rigid; frames; yielding parts; isolators;
+        # dampers.
         komodromos = [
             {
                 "between": ["left", "right"],
@@ -124,14 +124,14 @@ class Rows(unittest.TestCase):
         ]
         rigid = [{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]
         texts = [pair(links=komodromos).to_yaml(), pair(links=rigid).to_yaml()]
-        # A delay of the ground under one structure, which is read anew.
+        # A delay of the ground under one structure, which is read again.
         texts.append(texts[0].replace("{oscillator:", "{delay: 50 ms, oscillator:", 1))
         texts += [
             (LESSONS / name / "model.yaml").read_text()
             for name in ("07_plane_frames", "19_yielding_pair", "21_isolated_moat", "22_dampers_between_neighbours")
         ]
         for text in texts:
-            # As texts, in which a number that is none equals itself.
+            # As texts, so that nan equals itself.
             fresh = [repr(core.RowModel(text, "row", []).run(each)) for each in motions]
             self.assertNotEqual(fresh[0], fresh[1])
             shared = core.RowModel(text, "row", [])
@@ -239,7 +239,7 @@ class Rows(unittest.TestCase):
         plan = plan_of()
         table = Table(plan, self.folder / "s.h5")
         run_rows(plan, table, np.arange(20), workers=0, chunk=5)
-        table.close()  # else its path is locked
+        table.close()  # otherwise its path is locked
         seen = []
         run_plan(
             plan,
@@ -484,7 +484,7 @@ class Rows(unittest.TestCase):
             ("tornado", "force", {}),
         ):
             study.plot(picture, column, **options).savefig(self.folder / f"{picture}.svg")
-        # A grey line a record and set of factors, which joins the levels; forces are drawn in the unit of their size.
+        # One grey line per record and set of factors, across the levels; forces are drawn in a unit of their magnitude.
         ida = study.plot("ida", "force").axes[0]
         lines = [line for line in ida.lines if line.get_color() == "0.75"]
         self.assertEqual(len(lines), len(np.unique(np.column_stack([study["record"], study["point"]]), axis=0)))

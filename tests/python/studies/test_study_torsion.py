@@ -1,4 +1,4 @@
-"""Rotations and edge displacements of rigid floors in space, kept by studies."""
+"""Rotations and edge displacements of rigid floors in space, in tables of studies."""
 
 import unittest
 from pathlib import Path
