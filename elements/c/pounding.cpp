@@ -4,9 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <exception>
-#include <initializer_list>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -61,7 +58,8 @@ laws::Settings settings(const char* law, const char* formula, const pnd_value* v
   for (size_t i = 0; i < count; ++i) {
     require(values[i].name, "name of a value");
     const std::string_view name = values[i].name;
-    if (std::ranges::find(seen, name) != seen.end()) throw std::invalid_argument(pounding::excerpt(name) + " is given twice");
+    if (std::ranges::find(seen, name) != seen.end())
+      throw std::invalid_argument(pounding::excerpt(name) + " is given twice");
     seen.push_back(name);
     if (name == "restitution")
       s.restitution = values[i].value;

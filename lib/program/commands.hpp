@@ -41,11 +41,8 @@ inline CLI::Option* is_positive(CLI::Option* option) {
       "");
 }
 
-/// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
-void draw(const std::string& results, const std::string& picture);
-
-/// Draws the extremes over the height, with and without links where both runs are there. Throws as `draw`.
-void draw_profiles(const std::string& results, const std::string& picture);
+/// Draws a picture of a results file, such as "profiles"; throws InputError when Python or its packages are missing.
+void draw(const std::string& results, const std::string& picture, const std::string& kind = "run");
 
 /// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. Draws
 /// nothing and returns the reason if the output times miss the peak of the acceleration. Throws as `draw`, and
@@ -53,14 +50,7 @@ void draw_profiles(const std::string& results, const std::string& picture);
 std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
                                 const std::string& picture);
 
-/// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
-void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
-
-/// Draws the curve of a pushover; `pushover` is the JSON object that `pounding pushover --json` prints. Throws as
-/// `draw`.
-void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title = {});
-
-/// Draws response spectra; `spectra` is the JSON object that python/pounding/spectra.py describes. Throws as `draw`.
-void draw_spectra(const std::string& spectra, const std::string& picture);
+/// Draws a JSON object by python/pounding/MODULE.py: "mode_shapes", "pushover_curve" or "spectra". Throws as `draw`.
+void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title = {});
 
 }  // namespace pounding::program

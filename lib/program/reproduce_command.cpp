@@ -77,7 +77,7 @@ void print(const std::vector<Item>& items, const std::string& report) {
     fmt::print("{}: {} ({})\n", item.name, item.title, item.sections);
     for (const Verdict& v : item.verdicts) {
       ++counts[static_cast<int>(v.judgement)];
-      fmt::print("  {:<18}  {}\n", argument(v.judgement), v.place);
+      fmt::print("  {:<18}  {}\n", word(v.judgement), v.place);
     }
     fmt::print("\n");
   }
@@ -91,7 +91,7 @@ void print_json(const std::vector<Item>& items, const std::string& report) {
     nlohmann::json verdicts = nlohmann::json::array();
     for (const Verdict& v : item.verdicts)
       verdicts.push_back(
-          {{"place", v.place}, {"judgement", argument(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
+          {{"place", v.place}, {"judgement", word(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
     list.push_back({{"name", item.name}, {"verdicts", verdicts}});
   }
   fmt::print("{}\n", nlohmann::json{{"report", report}, {"items", list}}.dump());

@@ -1,6 +1,5 @@
-#include "words_schema.hpp"
+#include "words.hpp"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include <pounding/core/version.hpp>
 #include <pounding/input/keys/studies.hpp>
 #include <pounding/laws/compiled.hpp>
-#include "words_text.hpp"
 
 namespace pounding::program {
 namespace {

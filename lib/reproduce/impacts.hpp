@@ -2,7 +2,6 @@
 /// Impacts for the items of the paper, run through time by the program itself.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <pounding/laws/compiled.hpp>

@@ -2,7 +2,6 @@
 /// Errors for users.
 
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include <pounding/base/excerpt.hpp>

@@ -58,8 +58,6 @@ void ImpactLog::release(double time) {
   store(0);
 }
 
-void ImpactLog::engage() { rows_.back().t_release = unknown; }
-
 void ImpactLog::end(double time, double rate) {
   ImpactRow& row = rows_.back();
   row.t_end = time;

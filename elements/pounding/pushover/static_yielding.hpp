@@ -2,7 +2,6 @@
 /// A structure with parts that yield, at rest under a load of one pattern.
 
 #include <Eigen/Core>
-#include <vector>
 
 #include <pounding/structures/structure.hpp>
 

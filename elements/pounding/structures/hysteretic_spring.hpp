@@ -2,7 +2,6 @@
 /// Storeys, hinges and devices with a hysteretic law.
 
 #include <cmath>
-#include <type_traits>
 
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/structures/spring.hpp>

@@ -64,11 +64,13 @@ class CachedFactors {
   void make_room(const CachedFactor* needed);
 
   /// Factors that are held. Not collective.
-  int count() const;
+  int count() const { return static_cast<int>(levels_.size()) + (off_level_ && off_level_->factor ? 1 : 0); }
   /// All that is held on this process [bytes]. Not collective.
   double memory() const;
   /// Iterations of conjugate gradients so far on this process. Not collective.
-  long iterations() const;
+  long iterations() const {
+    return finished_iterations_ + (off_level_ && off_level_->gradients ? off_level_->gradients->iterations() : 0);
+  }
   /// Package of one of the factors; empty before the first. Not collective.
   std::string package() const;
 

@@ -1,7 +1,6 @@
 #include <pounding/linear/system_matrices.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>

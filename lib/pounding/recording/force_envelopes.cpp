@@ -1,7 +1,6 @@
 #include <pounding/recording/force_envelopes.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <span>

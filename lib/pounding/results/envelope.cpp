@@ -1,8 +1,5 @@
 #include <pounding/results/envelope.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace pounding {
 
 double Extremes::peak(std::size_t i) const { return std::max({0.0, -min[i], max[i]}); }

@@ -2,7 +2,6 @@
 /// Results of a run in memory and in one HDF5 file, which h5py reads without help.
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>

@@ -20,8 +20,6 @@ void CycleCounts::follow(std::size_t part, double deformation, const YieldLimits
   if (on > 0 || turns) turn[part] = deformation;
 }
 
-double CycleCounts::cycles(std::size_t part) const { return 0.5 * std::abs(swings[part]); }
-
 void CycleCounts::archive(Archive& archive) {
   archive(turn);
   archive(swings);

@@ -20,7 +20,7 @@ struct CycleCounts {
   /// A part goes straight to a deformation, and yields at these for the first time.
   void follow(std::size_t part, double deformation, const YieldLimits& limits);
   /// Half the number of swings of a part.
-  double cycles(std::size_t part) const;
+  double cycles(std::size_t part) const { return 0.5 * std::abs(swings[part]); }
   void archive(Archive& archive);
 };
 

@@ -1,6 +1,5 @@
 #include <pounding/run/run_writer.hpp>
 
-#include <exception>
 #include <utility>
 
 #include <fmt/format.h>

@@ -161,8 +161,6 @@ double ErrorNorm::slip_error(int spring, const Trial& trial, double error) const
   return scale > 0 ? std::abs(error) / scale : 0;
 }
 
-void ErrorNorm::allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
-
 void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v) {
   const StructureSolver& solver = equations_.solver;
   const Eigen::VectorXd& w = solver.weights();

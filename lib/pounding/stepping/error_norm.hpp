@@ -26,7 +26,7 @@ class ErrorNorm {
   int worst_link() const { return worst_link_; }
 
   /// From now on a step may have this part of the error that the tolerance allows.
-  void allow(double part);
+  void allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
 
   /// Scales of a motion to start from.
   void start(const Instant& now);

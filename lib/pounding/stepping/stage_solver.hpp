@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <pounding/stepping/anderson.hpp>
