@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <pounding/core/unit_names.hpp>
+#include <pounding/core/unit_reader.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/keys/studies.hpp>
 #include <pounding/laws/compiled.hpp>

@@ -82,6 +82,13 @@ class Archive {
     archive_value(*this, value);
   }
 
+  /// Several values, one after another.
+  template <class... T>
+    requires(sizeof...(T) > 1)
+  void operator()(T&... values) {
+    ((*this)(values), ...);
+  }
+
   /// The parts that such a function is made of. A number of items: written, or read and returned. Throws
   /// std::runtime_error for a number that the bytes cannot hold.
   std::size_t count(std::size_t size) {

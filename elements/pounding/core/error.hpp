@@ -13,7 +13,7 @@ namespace pounding {
 /// printed, whatever was read. Exit code 2 of the program.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::string_view text);
+  explicit InputError(std::string_view text) : std::runtime_error(message_text(text)) {}
 };
 
 /// A solve that failed. The text says at which time and why. Exit code 3 of the program.

@@ -26,7 +26,7 @@ class ImpactLog {
   /// The force fell to zero at this time [s]; the bodies still overlap, so it may come back.
   void release(double time);
   /// The force came back after a release.
-  void engage() { rows_.back().t_release = unknown; }
+  void engage();
   /// The impact is over at this time [s]; `rate` at the separation is negative when the bodies part [m/s].
   void end(double time, double rate);
   /// Adds an impulse without duration [N s] and the energy that it took [J].

@@ -22,8 +22,7 @@ Contact::EventFunctions RigidGapLink::event_functions(const LinkMotion& motion, 
 }
 
 void RigidGapLink::archive(Archive& archive) {
-  archive(drift_);
-  archive(phase_);
+  archive(drift_, phase_);
   log_.archive(archive);
 }
 

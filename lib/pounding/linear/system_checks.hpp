@@ -1,12 +1,19 @@
 #pragma once
-/// Requirements of the sparse solver on a System, and the name of what makes a matrix singular. Every process checks
-/// the whole System, so that all find the same.
+/// The rows of a system on each process, requirements of the sparse solver on it, and the name of what makes a matrix
+/// singular. Every process checks the whole System, so that all find the same.
 
 #include <vector>
 
 #include <pounding/model/system.hpp>
 
 namespace pounding::petsc {
+
+/// True if each process gets whole groups, because there are at least as many groups as processes.
+bool shares_whole_groups(const System& system, int processes);
+
+/// First row of each process, and last the number of all rows: length processes + 1. Whole groups, by the entries of
+/// their stiffness, where shares_whole_groups; else even parts.
+std::vector<int> first_rows(const System& system, int processes);
 
 /// Throws std::invalid_argument for groups that do not follow one another over all degrees of freedom, and for an entry
 /// of a matrix that joins two groups.

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <pounding/linear/damping_matrix.hpp>
-#include <pounding/linear/row_ranges.hpp>
 #include <pounding/linear/system_checks.hpp>
 
 namespace pounding::petsc {

@@ -44,8 +44,7 @@ void StructureEnvelope::archive(Archive& archive) {
        {&displacement, &edge_displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction})
     archive(*extremes);
   for (std::vector<std::string>* names : {&members, &components, &supports, &directions}) archive(*names);
-  archive(with_gravity);
-  archive(included);
+  archive(with_gravity, included);
 }
 
 Extremes section_forces(const StructureEnvelope& envelope) {

@@ -9,7 +9,6 @@
 
 #include <pounding/links/impact_row.hpp>
 #include <pounding/model/reduction.hpp>
-#include <pounding/results/checkpoint.hpp>
 #include <pounding/results/envelope.hpp>
 #include <pounding/results/file_image.hpp>
 #include <pounding/results/spring_history.hpp>

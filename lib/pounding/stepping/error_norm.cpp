@@ -253,12 +253,7 @@ double ErrorNorm::product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) co
 }
 
 void ErrorNorm::archive(Archive& archive) {
-  archive(scales_.displacement);
-  archive(scales_.velocity);
-  archive(slow_velocity_);
-  archive(rate_scale_);
-  archive(penetration_scale_);
-  archive(stretch_scale_);
+  archive(scales_.displacement, scales_.velocity, slow_velocity_, rate_scale_, penetration_scale_, stretch_scale_);
 }
 
 void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& t, double part,

@@ -99,10 +99,7 @@ class SupportExcitation {
   }
 
   /// Writes the next breakpoint, or reads it back.
-  void archive(Archive& archive) {
-    archive(first_break_);
-    archive(next_break_);
-  }
+  void archive(Archive& archive) { archive(first_break_, next_break_); }
 
  private:
   const System& system_;
